@@ -1,0 +1,198 @@
+#pragma once
+// A scene is data: where things are, as expressions of the coordinates, and nothing that follows from it.
+// Every string that is not a name, a unit or prose is an expression (core/expr/parse.hpp) in the scene's
+// parameters, coordinates q, velocities q_dot, held lengths, inputs and the time t.
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace qdot {
+
+/// The interval in which a number makes sense: "> 0" is lower = 0, lower_open = true.
+struct Domain {
+  double lower{-std::numeric_limits<double>::infinity()};
+  double upper{std::numeric_limits<double>::infinity()};
+  bool lower_open{false};
+  bool upper_open{false};
+
+  [[nodiscard]] bool contains(double value) const {
+    return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
+  }
+};
+
+struct Parameter {
+  std::string name;
+  std::string unit;           ///< "kg", "N/m", "rad/s", "1"; see core/mechanics/dimension.hpp
+  std::string default_value;  ///< a number or an expression of the other parameters, "2*m"
+  Domain domain;
+  std::string meaning;
+  std::string latex;  ///< empty: from the name
+};
+
+struct Coordinate {
+  std::string name;
+  std::string unit;  ///< of the coordinate; its velocity `<name>_dot` has unit/s
+  std::string initial;       ///< default initial value, an expression of the parameters
+  std::string initial_rate;  ///< default initial velocity
+  std::string scale;         ///< optional length that turns an angle into an arc, "l"
+  /// Where the coordinate describes a configuration: l > 0. Leaving it ends every motion.
+  Domain domain;
+  std::string meaning;
+  std::string latex;
+};
+
+/// A function of time that a request supplies, such as a force F(t).
+struct Input {
+  std::string name;
+  std::string unit;
+  std::string default_value;  ///< expression in t and the parameters
+  std::string meaning;
+};
+
+/// A length that the motion keeps at `value`. It is varied to derive the reaction that keeps it (see Reaction).
+struct HeldLength {
+  std::string name;
+  std::string unit;
+  std::string value;  ///< expression of the parameters
+  std::string meaning;
+};
+
+/// Either the name of one of the scene's points, or its own components (2 or 3).
+struct Position {
+  std::string point;
+  std::vector<std::string> components;
+};
+
+/// A named point, in an inertial frame: x, y (up) in the plane, x, y, z (up) in space.
+struct Point {
+  std::string name;
+  std::vector<std::string> components;
+};
+
+struct Particle {
+  std::string name;
+  std::string mass;
+  Position position;
+};
+
+/// Uniform slender rod: T = m/6 (vA.vA + vA.vB + vB.vB), exact in space.
+struct SlenderRod {
+  std::string name;
+  std::string mass;
+  Position start;
+  Position end;
+};
+
+/// Uniform disk in the plane: T = m/2 v.v + m r^2/4 angle_dot^2.
+struct Disk {
+  std::string name;
+  std::string mass;
+  std::string radius;
+  Position centre;
+  std::string angle;
+};
+
+using Body = std::variant<Particle, SlenderRod, Disk>;
+
+/// V = k/2 (length - rest_length)^2.
+struct Spring {
+  std::string name;
+  std::string stiffness;
+  std::string length;
+  std::string rest_length;
+};
+
+/// Q_i = vector . d(point)/dq_i.
+struct Force {
+  std::string name;
+  std::vector<std::string> vector;
+  Position point;
+};
+
+/// The generalized force that keeps `length`: sign (d/dt dL/dlength' - dL/dlength) with length held.
+/// A string pulls inwards, so its tension has sign -1; a normal force pushes outwards, sign +1.
+struct Reaction {
+  std::string length;
+  int sign{1};
+};
+
+/// The model holds while `quantity` >= 0.
+struct ValidityCondition {
+  std::string name;                                ///< the column's name, "tension"
+  std::string unit;
+  std::variant<Reaction, std::string> quantity;    ///< a derived reaction, or an expression
+  std::string reason;                              ///< code of the ending, "string_slack"
+  std::string message;                             ///< the sentence to print when it fails
+};
+
+/// The coordinates describe no configuration where `expression` is 0: every motion ends there.
+struct Singularity {
+  std::string name;
+  std::string expression;
+  std::string message;
+};
+
+enum class Crossing { rising, falling, either };
+
+struct SceneEvent {
+  std::string name;
+  std::string expression;  ///< the event is a zero of this
+  Crossing direction{Crossing::either};
+  std::string when;  ///< optional: expression that is > 0 where the crossing counts, "-theta"
+  std::string meaning;
+};
+
+/// At `event`, each symbol of the map jumps to its expression of the state before.
+struct Impact {
+  std::string event;
+  std::vector<std::pair<std::string, std::string>> map;
+  std::string meaning;
+};
+
+/// Units of the dimensionless form: expressions of the parameters with dimensions kg, m and s.
+struct Scales {
+  std::string mass;
+  std::string length;
+  std::string time;
+  /// What a parameter over its scale is called: {"m", "mu"}. Others become `<name>_hat`.
+  std::vector<std::pair<std::string, std::string>> names;
+};
+
+struct Scene {
+  std::string name;
+  std::string title;
+  std::string problem;  ///< number on the practice sheet, or empty
+  std::string model_version;
+  std::string description;
+  std::vector<Parameter> parameters;
+  std::vector<Coordinate> coordinates;
+  std::vector<Input> inputs;
+  std::vector<HeldLength> held_lengths;
+  std::vector<Point> points;
+  std::vector<Body> bodies;
+  std::vector<std::string> gravity;  ///< acceleration vector, as many components as the positions; may be empty
+  std::vector<Spring> springs;
+  std::string potential;   ///< extra potential energy, or empty
+  std::vector<Force> forces;
+  std::string dissipation;  ///< Rayleigh function D: Q_i = -dD/dq_i_dot, or empty
+  std::string lagrangian;   ///< instead of bodies, gravity, springs and potential
+  std::vector<ValidityCondition> valid_while;
+  std::vector<Singularity> singular_where;
+  std::vector<SceneEvent> events;
+  std::optional<Impact> impact;
+  std::optional<Scales> scales;
+  std::vector<std::vector<std::string>> lines;  ///< drawing hint: chains of points to join
+};
+
+/// One mistake in a scene.
+struct Diagnostic {
+  std::string place;    ///< path inside the scene, "/bodies/0/position/1"
+  std::string code;     ///< unknown_symbol, syntax, dimension, duplicate_name, domain, missing, ...
+  std::string message;  ///< one sentence that names the symbol and says what to write instead
+};
+
+}  // namespace qdot
