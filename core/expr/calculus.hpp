@@ -1,0 +1,29 @@
+#pragma once
+// Differentiation, substitution and evaluation of expressions, each one bottom-up pass over shared nodes.
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/expr/expression.hpp"
+
+namespace qdot {
+
+/// de/dsymbol. d|x|/dx = sign(x), dsign/dx = 0 (both right away from 0).
+[[nodiscard]] Expression differentiate(const Expression& e, const Expression& symbol);
+
+using Replacement = std::pair<Expression, Expression>;  ///< symbol, what stands in its place
+
+/// e with every symbol replaced at once.
+[[nodiscard]] Expression substitute(const Expression& e, std::span<const Replacement> replacements);
+
+/// de/dt along a motion: sum over (x, x') of de/dx x'. A pair (t, 1) covers the explicit time.
+[[nodiscard]] Expression total_derivative(const Expression& e, std::span<const Replacement> rates);
+
+using Assignment = std::pair<Expression, double>;
+
+/// The value of e, walking its nodes; the slow second road beside the compiled tape. Unassigned symbols are NaN,
+/// `pi` is known.
+[[nodiscard]] double evaluate(const Expression& e, std::span<const Assignment> values);
+
+}  // namespace qdot

@@ -1,0 +1,83 @@
+#include "core/expr/number.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace qdot {
+namespace {
+
+using Wide = __int128;
+
+constexpr std::int64_t largest_exact = std::int64_t{1} << 53;
+
+Wide greatest_divisor(Wide a, Wide b) {
+  if (a < 0) a = -a;
+  while (b != 0) {
+    const Wide rest = a % b;
+    a = b;
+    b = rest;
+  }
+  return a;
+}
+
+Number reduced(Wide p, Wide q) {
+  if (q < 0) {
+    p = -p;
+    q = -q;
+  }
+  const Wide divisor = greatest_divisor(p, q);
+  p /= divisor;
+  q /= divisor;
+  if (p > largest_exact || -p > largest_exact || q > largest_exact) {
+    return Number::real(static_cast<double>(p) / static_cast<double>(q));
+  }
+  return Number::ratio(static_cast<std::int64_t>(p), static_cast<std::int64_t>(q));
+}
+
+}  // namespace
+
+Number Number::ratio(std::int64_t p, std::int64_t q) {
+  const std::int64_t divisor = std::gcd(p, q) * (q < 0 ? -1 : 1);
+  Number result;
+  result.numerator_ = p / divisor;
+  result.denominator_ = q / divisor;
+  return result;
+}
+
+Number Number::real(double value) {
+  if (std::abs(value) <= static_cast<double>(largest_exact) && value == std::floor(value)) {
+    return Number(static_cast<std::int64_t>(value));
+  }
+  Number result;
+  result.denominator_ = 0;
+  result.real_ = value;
+  return result;
+}
+
+Number operator+(const Number& a, const Number& b) {
+  if (!a.is_exact() || !b.is_exact()) return Number::real(a.value() + b.value());
+  return reduced(Wide{a.numerator()} * b.denominator() + Wide{b.numerator()} * a.denominator(),
+                 Wide{a.denominator()} * b.denominator());
+}
+
+Number operator*(const Number& a, const Number& b) {
+  if (!a.is_exact() || !b.is_exact()) return Number::real(a.value() * b.value());
+  return reduced(Wide{a.numerator()} * b.numerator(), Wide{a.denominator()} * b.denominator());
+}
+
+Number operator/(const Number& a, const Number& b) {
+  if (!a.is_exact() || !b.is_exact()) return Number::real(a.value() / b.value());
+  return reduced(Wide{a.numerator()} * b.denominator(), Wide{a.denominator()} * b.numerator());
+}
+
+Number power(const Number& base, int exponent) {
+  Number result(1);
+  for (int i = 0; i < std::abs(exponent); ++i) result = result * base;
+  return exponent < 0 ? Number(1) / result : result;
+}
+
+Number gcd(const Number& a, const Number& b) {
+  return Number::ratio(std::gcd(a.numerator(), b.numerator()), std::lcm(a.denominator(), b.denominator()));
+}
+
+}  // namespace qdot

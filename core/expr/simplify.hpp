@@ -1,0 +1,21 @@
+#pragma once
+// Short forms of expressions, as one writes them by hand.
+
+#include <cstddef>
+
+#include "core/expr/expression.hpp"
+
+namespace qdot {
+
+/// e multiplied out into a sum of products, like terms collected. Exact.
+[[nodiscard]] Expression expand(const Expression& e);
+
+/// e in a short form: multiplied out, the identities sin^2 + cos^2 = 1, the addition theorems and the double
+/// angle used where they shorten, then common factors and squares taken out. Exact, with one assumption:
+/// factors cancel (x/x = 1), so the result may be regular where e was 0/0.
+[[nodiscard]] Expression simplify(const Expression& e);
+
+/// Additions, multiplications, divisions, powers and calls in the text form of e (a rational literal counts none).
+[[nodiscard]] std::size_t operation_count(const Expression& e);
+
+}  // namespace qdot
