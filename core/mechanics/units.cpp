@@ -1,0 +1,283 @@
+#include "core/mechanics/units.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <numbers>
+#include <numeric>
+
+namespace qdot {
+namespace {
+
+constexpr std::array<std::string_view, 4> base_names{"kg", "m", "s", "A"};
+
+/// Lowest terms; beyond a million in either part the value is kept and the precision dropped.
+Exponent reduced(std::int64_t numerator, std::int64_t denominator) {
+  constexpr std::int64_t limit = 1'000'000;
+  if (denominator < 0) {
+    numerator = -numerator;
+    denominator = -denominator;
+  }
+  const std::int64_t divisor = std::max<std::int64_t>(std::gcd(numerator, denominator), 1);
+  numerator /= divisor;
+  denominator /= divisor;
+  while (denominator > limit) {
+    numerator /= 2;
+    denominator /= 2;
+  }
+  numerator = std::clamp(numerator, -limit, limit);
+  const std::int64_t rest = std::max<std::int64_t>(std::gcd(numerator, denominator), 1);
+  return {static_cast<int>(numerator / rest), static_cast<int>(denominator / rest)};
+}
+
+Exponent sum(Exponent a, Exponent b, int sign) {
+  const std::int64_t denominator = std::int64_t{a.denominator} * b.denominator;
+  return reduced(std::int64_t{a.numerator} * b.denominator + sign * std::int64_t{b.numerator} * a.denominator,
+                 denominator);
+}
+
+/// "m", "m^2", "m^(1/2)"
+std::string power_text(std::string_view name, Exponent exponent) {
+  std::string text(name);
+  if (exponent == Exponent{1, 1}) return text;
+  const std::string numerator = std::to_string(exponent.numerator);
+  if (exponent.denominator == 1) return text + "^" + numerator;
+  return text + "^(" + numerator + "/" + std::to_string(exponent.denominator) + ")";
+}
+
+struct NamedUnit {
+  std::string_view name;
+  Unit unit;
+};
+
+constexpr Dimension dimension(int kg, int m, int s, int a = 0) {
+  return {{Exponent{kg, 1}, Exponent{m, 1}, Exponent{s, 1}, Exponent{a, 1}}};
+}
+
+constexpr double pi = std::numbers::pi;
+constexpr Dimension mass = dimension(1, 0, 0);
+constexpr Dimension length = dimension(0, 1, 0);
+constexpr Dimension duration = dimension(0, 0, 1);
+constexpr Dimension frequency = dimension(0, 0, -1);
+constexpr Dimension force = dimension(1, 1, -2);
+constexpr Dimension energy = dimension(1, 2, -2);
+constexpr Dimension power = dimension(1, 2, -3);
+constexpr Dimension pressure = dimension(1, -1, -2);
+constexpr Dimension current = dimension(0, 0, 0, 1);
+
+constexpr auto units = std::to_array<NamedUnit>({
+    {"1", {}},
+    {"kg", {1, 1, mass}},
+    {"g", {1, 1e3, mass}},
+    {"mg", {1, 1e6, mass}},
+    {"km", {1e3, 1, length}},
+    {"m", {1, 1, length}},
+    {"cm", {1, 1e2, length}},
+    {"mm", {1, 1e3, length}},
+    {"um", {1, 1e6, length}},
+    {"s", {1, 1, duration}},
+    {"ms", {1, 1e3, duration}},
+    {"us", {1, 1e6, duration}},
+    {"min", {60, 1, duration}},
+    {"h", {3600, 1, duration}},
+    {"rad", {1, 1, {}, 1}},
+    {"deg", {pi, 180, {}, 1}},
+    {"rev", {2 * pi, 1, {}, 1}},
+    {"Hz", {1, 1, frequency, 0, 1}},
+    {"rpm", {2 * pi, 60, frequency, 1}},
+    {"N", {1, 1, force}},
+    {"kN", {1e3, 1, force}},
+    {"mN", {1, 1e3, force}},
+    {"J", {1, 1, energy}},
+    {"kJ", {1e3, 1, energy}},
+    {"mJ", {1, 1e3, energy}},
+    {"W", {1, 1, power}},
+    {"kW", {1e3, 1, power}},
+    {"Pa", {1, 1, pressure}},
+    {"kPa", {1e3, 1, pressure}},
+    {"MPa", {1e6, 1, pressure}},
+    {"A", {1, 1, current}},
+    {"mA", {1, 1e3, current}},
+    {"C", {1, 1, dimension(0, 0, 1, 1)}},
+    {"V", {1, 1, dimension(1, 2, -3, -1)}},
+    {"T", {1, 1, dimension(1, 0, -2, -1)}},
+    {"ohm", {1, 1, dimension(1, 2, -3, -2)}},
+});
+
+/// Held to what can mean anything, so that ((rad^99)^99)^99 does not overflow.
+constexpr int bounded(int count) { return std::clamp(count, -100, 100); }
+
+Unit product(const Unit& a, const Unit& b) {
+  return {a.numerator * b.numerator, a.divisor * b.divisor, a.dimension * b.dimension,
+          bounded(a.angle + b.angle), bounded(a.cycles + b.cycles)};
+}
+
+Unit inverse(const Unit& a) {
+  return {a.divisor, a.numerator, Dimension{} / a.dimension, -a.angle, -a.cycles};
+}
+
+/// A fractional power keeps numbers exact only where there is nothing to convert: no value for cm^(1/2).
+std::optional<Unit> raised(const Unit& unit, Exponent exponent) {
+  if (exponent.denominator != 1) {
+    if (!unit.is_coherent() || unit.angle != 0 || unit.cycles != 0) return std::nullopt;
+    return Unit{1, 1, pow(unit.dimension, exponent.numerator, exponent.denominator)};
+  }
+  const Unit step = exponent.numerator < 0 ? inverse(unit) : unit;
+  Unit result;
+  for (int i = 0; i < std::abs(exponent.numerator); ++i) result = product(result, step);
+  return result;
+}
+
+/// Recursive descent; the length of the text (80 bytes) bounds the recursion.
+///   unit  := power { ("*" | "/") power }        power := atom [ ("^" | "**") exponent ]
+///   atom  := name | "1" | "(" unit ")"          exponent := integer | "(" integer [ "/" integer ] ")"
+class UnitParser {
+ public:
+  explicit UnitParser(std::string_view text) : text_(text) {}
+
+  std::optional<Unit> parse() {
+    const std::optional<Unit> result = unit();
+    skip_spaces();
+    return position_ == text_.size() ? result : std::nullopt;
+  }
+
+ private:
+  void skip_spaces() {
+    while (position_ < text_.size() && text_[position_] == ' ') ++position_;
+  }
+
+  bool take(std::string_view token) {
+    skip_spaces();
+    if (!text_.substr(position_).starts_with(token)) return false;
+    position_ += token.size();
+    return true;
+  }
+
+  std::optional<Unit> unit() {
+    std::optional<Unit> left = power_of_atom();
+    while (left) {
+      const bool divides = take("/");
+      if (!divides && !take("*")) break;
+      const std::optional<Unit> right = power_of_atom();
+      if (!right) return std::nullopt;
+      left = product(*left, divides ? inverse(*right) : *right);
+    }
+    return left;
+  }
+
+  std::optional<Unit> power_of_atom() {
+    const std::optional<Unit> base = atom();
+    if (!base || !(take("**") || take("^"))) return base;
+    const std::optional<Exponent> power = exponent();
+    return power ? raised(*base, *power) : std::nullopt;
+  }
+
+  std::optional<Unit> atom() {
+    if (take("(")) {
+      const std::optional<Unit> inner = unit();
+      return inner && take(")") ? inner : std::nullopt;
+    }
+    if (take("1")) return Unit{};
+    return named();
+  }
+
+  std::optional<Unit> named() {
+    skip_spaces();
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const std::string_view rest = text_.substr(position_);
+    const auto end = std::ranges::find_if_not(rest, is_letter);
+    const std::string_view name = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+    const auto found = std::ranges::find(units, name, &NamedUnit::name);
+    if (found == units.end()) return std::nullopt;
+    position_ += name.size();
+    return found->unit;
+  }
+
+  std::optional<Exponent> exponent() {
+    if (!take("(")) {
+      const std::optional<int> whole = integer();
+      return whole ? std::optional(Exponent{*whole, 1}) : std::nullopt;
+    }
+    const std::optional<int> numerator = integer();
+    const std::optional<int> denominator = take("/") ? integer() : 1;
+    if (!numerator || !denominator || *denominator == 0 || !take(")")) return std::nullopt;
+    return reduced(*numerator, *denominator);
+  }
+
+  /// At most two digits: no unit has a larger exponent.
+  std::optional<int> integer() {
+    const bool negative = take("-");
+    skip_spaces();
+    int value = 0;
+    std::size_t digits = 0;
+    for (; position_ < text_.size() && text_[position_] >= '0' && text_[position_] <= '9'; ++position_) {
+      if (++digits > 2) return std::nullopt;
+      value = 10 * value + (text_[position_] - '0');
+    }
+    if (digits == 0) return std::nullopt;
+    return negative ? -value : value;
+  }
+
+  std::string_view text_;
+  std::size_t position_{0};
+};
+
+}  // namespace
+
+Dimension operator*(const Dimension& a, const Dimension& b) {
+  Dimension result;
+  for (std::size_t i = 0; i < result.exponents.size(); ++i) {
+    result.exponents[i] = sum(a.exponents[i], b.exponents[i], +1);
+  }
+  return result;
+}
+
+Dimension operator/(const Dimension& a, const Dimension& b) {
+  Dimension result;
+  for (std::size_t i = 0; i < result.exponents.size(); ++i) {
+    result.exponents[i] = sum(a.exponents[i], b.exponents[i], -1);
+  }
+  return result;
+}
+
+Dimension pow(const Dimension& d, int numerator, int denominator) {
+  assert(denominator != 0);
+  Dimension result;
+  for (std::size_t i = 0; i < result.exponents.size(); ++i) {
+    result.exponents[i] = reduced(std::int64_t{d.exponents[i].numerator} * numerator,
+                                  std::int64_t{d.exponents[i].denominator} * denominator);
+  }
+  return result;
+}
+
+std::string to_text(const Dimension& d) {
+  std::string above;
+  std::string below;
+  int factors_below = 0;
+  for (std::size_t i = 0; i < base_names.size(); ++i) {
+    const Exponent exponent = d.exponents[i];
+    if (exponent.numerator > 0) {
+      above += (above.empty() ? "" : "*") + power_text(base_names[i], exponent);
+    } else if (exponent.numerator < 0) {
+      below +=
+          (below.empty() ? "" : "*") + power_text(base_names[i], {-exponent.numerator, exponent.denominator});
+      ++factors_below;
+    }
+  }
+  if (above.empty()) above = "1";
+  if (below.empty()) return above;
+  return above + "/" + (factors_below > 1 ? "(" + below + ")" : below);
+}
+
+std::optional<Unit> parse_unit(std::string_view text) {
+  constexpr std::size_t longest = 80;
+  if (text.size() > longest) return std::nullopt;
+  const std::optional<Unit> unit = UnitParser(text).parse();
+  // um^99 is beyond double precision.
+  if (!unit || !std::isfinite(unit->numerator) || !std::isfinite(unit->divisor)) return std::nullopt;
+  return unit;
+}
+
+}  // namespace qdot

@@ -1,0 +1,63 @@
+#pragma once
+// Physical dimensions and the names of units. A dimension is a product of powers of the four SI base units
+// that mechanics with charges needs: kg, m, s, A. Exponents are rational, so that sqrt(l/g) has one.
+//
+// Angles have no dimension: rad = 1, as in the SI Brochure (9th edition, section 2.3.4). Whether a unit
+// speaks of angles at all is kept beside its dimension, because "2 Hz" said of an angular velocity means 4 pi
+// rad/s.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace qdot {
+
+/// A rational number in lowest terms, denominator > 0.
+struct Exponent {
+  int numerator{0};
+  int denominator{1};
+
+  friend bool operator==(const Exponent&, const Exponent&) = default;
+};
+
+/// kg^a m^b s^c A^d. The default value is "no dimension", which prints as "1".
+struct Dimension {
+  std::array<Exponent, 4> exponents{};  ///< of kg, m, s, A
+
+  [[nodiscard]] bool is_dimensionless() const { return *this == Dimension{}; }
+  friend bool operator==(const Dimension&, const Dimension&) = default;
+};
+
+[[nodiscard]] Dimension operator*(const Dimension& a, const Dimension& b);
+[[nodiscard]] Dimension operator/(const Dimension& a, const Dimension& b);
+
+/// d^(numerator/denominator), denominator != 0: sqrt is pow(d, 1, 2). Total: an exponent beyond a million,
+/// which no physics has, is held there instead of overflowing.
+[[nodiscard]] Dimension pow(const Dimension& d, int numerator, int denominator = 1);
+
+/// "kg*m/s^2", "1/s", "m^(1/2)", "kg*m^2/(s^3*A)"; "1" for none. parse_unit reads it back.
+[[nodiscard]] std::string to_text(const Dimension& d);
+
+/// A unit: value in SI = value in this unit * numerator / divisor. Two numbers instead of one factor because
+/// 35 cm is 35/100 = 0.35, while 35*0.01 is 0.35000000000000003.
+struct Unit {
+  double numerator{1};
+  double divisor{1};
+  Dimension dimension{};
+  int angle{0};   ///< net power of rad, deg and rev in it: 1 for "rad/s" and "rpm"
+  int cycles{0};  ///< net power of Hz in it
+
+  [[nodiscard]] double factor() const { return numerator / divisor; }
+  [[nodiscard]] double to_si(double value) const { return value * numerator / divisor; }
+  /// Are numbers in this unit SI numbers already? A scene declares its symbols in such units only.
+  [[nodiscard]] bool is_coherent() const { return numerator == divisor; }
+};
+
+/// Reads "N*s/m", "kg*m^2", "rev/s", "1/s", "N/(m/s)", "deg", "m^(1/2)", "1". Products, quotients, powers
+/// with small exponents (^ or **), parentheses; nothing else. At most 80 bytes; no value for anything it
+/// cannot read. Names: kg g mg, km m cm mm um, s ms us min h, rad deg rev, Hz rpm, N kN mN, J kJ mJ, W kW, Pa
+/// kPa MPa, A mA, C, V, T, ohm.
+[[nodiscard]] std::optional<Unit> parse_unit(std::string_view text);
+
+}  // namespace qdot
