@@ -1,0 +1,270 @@
+#include "core/expr/expression.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "core/error.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr int largest_folded_exponent = 64;
+
+std::size_t mix(std::size_t seed, std::size_t value) {
+  return seed ^ (value + 0x9e3779b97f4a7c15ULL + (seed << 6) + (seed >> 2));
+}
+
+std::size_t hash_of(const Number& n) {
+  return n.is_exact() ? mix(static_cast<std::size_t>(n.numerator()), static_cast<std::size_t>(n.denominator()))
+                      : std::hash<double>{}(n.value());
+}
+
+std::size_t hash_of(const std::vector<NodeId>& ids, std::size_t seed) {
+  for (const NodeId id : ids) seed = mix(seed, id);
+  return seed;
+}
+
+std::size_t hash_of(const Node& node) {
+  return std::visit(
+      overloaded{[](const Literal& x) { return mix(1, hash_of(x.value)); },
+                 [](const Symbol& x) { return mix(2, std::hash<std::string>{}(x.name)); },
+                 [](const Sum& x) { return hash_of(x.terms, 3); },
+                 [](const Product& x) { return hash_of(x.factors, mix(4, hash_of(x.coefficient))); },
+                 [](const Power& x) { return mix(mix(5, x.base), hash_of(x.exponent)); },
+                 [](const Call& x) { return mix(mix(6, static_cast<std::size_t>(x.function)), x.argument); }},
+      node);
+}
+
+/// Coefficients by what they multiply, in node order.
+using Terms = std::map<NodeId, Number>;
+/// Exponents by base, in node order.
+using Factors = std::map<NodeId, Number>;
+
+void collect_terms(const Expression& e, Terms& terms) {
+  if (const auto* sum = std::get_if<Sum>(&e.node())) {
+    for (const NodeId id : sum->terms) collect_terms({e.graph(), id}, terms);
+    return;
+  }
+  const auto [coefficient, rest] = split_coefficient(e);
+  Number& slot = terms[rest.id()];
+  slot = slot + coefficient;
+}
+
+void collect_factors(const Expression& e, Number& coefficient, Factors& factors) {
+  if (const Number* number = e.number()) {
+    coefficient = coefficient * *number;
+  } else if (const auto* product = std::get_if<Product>(&e.node())) {
+    coefficient = coefficient * product->coefficient;
+    for (const NodeId id : product->factors) collect_factors({e.graph(), id}, coefficient, factors);
+  } else {
+    const auto [base, exponent] = split_power(e);
+    Number& slot = factors[base.id()];
+    slot = slot + exponent;
+  }
+}
+
+bool leads_with_minus(const Expression& e) {
+  if (const auto* sum = std::get_if<Sum>(&e.node())) {
+    // A constant comes first in node order; the sign is that of the first term that varies.
+    const std::size_t first = Expression(e.graph(), sum->terms[0]).number() != nullptr ? 1 : 0;
+    return split_coefficient({e.graph(), sum->terms[first]}).coefficient.is_negative();
+  }
+  return split_coefficient(e).coefficient.is_negative();
+}
+
+bool folds(const Number& base, const Number& exponent) {
+  return exponent.is_integer() && std::abs(exponent.numerator()) <= largest_folded_exponent &&
+         !(base.is_zero() && exponent.is_negative());
+}
+
+}  // namespace
+
+Graph::Graph() {
+  (void)number(0);
+  (void)number(1);
+}
+
+Expression Graph::intern(Node node) {
+  const std::size_t hash = hash_of(node);
+  const auto [first, last] = index_.equal_range(hash);
+  for (auto it = first; it != last; ++it) {
+    if (nodes_[it->second] == node) return {*this, it->second};
+  }
+  if (nodes_.size() >= max_nodes) throw Error(ErrorCode::too_large, "the expressions grow too large");
+  const auto id = static_cast<NodeId>(nodes_.size());
+  nodes_.push_back(std::move(node));
+  index_.emplace(hash, id);
+  return {*this, id};
+}
+
+Expression Graph::number(const Number& value) { return intern(Literal{value}); }
+
+Expression Graph::symbol(std::string_view name) { return intern(Symbol{std::string(name)}); }
+
+Expression Graph::sum(std::span<const Expression> terms) {
+  Terms collected;
+  for (const Expression& term : terms) collect_terms(term, collected);
+  std::vector<NodeId> ids;
+  for (const auto& [rest, coefficient] : collected) {
+    if (!coefficient.is_zero()) ids.push_back((coefficient * Expression(*this, rest)).id());
+  }
+  if (ids.empty()) return number(0);
+  if (ids.size() == 1) return {*this, ids[0]};
+  const auto is_sum = [this](NodeId id) { return std::holds_alternative<Sum>(nodes_[id]); };
+  if (std::any_of(ids.begin(), ids.end(), is_sum)) {  // 2 (x + y) - (x + y): flat again
+    std::vector<Expression> again;
+    for (const NodeId id : ids) again.emplace_back(*this, id);
+    return sum(again);
+  }
+  return intern(Sum{std::move(ids)});
+}
+
+Expression Graph::product(std::span<const Expression> factors) {
+  Number coefficient(1);
+  Factors collected;
+  for (const Expression& factor : factors) collect_factors(factor, coefficient, collected);
+  std::vector<NodeId> ids;
+  for (const auto& [base, exponent] : collected) {
+    if (exponent.is_zero()) continue;
+    const Expression factor = power({*this, base}, exponent);
+    if (const Number* folded = factor.number()) {  // sqrt(2) sqrt(2)
+      coefficient = coefficient * *folded;
+    } else {
+      ids.push_back(factor.id());
+    }
+  }
+  if (coefficient.is_zero()) return number(0);
+  if (ids.empty()) return number(coefficient);
+  if (ids.size() == 1 && coefficient.is_one()) return {*this, ids[0]};
+  if (const auto* only = std::get_if<Sum>(&nodes_[ids[0]]);
+      only != nullptr && ids.size() == 1 && coefficient == Number(-1)) {
+    std::vector<Expression> terms;  // a sign goes into a sum: -(x - y) = y - x
+    for (const NodeId id : only->terms) terms.push_back(-Expression(*this, id));
+    return sum(terms);
+  }
+  return intern(Product{coefficient, std::move(ids)});
+}
+
+Expression Graph::power(const Expression& base, const Number& exponent) {
+  if (exponent.is_zero()) return number(1);
+  if (exponent.is_one()) return base;
+  if (const Number* value = base.number()) {
+    if (folds(*value, exponent)) return number(qdot::power(*value, static_cast<int>(exponent.numerator())));
+    if (value->is_one() || (value->is_zero() && !exponent.is_negative())) return base;
+  }
+  if (exponent.is_integer()) {  // (xy)^n and (x^a)^n distribute for integer n only
+    if (const auto* inner = std::get_if<Power>(&base.node())) {
+      return power({*this, inner->base}, inner->exponent * exponent);
+    }
+    if (const auto* inner = std::get_if<Product>(&base.node())) {
+      std::vector<Expression> factors{power(number(inner->coefficient), exponent)};
+      for (const NodeId id : inner->factors) factors.push_back(power({*this, id}, exponent));
+      return product(factors);
+    }
+  }
+  return intern(Power{base.id(), exponent});
+}
+
+Expression Graph::call(Function function, const Expression& argument) {
+  const bool odd = function != Function::cos && function != Function::cosh && function != Function::abs &&
+                   function != Function::exp && function != Function::log && function != Function::acos;
+  const bool even = function == Function::cos || function == Function::cosh || function == Function::abs;
+  if (argument.is_zero()) {
+    if (odd) return argument;
+    if (function == Function::cos || function == Function::cosh || function == Function::exp) return number(1);
+  }
+  if (function == Function::log && argument.is_one()) return number(0);
+  if ((odd || even) && leads_with_minus(argument)) {
+    const Expression mirrored = call(function, -argument);
+    return odd ? -mirrored : mirrored;
+  }
+  return intern(Call{function, argument.id()});
+}
+
+const Node& Expression::node() const { return graph_->node(id_); }
+bool Expression::is_zero() const { return id_ == 0; }
+bool Expression::is_one() const { return id_ == 1; }
+
+const Number* Expression::number() const {
+  const auto* literal = std::get_if<Literal>(&node());
+  return literal != nullptr ? &literal->value : nullptr;
+}
+
+Expression operator+(const Expression& a, const Expression& b) {
+  const Expression terms[]{a, b};
+  return a.graph().sum(terms);
+}
+Expression operator-(const Expression& a) { return Number(-1) * a; }
+Expression operator-(const Expression& a, const Expression& b) { return a + -b; }
+Expression operator*(const Expression& a, const Expression& b) {
+  const Expression factors[]{a, b};
+  return a.graph().product(factors);
+}
+Expression operator/(const Expression& a, const Expression& b) { return a * pow(b, Number(-1)); }
+
+Expression operator*(const Number& a, const Expression& b) {
+  return a.is_one() ? b : b.graph().number(a) * b;
+}
+
+Scaled split_coefficient(const Expression& e) {
+  if (const Number* number = e.number()) return {*number, e.graph().number(1)};
+  const auto* product = std::get_if<Product>(&e.node());
+  if (product == nullptr) return {Number(1), e};
+  std::vector<Expression> factors;
+  for (const NodeId id : product->factors) factors.emplace_back(e.graph(), id);
+  return {product->coefficient, product->coefficient.is_one() ? e : e.graph().product(factors)};
+}
+
+Raised split_power(const Expression& e) {
+  if (const auto* power = std::get_if<Power>(&e.node())) return {{e.graph(), power->base}, power->exponent};
+  return {e, Number(1)};
+}
+
+Expression pow(const Expression& base, const Number& exponent) { return base.graph().power(base, exponent); }
+
+Expression pow(const Expression& base, const Expression& exponent) {
+  if (const Number* number = exponent.number()) return pow(base, *number);
+  return base.graph().call(Function::exp, exponent * base.graph().call(Function::log, base));
+}
+
+Expression sqrt(const Expression& e) { return pow(e, Number::ratio(1, 2)); }
+Expression sin(const Expression& e) { return e.graph().call(Function::sin, e); }
+Expression cos(const Expression& e) { return e.graph().call(Function::cos, e); }
+
+std::vector<NodeId> children(const Node& node) {
+  return std::visit(overloaded{[](const Literal&) { return std::vector<NodeId>{}; },
+                               [](const Symbol&) { return std::vector<NodeId>{}; },
+                               [](const Sum& x) { return x.terms; }, [](const Product& x) { return x.factors; },
+                               [](const Power& x) { return std::vector<NodeId>{x.base}; },
+                               [](const Call& x) { return std::vector<NodeId>{x.argument}; }},
+                    node);
+}
+
+std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots) {
+  if (roots.empty()) return {};
+  std::vector<bool> seen(*std::max_element(roots.begin(), roots.end()) + 1, false);
+  for (const NodeId root : roots) seen[root] = true;
+  std::vector<NodeId> found;
+  for (std::size_t id = seen.size(); id-- > 0;) {  // parents before children: the marks spread downwards
+    if (!seen[id]) continue;
+    found.push_back(static_cast<NodeId>(id));
+    for (const NodeId child : children(graph.node(static_cast<NodeId>(id)))) seen[child] = true;
+  }
+  std::reverse(found.begin(), found.end());
+  return found;
+}
+
+bool depends_on(const Expression& e, std::span<const Expression> symbols) {
+  const NodeId root[]{e.id()};
+  const auto below = reachable(e.graph(), root);
+  return std::any_of(symbols.begin(), symbols.end(), [&](const Expression& symbol) {
+    return std::binary_search(below.begin(), below.end(), symbol.id());
+  });
+}
+
+bool depends_on(const Expression& e, const Expression& symbol) {
+  return depends_on(e, std::span<const Expression>(&symbol, 1));
+}
+
+}  // namespace qdot

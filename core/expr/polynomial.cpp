@@ -1,0 +1,280 @@
+#include "core/expr/polynomial.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t largest_polynomial = 20'000;
+constexpr int largest_exponent = 64;
+
+/// a.p/a.q < b.p/b.q, where an absent atom has exponent 0.
+bool less(int ap, int aq, int bp, int bq) { return ap * bq < bp * aq; }
+
+Atom sum_of_exponents(const Atom& a, const Atom& b) {
+  const int p = a.p * b.q + b.p * a.q;
+  const int q = a.q * b.q;
+  const int divisor = std::gcd(p, q);
+  return {a.base, p / divisor, q / divisor};
+}
+
+/// Terms of e by their nodes, multiplied out bottom-up with memory.
+class Expander {
+ public:
+  explicit Expander(Graph& graph) : graph_(graph) {}
+
+  const Polynomial& operator()(NodeId id) {
+    const auto found = done_.find(id);
+    if (found != done_.end()) return found->second;
+    Polynomial result = expanded(id);
+    return done_.emplace(id, std::move(result)).first->second;
+  }
+
+ private:
+  Polynomial expanded(NodeId id) {
+    return std::visit(overloaded{[&](const Literal& x) { return constant(x.value); },
+                                 [&](const Symbol&) { return atom(id); },
+                                 [&](const Sum& x) {
+                                   Polynomial sum;
+                                   for (const NodeId term : x.terms) add(sum, (*this)(term));
+                                   return sum;
+                                 },
+                                 [&](const Product& x) {
+                                   Polynomial product = constant(x.coefficient);
+                                   for (const NodeId factor : x.factors) product = product * (*this)(factor);
+                                   return with_roots_opened(std::move(product));
+                                 },
+                                 [&](const Power& x) { return raised(id, x); },
+                                 [&](const Call& x) { return called(x); }},
+                      graph_.node(id));
+  }
+
+  static Polynomial constant(const Number& value) {
+    return value.is_zero() ? Polynomial{} : Polynomial{{Monomial{}, value}};
+  }
+  static Polynomial atom(NodeId id, int p = 1, int q = 1) { return {{Monomial{{id, p, q}}, Number(1)}}; }
+
+  /// A base that is a sum is brought to its own canonical (multiplied out) form before it becomes an atom.
+  NodeId canonical(NodeId id) { return to_expression(graph_, (*this)(id)).id(); }
+
+  Polynomial raised(NodeId id, const Power& x) {
+    if (!x.exponent.is_exact() || std::abs(x.exponent.numerator()) > largest_exponent ||
+        x.exponent.denominator() > largest_exponent) {
+      return atom(id);
+    }
+    const int p = static_cast<int>(x.exponent.numerator());
+    const int q = static_cast<int>(x.exponent.denominator());
+    if (q == 1 && p > 0) {
+      const Polynomial& base = (*this)(x.base);
+      Polynomial power = constant(1);
+      for (int i = 0; i < p; ++i) power = power * base;
+      return with_roots_opened(std::move(power));
+    }
+    const Expression base(graph_, canonical(x.base));
+    const Expression again = graph_.power(base, x.exponent);
+    if (std::holds_alternative<Power>(again.node()) && split_power(again).base == base) return atom(base.id(), p, q);
+    return (*this)(again.id());  // the base turned out simpler: 1/(2 m) is a product
+  }
+
+  Polynomial called(const Call& x) {
+    const Expression argument(graph_, canonical(x.argument));
+    if (x.function == Function::tan) {
+      return (*this)((sin(argument) / cos(argument)).id());
+    }
+    const Expression again = graph_.call(x.function, argument);
+    const auto [coefficient, rest] = split_coefficient(again);
+    return std::holds_alternative<Call>(rest.node()) ? scaled(atom(rest.id()), {}, coefficient)
+                                                     : (*this)(again.id());
+  }
+
+  /// sqrt(x + y) sqrt(x + y) has become an atom (x + y)^1: such atoms are no atoms any more.
+  Polynomial with_roots_opened(Polynomial polynomial) {
+    Polynomial result;
+    for (const auto& [monomial, coefficient] : polynomial) {
+      Monomial kept;
+      Polynomial opened = constant(coefficient);
+      for (const Atom& a : monomial) {
+        const Node& base = graph_.node(a.base);
+        const bool plain = std::holds_alternative<Symbol>(base) || std::holds_alternative<Call>(base) ||
+                           (std::holds_alternative<Sum>(base) && a.p < 0);
+        if (a.q != 1 || plain) {
+          kept.push_back(a);
+        } else {
+          opened = opened * (*this)(graph_.power({graph_, a.base}, Number(a.p)).id());
+        }
+      }
+      add(result, scaled(opened, kept, 1));
+    }
+    return result;
+  }
+
+  Graph& graph_;
+  std::map<NodeId, Polynomial> done_;
+};
+
+std::optional<Number> exact_root(const Number& square) {
+  if (!square.is_exact() || square.is_negative()) return std::nullopt;
+  const auto root = [](std::int64_t n) {
+    return static_cast<std::int64_t>(std::llround(std::sqrt(static_cast<double>(n))));
+  };
+  const Number candidate = Number::ratio(root(square.numerator()), root(square.denominator()));
+  if (candidate * candidate == square) return candidate;
+  return std::nullopt;
+}
+
+std::optional<Monomial> exact_root(const Monomial& square) {
+  Monomial root;
+  for (const Atom& a : square) {
+    if (a.q != 1 || a.p % 2 != 0) return std::nullopt;
+    root.push_back({a.base, a.p / 2, 1});
+  }
+  return root;
+}
+
+}  // namespace
+
+bool LeadingFirst::operator()(const Monomial& a, const Monomial& b) const {
+  auto x = a.begin();
+  auto y = b.begin();
+  while (x != a.end() && y != b.end()) {
+    if (x->base < y->base) return x->p > 0;
+    if (y->base < x->base) return y->p < 0;
+    if (x->p != y->p || x->q != y->q) return less(y->p, y->q, x->p, x->q);
+    ++x;
+    ++y;
+  }
+  if (x != a.end()) return x->p > 0;
+  return y != b.end() && y->p < 0;
+}
+
+Monomial operator*(const Monomial& a, const Monomial& b) {
+  Monomial product;
+  product.reserve(a.size() + b.size());
+  auto x = a.begin();
+  auto y = b.begin();
+  while (x != a.end() || y != b.end()) {
+    if (y == b.end() || (x != a.end() && x->base < y->base)) {
+      product.push_back(*x++);
+    } else if (x == a.end() || y->base < x->base) {
+      product.push_back(*y++);
+    } else {
+      const Atom joined = sum_of_exponents(*x++, *y++);
+      if (joined.p != 0) product.push_back(joined);
+    }
+  }
+  return product;
+}
+
+Monomial inverse(const Monomial& a) {
+  Monomial result = a;
+  for (Atom& atom : result) atom.p = -atom.p;
+  return result;
+}
+
+Monomial times(const Monomial& a, NodeId base, int p, int q) {
+  return p == 0 ? a : a * Monomial{{base, p, q}};
+}
+
+int exponent_of(const Monomial& a, NodeId base) {
+  for (const Atom& atom : a) {
+    if (atom.base == base) return atom.q == 1 ? atom.p : 0;
+  }
+  return 0;
+}
+
+void add(Polynomial& sum, const Monomial& monomial, const Number& coefficient) {
+  const auto [position, is_new] = sum.try_emplace(monomial, coefficient);
+  if (is_new) return;
+  position->second = position->second + coefficient;
+  if (position->second.is_zero()) sum.erase(position);
+}
+
+void add(Polynomial& sum, const Polynomial& other, const Number& factor) {
+  for (const auto& [monomial, coefficient] : other) add(sum, monomial, coefficient * factor);
+}
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  if (a.size() * b.size() > largest_polynomial) throw Error(ErrorCode::too_large, "an expression grows too large");
+  Polynomial product;
+  for (const auto& [x, c] : a) {
+    for (const auto& [y, d] : b) add(product, x * y, c * d);
+  }
+  return product;
+}
+
+Polynomial scaled(const Polynomial& a, const Monomial& monomial, const Number& coefficient) {
+  Polynomial result;
+  for (const auto& [x, c] : a) result.emplace_hint(result.end(), x * monomial, c * coefficient);
+  return result;
+}
+
+Polynomial multiplied_out(const Expression& e) { return Expander(e.graph())(e.id()); }
+
+Expression to_expression(Graph& graph, const Monomial& monomial) {
+  std::vector<Expression> factors;
+  for (const Atom& a : monomial) factors.push_back(graph.power({graph, a.base}, Number::ratio(a.p, a.q)));
+  return graph.product(factors);
+}
+
+Expression to_expression(Graph& graph, const Polynomial& polynomial) {
+  std::vector<Expression> terms;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    terms.push_back(coefficient * to_expression(graph, monomial));
+  }
+  return graph.sum(terms);
+}
+
+Monomial common_monomial(const Polynomial& polynomial) {
+  Monomial common = polynomial.begin()->first;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    Monomial shared;
+    for (const Atom& a : common) {
+      for (const Atom& b : monomial) {
+        if (a.base != b.base || (a.p > 0) != (b.p > 0)) continue;
+        const bool a_nearer_zero = less(std::abs(a.p), a.q, std::abs(b.p), b.q);
+        shared.push_back(a_nearer_zero ? a : b);
+      }
+    }
+    common = std::move(shared);
+  }
+  return common;
+}
+
+std::optional<Polynomial> exact_quotient(const Polynomial& a, const Polynomial& b) {
+  Polynomial rest = a;
+  Polynomial quotient;
+  const Monomial leading_inverse = inverse(b.begin()->first);
+  const std::size_t most_terms = a.size() + b.size();
+  while (!rest.empty()) {
+    if (quotient.size() == most_terms || rest.size() > 4 * most_terms) return std::nullopt;
+    const Monomial monomial = rest.begin()->first * leading_inverse;
+    const Number coefficient = rest.begin()->second / b.begin()->second;
+    add(quotient, monomial, coefficient);
+    add(rest, scaled(b, monomial, coefficient), Number(-1));
+  }
+  return quotient;
+}
+
+std::optional<Polynomial> exact_root(const Polynomial& a) {
+  const auto coefficient = exact_root(a.begin()->second);
+  const auto monomial = exact_root(a.begin()->first);
+  if (!coefficient || !monomial) return std::nullopt;
+  Polynomial root{{*monomial, *coefficient}};
+  Polynomial rest = a;
+  add(rest, scaled(root, *monomial, *coefficient), Number(-1));
+  while (!rest.empty()) {  // (s + d)^2 = s^2 + 2 s d + d^2: the leading term of what is left is 2 s_0 d
+    if (root.size() == a.size()) return std::nullopt;
+    const Monomial next = rest.begin()->first * inverse(*monomial);
+    const Number d = rest.begin()->second / (Number(2) * *coefficient);
+    add(rest, scaled(root, next, Number(2) * d), Number(-1));
+    add(rest, next * next, -(d * d));
+    if (root.contains(next)) return std::nullopt;
+    add(root, next, d);
+  }
+  return root;
+}
+
+}  // namespace qdot

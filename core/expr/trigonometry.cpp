@@ -1,0 +1,252 @@
+#include "core/expr/trigonometry.hpp"
+
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+/// The nodes of sin(u) and cos(u).
+struct Pair {
+  NodeId sine;
+  NodeId cosine;
+};
+
+Pair pair_of(const Expression& u) { return {sin(u).id(), cos(u).id()}; }
+
+/// a sin^2 u + b cos^2 u with equal cofactors, and 1 - sin^2 u, 1 - cos^2 u.
+bool join_squares(Polynomial& polynomial, const Pair& u) {
+  for (const auto& [monomial, coefficient] : polynomial) {
+    for (const auto& [one, other] : {std::pair{u.sine, u.cosine}, std::pair{u.cosine, u.sine}}) {
+      if (exponent_of(monomial, one) < 2) continue;
+      const Monomial without = times(monomial, one, -2);
+      const Monomial partner = times(without, other, 2);
+      const Number c = coefficient;
+      const auto square = polynomial.find(partner);
+      if (square != polynomial.end() && square->second == c) {
+        const Monomial first = monomial;
+        polynomial.erase(first);
+        polynomial.erase(partner);
+        add(polynomial, without, c);
+        return true;
+      }
+      const auto constant = polynomial.find(without);
+      if (constant != polynomial.end() && constant->second == -c) {
+        const Monomial first = monomial;
+        polynomial.erase(first);
+        polynomial.erase(without);
+        add(polynomial, partner, -c);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// What the products of functions of u and v with equal or opposite coefficients become.
+struct Addition {
+  NodeId first_u, first_v;    // one term has these
+  NodeId second_u, second_v;  // the other these
+  Expression equal;           // joined when the coefficients are equal
+  Expression opposite;        // joined (with the first's coefficient) when they are opposite
+};
+
+bool join_products(Polynomial& polynomial, const Addition& rule) {
+  for (const auto& [monomial, coefficient] : polynomial) {
+    if (exponent_of(monomial, rule.first_u) < 1 || exponent_of(monomial, rule.first_v) < 1) continue;
+    const Monomial without = times(times(monomial, rule.first_u, -1), rule.first_v, -1);
+    const Monomial partner = times(times(without, rule.second_u, 1), rule.second_v, 1);
+    const auto found = polynomial.find(partner);
+    if (found == polynomial.end()) continue;
+    const bool equal = found->second == coefficient;
+    if (!equal && found->second != -coefficient) continue;
+    const Expression result = equal ? rule.equal : rule.opposite;
+    const Polynomial replacement = scaled(multiplied_out(result), without, coefficient);
+    const Monomial first = monomial;
+    polynomial.erase(first);
+    polynomial.erase(partner);
+    add(polynomial, replacement);
+    return true;
+  }
+  return false;
+}
+
+bool join_angles(Polynomial& polynomial, const Expression& u, const Expression& v) {
+  const Pair a = pair_of(u);
+  const Pair b = pair_of(v);
+  const Addition cosines{a.cosine, b.cosine, a.sine, b.sine, cos(u - v), cos(u + v)};
+  const Addition sines{a.sine, b.cosine, a.cosine, b.sine, sin(u + v), sin(u - v)};
+  return join_products(polynomial, cosines) || join_products(polynomial, sines);
+}
+
+bool join_double_angle(Polynomial& polynomial, const Expression& u) {
+  const Pair a = pair_of(u);
+  for (const auto& [monomial, coefficient] : polynomial) {
+    if (exponent_of(monomial, a.cosine) < 2) continue;
+    const Monomial without = times(monomial, a.cosine, -2);
+    const Monomial partner = times(without, a.sine, 2);
+    const auto found = polynomial.find(partner);
+    if (found == polynomial.end() || found->second != -coefficient) continue;
+    const Polynomial replacement = scaled(multiplied_out(cos(Number(2) * u)), without, coefficient);
+    const Monomial first = monomial;
+    polynomial.erase(first);
+    polynomial.erase(partner);
+    add(polynomial, replacement);
+    return true;
+  }
+  return false;
+}
+
+bool join_once(Graph& graph, Polynomial& polynomial) {
+  const std::vector<Expression> arguments = trigonometric_arguments(graph, polynomial);
+  for (const Expression& u : arguments) {
+    if (join_squares(polynomial, pair_of(u))) return true;
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    for (std::size_t j = i + 1; j < arguments.size(); ++j) {
+      if (join_angles(polynomial, arguments[i], arguments[j])) return true;
+    }
+  }
+  for (const Expression& u : arguments) {
+    if (join_double_angle(polynomial, u)) return true;
+  }
+  return false;
+}
+
+/// Every `square`^2 becomes 1 - other^2, as long as there is one.
+Polynomial without_squares(Graph& graph, const Polynomial& polynomial, NodeId square, NodeId other) {
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    const int exponent = exponent_of(monomial, square);
+    if (exponent < 2) {
+      add(result, monomial, coefficient);
+      continue;
+    }
+    const Expression one_minus = graph.number(1) - pow(Expression(graph, other), Number(2));
+    const Polynomial replaced = multiplied_out(pow(one_minus, Number(exponent / 2)));
+    add(result, scaled(replaced, times(monomial, square, -(exponent - exponent % 2)), coefficient));
+  }
+  return result;
+}
+
+/// cos(n u) or sin(n u) for a whole n by cos((n+1)u) = 2 cos u cos(nu) - cos((n-1)u), likewise sin.
+Expression of_multiple(Function function, int n, const Expression& u) {
+  Expression before = u.graph().number(function == Function::cos ? 1 : 0);
+  Expression now = u.graph().call(function, u);
+  if (n == 0) return before;
+  for (int i = 1; i < n; ++i) {
+    const Expression next = expand(Number(2) * cos(u) * now - before);
+    before = now;
+    now = next;
+  }
+  return now;
+}
+
+constexpr int largest_multiple = 12;
+
+/// function(argument) by the addition theorems, term after term of the argument.
+Expression of_single_angles(Function function, const Expression& argument) {
+  Graph& graph = argument.graph();
+  const Polynomial terms = multiplied_out(argument);
+  const auto& [monomial, coefficient] = *terms.begin();
+  const bool whole = coefficient.is_integer() && std::abs(coefficient.numerator()) <= largest_multiple;
+  const int n = whole ? static_cast<int>(std::abs(coefficient.numerator())) : 1;
+  const Expression angle = (whole ? Number(1) : coefficient) * to_expression(graph, monomial);
+  const Number sign(whole && coefficient.is_negative() ? -1 : 1);
+  const Expression cosine = of_multiple(Function::cos, n, angle);
+  const Expression sine = sign * of_multiple(Function::sin, n, angle);
+  if (terms.size() == 1) return function == Function::cos ? cosine : sine;
+  Polynomial others = terms;
+  others.erase(others.begin());
+  const Expression rest = to_expression(graph, others);
+  const Expression rest_cosine = of_single_angles(Function::cos, rest);
+  const Expression rest_sine = of_single_angles(Function::sin, rest);
+  return function == Function::cos ? cosine * rest_cosine - sine * rest_sine
+                                   : sine * rest_cosine + cosine * rest_sine;
+}
+
+bool is_trigonometric(const Call& call) {
+  return call.function == Function::sin || call.function == Function::cos;
+}
+
+}  // namespace
+
+std::vector<Expression> trigonometric_arguments(Graph& graph, const Polynomial& polynomial) {
+  std::set<NodeId> found;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    for (const Atom& atom : monomial) {
+      const auto* call = std::get_if<Call>(&graph.node(atom.base));
+      if (call != nullptr && is_trigonometric(*call)) found.insert(call->argument);
+    }
+  }
+  std::vector<Expression> arguments;
+  for (const NodeId id : found) arguments.emplace_back(graph, id);
+  return arguments;
+}
+
+Polynomial joined(Graph& graph, Polynomial polynomial) {
+  while (join_once(graph, polynomial)) {
+  }
+  return polynomial;
+}
+
+Polynomial without_sine_squares(Graph& graph, const Polynomial& polynomial, const Expression& u) {
+  const auto [sine, cosine] = pair_of(u);
+  return without_squares(graph, polynomial, sine, cosine);
+}
+
+Polynomial without_cosine_squares(Graph& graph, const Polynomial& polynomial, const Expression& u) {
+  const auto [sine, cosine] = pair_of(u);
+  return without_squares(graph, polynomial, cosine, sine);
+}
+
+Polynomial with_double_angle(Graph& graph, const Polynomial& polynomial, const Expression& u) {
+  const auto [sine, cosine] = pair_of(u);
+  const Number half = Number::ratio(1, 2);
+  const Expression cosine_of_double = cos(Number(2) * u);
+  const Expression one = graph.number(1);
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    Expression replaced = one;
+    Monomial rest = monomial;
+    while (exponent_of(rest, sine) >= 1 && exponent_of(rest, cosine) >= 1) {
+      rest = times(times(rest, sine, -1), cosine, -1);
+      replaced = replaced * (half * sin(Number(2) * u));
+    }
+    for (; exponent_of(rest, sine) >= 2; rest = times(rest, sine, -2)) {
+      replaced = replaced * (half * (one - cosine_of_double));
+    }
+    for (; exponent_of(rest, cosine) >= 2; rest = times(rest, cosine, -2)) {
+      replaced = replaced * (half * (one + cosine_of_double));
+    }
+    add(result, scaled(multiplied_out(replaced), rest, coefficient));
+  }
+  return result;
+}
+
+Polynomial with_single_angles(Graph& graph, const Polynomial& polynomial) {
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    Polynomial product{{Monomial{}, coefficient}};
+    for (const Atom& atom : monomial) {
+      const auto* call = std::get_if<Call>(&graph.node(atom.base));
+      const bool opens = call != nullptr && is_trigonometric(*call) && atom.q == 1 && atom.p > 0;
+      const Expression factor =
+          opens ? pow(of_single_angles(call->function, {graph, call->argument}), Number(atom.p))
+                : pow(Expression(graph, atom.base), Number::ratio(atom.p, atom.q));
+      product = product * multiplied_out(factor);
+    }
+    add(result, product);
+  }
+  for (const Expression& u : trigonometric_arguments(graph, result)) {
+    result = without_sine_squares(graph, result, u);
+  }
+  return result;
+}
+
+}  // namespace qdot
