@@ -105,6 +105,30 @@ Expression simplify(const Expression& e) {
   return best.form;
 }
 
+Expression simplify_quotient(const Expression& numerator, const Expression& denominator) {
+  Graph& graph = numerator.graph();
+  Polynomial above = multiplied_out(simplify(numerator));
+  if (above.empty()) return graph.number(0);
+  const Expression below = simplify(denominator);
+  Polynomial rest = multiplied_out(below);
+  const Monomial common = common_monomial(rest);
+  rest = scaled(rest, inverse(common), 1);
+  above = scaled(above, inverse(common), 1);
+  for (const NodeId id : children(below.node())) {  // brackets such as 1 + mu sin^2(phi)
+    const Polynomial bracket = multiplied_out(split_power({graph, id}).base);
+    if (bracket.size() < 2) continue;
+    while (true) {
+      const auto a = exact_quotient(above, bracket);
+      const auto b = exact_quotient(rest, bracket);
+      if (!a || !b) break;
+      above = *a;
+      rest = *b;
+    }
+  }
+  if (const auto whole = exact_quotient(above, rest)) return simplify(to_expression(graph, *whole));
+  return simplify(to_expression(graph, above)) / simplify(to_expression(graph, rest));
+}
+
 std::size_t operation_count(const Expression& e) {
   std::map<NodeId, std::size_t> done;
   return count(e.graph(), e.id(), done);

@@ -15,6 +15,9 @@ namespace qdot {
 /// factors cancel (x/x = 1), so the result may be regular where e was 0/0.
 [[nodiscard]] Expression simplify(const Expression& e);
 
+/// numerator / denominator, each in short form, without the factors they share.
+[[nodiscard]] Expression simplify_quotient(const Expression& numerator, const Expression& denominator);
+
 /// Additions, multiplications, divisions, powers and calls in the text form of e (a rational literal counts none).
 [[nodiscard]] std::size_t operation_count(const Expression& e);
 

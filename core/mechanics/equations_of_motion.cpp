@@ -1,0 +1,130 @@
+#include "core/mechanics/equations_of_motion.hpp"
+
+#include "core/expr/polynomial.hpp"
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+using Matrix = std::vector<std::vector<Expression>>;
+
+/// Lagrange's equation of coordinate i, with left - right multiplied out.
+struct RawEquation {
+  Polynomial left, right;
+};
+
+RawEquation raw_equation(const Lagrangian& lagrangian, std::size_t i) {
+  const Symbols& symbols = lagrangian.symbols;
+  const Expression momentum = differentiate(lagrangian.lagrangian, symbols.coordinates.rate[i]);
+  const Expression left = total_derivative(momentum, symbols.rates()) -
+                          differentiate(lagrangian.lagrangian, symbols.coordinates.value[i]);
+  return {multiplied_out(simplify(left)), multiplied_out(lagrangian.generalized_forces[i])};
+}
+
+/// Brackets in the diagonal of M, such as 1/2 + sin(theta), may divide the whole equation.
+std::vector<Expression> brackets(const Expression& diagonal) {
+  std::vector<Expression> found;
+  const auto* product = std::get_if<Product>(&diagonal.node());
+  std::vector<NodeId> factors = product != nullptr ? product->factors : std::vector<NodeId>{diagonal.id()};
+  for (const NodeId id : factors) {
+    const Expression base = split_power({diagonal.graph(), id}).base;
+    if (std::holds_alternative<Sum>(base.node())) found.push_back(base);
+  }
+  return found;
+}
+
+Monomial common_monomial(const RawEquation& equation) {
+  Polynomial both = equation.left;
+  add(both, equation.right, Number(-1));
+  return both.empty() ? Monomial{} : common_monomial(both);
+}
+
+/// Divides both sides by everything they share; returns what it was.
+Expression divide(Graph& graph, RawEquation& equation, const Expression& diagonal) {
+  Monomial common = common_monomial(equation);
+  std::erase_if(common, [](const Atom& atom) { return atom.q != 1; });
+  equation.left = scaled(equation.left, inverse(common), 1);
+  equation.right = scaled(equation.right, inverse(common), 1);
+  Expression divisor = to_expression(graph, common);
+  for (const Expression& bracket : brackets(diagonal)) {
+    const Polynomial by = multiplied_out(bracket);
+    const auto left = exact_quotient(equation.left, by);
+    const auto right = exact_quotient(equation.right, by);
+    if (!left || !right) continue;
+    equation = {*left, *right};
+    divisor = divisor * bracket;
+  }
+  return divisor;
+}
+
+Matrix minor_of(const Matrix& m, std::size_t row, std::size_t column) {
+  Matrix result;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    if (i == row) continue;
+    result.emplace_back();
+    for (std::size_t j = 0; j < m.size(); ++j) {
+      if (j != column) result.back().push_back(m[i][j]);
+    }
+  }
+  return result;
+}
+
+Expression determinant(const Matrix& m) {
+  if (m.size() == 1) return m[0][0];
+  std::vector<Expression> terms;
+  for (std::size_t j = 0; j < m.size(); ++j) {
+    terms.push_back(Number(j % 2 == 0 ? 1 : -1) * (m[0][j] * determinant(minor_of(m, 0, j))));
+  }
+  return m[0][0].graph().sum(terms);
+}
+
+}  // namespace
+
+EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
+  Graph& graph = *lagrangian.graph;
+  const Symbols::Varying& q = lagrangian.symbols.coordinates;
+  std::vector<Replacement> at_rest;
+  for (const Expression& acceleration : q.second_rate) at_rest.emplace_back(acceleration, graph.number(0));
+  EquationsOfMotion result;
+  for (std::size_t i = 0; i < q.value.size(); ++i) {
+    RawEquation raw = raw_equation(lagrangian, i);
+    const Expression diagonal = simplify(differentiate(to_expression(graph, raw.left), q.second_rate[i]));
+    const Expression divisor = divide(graph, raw, diagonal);
+    const Expression left = to_expression(graph, raw.left);
+    const Expression right = to_expression(graph, raw.right);
+    result.equations.push_back({simplify(left), simplify(right), divisor});
+    result.mass_matrix.emplace_back();
+    for (const Expression& acceleration : q.second_rate) {
+      result.mass_matrix.back().push_back(simplify(differentiate(left, acceleration)));
+    }
+    result.forcing.push_back(simplify(right - substitute(left, at_rest)));
+  }
+  if (q.value.size() == 2) result.determinant = simplify(determinant(result.mass_matrix));
+  return result;
+}
+
+Matrix mass_matrix(const Lagrangian& lagrangian) {
+  Matrix result;
+  for (const Expression& momentum : conjugate_momenta(lagrangian)) {
+    result.emplace_back();
+    for (const Expression& rate : lagrangian.symbols.coordinates.rate) {
+      result.back().push_back(simplify(differentiate(momentum, rate)));
+    }
+  }
+  return result;
+}
+
+std::vector<Expression> solved(const EquationsOfMotion& equations) {
+  const Matrix& m = equations.mass_matrix;
+  if (m.size() > 3) return {};
+  std::vector<Expression> accelerations;
+  const Expression denominator = determinant(m);
+  for (std::size_t j = 0; j < m.size(); ++j) {
+    Matrix replaced = m;
+    for (std::size_t i = 0; i < m.size(); ++i) replaced[i][j] = equations.forcing[i];
+    accelerations.push_back(simplify_quotient(determinant(replaced), denominator));
+  }
+  return accelerations;
+}
+
+}  // namespace qdot

@@ -1,0 +1,37 @@
+#pragma once
+// Lagrange's equations d/dt dL/dq_i' - dL/dq_i = Q_i, linear in the accelerations: M(q,t) q'' = f(q,q',t).
+//
+// Each equation is divided by the factor that all its terms share, as one does by hand: m l^2 in the walker's
+// phi equation, which makes the massless foot regular. Dividing assumes the factor is not zero; where it can be
+// (a coordinate, a bracket such as 1/2 + sin(theta)), the equation says the same everywhere else. The rows of M
+// are divided each by its own factor, so M is not symmetric.
+
+#include <vector>
+
+#include "core/mechanics/lagrangian.hpp"
+
+namespace qdot {
+
+/// left = right: what comes of L on the left, what is not in L on the right.
+struct Equation {
+  Expression left, right;
+  Expression divided_by;  ///< the common factor taken out
+};
+
+struct EquationsOfMotion {
+  std::vector<Equation> equations;                   ///< in order of the coordinates
+  std::vector<std::vector<Expression>> mass_matrix;  ///< M, n x n, rows divided
+  std::vector<Expression> forcing;                   ///< f
+  /// det M in short form for n = 2: 1 + mu sin^2(phi) without the cancellation of M11 M22 - M12 M21.
+  std::optional<Expression> determinant;
+};
+
+[[nodiscard]] EquationsOfMotion derive_equations(const Lagrangian& lagrangian);
+
+/// M_ij = d2L/dq_i'dq_j' as it is, symmetric, undivided.
+[[nodiscard]] std::vector<std::vector<Expression>> mass_matrix(const Lagrangian& lagrangian);
+
+/// q'' = M^-1 f written out by Cramer's rule; empty for more than three degrees of freedom.
+[[nodiscard]] std::vector<Expression> solved(const EquationsOfMotion& equations);
+
+}  // namespace qdot

@@ -1,0 +1,200 @@
+#include "core/mechanics/lagrangian.hpp"
+
+#include "core/expr/polynomial.hpp"
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+Expression dot(Graph& graph, const Vector& a, const Vector& b) {
+  std::vector<Expression> terms;
+  for (std::size_t i = 0; i < a.size(); ++i) terms.push_back(a[i] * b[i]);
+  return graph.sum(terms);
+}
+
+class Energies {
+ public:
+  explicit Energies(const ParsedScene& scene) : scene_(scene), rates_(scene.symbols.rates()) {}
+
+  [[nodiscard]] Expression kinetic() const {
+    std::vector<Expression> terms;
+    for (const ParsedBody& body : scene_.bodies) {
+      terms.push_back(std::visit([&](const auto& b) { return kinetic_of(b); }, body));
+    }
+    return graph().sum(terms);
+  }
+
+  [[nodiscard]] Expression potential() const {
+    std::vector<Expression> terms;
+    for (const ParsedBody& body : scene_.bodies) {
+      terms.push_back(std::visit([&](const auto& b) { return weight_of(b); }, body));
+    }
+    for (const ParsedSpring& spring : scene_.springs) {
+      terms.push_back(half() * spring.stiffness * pow(spring.length - spring.rest_length, Number(2)));
+    }
+    if (scene_.potential) terms.push_back(*scene_.potential);
+    return graph().sum(terms);
+  }
+
+ private:
+  [[nodiscard]] Graph& graph() const { return *scene_.graph; }
+  [[nodiscard]] Expression half() const { return graph().number(Number::ratio(1, 2)); }
+
+  [[nodiscard]] Vector velocity(const Vector& position) const {
+    Vector v;
+    for (const Expression& component : position) v.push_back(total_derivative(component, rates_));
+    return v;
+  }
+
+  [[nodiscard]] Expression translation(const Expression& mass, const Vector& position) const {
+    const Vector v = velocity(position);
+    return half() * mass * dot(graph(), v, v);
+  }
+
+  [[nodiscard]] Expression kinetic_of(const ParsedParticle& body) const {
+    return translation(body.mass, body.position);
+  }
+  [[nodiscard]] Expression kinetic_of(const ParsedRod& body) const {
+    const Vector a = velocity(body.start);
+    const Vector b = velocity(body.end);
+    const Expression sum = dot(graph(), a, a) + dot(graph(), a, b) + dot(graph(), b, b);
+    return Number::ratio(1, 6) * (body.mass * sum);
+  }
+  [[nodiscard]] Expression kinetic_of(const ParsedDisk& body) const {
+    const Expression spin = total_derivative(body.angle, rates_);
+    return translation(body.mass, body.centre) +
+           Number::ratio(1, 4) * (body.mass * body.radius * body.radius * spin * spin);
+  }
+
+  [[nodiscard]] Expression weight(const Expression& mass, const Vector& centre) const {
+    return scene_.gravity.empty() ? graph().number(0) : -(mass * dot(graph(), scene_.gravity, centre));
+  }
+  [[nodiscard]] Expression weight_of(const ParsedParticle& body) const { return weight(body.mass, body.position); }
+  [[nodiscard]] Expression weight_of(const ParsedDisk& body) const { return weight(body.mass, body.centre); }
+  [[nodiscard]] Expression weight_of(const ParsedRod& body) const {
+    Vector middle;
+    for (std::size_t i = 0; i < body.start.size(); ++i) middle.push_back(half() * (body.start[i] + body.end[i]));
+    return weight(body.mass, middle);
+  }
+
+  const ParsedScene& scene_;
+  std::vector<Replacement> rates_;
+};
+
+std::vector<Replacement> holding(const ParsedScene& scene) {
+  std::vector<Replacement> result;
+  const Symbols::Varying& held = scene.symbols.held;
+  for (std::size_t i = 0; i < held.value.size(); ++i) {
+    result.emplace_back(held.value[i], scene.held_values[i]);
+    result.emplace_back(held.rate[i], scene.graph->number(0));
+    result.emplace_back(held.second_rate[i], scene.graph->number(0));
+  }
+  return result;
+}
+
+/// Q_x = sum of F . dr/dx - dD/dx'.
+Expression generalized_force(const ParsedScene& scene, const Expression& x, const Expression& rate) {
+  std::vector<Expression> terms;
+  for (const ParsedForce& force : scene.forces) {
+    for (std::size_t k = 0; k < force.vector.size(); ++k) {
+      terms.push_back(force.vector[k] * differentiate(force.point[k], x));
+    }
+  }
+  if (scene.dissipation) terms.push_back(-differentiate(*scene.dissipation, rate));
+  return simplify(substitute(scene.graph->sum(terms), holding(scene)));
+}
+
+std::vector<Expression> generalized_forces(const ParsedScene& scene, const Symbols::Varying& varying) {
+  std::vector<Expression> forces;
+  for (std::size_t i = 0; i < varying.value.size(); ++i) {
+    forces.push_back(generalized_force(scene, varying.value[i], varying.rate[i]));
+  }
+  return forces;
+}
+
+int degree_in(const Monomial& monomial, const std::vector<Expression>& symbols) {
+  int degree = 0;
+  for (const Expression& symbol : symbols) degree += exponent_of(monomial, symbol.id());
+  return degree;
+}
+
+}  // namespace
+
+std::vector<Replacement> Symbols::rates() const {
+  std::vector<Replacement> result;
+  for (const Varying* varying : {&coordinates, &inputs, &held}) {
+    for (std::size_t i = 0; i < varying->value.size(); ++i) {
+      result.emplace_back(varying->value[i], varying->rate[i]);
+      result.emplace_back(varying->rate[i], varying->second_rate[i]);
+    }
+  }
+  result.emplace_back(t, t.graph().number(1));
+  return result;
+}
+
+Lagrangian derive_lagrangian(const ParsedScene& scene) {
+  Lagrangian result;
+  result.graph = scene.graph;
+  result.symbols = scene.symbols;
+  result.holding = holding(scene);
+  result.generalized_forces = generalized_forces(scene, scene.symbols.coordinates);
+  result.held_forces = generalized_forces(scene, scene.symbols.held);
+  if (scene.lagrangian) {
+    result.varied = *scene.lagrangian;
+    result.lagrangian = simplify_by_degree(substitute(result.varied, result.holding), scene.symbols);
+  } else {
+    const Energies energies(scene);
+    const Expression kinetic = energies.kinetic();
+    const Expression potential = energies.potential();
+    result.varied = kinetic - potential;
+    result.kinetic_energy = simplify_by_degree(substitute(kinetic, result.holding), scene.symbols);
+    result.potential_energy = simplify(substitute(potential, result.holding));
+    result.lagrangian = *result.kinetic_energy - *result.potential_energy;
+  }
+  return result;
+}
+
+Expression velocity_degree(const Expression& e, const Symbols& symbols, int n) {
+  Polynomial part;
+  for (const auto& [monomial, coefficient] : multiplied_out(e)) {
+    if (degree_in(monomial, symbols.coordinates.rate) == n) add(part, monomial, coefficient);
+  }
+  return to_expression(e.graph(), part);
+}
+
+Expression simplify_by_degree(const Expression& e, const Symbols& symbols) {
+  std::map<int, Polynomial> parts;
+  for (const auto& [monomial, coefficient] : multiplied_out(e)) {
+    add(parts[degree_in(monomial, symbols.coordinates.rate)], monomial, coefficient);
+  }
+  std::vector<Expression> terms;
+  for (const auto& [degree, part] : parts) terms.push_back(simplify(to_expression(e.graph(), part)));
+  return e.graph().sum(terms);
+}
+
+std::vector<Expression> conjugate_momenta(const Lagrangian& lagrangian) {
+  std::vector<Expression> momenta;
+  for (const Expression& rate : lagrangian.symbols.coordinates.rate) {
+    momenta.push_back(simplify(differentiate(lagrangian.lagrangian, rate)));
+  }
+  return momenta;
+}
+
+Expression jacobi_integral(const Lagrangian& lagrangian) {
+  std::vector<Expression> terms{-lagrangian.lagrangian};
+  for (const Expression& rate : lagrangian.symbols.coordinates.rate) {
+    terms.push_back(rate * differentiate(lagrangian.lagrangian, rate));
+  }
+  return simplify_by_degree(lagrangian.graph->sum(terms), lagrangian.symbols);
+}
+
+Expression reaction(const Lagrangian& lagrangian, const ParsedReaction& which) {
+  const Symbols& symbols = lagrangian.symbols;
+  const Expression momentum = differentiate(lagrangian.varied, symbols.held.rate[which.held]);
+  const Expression force = total_derivative(momentum, symbols.rates()) -
+                           differentiate(lagrangian.varied, symbols.held.value[which.held]) -
+                           lagrangian.held_forces[which.held];
+  return Number(which.sign) * simplify(substitute(force, lagrangian.holding));
+}
+
+}  // namespace qdot
