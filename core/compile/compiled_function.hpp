@@ -1,0 +1,75 @@
+#pragma once
+// A compiled function: a flat tape of instructions on numbered slots, evaluated in a workspace of the caller's.
+//
+// The tape is immutable and shared by threads; every thread brings its own Workspace. Slots hold the parameters,
+// the time, the variables, then literals and what follows; what depends on parameters alone is computed once, by
+// bind. Instructions are fused sums of products
+//     out = sum_i c_i x_i + sum_j c_j x_j y_j
+// beside quotients, calls, sin and cos of one argument together, and solves of linear systems; a Taylor method
+// can run the same tape with a row of coefficients a slot.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/expr/function.hpp"
+#include "core/integrate/run.hpp"
+
+namespace qdot {
+
+using Slot = std::uint32_t;
+
+enum class Operation : std::uint8_t {
+  sum_of_products,  ///< operands: `linear` pairs (c, x), then `products` triples (c, x, y)
+  quotient,         ///< operands: x, y; x/y
+  power,            ///< operands: x, c; x^c with c a literal
+  square_root,      ///< operand: x
+  sine_cosine,      ///< operand: x; sin x to out, cos x to out + 1
+  call,             ///< operand: x
+  solve             ///< operands: see LinearSystem
+};
+
+struct Instruction {
+  Operation operation{};
+  Function function{};       ///< of a call
+  std::uint16_t linear{};    ///< pairs of a sum of products; unknowns of a solve
+  std::uint16_t products{};  ///< triples of a sum of products; right-hand sides of a solve
+  bool has_determinant{};    ///< of a solve: its first operand is the slot of det M
+  std::uint32_t first{};     ///< first operand
+  Slot out{};                ///< first slot written
+};
+
+/// Values of all slots of one tape for one thread.
+using Workspace = std::vector<double>;
+
+class CompiledFunction {
+ public:
+  [[nodiscard]] std::size_t outputs() const { return outputs_.size(); }
+  [[nodiscard]] std::size_t variables() const { return variables_; }
+  [[nodiscard]] std::span<const Instruction> instructions() const { return body_; }
+  [[nodiscard]] std::span<const Slot> operands() const { return operands_; }
+
+  /// A workspace with the parameters set and everything that depends on them alone computed.
+  [[nodiscard]] Workspace bind(std::span<const double> parameters) const;
+
+  /// Writes the outputs at time t and the variables' values (as many as variables()). On anything but ok the
+  /// outputs are unspecified.
+  [[nodiscard]] Evaluation evaluate(double t, std::span<const double> variables, Workspace& workspace,
+                                    std::span<double> out) const noexcept;
+
+ private:
+  friend class TapeBuilder;
+
+  [[nodiscard]] bool run(std::span<const Instruction> instructions, double* slots) const noexcept;
+
+  std::size_t parameters_{};  ///< slots 0 .. parameters_ - 1; the time and the variables follow
+  std::size_t variables_{};
+  std::size_t slots_{};
+  std::vector<std::pair<Slot, double>> literals_;
+  std::vector<Instruction> prologue_, body_;
+  std::vector<Slot> operands_;
+  std::vector<Slot> outputs_;
+};
+
+}  // namespace qdot
