@@ -1,0 +1,200 @@
+#include "api/json_writer.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace qdot::api {
+namespace {
+
+// -1.7976931348623157e+308 has 24 characters, -0.0001 with 17 digits 23.
+constexpr std::size_t longest_number = 32;
+
+double require_finite(double value) {
+  if (!std::isfinite(value)) throw std::logic_error("a number that is not finite was to be written");
+  return value;
+}
+
+/// Where the notation without exponent is the one that people read.
+std::chars_format notation(double magnitude) {
+  return magnitude >= 1e-4 && magnitude < 1e15 ? std::chars_format::fixed : std::chars_format::scientific;
+}
+
+bool holds_structures(const Json& json) {
+  return json.is_array() &&
+         std::ranges::any_of(json, [](const Json& element) { return element.is_structured(); });
+}
+
+/// A value without line breaks: a scalar, or an array of scalars.
+void append_flat(std::string& out, const Json& json, std::string_view comma, int digits) {
+  if (json.is_array()) {
+    out += '[';
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      if (i > 0) out += comma;
+      append_flat(out, json[i], comma, digits);
+    }
+    out += ']';
+  } else if (json.is_number_float()) {
+    append_number(out, json.get<double>(), digits);
+  } else if (json.is_string()) {
+    append_string(out, json.get_ref<const std::string&>());
+  } else {
+    out += json.dump();  // null, true, false and integers
+  }
+}
+
+}  // namespace
+
+double rounded(double value, int digits) {
+  if (digits == shortest_digits || !std::isfinite(value)) return value;
+  char text[longest_number];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
+  double result{};
+  // The largest doubles round up to infinity: keep those as they are.
+  return std::from_chars(text, end, result).ec == std::errc{} ? result : value;
+}
+
+void append_number(std::string& out, double value, int digits) {
+  value = rounded(require_finite(value), digits);
+  if (value == 0) {  // -0.0 too
+    out += "0.0";
+    return;
+  }
+  char text[longest_number];
+  const std::chars_format format = notation(std::abs(value));
+  char* end = std::to_chars(text, text + sizeof text - 2, value, format).ptr;
+  // A whole number in fixed notation has no point; below 1e15 its double is exact, so the test is too.
+  if (format == std::chars_format::fixed && value == std::trunc(value)) {
+    *end++ = '.';
+    *end++ = '0';
+  }
+  out.append(text, end);
+}
+
+void append_string(std::string& out, std::string_view text) {
+  out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void JsonWriter::open(char bracket) {
+  separate();
+  out_ += bracket;
+  has_members_.push_back(false);
+}
+
+void JsonWriter::close(char bracket) {
+  const bool had_members = has_members_.back();
+  has_members_.pop_back();
+  if (had_members) new_line();
+  out_ += bracket;
+}
+
+/// Before a key, and before a value that has none.
+void JsonWriter::separate() {
+  if (after_key_) {
+    after_key_ = false;
+    return;
+  }
+  if (has_members_.empty()) return;
+  if (has_members_.back()) out_ += ',';
+  has_members_.back() = true;
+  new_line();
+}
+
+void JsonWriter::new_line() {
+  if (layout_ == Layout::compact) return;
+  out_ += '\n';
+  out_.append(2 * has_members_.size(), ' ');
+}
+
+void JsonWriter::key(std::string_view name) {
+  separate();
+  append_string(out_, name);
+  out_ += layout_ == Layout::pretty ? ": " : ":";
+  after_key_ = true;
+}
+
+void JsonWriter::number(double value, int digits) {
+  separate();
+  append_number(out_, value, digits);
+}
+
+void JsonWriter::string(std::string_view text) {
+  separate();
+  append_string(out_, text);
+}
+
+void JsonWriter::numbers(std::span<const double> values, int digits) {
+  separate();
+  out_.reserve(out_.size() + 22 * values.size() + 2);
+  out_ += '[';
+  const std::string_view comma = layout_ == Layout::pretty ? ", " : ",";
+  bool first = true;
+  for (const double value : values) {
+    if (!first) out_ += comma;
+    first = false;
+    append_number(out_, value, digits);
+  }
+  out_ += ']';
+}
+
+void JsonWriter::columns(std::span<const Column> table, int digits) {
+  begin_object();
+  for (const Column& column : table) {
+    key(column.name);
+    numbers(column.values, digits);
+  }
+  end_object();
+}
+
+void JsonWriter::value(const Json& json, int digits) {
+  if (json.is_object()) {
+    begin_object();
+    for (const auto& [name, element] : json.items()) member(name, element, digits);
+    end_object();
+  } else if (holds_structures(json)) {
+    begin_array();
+    for (const Json& element : json) value(element, digits);
+    end_array();
+  } else {
+    separate();
+    append_flat(out_, json, layout_ == Layout::pretty ? ", " : ",", digits);
+  }
+}
+
+void JsonWriter::member(std::string_view name, const Json& json, int digits) {
+  key(name);
+  value(json, digits);
+}
+
+std::string JsonWriter::finish() && {
+  out_ += '\n';
+  return std::move(out_);
+}
+
+std::string to_text(const Json& json, Layout layout) {
+  JsonWriter writer(layout);
+  writer.value(json);
+  return std::move(writer).finish();
+}
+
+std::string to_csv(std::span<const Column> table, int digits) {
+  std::string out;
+  const std::size_t rows = table.empty() ? 0 : table.front().values.size();
+  out.reserve(22 * (rows + 1) * table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table[i].values.size() != rows) throw std::logic_error("the columns of a table differ in length");
+    out += table[i].name;
+    out += i + 1 < table.size() ? ',' : '\n';
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      append_number(out, table[i].values[row], digits);
+      out += i + 1 < table.size() ? ',' : '\n';
+    }
+  }
+  return out;
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,34 @@
+#pragma once
+// What a request may cost, in one place; GET /v1/limits shows this table.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace qdot::api::limits {
+
+// The JSON door.
+inline constexpr std::size_t body_bytes = 64 * 1024;
+inline constexpr std::size_t large_body_bytes = 1024 * 1024;  ///< batch, and check with trajectories
+inline constexpr std::size_t json_depth = 16;
+inline constexpr std::size_t json_nodes = 10'000;
+inline constexpr std::size_t large_json_nodes = 200'000;
+
+// Texts.
+inline constexpr std::size_t name_bytes = 64;
+inline constexpr std::size_t expression_bytes = 4 * 1024;
+inline constexpr std::size_t quantity_bytes = 100;
+inline constexpr std::size_t listed_errors = 50;
+
+// Trajectories.
+inline constexpr std::int64_t rows = 100'000;
+inline constexpr std::int64_t numbers = 1'000'000;  ///< rows times columns
+inline constexpr std::size_t events = 20;
+inline constexpr std::int64_t strides = 10'000;
+inline constexpr double largest_time = 1e9;
+
+// Tolerances of one run.
+inline constexpr double least_rtol = 1e-14;
+inline constexpr double largest_rtol = 1e-2;
+inline constexpr double largest_atol = 1;
+
+}  // namespace qdot::api::limits

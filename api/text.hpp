@@ -1,0 +1,23 @@
+#pragma once
+// Other people's text inside our messages: short, printable, valid UTF-8, whatever was sent.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace qdot::api {
+
+/// `text` with everything that is not printable UTF-8 replaced by U+FFFD, cut to at most `longest` bytes at a
+/// character's end; "..." says that it was cut.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t longest = 40);
+
+/// 'text', as above, in single quotes.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// Without spaces and tabs at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// ASCII letters to lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+}  // namespace qdot::api
