@@ -12,7 +12,7 @@ namespace qdot::api {
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = 40);
 
 /// 'text', as above, in single quotes.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Without spaces and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

@@ -36,12 +36,12 @@ std::variant<NumberAndRest, QuantityError> split_number(std::string_view text,
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   if (text.size() > limits::quantity_bytes || !begins_number(digits)) {
     return QuantityError{"syntax",
-                         quoted(text) + " is not a quantity; write " + example(expected_unit) + "."};
+                         in_quotes(text) + " is not a quantity; write " + example(expected_unit) + "."};
   }
   NumberAndRest result;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result.number);
   if (error != std::errc{}) {
-    return QuantityError{"out_of_range", quoted(text) + " is beyond double precision."};
+    return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
   }
   result.rest = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
   return result;
@@ -76,11 +76,11 @@ std::variant<double, QuantityError> parse_quantity(std::string_view text, std::s
   const Unit expected = declared_unit(expected_unit);
   const std::optional<Unit> unit = parse_unit(rest);
   if (!unit) {
-    return QuantityError{"unknown_unit",
-                         quoted(rest) + " is not a unit known here; write " + example(expected_unit) + "."};
+    return QuantityError{
+        "unknown_unit", in_quotes(rest) + " is not a unit known here; write " + example(expected_unit) + "."};
   }
   if (unit->dimension != expected.dimension) {
-    return QuantityError{"wrong_dimension", quoted(rest) + in_base_units(rest, *unit) + " does not fit; " +
+    return QuantityError{"wrong_dimension", in_quotes(rest) + in_base_units(rest, *unit) + " does not fit; " +
                                                 std::string(expected_unit) +
                                                 in_base_units(expected_unit, expected) + " is needed."};
   }
@@ -88,7 +88,7 @@ std::variant<double, QuantityError> parse_quantity(std::string_view text, std::s
   for (int turn = missing_turns(*unit, expected); turn > 0; --turn) value *= 2 * std::numbers::pi;
   for (int turn = missing_turns(*unit, expected); turn < 0; ++turn) value /= 2 * std::numbers::pi;
   if (!std::isfinite(value)) {
-    return QuantityError{"out_of_range", quoted(text) + " is beyond double precision."};
+    return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
   }
   return value;
 }

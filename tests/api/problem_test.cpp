@@ -64,7 +64,7 @@ TEST(Problems, RepeatLittleOfTheAddress) {
 }
 
 TEST(Text, IsPrintableUtf8WhateverWasSent) {
-  EXPECT_EQ(quoted("k\xC3\xA4se"), "'k\xC3\xA4se'");
+  EXPECT_EQ(in_quotes("k\xC3\xA4se"), "'k\xC3\xA4se'");
   EXPECT_EQ(printable("a\nb\x7F"),
             "a\xEF\xBF\xBD"
             "b\xEF\xBF\xBD");
