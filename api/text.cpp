@@ -16,20 +16,29 @@ std::size_t announced_length(unsigned char first) {
   return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-/// The length of the well-formed printable character that begins `text`, or 0 (Unicode 15, table 3-7).
-std::size_t printable_length(std::string_view text) {
+struct Character {
+  std::size_t length{0};  ///< in bytes; 0 for bytes that are no character
+  std::uint32_t code{0};
+};
+
+/// The character that begins `text` (Unicode 15, table 3-7).
+Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t length = announced_length(byte(0));
-  if (length == 0 || length > text.size()) return 0;
+  if (length == 0 || length > text.size()) return {};
   std::uint32_t code = length == 1 ? byte(0) : byte(0) & (0xFFU >> (length + 1));
   for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+    if ((byte(i) & 0xC0U) != 0x80U) return {};
     code = code << 6U | (byte(i) & 0x3FU);
   }
   const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
   const bool surrogate = code >= 0xD800 && code < 0xE000;
-  const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 || code == 0x2029;
-  return overlong || surrogate || control || code > 0x10FFFF ? 0 : length;
+  if (overlong || surrogate || code > 0x10FFFF) return {};
+  return {length, code};
+}
+
+bool is_control(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 || code == 0x2029;
 }
 
 }  // namespace
@@ -37,8 +46,9 @@ std::size_t printable_length(std::string_view text) {
 std::string printable(std::string_view text, std::size_t longest) {
   std::string result;
   while (!text.empty()) {
-    const std::size_t length = printable_length(text);
-    const std::string_view character = length == 0 ? replacement : text.substr(0, length);
+    const auto [length, code] = first_character(text);
+    const bool prints = length > 0 && !is_control(code);
+    const std::string_view character = prints ? text.substr(0, length) : replacement;
     if (result.size() + character.size() > longest) return result + "...";
     result += character;
     text.remove_prefix(std::max<std::size_t>(length, 1));
@@ -47,6 +57,15 @@ std::string printable(std::string_view text, std::size_t longest) {
 }
 
 std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = first_character(text).length;
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");

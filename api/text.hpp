@@ -13,6 +13,9 @@ namespace qdot::api {
 
 /// 'text', as above, in single quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
+[[nodiscard]] inline std::string quoted(std::string_view text) { return in_quotes(text); }
+
+[[nodiscard]] bool is_utf8(std::string_view text);
 
 /// Without spaces and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
