@@ -6,8 +6,6 @@
 namespace qdot {
 namespace {
 
-using Matrix = std::vector<std::vector<Expression>>;
-
 /// Lagrange's equation of coordinate i, with left - right multiplied out.
 struct RawEquation {
   Polynomial left, right;
@@ -57,27 +55,6 @@ Expression divide(Graph& graph, RawEquation& equation, const Expression& diagona
   return divisor;
 }
 
-Matrix minor_of(const Matrix& m, std::size_t row, std::size_t column) {
-  Matrix result;
-  for (std::size_t i = 0; i < m.size(); ++i) {
-    if (i == row) continue;
-    result.emplace_back();
-    for (std::size_t j = 0; j < m.size(); ++j) {
-      if (j != column) result.back().push_back(m[i][j]);
-    }
-  }
-  return result;
-}
-
-Expression determinant(const Matrix& m) {
-  if (m.size() == 1) return m[0][0];
-  std::vector<Expression> terms;
-  for (std::size_t j = 0; j < m.size(); ++j) {
-    terms.push_back(Number(j % 2 == 0 ? 1 : -1) * (m[0][j] * determinant(minor_of(m, 0, j))));
-  }
-  return m[0][0].graph().sum(terms);
-}
-
 }  // namespace
 
 EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
@@ -115,16 +92,8 @@ Matrix mass_matrix(const Lagrangian& lagrangian) {
 }
 
 std::vector<Expression> solved(const EquationsOfMotion& equations) {
-  const Matrix& m = equations.mass_matrix;
-  if (m.size() > 3) return {};
-  std::vector<Expression> accelerations;
-  const Expression denominator = determinant(m);
-  for (std::size_t j = 0; j < m.size(); ++j) {
-    Matrix replaced = m;
-    for (std::size_t i = 0; i < m.size(); ++i) replaced[i][j] = equations.forcing[i];
-    accelerations.push_back(simplify_quotient(determinant(replaced), denominator));
-  }
-  return accelerations;
+  if (equations.mass_matrix.size() > largest_written_system) return {};
+  return cramer(equations.mass_matrix, equations.forcing);
 }
 
 }  // namespace qdot

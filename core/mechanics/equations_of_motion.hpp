@@ -6,8 +6,10 @@
 // (a coordinate, a bracket such as 1/2 + sin(theta)), the equation says the same everywhere else. The rows of M
 // are divided each by its own factor, so M is not symmetric.
 
+#include <optional>
 #include <vector>
 
+#include "core/expr/linear.hpp"
 #include "core/mechanics/lagrangian.hpp"
 
 namespace qdot {
@@ -20,7 +22,7 @@ struct Equation {
 
 struct EquationsOfMotion {
   std::vector<Equation> equations;                   ///< in order of the coordinates
-  std::vector<std::vector<Expression>> mass_matrix;  ///< M, n x n, rows divided
+  Matrix mass_matrix;                  ///< M, n x n, rows divided
   std::vector<Expression> forcing;                   ///< f
   /// det M in short form for n = 2: 1 + mu sin^2(phi) without the cancellation of M11 M22 - M12 M21.
   std::optional<Expression> determinant;
@@ -29,7 +31,7 @@ struct EquationsOfMotion {
 [[nodiscard]] EquationsOfMotion derive_equations(const Lagrangian& lagrangian);
 
 /// M_ij = d2L/dq_i'dq_j' as it is, symmetric, undivided.
-[[nodiscard]] std::vector<std::vector<Expression>> mass_matrix(const Lagrangian& lagrangian);
+[[nodiscard]] Matrix mass_matrix(const Lagrangian& lagrangian);
 
 /// q'' = M^-1 f written out by Cramer's rule; empty for more than three degrees of freedom.
 [[nodiscard]] std::vector<Expression> solved(const EquationsOfMotion& equations);

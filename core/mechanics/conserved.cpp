@@ -1,0 +1,84 @@
+#include "core/mechanics/conserved.hpp"
+
+#include <algorithm>
+
+#include "core/expr/polynomial.hpp"
+#include "core/expr/simplify.hpp"
+#include "core/mechanics/canonical.hpp"
+
+namespace qdot {
+namespace {
+
+std::string name_of(const Expression& symbol) { return std::get<Symbol>(symbol.node()).name; }
+
+/// The time, and inputs, which are functions of it.
+bool depends_on_time(const Expression& e, const Symbols& symbols) {
+  return depends_on(e, symbols.t) || depends_on(e, symbols.inputs.value) || depends_on(e, symbols.inputs.rate);
+}
+
+bool has_forces(const Lagrangian& lagrangian) {
+  return std::any_of(lagrangian.generalized_forces.begin(), lagrangian.generalized_forces.end(),
+                     [](const Expression& force) { return !force.is_zero(); });
+}
+
+/// h = T + V holds when T is purely quadratic in the velocities and V has none.
+bool is_energy(const Lagrangian& lagrangian) {
+  if (!lagrangian.kinetic_energy) return false;
+  const Expression difference =
+      jacobi_integral(lagrangian) - *lagrangian.kinetic_energy - *lagrangian.potential_energy;
+  return simplify(difference).is_zero();
+}
+
+}  // namespace
+
+Lagrangian with_vanishing(const Lagrangian& lagrangian, std::span<const Expression> vanishing) {
+  if (vanishing.empty()) return lagrangian;
+  Lagrangian result = lagrangian;
+  std::vector<Replacement> zeros;
+  for (const Expression& p : vanishing) zeros.emplace_back(p, lagrangian.graph->number(0));
+  result.lagrangian = simplify_by_degree(substitute(lagrangian.lagrangian, zeros), lagrangian.symbols);
+  if (lagrangian.kinetic_energy) {
+    result.kinetic_energy = substitute(*lagrangian.kinetic_energy, zeros);
+    result.potential_energy = substitute(*lagrangian.potential_energy, zeros);
+  }
+  for (Expression& force : result.generalized_forces) force = substitute(force, zeros);
+  return result;
+}
+
+std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian,
+                                                    std::span<const Expression> vanishing,
+                                                    const std::vector<std::string>& units) {
+  const Lagrangian reduced = with_vanishing(lagrangian, vanishing);
+  std::vector<ConservedQuantity> found;
+  if (!has_forces(reduced) && !depends_on_time(reduced.lagrangian, reduced.symbols)) {
+    if (is_energy(reduced)) {
+      found.push_back({"energy", "J", jacobi_integral(reduced),
+                       "The Lagrangian does not contain the time and T is quadratic in the velocities, so the "
+                       "Jacobi integral is the energy T + V."});
+    } else {
+      found.push_back({"h", "J", jacobi_integral(reduced),
+                       "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L "
+                       "is constant."});
+    }
+  }
+  const std::vector<Expression> momenta = conjugate_momenta(reduced);
+  for (const std::size_t i : ignorable_coordinates(reduced)) {
+    const std::string q = name_of(reduced.symbols.coordinates.value[i]);
+    found.push_back({"p_" + q, units[i], momenta[i],
+                     q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant."});
+  }
+  return found;
+}
+
+std::string why_energy_changes(const Lagrangian& lagrangian) {
+  if (has_forces(lagrangian)) return "Forces outside the Lagrangian do work.";
+  if (depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
+    return "The Lagrangian contains the time explicitly: what moves the system from outside does work.";
+  }
+  if (!lagrangian.kinetic_energy) return "The scene gives only its Lagrangian, so T and V are not known apart.";
+  if (is_energy(lagrangian)) return "";
+  return "T has terms that are not quadratic in the velocities: what keeps the prescribed motion does work, so h is "
+         "constant and T + V is not.";
+}
+
+}  // namespace qdot

@@ -1,0 +1,93 @@
+#include "core/mechanics/model.hpp"
+
+#include <functional>
+#include <optional>
+
+#include "core/mechanics/units.hpp"
+
+namespace qdot {
+namespace {
+
+std::string summary(const std::vector<Diagnostic>& diagnostics) {
+  std::string text;
+  for (const Diagnostic& d : diagnostics) text += (text.empty() ? "" : "\n") + d.place + ": " + d.message;
+  return text;
+}
+
+/// An equation without any acceleration leaves its coordinate undetermined.
+void check_inertia(const Scene& scene, const EquationsOfMotion& equations) {
+  std::vector<Diagnostic> diagnostics;
+  for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
+    bool has_inertia = false;
+    for (const Expression& entry : equations.mass_matrix[i]) has_inertia = has_inertia || !entry.is_zero();
+    if (has_inertia) continue;
+    diagnostics.push_back({"/coordinates/" + std::to_string(i), "no_inertia",
+                           "Nothing that has mass moves with '" + scene.coordinates[i].name +
+                               "', so its acceleration is undetermined."});
+  }
+  if (!diagnostics.empty()) throw SceneError(diagnostics);
+}
+
+}  // namespace
+
+SceneError::SceneError(std::vector<Diagnostic> diagnostics)
+    : Error(ErrorCode::invalid_scene, summary(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+
+std::shared_ptr<const Model> build_model(const Scene& scene) {
+  std::vector<Diagnostic> diagnostics;
+  ParsedScene parsed = parse_scene(scene, diagnostics);
+  if (!diagnostics.empty()) throw SceneError(diagnostics);
+  auto model = std::make_shared<Model>();
+  model->scene = scene;
+  model->parsed = std::move(parsed);
+  model->lagrangian = derive_lagrangian(model->parsed);
+  model->equations = derive_equations(model->lagrangian);
+  check_inertia(scene, model->equations);
+  return model;
+}
+
+std::vector<double> parameter_values(const Model& model, const Values& given) {
+  const std::vector<Expression>& symbols = model.parsed.symbols.parameters;
+  std::vector<std::optional<double>> known(symbols.size());
+  const std::function<double(std::size_t)> value_of = [&](std::size_t i) {
+    if (known[i]) return *known[i];
+    const auto found = given.find(model.scene.parameters[i].name);
+    if (found != given.end()) return *(known[i] = found->second);
+    const Expression& e = model.parsed.parameter_defaults[i];
+    std::vector<Assignment> needed;
+    for (std::size_t j = 0; j < symbols.size(); ++j) {
+      if (depends_on(e, symbols[j])) needed.emplace_back(symbols[j], value_of(j));
+    }
+    return *(known[i] = evaluate(e, needed));
+  };
+  std::vector<double> values;
+  for (std::size_t i = 0; i < symbols.size(); ++i) values.push_back(value_of(i));
+  return values;
+}
+
+std::vector<double> initial_state(const Model& model, std::span<const double> parameters, const Values& given) {
+  std::vector<Assignment> known;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    known.emplace_back(model.parsed.symbols.parameters[i], parameters[i]);
+  }
+  std::vector<double> state;
+  const auto append = [&](const std::string& name, const Expression& by_default) {
+    const auto found = given.find(name);
+    state.push_back(found != given.end() ? found->second : evaluate(by_default, known));
+  };
+  for (std::size_t i = 0; i < model.degrees_of_freedom(); ++i) {
+    append(model.scene.coordinates[i].name, model.parsed.initial[i]);
+  }
+  for (std::size_t i = 0; i < model.degrees_of_freedom(); ++i) {
+    append(model.scene.coordinates[i].name + "_dot", model.parsed.initial_rates[i]);
+  }
+  return state;
+}
+
+std::string momentum_unit(const Scene& scene, std::size_t coordinate) {
+  const Dimension action = parse_unit("J*s")->dimension;
+  const auto unit = parse_unit(scene.coordinates[coordinate].unit);
+  return to_text(unit ? action / unit->dimension : action);
+}
+
+}  // namespace qdot

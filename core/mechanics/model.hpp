@@ -1,0 +1,54 @@
+#pragma once
+// A scene with everything that is derived from it once: read this after core/pipeline.hpp.
+//
+// A model never changes after it is built, its graph included, so threads share it. Whoever derives more from
+// its expressions works on a copy of the graph (Graph::adopt).
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/mechanics/equations_of_motion.hpp"
+#include "core/mechanics/lagrangian.hpp"
+#include "core/mechanics/parsed_scene.hpp"
+
+namespace qdot {
+
+/// A scene with mistakes, all of them.
+class SceneError : public Error {
+ public:
+  explicit SceneError(std::vector<Diagnostic> diagnostics);
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+};
+
+struct Model {
+  Scene scene;
+  ParsedScene parsed;
+  Lagrangian lagrangian;
+  EquationsOfMotion equations;
+
+  [[nodiscard]] std::size_t degrees_of_freedom() const { return scene.coordinates.size(); }
+};
+
+/// Throws SceneError with every mistake in the scene.
+[[nodiscard]] std::shared_ptr<const Model> build_model(const Scene& scene);
+
+/// Values by name, as a request gives them.
+using Values = std::map<std::string, double>;
+
+/// All parameters in order: those given, the others by their defaults, which may depend on the given ones.
+[[nodiscard]] std::vector<double> parameter_values(const Model& model, const Values& given);
+
+/// q, then q', in order: those given ("theta", "theta_dot"), the others by their defaults.
+[[nodiscard]] std::vector<double> initial_state(const Model& model, std::span<const double> parameters,
+                                                const Values& given);
+
+/// "kg*m^2/s" for the momentum of coordinate i: action over the coordinate's unit.
+[[nodiscard]] std::string momentum_unit(const Scene& scene, std::size_t coordinate);
+
+}  // namespace qdot
