@@ -1,0 +1,40 @@
+#include "api/suggest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace qdot::api {
+namespace {
+
+TEST(Suggest, DistanceCountsEdits) {
+  EXPECT_EQ(edit_distance("theta", "theta"), 0U);
+  EXPECT_EQ(edit_distance("theta", "teta"), 1U) << "left out";
+  EXPECT_EQ(edit_distance("theta", "thetta"), 1U) << "inserted";
+  EXPECT_EQ(edit_distance("theta", "thefa"), 1U) << "replaced";
+  EXPECT_EQ(edit_distance("theta", "tehta"), 1U) << "swapped";
+  EXPECT_EQ(edit_distance("", "abc"), 3U);
+  EXPECT_EQ(edit_distance("ca", "abc"), 3U) << "a swapped pair is not edited again";
+}
+
+TEST(Suggest, CapitalLettersCountAsSmallOnes) {
+  EXPECT_EQ(edit_distance("omega", "Omega"), 0U);
+  EXPECT_EQ(closest("THETA", std::vector<std::string>{"phi", "theta"}), "theta");
+}
+
+TEST(Suggest, TheNearestCandidateWins) {
+  const std::vector<std::string> names{"omega", "omega0", "phi"};
+  EXPECT_EQ(closest("omga0", names), "omega0");
+  EXPECT_EQ(closest("kk", std::vector<std::string>{"m", "k", "l0", "g"}), "k");
+}
+
+TEST(Suggest, FarWordsAreNotSuggested) {
+  const std::vector<std::string> names{"m", "k", "stiffness"};
+  EXPECT_EQ(closest("x", names), "") << "nothing of the word would be left";
+  EXPECT_EQ(closest("stuff", names), "");
+  EXPECT_EQ(closest(std::string(100'000, 'a'), names), "");
+  EXPECT_EQ(closest("k", std::vector<std::string>{}), "");
+}
+
+}  // namespace
+}  // namespace qdot::api
