@@ -11,7 +11,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 /// Groups of unknowns that the matrix couples, directly or through others.
-std::vector<std::vector<std::size_t>> coupled_groups(const std::vector<std::vector<Expression>>& m) {
+std::vector<std::vector<std::size_t>> coupled_groups(const Matrix& m) {
   std::vector<std::size_t> group(m.size());
   for (std::size_t i = 0; i < m.size(); ++i) group[i] = i;
   for (std::size_t i = 0; i < m.size(); ++i) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/compile/compiled_function.hpp"
-#include "core/expr/expression.hpp"
+#include "core/expr/linear.hpp"
 
 namespace qdot {
 
@@ -21,7 +21,7 @@ class TapeBuilder {
   /// Adds the solution x of M x = b, one column of unknowns a right-hand side. The first column's values can be
   /// used in later expressions through `unknowns` (symbols, n of them).
   struct LinearSystem {
-    std::vector<std::vector<Expression>> matrix;           ///< n rows
+    Matrix matrix;                                         ///< n rows
     std::optional<Expression> determinant;                 ///< for n = 2: a form of det M without cancellation
     std::vector<std::vector<Expression>> right_hand_sides; ///< k columns of n
     std::vector<Expression> unknowns;
@@ -30,6 +30,7 @@ class TapeBuilder {
   std::vector<std::vector<Slot>> solve(const LinearSystem& system);
 
   [[nodiscard]] Slot slot(const Expression& e);
+  [[nodiscard]] Slot literal(double value);
   void output(const Expression& e) { function_.outputs_.push_back(slot(e)); }
   void output(Slot slot) { function_.outputs_.push_back(slot); }
 
@@ -42,7 +43,6 @@ class TapeBuilder {
   };
 
   [[nodiscard]] bool varies(NodeId id);
-  [[nodiscard]] Slot literal(double value);
   [[nodiscard]] Slot emit(Instruction instruction, std::span<const Slot> operands, bool varying, Slot count = 1);
   [[nodiscard]] Slot emitted(NodeId id);
   [[nodiscard]] Slot emitted_sum(NodeId id, const Sum& sum);

@@ -2,32 +2,44 @@
 
 #include <algorithm>
 
-#include "core/expr/simplify.hpp"
+#include "core/expr/count.hpp"
 
 namespace qdot {
 namespace {
 
-constexpr std::size_t worthwhile_saving = 4;
+constexpr std::size_t worthwhile_saving = 3;
 
 Expression grouped(Graph& graph, const Polynomial& polynomial);
 
-bool alike(const Polynomial& polynomial) {
-  const Number first = polynomial.begin()->second;
-  return std::all_of(polynomial.begin(), polynomial.end(),
-                     [&](const auto& term) { return term.second == first || term.second == -first; });
+Number size_of(const Number& number) { return number.is_negative() ? -number : number; }
+
+/// The coefficient of which all others are whole multiples, if there is one.
+std::optional<Number> common_coefficient(const Polynomial& polynomial) {
+  Number least = size_of(polynomial.begin()->second);
+  for (const auto& [monomial, coefficient] : polynomial) least = std::min(least, size_of(coefficient));
+  for (const auto& [monomial, coefficient] : polynomial) {
+    if (!(coefficient / least).is_integer()) return std::nullopt;
+  }
+  return least;
 }
 
-/// Numbers worth taking out: one, each coefficient and what divides them all.
+bool all_negative(const Polynomial& polynomial) {
+  return std::all_of(polynomial.begin(), polynomial.end(),
+                     [](const auto& term) { return term.second.is_negative(); });
+}
+
+/// Numbers worth taking out: the least coefficient, one, and what divides them all.
 std::vector<Number> numeric_factors(const Polynomial& polynomial) {
-  std::vector<Number> factors{Number(1)};
-  Number divisor(0);
+  Number least = size_of(polynomial.begin()->second);
+  Number divisor = least;
   for (const auto& [monomial, coefficient] : polynomial) {
-    if (!coefficient.is_exact()) return factors;
-    const Number size = coefficient.is_negative() ? -coefficient : coefficient;
-    if (std::find(factors.begin(), factors.end(), size) == factors.end()) factors.push_back(size);
-    divisor = divisor.is_zero() ? size : gcd(divisor, size);
+    if (!coefficient.is_exact()) return {Number(1)};
+    least = std::min(least, size_of(coefficient));
+    divisor = gcd(divisor, coefficient);
   }
-  if (std::find(factors.begin(), factors.end(), divisor) == factors.end()) factors.push_back(divisor);
+  std::vector<Number> factors{least};
+  if (!least.is_one()) factors.emplace_back(1);
+  if (divisor != least && !divisor.is_one()) factors.push_back(divisor);
   return factors;
 }
 
@@ -48,8 +60,8 @@ Shared most_shared(const Polynomial& polynomial) {
     }
   }
   Shared best;
-  for (const auto& [base, entry] : shared) {
-    if (entry.terms > best.terms) best = entry;
+  for (const auto& [base, entry] : shared) {  // of equals the last: parameters come after coordinates
+    if (entry.terms >= best.terms) best = entry;
   }
   return best;
 }
@@ -64,13 +76,15 @@ Expression primitive(Graph& graph, const Polynomial& polynomial) {
 
 /// polynomial = common (rest), with the number in front that makes the whole shortest.
 Expression with_common_factor(Graph& graph, const Polynomial& polynomial, const Monomial& common) {
-  const Polynomial rest = scaled(polynomial, inverse(common), 1);
+  const Number sign(all_negative(polynomial) ? -1 : 1);
+  const Polynomial rest = scaled(polynomial, inverse(common), sign);
   const Expression front = to_expression(graph, common);
   Expression best;
   std::size_t least = static_cast<std::size_t>(-1);
   for (const Number& number : numeric_factors(rest)) {
-    const Expression candidate = number * front * primitive(graph, scaled(rest, {}, Number(1) / number));
-    const std::size_t cost = operation_count(candidate);
+    const Polynomial bracket = scaled(rest, {}, Number(1) / number);
+    const Expression candidate = (sign * number) * front * primitive(graph, bracket);
+    const std::size_t cost = written_length(candidate);
     if (cost < least) {
       least = cost;
       best = candidate;
@@ -111,10 +125,42 @@ Expression grouped(Graph& graph, const Polynomial& polynomial) {
 Expression factored(Graph& graph, const Polynomial& polynomial) {
   if (polynomial.size() < 2) return to_expression(graph, polynomial);
   const Monomial common = common_monomial(polynomial);
-  const Expression together = with_common_factor(graph, polynomial, common);
-  if (common.empty() || alike(polynomial)) return together;
-  const Expression apart = to_expression(graph, polynomial);
-  return operation_count(together) + worthwhile_saving <= operation_count(apart) ? together : apart;
+  const bool worthwhile = common.size() * (polynomial.size() - 1) >= worthwhile_saving;
+  if (common.empty() || worthwhile || common_coefficient(polynomial)) {
+    return with_common_factor(graph, polynomial, common);
+  }
+  return to_expression(graph, polynomial);
+}
+
+Expression collected(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {
+  const auto is_chosen = [&](const Atom& atom) {
+    return std::any_of(symbols.begin(), symbols.end(), [&](const Expression& s) { return s.id() == atom.base; });
+  };
+  if (polynomial.empty()) return graph.number(0);
+  Monomial common = common_monomial(polynomial);
+  std::erase_if(common, is_chosen);
+  std::map<Monomial, Polynomial, LeadingFirst> parts;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    Monomial chosen = monomial;
+    std::erase_if(chosen, [&](const Atom& atom) { return !is_chosen(atom); });
+    add(parts[chosen], monomial * inverse(chosen) * inverse(common), coefficient);
+  }
+  const auto written = [&](const Monomial& front, const Number& divisor) {
+    std::vector<Expression> terms;
+    for (const auto& [chosen, part] : parts) {
+      terms.push_back(factored(graph, scaled(part, front, Number(1) / divisor)) * to_expression(graph, chosen));
+    }
+    return graph.sum(terms);
+  };
+  const bool worthwhile = common.size() * (parts.size() - 1) >= worthwhile_saving;
+  const auto coefficient = common_coefficient(polynomial);
+  if (parts.size() == 1 || common.empty() || !(worthwhile || coefficient)) return written(common, Number(1));
+  Expression best = to_expression(graph, common) * written({}, Number(1));
+  for (const Number& number : numeric_factors(polynomial)) {
+    const Expression candidate = number * to_expression(graph, common) * written({}, number);
+    if (written_length(candidate) < written_length(best)) best = candidate;
+  }
+  return best;
 }
 
 }  // namespace qdot

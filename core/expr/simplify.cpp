@@ -16,9 +16,10 @@ struct Candidate {
   std::size_t cost;
 };
 
+
 Candidate candidate(Graph& graph, Polynomial polynomial) {
   const Expression form = factored(graph, polynomial);
-  return {std::move(polynomial), form, operation_count(form)};
+  return {std::move(polynomial), form, written_length(form)};
 }
 
 /// All polynomials one identity away.
@@ -45,39 +46,14 @@ bool arguments_depend(Graph& graph, const Polynomial& polynomial) {
   return false;
 }
 
-std::size_t count(const Graph& graph, NodeId id, std::map<NodeId, std::size_t>& done);
-
-std::size_t count_terms(const Graph& graph, const Sum& sum, std::map<NodeId, std::size_t>& done) {
-  std::size_t operations = sum.terms.size() - 1;
-  for (const NodeId id : sum.terms) operations += count(graph, id, done);
-  return operations;
-}
-
-std::size_t count_factors(const Graph& graph, const Product& product, std::map<NodeId, std::size_t>& done) {
-  const bool bare = product.coefficient.is_one() || product.coefficient == Number(-1);
-  std::size_t operations = product.factors.size() - (bare ? 1 : 0);
-  if (!product.coefficient.is_integer()) ++operations;
-  for (const NodeId id : product.factors) {
-    const auto* power = std::get_if<Power>(&graph.node(id));
-    const bool quotient = power != nullptr && power->exponent == Number(-1);
-    operations += quotient ? count(graph, power->base, done) : count(graph, id, done);
+/// a / b where some way to write the squares in a makes it exact.
+std::optional<Polynomial> quotient(Graph& graph, const Polynomial& a, const Polynomial& b) {
+  if (const auto exact = exact_quotient(a, b)) return exact;
+  for (const Expression& u : trigonometric_arguments(graph, a)) {
+    if (const auto exact = exact_quotient(without_sine_squares(graph, a, u), b)) return exact;
+    if (const auto exact = exact_quotient(without_cosine_squares(graph, a, u), b)) return exact;
   }
-  return operations;
-}
-
-std::size_t count(const Graph& graph, NodeId id, std::map<NodeId, std::size_t>& done) {
-  const auto found = done.find(id);
-  if (found != done.end()) return found->second;
-  const std::size_t operations = std::visit(
-      overloaded{[](const Literal& x) { return std::size_t{x.value.is_integer() ? 0U : 1U}; },
-                 [](const Symbol&) { return std::size_t{0}; },
-                 [&](const Sum& x) { return count_terms(graph, x, done); },
-                 [&](const Product& x) { return count_factors(graph, x, done); },
-                 [&](const Power& x) { return 1 + count(graph, x.base, done); },
-                 [&](const Call& x) { return 1 + count(graph, x.argument, done); }},
-      graph.node(id));
-  done.emplace(id, operations);
-  return operations;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -116,22 +92,16 @@ Expression simplify_quotient(const Expression& numerator, const Expression& deno
   above = scaled(above, inverse(common), 1);
   for (const NodeId id : children(below.node())) {  // brackets such as 1 + mu sin^2(phi)
     const Polynomial bracket = multiplied_out(split_power({graph, id}).base);
-    if (bracket.size() < 2) continue;
-    while (true) {
-      const auto a = exact_quotient(above, bracket);
-      const auto b = exact_quotient(rest, bracket);
+    while (bracket.size() > 1) {
+      const auto a = quotient(graph, above, bracket);
+      const auto b = quotient(graph, rest, bracket);
       if (!a || !b) break;
       above = *a;
       rest = *b;
     }
   }
-  if (const auto whole = exact_quotient(above, rest)) return simplify(to_expression(graph, *whole));
+  if (const auto whole = quotient(graph, above, rest)) return simplify(to_expression(graph, *whole));
   return simplify(to_expression(graph, above)) / simplify(to_expression(graph, rest));
-}
-
-std::size_t operation_count(const Expression& e) {
-  std::map<NodeId, std::size_t> done;
-  return count(e.graph(), e.id(), done);
 }
 
 }  // namespace qdot

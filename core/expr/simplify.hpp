@@ -1,8 +1,7 @@
 #pragma once
 // Short forms of expressions, as one writes them by hand.
 
-#include <cstddef>
-
+#include "core/expr/count.hpp"
 #include "core/expr/expression.hpp"
 
 namespace qdot {
@@ -17,8 +16,5 @@ namespace qdot {
 
 /// numerator / denominator, each in short form, without the factors they share.
 [[nodiscard]] Expression simplify_quotient(const Expression& numerator, const Expression& denominator);
-
-/// Additions, multiplications, divisions, powers and calls in the text form of e (a rational literal counts none).
-[[nodiscard]] std::size_t operation_count(const Expression& e);
 
 }  // namespace qdot

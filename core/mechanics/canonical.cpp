@@ -6,45 +6,56 @@
 namespace qdot {
 namespace {
 
-/// q_i' of the chosen coordinates from p_i = dL/dq_i', the other velocities left as they are.
-std::optional<std::vector<Replacement>> velocities(const Lagrangian& lagrangian, const std::vector<std::size_t>& chosen) {
+/// L = q'.A q'/2 + a.q' + L0 in the velocities of the chosen coordinates; A, a and L0 may contain the others.
+struct QuadraticForm {
+  Matrix mass;                          ///< A
+  std::vector<Expression> linear;       ///< a
+  Expression rest;                      ///< L0
+};
+
+/// No value where L is not quadratic or A is singular.
+std::optional<QuadraticForm> quadratic_form(const Lagrangian& lagrangian, const std::vector<std::size_t>& chosen) {
   if (chosen.empty() || chosen.size() > largest_written_system) return std::nullopt;
   const std::vector<Expression>& rate = lagrangian.symbols.coordinates.rate;
-  const std::vector<Expression> p = momentum_symbols(lagrangian);
-  const Expression zero = lagrangian.graph->number(0);
   std::vector<Replacement> at_rest;
-  for (const std::size_t i : chosen) at_rest.emplace_back(rate[i], zero);
-  Matrix mass;
-  std::vector<Expression> b;
+  for (const std::size_t i : chosen) at_rest.emplace_back(rate[i], lagrangian.graph->number(0));
+  QuadraticForm form{{}, {}, substitute(lagrangian.lagrangian, at_rest)};
   for (const std::size_t i : chosen) {
     const Expression momentum = differentiate(lagrangian.lagrangian, rate[i]);
-    mass.emplace_back();
+    form.mass.emplace_back();
     for (const std::size_t j : chosen) {
-      mass.back().push_back(simplify(differentiate(momentum, rate[j])));
-      if (depends_on(mass.back().back(), rate)) return std::nullopt;
+      form.mass.back().push_back(simplify(differentiate(momentum, rate[j])));
+      if (depends_on(form.mass.back().back(), rate)) return std::nullopt;
     }
-    b.push_back(p[i] - substitute(momentum, at_rest));
+    form.linear.push_back(substitute(momentum, at_rest));
   }
-  if (simplify(determinant(mass)).is_zero()) return std::nullopt;
-  const std::vector<Expression> solution = cramer(mass, b);
-  std::vector<Replacement> result;
-  for (std::size_t k = 0; k < chosen.size(); ++k) result.emplace_back(rate[chosen[k]], solution[k]);
-  return result;
+  if (simplify(determinant(form.mass)).is_zero()) return std::nullopt;
+  return form;
+}
+
+/// p - a.
+std::vector<Expression> kinetic_momenta(const Lagrangian& lagrangian, const std::vector<std::size_t>& chosen,
+                                        const QuadraticForm& form) {
+  const std::vector<Expression> p = momentum_symbols(lagrangian);
+  std::vector<Expression> difference;
+  for (std::size_t k = 0; k < chosen.size(); ++k) difference.push_back(p[chosen[k]] - form.linear[k]);
+  return difference;
+}
+
+/// (p - a).A^-1 (p - a)/2: the determinant of A bordered by p - a, over -2 det A.
+Expression kinetic_in_momenta(const std::vector<Expression>& difference, const QuadraticForm& form) {
+  Graph& graph = form.rest.graph();
+  Matrix bordered = form.mass;
+  for (std::size_t k = 0; k < difference.size(); ++k) bordered[k].push_back(difference[k]);
+  bordered.push_back(difference);
+  bordered.back().push_back(graph.number(0));
+  return simplify_quotient(-determinant(bordered), Number(2) * determinant(form.mass));
 }
 
 std::vector<std::size_t> all_coordinates(const Lagrangian& lagrangian) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < lagrangian.symbols.coordinates.value.size(); ++i) all.push_back(i);
   return all;
-}
-
-/// L - sum p_i q_i' over the chosen coordinates, their velocities eliminated.
-Expression legendre(const Lagrangian& lagrangian, const std::vector<std::size_t>& chosen,
-                    const std::vector<Replacement>& eliminated) {
-  const std::vector<Expression> p = momentum_symbols(lagrangian);
-  std::vector<Expression> terms{lagrangian.lagrangian};
-  for (const std::size_t i : chosen) terms.push_back(-(p[i] * lagrangian.symbols.coordinates.rate[i]));
-  return substitute(lagrangian.graph->sum(terms), eliminated);
 }
 
 }  // namespace
@@ -59,9 +70,9 @@ std::vector<Expression> momentum_symbols(const Lagrangian& lagrangian) {
 
 std::optional<Expression> hamiltonian(const Lagrangian& lagrangian) {
   const std::vector<std::size_t> all = all_coordinates(lagrangian);
-  const auto eliminated = velocities(lagrangian, all);
-  if (!eliminated) return std::nullopt;
-  return simplify(-legendre(lagrangian, all, *eliminated));
+  const auto form = quadratic_form(lagrangian, all);
+  if (!form) return std::nullopt;
+  return kinetic_in_momenta(kinetic_momenta(lagrangian, all, *form), *form) - simplify(form->rest);
 }
 
 std::vector<std::size_t> ignorable_coordinates(const Lagrangian& lagrangian) {
@@ -76,11 +87,11 @@ std::vector<std::size_t> ignorable_coordinates(const Lagrangian& lagrangian) {
 std::optional<Routhian> routhian(const Lagrangian& lagrangian) {
   const std::vector<std::size_t> ignored = ignorable_coordinates(lagrangian);
   if (ignored.size() == lagrangian.symbols.coordinates.value.size()) return std::nullopt;
-  const auto eliminated = velocities(lagrangian, ignored);
-  if (!eliminated) return std::nullopt;
-  Routhian result{simplify_by_degree(legendre(lagrangian, ignored, *eliminated), lagrangian.symbols), ignored, {}};
-  for (const Replacement& replacement : *eliminated) result.rates.push_back(replacement.second);
-  return result;
+  const auto form = quadratic_form(lagrangian, ignored);
+  if (!form) return std::nullopt;
+  const std::vector<Expression> difference = kinetic_momenta(lagrangian, ignored, *form);
+  const Expression rest = simplify_by_degree(form->rest, lagrangian.symbols);
+  return Routhian{rest - kinetic_in_momenta(difference, *form), ignored, cramer(form->mass, difference)};
 }
 
 }  // namespace qdot

@@ -1,5 +1,6 @@
 #include "core/mechanics/lagrangian.hpp"
 
+#include "core/expr/factor.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 
@@ -24,16 +25,18 @@ class Energies {
     return graph().sum(terms);
   }
 
-  [[nodiscard]] Expression potential() const {
-    std::vector<Expression> terms;
+  /// Weights, each spring, the extra potential: terms that are short each by itself.
+  [[nodiscard]] std::vector<Expression> potentials() const {
+    std::vector<Expression> weights;
     for (const ParsedBody& body : scene_.bodies) {
-      terms.push_back(std::visit([&](const auto& b) { return weight_of(b); }, body));
+      weights.push_back(std::visit([&](const auto& b) { return weight_of(b); }, body));
     }
+    std::vector<Expression> terms{graph().sum(weights)};
     for (const ParsedSpring& spring : scene_.springs) {
       terms.push_back(half() * spring.stiffness * pow(spring.length - spring.rest_length, Number(2)));
     }
     if (scene_.potential) terms.push_back(*scene_.potential);
-    return graph().sum(terms);
+    return terms;
   }
 
  private:
@@ -145,10 +148,12 @@ Lagrangian derive_lagrangian(const ParsedScene& scene) {
   } else {
     const Energies energies(scene);
     const Expression kinetic = energies.kinetic();
-    const Expression potential = energies.potential();
-    result.varied = kinetic - potential;
+    const std::vector<Expression> potentials = energies.potentials();
+    result.varied = kinetic - scene.graph->sum(potentials);
     result.kinetic_energy = simplify_by_degree(substitute(kinetic, result.holding), scene.symbols);
-    result.potential_energy = simplify(substitute(potential, result.holding));
+    std::vector<Expression> terms;
+    for (const Expression& term : potentials) terms.push_back(simplify(substitute(term, result.holding)));
+    result.potential_energy = scene.graph->sum(terms);
     result.lagrangian = *result.kinetic_energy - *result.potential_energy;
   }
   return result;
@@ -168,7 +173,10 @@ Expression simplify_by_degree(const Expression& e, const Symbols& symbols) {
     add(parts[degree_in(monomial, symbols.coordinates.rate)], monomial, coefficient);
   }
   std::vector<Expression> terms;
-  for (const auto& [degree, part] : parts) terms.push_back(simplify(to_expression(e.graph(), part)));
+  for (const auto& [degree, part] : parts) {
+    const Expression rest = simplify(to_expression(e.graph(), part));
+    terms.push_back(degree == 0 ? rest : collected(e.graph(), multiplied_out(rest), symbols.coordinates.rate));
+  }
   return e.graph().sum(terms);
 }
 
@@ -181,11 +189,17 @@ std::vector<Expression> conjugate_momenta(const Lagrangian& lagrangian) {
 }
 
 Expression jacobi_integral(const Lagrangian& lagrangian) {
+  const Symbols& symbols = lagrangian.symbols;
+  if (lagrangian.kinetic_energy) {  // h = T2 - T0 + V
+    const Expression t2 = velocity_degree(*lagrangian.kinetic_energy, symbols, 2);
+    const Expression t0 = velocity_degree(*lagrangian.kinetic_energy, symbols, 0);
+    return simplify_by_degree(t2, symbols) - simplify(t0) + *lagrangian.potential_energy;
+  }
   std::vector<Expression> terms{-lagrangian.lagrangian};
-  for (const Expression& rate : lagrangian.symbols.coordinates.rate) {
+  for (const Expression& rate : symbols.coordinates.rate) {
     terms.push_back(rate * differentiate(lagrangian.lagrangian, rate));
   }
-  return simplify_by_degree(lagrangian.graph->sum(terms), lagrangian.symbols);
+  return simplify_by_degree(lagrangian.graph->sum(terms), symbols);
 }
 
 Expression reaction(const Lagrangian& lagrangian, const ParsedReaction& which) {
@@ -194,7 +208,7 @@ Expression reaction(const Lagrangian& lagrangian, const ParsedReaction& which) {
   const Expression force = total_derivative(momentum, symbols.rates()) -
                            differentiate(lagrangian.varied, symbols.held.value[which.held]) -
                            lagrangian.held_forces[which.held];
-  return Number(which.sign) * simplify(substitute(force, lagrangian.holding));
+  return simplify(Number(which.sign) * substitute(force, lagrangian.holding));
 }
 
 }  // namespace qdot

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/expr/simplify.hpp"
 #include "core/mechanics/units.hpp"
 
 namespace qdot {
@@ -28,6 +29,11 @@ void check_inertia(const Scene& scene, const EquationsOfMotion& equations) {
   if (!diagnostics.empty()) throw SceneError(diagnostics);
 }
 
+Expression quantity_of(const Lagrangian& lagrangian, const ParsedCondition& condition) {
+  if (const auto* which = std::get_if<ParsedReaction>(&condition)) return reaction(lagrangian, *which);
+  return substitute(std::get<Expression>(condition), lagrangian.holding);
+}
+
 }  // namespace
 
 SceneError::SceneError(std::vector<Diagnostic> diagnostics)
@@ -43,6 +49,19 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   model->lagrangian = derive_lagrangian(model->parsed);
   model->equations = derive_equations(model->lagrangian);
   check_inertia(scene, model->equations);
+  if (const auto& kinetic = model->lagrangian.kinetic_energy) {
+    for (const int degree : {2, 1, 0}) {
+      model->kinetic_parts.push_back(simplify(velocity_degree(*kinetic, model->parsed.symbols, degree)));
+    }
+  }
+  if (model->lagrangian.kinetic_energy) {
+    model->energy = *model->lagrangian.kinetic_energy + *model->lagrangian.potential_energy;
+  }
+  model->momenta = conjugate_momenta(model->lagrangian);
+  model->jacobi = jacobi_integral(model->lagrangian);
+  for (const ParsedCondition& condition : model->parsed.valid_while) {
+    model->validity.push_back(quantity_of(model->lagrangian, condition));
+  }
   return model;
 }
 

@@ -31,6 +31,12 @@ struct Model {
   ParsedScene parsed;
   Lagrangian lagrangian;
   EquationsOfMotion equations;
+  /// T by degree in the velocities [J]; absent when the scene gives only L.
+  std::vector<Expression> kinetic_parts;  ///< T2, T1, T0
+  std::optional<Expression> energy;       ///< T + V [J]
+  std::vector<Expression> momenta;        ///< p_i = dL/dq_i'
+  Expression jacobi;                      ///< h = sum p_i q_i' - L [J]
+  std::vector<Expression> validity;       ///< the quantities of Scene::valid_while; may contain q''
 
   [[nodiscard]] std::size_t degrees_of_freedom() const { return scene.coordinates.size(); }
 };

@@ -60,7 +60,7 @@ class SceneParser {
 
   void declare_varying(Symbols::Varying& varying, const std::string& name, const Dimension& dimension,
                        Context value, Context rate, const std::string& place) {
-    const Dimension second = dimension("s");
+    const Dimension second = unit_of("s");
     varying.value.push_back(declare(name, dimension, value, place + "/name"));
     varying.rate.push_back(declare(name + "_dot", dimension / second, rate, place + "/name"));
     varying.second_rate.push_back(parsed_.graph->symbol(name + "_ddot"));
@@ -72,7 +72,7 @@ class SceneParser {
     each(scene_.coordinates, "/coordinates", [&](const Coordinate& q, const std::string& place) {
       declare_varying(symbols.coordinates, q.name, unit(q.unit, place), Context::configuration, Context::state, place);
     });
-    symbols.t = declare("t", parse_unit("s")->dimension, Context::time, "");
+    symbols.t = declare("t", unit_of("s"), Context::time, "");
     each(scene_.inputs, "/inputs", [&](const Input& input, const std::string& place) {
       declare_varying(symbols.inputs, input.name, unit(input.unit, place), Context::configuration,
                       Context::configuration, place);
@@ -91,8 +91,6 @@ class SceneParser {
   void each(const Items& items, const std::string& place, Visit visit) {
     for (std::size_t i = 0; i < items.size(); ++i) visit(items[i], place + "/" + std::to_string(i));
   }
-
-  [[nodiscard]] Dimension dimension(const char* unit) const { return parse_unit(unit)->dimension; }
 
   /// The expression, or 0 with a complaint.
   Expression read(const std::string& text, Context context, const std::string& place,
@@ -126,7 +124,7 @@ class SceneParser {
                      const char* unit_text) {
     Vector vector;
     each(components, place, [&](const std::string& text, const std::string& where) {
-      vector.push_back(read(text, context, where, dimension(unit_text)));
+      vector.push_back(read(text, context, where, unit_of(unit_text)));
     });
     if (space_ == 0) space_ = components.size();
     if (components.size() != space_ || space_ < 2 || space_ > 3) {
@@ -156,8 +154,8 @@ class SceneParser {
       const Dimension d = unit_of(q.unit);
       parsed_.initial.push_back(read(q.initial, Context::parameters, place + "/initial", d));
       parsed_.initial_rates.push_back(
-          read(q.initial_rate, Context::parameters, place + "/initial_rate", d / dimension("s")));
-      if (!q.scale.empty()) (void)read(q.scale, Context::parameters, place + "/scale", dimension("m"));
+          read(q.initial_rate, Context::parameters, place + "/initial_rate", d / unit_of("s")));
+      if (!q.scale.empty()) (void)read(q.scale, Context::parameters, place + "/scale", unit_of("m"));
     });
     each(scene_.inputs, "/inputs", [&](const Input& input, const std::string& place) {
       parsed_.input_defaults.push_back(
@@ -167,9 +165,9 @@ class SceneParser {
       parsed_.held_values.push_back(read(held.value, Context::parameters, place + "/value", unit_of(held.unit)));
     });
     if (scene_.scales) {
-      parsed_.scales = {read(scene_.scales->mass, Context::parameters, "/scales/mass", dimension("kg")),
-                        read(scene_.scales->length, Context::parameters, "/scales/length", dimension("m")),
-                        read(scene_.scales->time, Context::parameters, "/scales/time", dimension("s"))};
+      parsed_.scales = {read(scene_.scales->mass, Context::parameters, "/scales/mass", unit_of("kg")),
+                        read(scene_.scales->length, Context::parameters, "/scales/length", unit_of("m")),
+                        read(scene_.scales->time, Context::parameters, "/scales/time", unit_of("s"))};
     }
   }
 
@@ -191,14 +189,14 @@ class SceneParser {
     }
     each(scene_.springs, "/springs", [&](const Spring& spring, const std::string& place) {
       parsed_.springs.push_back(
-          {read(spring.stiffness, Context::parameters, place + "/stiffness", dimension("N/m")),
-           read(spring.length, Context::configuration, place + "/length", dimension("m")),
-           read(spring.rest_length, Context::parameters, place + "/rest_length", dimension("m"))});
+          {read(spring.stiffness, Context::parameters, place + "/stiffness", unit_of("N/m")),
+           read(spring.length, Context::configuration, place + "/length", unit_of("m")),
+           read(spring.rest_length, Context::parameters, place + "/rest_length", unit_of("m"))});
     });
   }
 
   Expression read_mass(const std::string& text, const std::string& place) {
-    return read(text, Context::parameters, place + "/mass", dimension("kg"));
+    return read(text, Context::parameters, place + "/mass", unit_of("kg"));
   }
 
   ParsedBody read_body(const Particle& body, const std::string& place) {
@@ -210,7 +208,7 @@ class SceneParser {
   }
   ParsedBody read_body(const Disk& body, const std::string& place) {
     return ParsedDisk{read_mass(body.mass, place),
-                      read(body.radius, Context::parameters, place + "/radius", dimension("m")),
+                      read(body.radius, Context::parameters, place + "/radius", unit_of("m")),
                       read_position(body.centre, place + "/centre"),
                       read(body.angle, Context::configuration, place + "/angle", Dimension{})};
   }
@@ -222,9 +220,9 @@ class SceneParser {
   }
 
   void read_forces() {
-    parsed_.potential = read_optional(scene_.potential, Context::configuration, "/potential", dimension("J"));
-    parsed_.dissipation = read_optional(scene_.dissipation, Context::state, "/dissipation", dimension("W"));
-    parsed_.lagrangian = read_optional(scene_.lagrangian, Context::state, "/lagrangian", dimension("J"));
+    parsed_.potential = read_optional(scene_.potential, Context::configuration, "/potential", unit_of("J"));
+    parsed_.dissipation = read_optional(scene_.dissipation, Context::state, "/dissipation", unit_of("W"));
+    parsed_.lagrangian = read_optional(scene_.lagrangian, Context::state, "/lagrangian", unit_of("J"));
     each(scene_.forces, "/forces", [&](const Force& force, const std::string& place) {
       parsed_.forces.push_back({read_vector(force.vector, Context::state, place + "/vector", "N"),
                                 read_position(force.point, place + "/point")});

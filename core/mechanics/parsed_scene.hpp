@@ -59,7 +59,7 @@ struct ParsedReaction {
 };
 using ParsedCondition = std::variant<ParsedReaction, Expression>;
 
-struct ParsedEvent {
+struct ParsedSceneEvent {
   Expression value;
   std::optional<Expression> when;
 };
@@ -82,7 +82,7 @@ struct ParsedScene {
   std::vector<ParsedForce> forces;
   std::vector<ParsedCondition> valid_while;
   std::vector<Expression> singular_where;
-  std::vector<ParsedEvent> events;
+  std::vector<ParsedSceneEvent> events;
   std::vector<Replacement> impact;
   std::optional<ParsedScales> scales;
 };
