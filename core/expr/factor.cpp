@@ -28,18 +28,23 @@ bool all_negative(const Polynomial& polynomial) {
                      [](const auto& term) { return term.second.is_negative(); });
 }
 
-/// Numbers worth taking out: the least coefficient, one, and what divides them all.
+/// Numbers worth taking out: the commonest and the least coefficient, one, and what divides them all.
 std::vector<Number> numeric_factors(const Polynomial& polynomial) {
   Number least = size_of(polynomial.begin()->second);
   Number divisor = least;
+  std::map<Number, int> times;
   for (const auto& [monomial, coefficient] : polynomial) {
     if (!coefficient.is_exact()) return {Number(1)};
     least = std::min(least, size_of(coefficient));
     divisor = gcd(divisor, coefficient);
+    ++times[size_of(coefficient)];
   }
-  std::vector<Number> factors{least};
-  if (!least.is_one()) factors.emplace_back(1);
-  if (divisor != least && !divisor.is_one()) factors.push_back(divisor);
+  const auto commonest = std::max_element(times.begin(), times.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::vector<Number> factors;
+  for (const Number& number : {commonest->first, least, Number(1), divisor}) {
+    if (std::find(factors.begin(), factors.end(), number) == factors.end()) factors.push_back(number);
+  }
   return factors;
 }
 

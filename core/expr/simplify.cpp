@@ -46,16 +46,6 @@ bool arguments_depend(Graph& graph, const Polynomial& polynomial) {
   return false;
 }
 
-/// a / b where some way to write the squares in a makes it exact.
-std::optional<Polynomial> quotient(Graph& graph, const Polynomial& a, const Polynomial& b) {
-  if (const auto exact = exact_quotient(a, b)) return exact;
-  for (const Expression& u : trigonometric_arguments(graph, a)) {
-    if (const auto exact = exact_quotient(without_sine_squares(graph, a, u), b)) return exact;
-    if (const auto exact = exact_quotient(without_cosine_squares(graph, a, u), b)) return exact;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 Expression expand(const Expression& e) { return to_expression(e.graph(), multiplied_out(e)); }
@@ -93,14 +83,14 @@ Expression simplify_quotient(const Expression& numerator, const Expression& deno
   for (const NodeId id : children(below.node())) {  // brackets such as 1 + mu sin^2(phi)
     const Polynomial bracket = multiplied_out(split_power({graph, id}).base);
     while (bracket.size() > 1) {
-      const auto a = quotient(graph, above, bracket);
-      const auto b = quotient(graph, rest, bracket);
+      const auto a = trigonometric_quotient(graph, above, bracket);
+      const auto b = trigonometric_quotient(graph, rest, bracket);
       if (!a || !b) break;
       above = *a;
       rest = *b;
     }
   }
-  if (const auto whole = quotient(graph, above, rest)) return simplify(to_expression(graph, *whole));
+  if (const auto whole = trigonometric_quotient(graph, above, rest)) return simplify(to_expression(graph, *whole));
   return simplify(to_expression(graph, above)) / simplify(to_expression(graph, rest));
 }
 

@@ -229,6 +229,17 @@ Polynomial with_double_angle(Graph& graph, const Polynomial& polynomial, const E
   return result;
 }
 
+std::optional<Polynomial> trigonometric_quotient(Graph& graph, const Polynomial& a, const Polynomial& b) {
+  if (const auto exact = exact_quotient(a, b)) return exact;
+  for (const Expression& u : trigonometric_arguments(graph, a)) {
+    for (const auto rewritten : {without_sine_squares, without_cosine_squares}) {
+      if (const auto exact = exact_quotient(rewritten(graph, a, u), rewritten(graph, b, u))) return exact;
+    }
+  }
+  const Polynomial single = with_single_angles(graph, a);
+  return single == a ? std::nullopt : trigonometric_quotient(graph, single, b);
+}
+
 Polynomial with_single_angles(Graph& graph, const Polynomial& polynomial) {
   Polynomial result;
   for (const auto& [monomial, coefficient] : polynomial) {

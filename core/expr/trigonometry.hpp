@@ -23,6 +23,10 @@ namespace qdot {
 /// sin u cos u -> sin(2u)/2, cos^2 u -> (1 + cos 2u)/2, sin^2 u -> (1 - cos 2u)/2.
 [[nodiscard]] Polynomial with_double_angle(Graph& graph, const Polynomial& polynomial, const Expression& u);
 
+/// a / b where some way to write the squares in a and b makes it exact.
+[[nodiscard]] std::optional<Polynomial> trigonometric_quotient(Graph& graph, const Polynomial& a,
+                                                               const Polynomial& b);
+
 /// Functions of sums and integer multiples of angles in terms of the single angles, sin^2 -> 1 - cos^2: a normal
 /// form, zero exactly when the polynomial vanishes identically (in independent angles).
 [[nodiscard]] Polynomial with_single_angles(Graph& graph, const Polynomial& polynomial);

@@ -2,6 +2,7 @@
 
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/expr/trigonometry.hpp"
 
 namespace qdot {
 namespace {
@@ -46,8 +47,8 @@ Expression divide(Graph& graph, RawEquation& equation, const Expression& diagona
   Expression divisor = to_expression(graph, common);
   for (const Expression& bracket : brackets(diagonal)) {
     const Polynomial by = multiplied_out(bracket);
-    const auto left = exact_quotient(equation.left, by);
-    const auto right = exact_quotient(equation.right, by);
+    const auto left = trigonometric_quotient(graph, equation.left, by);
+    const auto right = trigonometric_quotient(graph, equation.right, by);
     if (!left || !right) continue;
     equation = {*left, *right};
     divisor = divisor * bracket;
