@@ -54,7 +54,8 @@ struct Shared {
   std::size_t terms{};
 };
 
-Shared most_shared(const Polynomial& polynomial) {
+/// Those that most terms share, at most two: the first and the last of equals.
+std::vector<Shared> most_shared(const Polynomial& polynomial) {
   std::map<NodeId, Shared> shared;
   for (const auto& [monomial, coefficient] : polynomial) {
     for (const Atom& atom : monomial) {
@@ -64,9 +65,12 @@ Shared most_shared(const Polynomial& polynomial) {
       if (atom.p * entry.atom.q < entry.atom.p * atom.q) entry.atom = atom;
     }
   }
-  Shared best;
-  for (const auto& [base, entry] : shared) {  // of equals the last: parameters come after coordinates
-    if (entry.terms >= best.terms) best = entry;
+  std::vector<Shared> best;
+  for (const auto& [base, entry] : shared) {
+    if (entry.terms < 2 || (!best.empty() && entry.terms < best[0].terms)) continue;
+    if (!best.empty() && entry.terms > best[0].terms) best.clear();
+    if (best.size() == 2) best.pop_back();
+    best.push_back(entry);
   }
   return best;
 }
@@ -108,13 +112,12 @@ Polynomial terms_with(const Polynomial& polynomial, const Atom& atom) {
   return found;
 }
 
-Expression grouped(Graph& graph, const Polynomial& polynomial) {
-  const Shared shared = most_shared(polynomial);
-  if (shared.terms < 2) return to_expression(graph, polynomial);
-  const Polynomial group = terms_with(polynomial, shared.atom);
+/// The terms that share the atom in a bracket of their own, the others beside it.
+Expression grouped_by(Graph& graph, const Polynomial& polynomial, const Atom& atom) {
+  const Polynomial group = terms_with(polynomial, atom);
   Polynomial others = polynomial;
   add(others, group, Number(-1));
-  if (others.empty()) return with_common_factor(graph, polynomial, Monomial{shared.atom});
+  if (others.empty()) return with_common_factor(graph, polynomial, Monomial{atom});
   const Monomial front = common_monomial(group);
   const Polynomial bracket = scaled(group, inverse(front), 1);
   if (const auto quotient = exact_quotient(others, bracket)) {
@@ -123,6 +126,15 @@ Expression grouped(Graph& graph, const Polynomial& polynomial) {
     return factored(graph, cofactor) * factored(graph, bracket);
   }
   return factored(graph, group) + factored(graph, others);
+}
+
+Expression grouped(Graph& graph, const Polynomial& polynomial) {
+  const std::vector<Shared> shared = most_shared(polynomial);
+  if (shared.empty()) return to_expression(graph, polynomial);
+  const Expression last = grouped_by(graph, polynomial, shared.back().atom);  // parameters come last
+  if (shared.size() == 1) return last;
+  const Expression first = grouped_by(graph, polynomial, shared.front().atom);
+  return written_length(first) < written_length(last) ? first : last;
 }
 
 }  // namespace

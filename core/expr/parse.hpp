@@ -1,0 +1,74 @@
+#pragma once
+// Reading expressions from text.
+//
+//   sum     = term { (+|-) term }
+//   term    = {+|-} power { (*|/) {+|-} power }      a leading minus belongs to the whole term: -a*b = -(a*b)
+//   power   = primary [ ^ {+|-} power ]              right associative; ** is ^; -x^2 = -(x^2)
+//   primary = number | name | function ( sum ) | ( sum )
+//
+// Functions are those of core/expr/function.hpp and sqrt. The name `pi` is always known. There is no implicit
+// multiplication. Numbers of at most 16 digits are exact (9.81 is 981/100) when they are p/q with p, q <=
+// 2^53, all others the nearest double; so 0.1 is 1/10, while 0.10000000000000000 is the double.
+//
+// The text may be hostile: its bytes, tokens and depth and the nodes it makes are bounded (ParseLimits), and
+// a chain of a thousand terms makes one flat sum.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/expr/expression.hpp"
+
+namespace qdot {
+
+/// Bounds on one expression's text and on what it builds; passing one is an Error(too_large).
+struct ParseLimits {
+  std::size_t bytes{4096};
+  std::size_t tokens{2000};
+  std::size_t integer_digits{17};
+  int depth{64};            ///< brackets, calls and exponents inside each other
+  int exponent{64};         ///< magnitude of a numeric exponent
+  std::size_t nodes{2000};  ///< nodes added to the graph
+};
+
+struct ParseError {
+  ErrorCode code{ErrorCode::syntax};  ///< syntax, unknown_symbol or too_large
+  std::size_t offset{0};              ///< in bytes from the beginning of the text
+  std::string message;                ///< one sentence without a full stop
+  std::string symbol;                 ///< the name, of unknown_symbol
+};
+
+/// An expression, or why there is none: every unknown name (once each), then at most one other error, which
+/// ended the reading.
+struct ParseResult {
+  std::optional<Expression> expression;
+  std::vector<ParseError> errors;
+};
+
+[[nodiscard]] ParseResult parse_all(std::string_view text, Graph& graph,
+                                    std::span<const std::string> allowed_symbols,
+                                    const ParseLimits& limits = {});
+
+/// The expression. Throws the first of parse_all's errors as Error.
+[[nodiscard]] Expression parse(std::string_view text, Graph& graph,
+                               std::span<const std::string> allowed_symbols);
+
+/// How an event's expression passes through zero, with time running forwards.
+enum class Passage { rising, falling, either };
+
+/// An event is a zero of `expression`.
+struct ParsedEvent {
+  Expression expression;
+  Passage passage{Passage::either};
+};
+
+/// "theta = 0+", "l=1.2", "phi - 2*theta = 0-": left minus right side; a last + counts upward crossings only,
+/// a last - downward ones. Throws as parse does, offsets counted in the whole text.
+[[nodiscard]] ParsedEvent parse_event(std::string_view text, Graph& graph,
+                                      std::span<const std::string> allowed_symbols);
+
+}  // namespace qdot

@@ -1,0 +1,223 @@
+#include "core/expr/parse_tokens.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <system_error>
+
+#include "core/error.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t longest_excerpt = 40;
+constexpr std::size_t most_exact_digits = 16;  // one digit more marks a double
+constexpr std::int64_t largest_exact = std::int64_t{1} << 53;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool continues_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+std::size_t skip_digits(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_digit(text[at])) ++at;
+  return at;
+}
+
+/// Length of the number at the beginning of `text`: 12, 1.5, .5, 1e-3.
+std::size_t number_length(std::string_view text) {
+  std::size_t at = skip_digits(text, 0);
+  if (at < text.size() && text[at] == '.') at = skip_digits(text, at + 1);
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    std::size_t exponent = at + 1;
+    if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
+    const std::size_t end = skip_digits(text, exponent);
+    if (end > exponent) at = end;
+  }
+  return at;
+}
+
+/// A decimal taken apart: digits * 10^exponent.
+struct Decimal {
+  std::string digits;  ///< without leading zeros
+  int exponent{0};
+};
+
+std::optional<Decimal> take_apart(std::string_view text) {
+  Decimal result;
+  bool behind_point = false;
+  std::size_t at = 0;
+  for (; at < text.size() && text[at] != 'e' && text[at] != 'E'; ++at) {
+    if (text[at] == '.') {
+      behind_point = true;
+      continue;
+    }
+    if (behind_point) --result.exponent;
+    if (text[at] != '0' || !result.digits.empty()) result.digits += text[at];
+  }
+  if (at == text.size()) return result;
+  const std::size_t first = at + 1 + (text[at + 1] == '+' ? 1 : 0);
+  int written = 0;
+  const auto [end, error] = std::from_chars(text.data() + first, text.data() + text.size(), written);
+  if (error != std::errc{} || std::abs(written) > 1000) return std::nullopt;
+  result.exponent += written;
+  return result;
+}
+
+/// The decimal as p/q, if it has at most 16 digits and p and q are at most 2^53.
+std::optional<Number> exact_value(const Decimal& decimal) {
+  if (decimal.digits.empty()) return Number(0);
+  if (decimal.digits.size() > most_exact_digits || std::abs(decimal.exponent) > 18) return std::nullopt;
+  std::int64_t p = 0;
+  std::from_chars(decimal.digits.data(), decimal.digits.data() + decimal.digits.size(), p);
+  std::int64_t q = 1;
+  for (int i = 0; i < decimal.exponent; ++i) {
+    if (p > largest_exact / 10) return std::nullopt;
+    p *= 10;
+  }
+  for (int i = 0; i < -decimal.exponent; ++i) q *= 10;
+  const Number value = Number::ratio(p, q);
+  if (value.numerator() > largest_exact || value.denominator() > largest_exact) return std::nullopt;
+  return value;
+}
+
+Number number_value(std::string_view text, std::size_t offset, const TextLimits& limits) {
+  const bool integer = std::all_of(text.begin(), text.end(), is_digit);
+  if (integer && text.size() > limits.integer_digits) {
+    throw Error(ErrorCode::too_large,
+                "the integer " + excerpt(text) + " has more than " + std::to_string(limits.integer_digits) +
+                    " digits",
+                offset);
+  }
+  if (const auto decimal = take_apart(text)) {
+    if (const auto exact = exact_value(*decimal)) return *exact;
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw Error(ErrorCode::too_large, "the number " + excerpt(text) + " is outside the range of a double",
+                offset);
+  }
+  return Number::real(value);
+}
+
+std::optional<TokenKind> operator_kind(char c) {
+  switch (c) {
+    case '+':
+      return TokenKind::plus;
+    case '-':
+      return TokenKind::minus;
+    case '*':
+      return TokenKind::times;
+    case '/':
+      return TokenKind::over;
+    case '^':
+      return TokenKind::power;
+    case '(':
+      return TokenKind::open;
+    case ')':
+      return TokenKind::close;
+    default:
+      return std::nullopt;
+  }
+}
+
+[[noreturn]] void reject_character(std::string_view rest, std::size_t offset) {
+  const char c = rest.front();
+  std::string message = "an expression cannot contain " + excerpt(rest.substr(0, 1));
+  if (static_cast<unsigned char>(c) >= 0x80)
+    message = "expressions are ASCII: write theta for the Greek letter";
+  if (c == '=') message = "expected an expression, not an equation: '='";
+  if (c == '[' || c == '{') message = "write ( and ) for brackets";
+  if (c == ',') message = "every function takes one argument: unexpected ','; decimals have a point";
+  if (c == '\'') message = "write theta_dot for the velocity of theta";
+  throw Error(ErrorCode::syntax, message, offset);
+}
+
+Token next_token(std::string_view text, std::size_t at, const TextLimits& limits) {
+  const std::string_view rest = text.substr(at);
+  const bool point_first = rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]);
+  if (is_digit(rest[0]) || point_first) {
+    const std::string_view written = rest.substr(0, number_length(rest));
+    return {TokenKind::number, written, at, number_value(written, at, limits)};
+  }
+  if (is_letter(rest[0])) {
+    const auto end = std::find_if_not(rest.begin(), rest.end(), continues_name);
+    return {TokenKind::name, rest.substr(0, static_cast<std::size_t>(end - rest.begin())), at, {}};
+  }
+  if (rest.starts_with("**")) return {TokenKind::power, rest.substr(0, 2), at, {}};
+  const auto kind = operator_kind(rest[0]);
+  if (!kind) reject_character(rest, at);
+  return {*kind, rest.substr(0, 1), at, {}};
+}
+
+}  // namespace
+
+std::string excerpt(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text.substr(0, longest_excerpt)) quoted += c >= ' ' && c <= '~' ? c : '?';
+  return quoted + "'";
+}
+
+std::vector<Token> tokenize(std::string_view text, const TextLimits& limits) {
+  if (text.size() > limits.bytes) {
+    throw Error(ErrorCode::too_large,
+                "the expression is longer than " + std::to_string(limits.bytes) + " bytes", limits.bytes);
+  }
+  std::vector<Token> tokens;
+  for (std::size_t at = 0; at < text.size();) {
+    if (is_space(text[at])) {
+      ++at;
+      continue;
+    }
+    if (tokens.size() == limits.tokens) {
+      throw Error(ErrorCode::too_large,
+                  "the expression has more than " + std::to_string(limits.tokens) + " tokens", at);
+    }
+    tokens.push_back(next_token(text, at, limits));
+    at += tokens.back().text.size();
+  }
+  tokens.push_back({TokenKind::end, text.substr(text.size()), text.size(), {}});
+  return tokens;
+}
+
+std::size_t operation_count_of_text(std::string_view text) {
+  const std::vector<Token> tokens = tokenize(text);
+  const auto kind = [&](std::size_t i) { return i < tokens.size() ? tokens[i].kind : TokenKind::end; };
+  const auto is_number = [&](std::size_t i) { return kind(i) == TokenKind::number; };
+  const auto ends_operand = [&](std::size_t i) {
+    return is_number(i) || kind(i) == TokenKind::name || kind(i) == TokenKind::close;
+  };
+  const auto is_fraction = [&](std::size_t i) {  // 3/4, but not in x/3/4 or 3/4^2
+    const bool bound_left = i > 1 && (kind(i - 2) == TokenKind::over || kind(i - 2) == TokenKind::power);
+    return i > 0 && is_number(i - 1) && is_number(i + 1) && !bound_left && kind(i + 2) != TokenKind::power;
+  };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    switch (kind(i)) {
+      case TokenKind::plus:
+      case TokenKind::minus:
+        count += i > 0 && ends_operand(i - 1) ? 1 : 0;
+        break;
+      case TokenKind::over:
+        count += is_fraction(i) ? 0 : 1;
+        break;
+      case TokenKind::times:
+      case TokenKind::power:
+        ++count;
+        break;
+      case TokenKind::name:
+        count += kind(i + 1) == TokenKind::open ? 1 : 0;
+        break;
+      case TokenKind::number:
+      case TokenKind::open:
+      case TokenKind::close:
+      case TokenKind::end:
+        break;
+    }
+  }
+  return count;
+}
+
+}  // namespace qdot

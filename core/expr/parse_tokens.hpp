@@ -1,0 +1,42 @@
+#pragma once
+// The lexical level of expression text: bounded, ASCII only, every token with its byte offset.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/expr/number.hpp"
+
+namespace qdot {
+
+/// A character each, except power (^ or **), number, name and end.
+enum class TokenKind { number, name, plus, minus, times, over, power, open, close, end };
+
+struct Token {
+  TokenKind kind{TokenKind::end};
+  std::string_view text;  ///< into the text that was read
+  std::size_t offset{0};  ///< in bytes from its beginning
+  Number value;           ///< of a number
+};
+
+/// What expression text may measure.
+struct TextLimits {
+  std::size_t bytes{4096};
+  std::size_t tokens{2000};
+  std::size_t integer_digits{17};
+};
+
+/// The tokens of `text`, an end token last. Throws Error(syntax) at a character no expression has,
+/// Error(too_large) beyond a limit.
+[[nodiscard]] std::vector<Token> tokenize(std::string_view text, const TextLimits& limits = {});
+
+/// "text", or the beginning of it when it is longer than 40 bytes, quoted, with what is not printable ASCII
+/// as ?.
+[[nodiscard]] std::string excerpt(std::string_view text);
+
+/// How long a formula is: its additions, subtractions, multiplications, divisions, powers and calls. A sign
+/// counts nothing, and neither does a fraction of two numbers (3/4*m, x^(1/2)).
+[[nodiscard]] std::size_t operation_count_of_text(std::string_view text);
+
+}  // namespace qdot

@@ -1,0 +1,29 @@
+#include "core/expr/print.hpp"
+
+#include "core/error.hpp"
+#include "core/expr/print_forms.hpp"
+
+namespace qdot {
+
+std::string bounded(std::string written) {
+  if (written.size() <= longest_print) return written;
+  throw Error(ErrorCode::too_large, "the formula is too long to be written out");
+}
+
+std::string print(const Expression& e, Form form, const Notation& notation) {
+  const Layout layout(e, notation);
+  switch (form) {
+    case Form::latex:
+      return latex_form(layout, e.id(), notation);
+    case Form::mathml:
+      return mathml_form(layout, e.id());
+    case Form::text:
+    case Form::sympy:
+    case Form::maxima:
+    case Form::c:
+      return linear_form(layout, e.id(), form);
+  }
+  return {};
+}
+
+}  // namespace qdot

@@ -1,0 +1,74 @@
+#include "core/integrate/evaluator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qdot {
+namespace {
+
+constexpr std::uint64_t poll_interval = 64;  // evaluations between two looks at Limits::interrupted
+
+bool finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+Answer Evaluator::derivative(double t, std::span<const double> y, std::span<double> f) noexcept {
+  return evaluate(system_.derivative, t, y, f);
+}
+
+Answer Evaluator::jacobian(double t, std::span<const double> y, std::span<double> jacobian) noexcept {
+  return evaluate(system_.jacobian, t, y, jacobian);
+}
+
+Answer Evaluator::evaluate(const Function& function, double t, std::span<const double> y,
+                           std::span<double> out) noexcept {
+  try {
+    if (!limits_allow_another()) return answer_stop;
+    if (const auto wrong = unusable(y, limits_.max_magnitude)) return refuse(answer_retry, *wrong);
+    switch (function(t, y, out)) {
+      case Evaluation::ok:
+        return finite(out) ? answer_ok : refuse(answer_retry, Ending::nonfinite);
+      case Evaluation::nonfinite:
+        return refuse(answer_retry, Ending::nonfinite);
+      case Evaluation::singular_mass:
+        return refuse(answer_retry, Ending::singular_mass);
+    }
+    return refuse(answer_stop, Ending::nonfinite);
+  } catch (...) {
+    exception_ = std::current_exception();
+    return refuse(answer_stop, Ending::interrupted);
+  }
+}
+
+bool Evaluator::limits_allow_another() {
+  if (stopped_) return false;
+  if (evaluations_ >= limits_.max_evaluations) {
+    refuse(answer_stop, Ending::step_limit);
+    return false;
+  }
+  ++evaluations_;
+  if (evaluations_ % poll_interval == 0 && limits_.interrupted && limits_.interrupted()) {
+    refuse(answer_stop, Ending::interrupted);
+    return false;
+  }
+  return true;
+}
+
+Answer Evaluator::refuse(Answer answer, Ending why) {
+  trouble_ = why;
+  stopped_ = answer == answer_stop;
+  return answer;
+}
+
+std::optional<Ending> unusable(std::span<const double> y, double max_magnitude) {
+  std::optional<Ending> wrong;
+  for (const double component : y) {
+    if (std::isnan(component)) return Ending::nonfinite;
+    if (std::abs(component) > max_magnitude) wrong = Ending::blow_up;
+  }
+  return wrong;
+}
+
+}  // namespace qdot

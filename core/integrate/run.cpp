@@ -1,0 +1,99 @@
+#include "core/integrate/run.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/integrate/evaluator.hpp"
+#include "core/integrate/events.hpp"
+#include "core/integrate/progress.hpp"
+#include "core/integrate/stepper.hpp"
+
+namespace qdot {
+namespace {
+
+// The methods compare products of times with zero; squares of shorter spans underflow.
+constexpr double shortest_span = 1e-140;
+
+class Integration {
+ public:
+  Integration(const RightHandSide& system, const RunRequest& request)
+      : request_(request), stepper_(make_stepper(system, request)), events_(request), progress_(request) {
+    run_.t = request.t_start;
+    run_.y = request.y_start;
+  }
+
+  Run run() && {
+    run_.ending = go();
+    run_.steps = stepper_->steps();
+    run_.evaluations = stepper_->evaluations();
+    return std::move(run_);
+  }
+
+ private:
+  Ending go() {
+    if (const auto wrong = unusable(run_.y, request_.limits.max_magnitude)) return *wrong;
+    if (const auto failed = sample_until(run_.t)) return *failed;
+    if (run_.t < request_.t_end && request_.t_end - run_.t < shortest_span) return Ending::tolerance;
+    while (run_.t < request_.t_end)
+      if (const auto ended = advance()) return *ended;
+    return Ending::reached_end;
+  }
+
+  // One step, what happened in it, and the rows that lie in it: all of it, or nothing if something failed.
+  std::optional<Ending> advance() {
+    if (stepper_->steps() >= request_.limits.max_steps) return Ending::step_limit;
+    if (const auto failed = stepper_->step()) return failed;
+    if (const auto wrong = unusable(stepper_->y(), request_.limits.max_magnitude)) return wrong;
+
+    const EventSearch::Found found = events_.search(*stepper_);
+    if (found.failure) return found.failure;
+    const double t = found.terminal ? found.events.back().t : stepper_->t();
+    if (const auto failed = sample_until(t)) return failed;
+
+    run_.t = t;
+    if (found.terminal)
+      run_.y = found.events.back().y;
+    else
+      run_.y.assign(stepper_->y().begin(), stepper_->y().end());
+    run_.events.insert(run_.events.end(), found.events.begin(), found.events.end());
+    if (found.terminal) return Ending::event;
+    return run_.t < request_.t_end ? progress_.check(*stepper_) : std::nullopt;
+  }
+
+  // The rows up to and including t; on failure those of before.
+  std::optional<Ending> sample_until(double t) {
+    const std::size_t n = request_.y_start.size();
+    const std::size_t rows_before = run_.rows;
+    for (; run_.rows < request_.grid.size() && request_.grid[run_.rows] <= t; ++run_.rows) {
+      run_.states.resize((run_.rows + 1) * n);
+      const auto row = std::span(run_.states).last(n);
+      const auto failed = stepper_->interpolate(request_.grid[run_.rows], row);
+      if (!failed) continue;
+      run_.rows = rows_before;
+      run_.states.resize(run_.rows * n);
+      return failed;
+    }
+    return std::nullopt;
+  }
+
+  const RunRequest& request_;
+  std::unique_ptr<Stepper> stepper_;
+  EventSearch events_;
+  ProgressGuard progress_;
+  Run run_;
+};
+
+}  // namespace
+
+Run integrate(const RightHandSide& system, const RunRequest& request) {
+  assert(system.dimension > 0 && request.y_start.size() == system.dimension);
+  assert(std::isfinite(request.t_start) && std::isfinite(request.t_end) && request.t_start <= request.t_end);
+  assert(std::ranges::is_sorted(request.grid));
+  return Integration(system, request).run();
+}
+
+}  // namespace qdot

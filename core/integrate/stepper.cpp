@@ -1,0 +1,24 @@
+#include "core/integrate/stepper.hpp"
+
+#include <stdexcept>
+
+#include "core/integrate/sundials_steppers.hpp"
+
+namespace qdot {
+
+std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequest& request) {
+  const auto [rtol, atol] = request.tolerances;
+  if (!(rtol > 0) || !(atol > 0)) throw std::invalid_argument("tolerances must be positive");
+  switch (request.method) {
+    case Method::adams:
+      return make_adams_stepper(system, request);
+    case Method::bdf:
+      if (!system.jacobian) throw std::invalid_argument("bdf needs a Jacobian");
+      return make_bdf_stepper(system, request);
+    case Method::erk:
+      return make_erk_stepper(system, request);
+  }
+  throw std::invalid_argument("unknown method");
+}
+
+}  // namespace qdot

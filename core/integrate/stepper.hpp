@@ -1,0 +1,44 @@
+#pragma once
+// A method, seen from the loop in run.cpp: it steps as it likes and can say where the solution was inside its last
+// step. This is the one place with runtime polymorphism: methods of very different make stand behind it.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "core/integrate/run.hpp"
+
+namespace qdot {
+
+/// Starts at (t_start, y_start). Steps depend on the right-hand side, t_end and the tolerances only, never on
+/// interpolate(), so that looking at a solution does not change it.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+
+  /// Takes one step of the method's own choosing, never evaluating f beyond t_end. Empty: t() and y() are the new
+  /// end. Otherwise why no step was possible; t() and y() stay where they were.
+  [[nodiscard]] virtual std::optional<Ending> step() = 0;
+
+  /// Beginning and end of the last step; both t_start before the first one.
+  [[nodiscard]] virtual double t_previous() const = 0;
+  [[nodiscard]] virtual double t() const = 0;
+  [[nodiscard]] virtual std::span<const double> y() const = 0;
+
+  /// Dense output: y(t) for t_previous() <= t <= t(), exactly the end states at the two ends. May cost evaluations
+  /// and therefore fail with their Ending.
+  [[nodiscard]] virtual std::optional<Ending> interpolate(double t, std::span<double> y_out) = 0;
+
+  /// Why f last had no value at a place that was tried, since time last advanced; empty if it always had one.
+  [[nodiscard]] virtual std::optional<Ending> trouble() const = 0;
+
+  [[nodiscard]] virtual std::uint64_t steps() const = 0;
+  [[nodiscard]] virtual std::uint64_t evaluations() const = 0;
+};
+
+/// The method that request.method names. Both arguments must outlive the stepper.
+/// Throws std::invalid_argument for tolerances that are not positive or for bdf without a Jacobian.
+[[nodiscard]] std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequest& request);
+
+}  // namespace qdot
