@@ -100,7 +100,8 @@ Problem invalid_request(std::vector<FieldError> errors) {
   std::string detail = count == 1 ? "1 field is wrong." : std::to_string(count) + " fields are wrong.";
   if (count > limits::listed_errors) {
     errors.resize(limits::listed_errors);
-    detail += " The first " + std::to_string(limits::listed_errors) + " are listed.";
+    const std::string listed = std::to_string(limits::listed_errors);
+    detail = "More than " + listed + " fields are wrong; the first " + listed + " are listed.";
   }
   return {.kind = ProblemKind::invalid_request, .detail = std::move(detail), .errors = std::move(errors)};
 }

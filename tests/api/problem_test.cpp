@@ -51,10 +51,10 @@ TEST(Problems, AreKnownByUniqueNamesWithExplanations) {
   EXPECT_EQ(find_problem_type("nothing"), nullptr);
 }
 
-TEST(Problems, ListSoManyErrorsAndSayHowManyThereAre) {
+TEST(Problems, ListSoManyErrorsAndNoMore) {
   const Problem problem = invalid_request(std::vector<FieldError>(700, FieldError{.pointer = "#/x"}));
   EXPECT_EQ(problem.errors.size(), limits::listed_errors);
-  EXPECT_EQ(problem.detail, "700 fields are wrong. The first 50 are listed.");
+  EXPECT_EQ(problem.detail, "More than 50 fields are wrong; the first 50 are listed.");
 }
 
 TEST(Problems, RepeatLittleOfTheAddress) {

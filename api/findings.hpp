@@ -1,0 +1,29 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "api/field_values.hpp"
+#include "api/json.hpp"
+#include "api/submission.hpp"
+
+namespace qdot::api {
+
+/// What a check may do: report, and correct the echo where fields depend on each other.
+class Findings {
+ public:
+  Findings(Road road, Json& echo, Errors& errors) : root_(road), echo_(&echo), errors_(&errors) {}
+
+  void report(const std::string& field, std::string code, std::string detail);
+  [[nodiscard]] Json& echo() { return *echo_; }
+  /// Is something wrong with one of these fields already? A rule about them would only repeat it.
+  [[nodiscard]] bool has_error_at(std::initializer_list<std::string_view> fields) const;
+
+ private:
+  Place root_;
+  Json* echo_;
+  Errors* errors_;
+};
+
+}  // namespace qdot::api

@@ -1,0 +1,145 @@
+#include "api/simulate_request.hpp"
+
+#include <algorithm>
+
+#include "api/limits.hpp"
+#include "api/time_grid.hpp"
+
+namespace qdot::api {
+namespace {
+
+using R = SimulateRequest;
+
+constexpr Domain instants{.lower = -limits::largest_time, .upper = limits::largest_time};
+
+void check_grid(R& request, Findings& findings) {
+  auto grid = time_grid({.t_start = request.t_start,
+                         .t_end = request.t_end,
+                         .samples = request.samples,
+                         .dt = request.dt,
+                         .times = request.times});
+  if (const auto* error = std::get_if<GridError>(&grid)) {
+    findings.report(error->field, error->code, error->detail);
+    return;
+  }
+  request.grid = std::get<std::vector<double>>(std::move(grid));
+  if (!request.t_end) request.t_end = request.grid.back();
+  findings.echo()["t_end"] = *request.t_end;
+  const auto rows = static_cast<std::int64_t>(request.grid.size());
+  const std::int64_t columns = column_count(*request.system.scene, request.include);
+  if (rows * columns > limits::numbers) {
+    findings.report("include", "too_many",
+                    std::to_string(rows) + " rows of " + std::to_string(columns) + " columns are " +
+                        std::to_string(rows * columns) + " numbers; an answer has at most " +
+                        std::to_string(limits::numbers) + ".");
+  }
+}
+
+/// The grid is checked only when its own fields could be read; the others do not matter to it.
+void check(R& request, Findings& findings) {
+  const Scene* scene = request.system.scene.get();
+  if (scene == nullptr) return;
+  if (!findings.has_error_at({"t_start", "t_end", "samples", "dt", "times", "include"})) {
+    check_grid(request, findings);
+  }
+  if (!request.impacts && !scene->impact) {
+    findings.report("impacts", "not_applicable", scene->name + " has no impacts to leave out.");
+  }
+}
+
+RequestTable<R> make_table() {
+  std::vector<RequestField<R>> fields{
+      system_field<R>(),
+      parameters_field<R>(),
+      initial_field<R>(),
+      inputs_field<R>(),
+      number("t_start", &R::t_start, {"s", instants}, "instant of the initial state",
+             {.default_value = 0.0, .aliases = {"t0", "tstart", "start"}}),
+      number("t_end", &R::t_end, {"s", instants}, "end of the motion; with `times` it may be left out",
+             {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration", "stop_time"}}),
+      integer("samples", &R::samples, {2, limits::rows}, "rows of the answer, both ends in",
+              {.default_value = 101, .aliases = {"n", "rows", "points", "num", "number_of_points"}}),
+      number("dt", &R::dt, {"s", {.lower = 0, .lower_open = true}},
+             "distance of the rows; divides the time span",
+             {.aliases = {"step", "dtmax", "delta_t", "timestep", "step_size"}}),
+      list("times", &R::times, NumberKind{"s", instants}, limits::rows,
+           "the instants of the rows, increasing", {.aliases = {"t_eval", "tspan", "saveat"}}),
+      choices("include", &R::include,
+              {{"energy", Extra::energy},
+               {"momenta", Extra::momenta},
+               {"positions", Extra::positions},
+               {"accelerations", Extra::accelerations},
+               {"validity", Extra::validity}},
+              "columns beside t, coordinates and velocities",
+              {.default_value = Json::array(), .aliases = {"columns", "outputs", "extra"}}),
+      list("events", &R::events, TextKind{limits::expression_bytes}, limits::events,
+           "zeros to report: theta=0, theta=0+ (rising), theta=0- (falling)",
+           {.default_value = Json::array()}),
+      choice("on_invalid", &R::on_invalid, {{"stop", OnInvalid::stop}, {"continue", OnInvalid::carry_on}},
+             "what to do where the model stops holding, such as at a slack string",
+             {.default_value = "stop"}),
+      boolean("impacts", &R::impacts, "apply the system's impacts; false: the motion up to the first one",
+              {.default_value = true}),
+      later_field<R>("steps", "Give t_end."),
+      choice("method", &R::method,
+             {{"auto", MethodChoice::automatic},
+              {"adams", MethodChoice::adams},
+              {"bdf", MethodChoice::bdf},
+              {"erk", MethodChoice::erk}},
+             "the integrator", {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}},
+             {"taylor", "gauss"}),
+      number("rtol", &R::rtol, {"1", {limits::least_rtol, limits::largest_rtol}}, "relative local tolerance",
+             {.default_value = 1e-9,
+              .aliases = {"reltol", "rel_tol", "tol", "tolerance", "relative_tolerance"}}),
+      number("atol", &R::atol, {"1", {.lower = 0, .upper = limits::largest_atol, .lower_open = true}},
+             "absolute local tolerance, in each column's own unit",
+             {.default_value = 1e-12, .aliases = {"abstol", "abs_tol", "absolute_tolerance"}}),
+      later_field<R>("accuracy", "Give rtol and atol."),
+      later_field<R>("max_error", "Give rtol and atol."),
+      later_field<R>("max_evaluations", "Give rtol and atol."),
+      later_field<R>("h", "It is the step of method gauss."),
+      boolean("verify", &R::verify, "estimate the error of the answer", {.default_value = true}),
+      integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
+              {.aliases = {"precision", "significant_digits"}}),
+      choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}},
+             "form of the answer; without it, what the Accept header says"),
+  };
+  return RequestTable<R>(std::move(fields),
+                         {{{{"samples"}, {"dt"}, {"times"}}},
+                          {{{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}}}},
+                         check);
+}
+
+}  // namespace
+
+const RequestTable<SimulateRequest>& simulate_table() {
+  static const RequestTable<R> table = make_table();
+  return table;
+}
+
+std::int64_t column_count(const Scene& scene, const std::vector<Extra>& include) {
+  const std::size_t coordinates = scene.coordinates.size();
+  std::size_t count = 1 + 2 * coordinates;
+  for (const Extra extra : include) {
+    switch (extra) {
+      case Extra::energy:
+        count += 1;
+        break;
+      case Extra::momenta:
+        count += coordinates;
+        break;
+      case Extra::accelerations:
+        count += coordinates;
+        break;
+      case Extra::validity:
+        count += scene.valid_while.size();
+        break;
+      case Extra::positions:
+        for (const Point& point : scene.points) count += point.components.size();
+        break;
+    }
+  }
+  return static_cast<std::int64_t>(count);
+}
+
+}  // namespace qdot::api

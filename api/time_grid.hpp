@@ -1,0 +1,33 @@
+#pragma once
+// The instants of a trajectory, as asked: `samples` (rows, both ends in), `dt`, or `times`. The grid is
+// sacred: an answer has exactly these instants.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace qdot::api {
+
+/// In seconds. Of samples, dt and times at most one is given, see OneOf.
+struct GridRequest {
+  double t_start{0};
+  std::optional<double> t_end{};
+  std::optional<std::int64_t> samples{};  ///< at least 2
+  std::optional<double> dt{};             ///< > 0
+  std::vector<double> times{};
+};
+
+struct GridError {
+  std::string field;
+  std::string code;
+  std::string detail;
+};
+
+/// Increasing, within [t_start, t_end], at most limits::rows of them. With samples, the first is t_start and
+/// the last t_end, exactly; i/(n - 1) of the span is rounded once, so that 10 s in 101 rows has 0.3 and not
+/// 0.30000000000000004. dt has to divide the span (to 1e-9 of it).
+[[nodiscard]] std::variant<std::vector<double>, GridError> time_grid(const GridRequest& request);
+
+}  // namespace qdot::api
