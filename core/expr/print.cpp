@@ -10,6 +10,15 @@ std::string bounded(std::string written) {
   throw Error(ErrorCode::too_large, "the formula is too long to be written out");
 }
 
+bool takes_inner_exponent(Function function) {
+  return function != Function::exp && function != Function::log && function != Function::abs &&
+         function != Function::sign;
+}
+
+bool is_bare(const Layout& layout, NodeId argument, bool bracket_follows) {
+  return std::holds_alternative<Symbol>(layout.graph().node(argument)) && !bracket_follows;
+}
+
 std::string print(const Expression& e, Form form, const Notation& notation) {
   const Layout layout(e, notation);
   switch (form) {

@@ -13,6 +13,12 @@ namespace qdot {
 [[nodiscard]] std::string latex_form(const Layout& layout, NodeId id, const Notation& notation);
 [[nodiscard]] std::string mathml_form(const Layout& layout, NodeId id);
 
+/// Whether f^n(x) is a usual way to write f(x)^n: sin^2(x).
+[[nodiscard]] bool takes_inner_exponent(Function function);
+
+/// Whether an argument may stand without brackets, sin x: a symbol, and no factor in brackets follows.
+[[nodiscard]] bool is_bare(const Layout& layout, NodeId argument, bool bracket_follows);
+
 /// `written`, unless it passes longest_print.
 [[nodiscard]] std::string bounded(std::string written);
 

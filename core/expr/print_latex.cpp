@@ -99,7 +99,7 @@ class LatexWriter {
     std::vector<Piece> pieces;
     if (!one) pieces.push_back({number, false, true, false});
     for (std::size_t i = 0; i < factors.size(); ++i) {
-      const bool bracket_follows = i + 1 < factors.size() && is_bracketed(factors[i + 1].base);
+      const bool bracket_follows = i + 1 < factors.size() && layout_.is_compound(factors[i + 1].base);
       pieces.push_back(power(factors[i], bracket_follows));
     }
     return joined(pieces);
@@ -107,8 +107,7 @@ class LatexWriter {
 
   /// A base that stands by itself and needs no brackets.
   std::string alone(NodeId base) const {
-    const bool compound = is_bracketed(base);
-    return compound ? write(base) : factor(base, false).latex;
+    return layout_.is_compound(base) ? write(base) : factor(base, false).latex;
   }
 
   static std::string joined(const std::vector<Piece>& pieces) {
@@ -123,15 +122,6 @@ class LatexWriter {
     return latex;
   }
 
-  /// Whether a base is a sum or another thing that gets brackets as a factor.
-  [[nodiscard]] bool is_bracketed(NodeId base) const {
-    const Node& node = layout_.graph().node(base);
-    const auto* literal = std::get_if<Literal>(&node);
-    if (literal != nullptr) return literal->value.is_negative() || !layout_.term(base).under.is_one();
-    return std::holds_alternative<Sum>(node) || std::holds_alternative<Product>(node) ||
-           std::holds_alternative<Power>(node);
-  }
-
   Piece power(const WrittenPower& power, bool bracket_follows) const {
     if (power.exponent.is_one()) return factor(power.base, bracket_follows);
     if (power.exponent == Number::ratio(1, 2)) return {"\\sqrt" + braced(write(power.base))};
@@ -142,7 +132,7 @@ class LatexWriter {
       base.latex += exponent;
       return base;
     }
-    if (has_inner_power(call->function) && power.exponent.is_integer()) {
+    if (takes_inner_exponent(call->function) && power.exponent.is_integer()) {
       return {std::string(command(call->function)) + exponent + argument(*call, bracket_follows)};
     }
     return {bracketed(call_text(*call, false)) + exponent, true};
@@ -154,12 +144,6 @@ class LatexWriter {
                                  ? fraction_text(Number(exponent.numerator()), Number(exponent.denominator()))
                                  : number_text(exponent);
     return "^" + (text.size() == 1 ? text : braced(text));
-  }
-
-  /// sin^2 x is (sin x)^2; for the others it is not said.
-  static bool has_inner_power(Function function) {
-    return function != Function::exp && function != Function::abs && function != Function::sign &&
-           function != Function::log;
   }
 
   Piece factor(NodeId base, bool bracket_follows) const {
@@ -179,7 +163,7 @@ class LatexWriter {
   }
 
   Piece literal(NodeId id) const {
-    if (is_bracketed(id)) return {bracketed(write(id)), true};
+    if (layout_.is_compound(id)) return {bracketed(write(id)), true};
     return {write(id), false, true};
   }
 
@@ -197,8 +181,7 @@ class LatexWriter {
   /// \sin\theta, \sin l, \sin\left(2 \theta\right).
   std::string argument(const Call& call, bool bracket_follows) const {
     const std::string latex = write(call.argument);
-    const bool bare = std::holds_alternative<Symbol>(layout_.graph().node(call.argument)) && !bracket_follows;
-    if (!bare) return bracketed(latex);
+    if (!is_bare(layout_, call.argument, bracket_follows)) return bracketed(latex);
     return (latex.starts_with('\\') ? "" : " ") + latex;
   }
 

@@ -222,6 +222,17 @@ std::weak_ordering Layout::compare_bases(NodeId a, NodeId b) const {
       x);
 }
 
+bool Layout::is_compound(NodeId base) const {
+  return std::visit(overloaded{[](const Literal& x) {
+                                 return x.value.is_negative() || !x.value.is_exact() ||
+                                        !(x.value.is_integer() || prefers_decimal(x.value));
+                               },
+                               [](const Symbol&) { return false; }, [](const Sum&) { return true; },
+                               [](const Product&) { return true; }, [](const Power&) { return true; },
+                               [](const Call&) { return false; }},
+                    graph_.node(base));
+}
+
 WrittenTerm Layout::term(NodeId id) const {
   const Node& node = graph_.node(id);
   WrittenTerm result;

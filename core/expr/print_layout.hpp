@@ -36,6 +36,9 @@ class Layout {
   [[nodiscard]] const std::vector<NodeId>& terms(NodeId sum) const { return traits_.at(sum).children; }
   /// Any node but a sum as one term.
   [[nodiscard]] WrittenTerm term(NodeId id) const;
+  /// Whether a base gets brackets as a factor or under an exponent: anything but a symbol, a call or a plain
+  /// number.
+  [[nodiscard]] bool is_compound(NodeId base) const;
 
  private:
   struct Traits {

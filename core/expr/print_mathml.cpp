@@ -88,13 +88,14 @@ class MathmlWriter {
   std::string product(const Number& over, const Number& under,
                       const std::vector<WrittenPower>& factors) const {
     const bool one = over.is_one() && under.is_one();
-    if (one && factors.size() == 1 && factors[0].exponent.is_one() && is_bracketed(factors[0].base)) {
+    if (one && factors.size() == 1 && factors[0].exponent.is_one() && layout_.is_compound(factors[0].base)) {
       return write(factors[0].base);
     }
     std::string content = one && !factors.empty() ? "" : fraction_element(over, under);
-    for (const WrittenPower& factor : factors) {
-      if (!content.empty()) content += begins_with_digit(factor) ? "<mo>⋅</mo>" : invisible_times;
-      content = bounded(content + power(factor));
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const bool bracket_follows = i + 1 < factors.size() && layout_.is_compound(factors[i + 1].base);
+      if (!content.empty()) content += begins_with_digit(factors[i]) ? "<mo>⋅</mo>" : invisible_times;
+      content = bounded(content + power(factors[i], bracket_follows));
     }
     return content;
   }
@@ -104,57 +105,46 @@ class MathmlWriter {
     return !root && std::holds_alternative<Literal>(layout_.graph().node(power.base));
   }
 
-  [[nodiscard]] bool is_bracketed(NodeId base) const {
-    const Node& node = layout_.graph().node(base);
-    const auto* literal = std::get_if<Literal>(&node);
-    if (literal != nullptr) return literal->value.is_negative() || !layout_.term(base).under.is_one();
-    return std::holds_alternative<Sum>(node) || std::holds_alternative<Product>(node) ||
-           std::holds_alternative<Power>(node);
-  }
-
-  std::string power(const WrittenPower& power) const {
-    if (power.exponent.is_one()) return factor(power.base);
+  std::string power(const WrittenPower& power, bool bracket_follows) const {
+    if (power.exponent.is_one()) return factor(power.base, bracket_follows);
     if (power.exponent == Number::ratio(1, 2)) return element("msqrt", write(power.base));
-    const bool split = power.exponent.is_exact() && !prefers_decimal(power.exponent);
-    const std::string exponent =
-        split ? fraction_element(Number(power.exponent.numerator()), Number(power.exponent.denominator()))
-              : number_element(power.exponent);
-    const bool is_call = std::holds_alternative<Call>(layout_.graph().node(power.base));
-    const std::string base = is_call ? bracketed(factor(power.base)) : factor(power.base);
-    if (const auto* call = std::get_if<Call>(&layout_.graph().node(power.base)); call != nullptr) {
-      if (has_inner_power(call->function) && power.exponent.is_integer()) return called(*call, exponent);
+    const std::string exponent = exponent_element(power.exponent);
+    const auto* call = std::get_if<Call>(&layout_.graph().node(power.base));
+    if (call == nullptr) return element("msup", factor(power.base, false) + exponent);
+    if (takes_inner_exponent(call->function) && power.exponent.is_integer()) {
+      return called(*call, exponent, bracket_follows);
     }
-    return element("msup", base + exponent);
+    return element("msup", bracketed(factor(power.base, false)) + exponent);
   }
 
-  /// sin^2 x is (sin x)^2; for the others it is not said.
-  static bool has_inner_power(Function function) {
-    return function != Function::exp && function != Function::abs && function != Function::sign &&
-           function != Function::log;
+  static std::string exponent_element(const Number& exponent) {
+    if (!exponent.is_exact() || prefers_decimal(exponent)) return number_element(exponent);
+    return fraction_element(Number(exponent.numerator()), Number(exponent.denominator()));
   }
 
-  std::string factor(NodeId base) const {
+  std::string factor(NodeId base, bool bracket_follows) const {
     return std::visit(
         overloaded{[&](const Literal&) { return enclosed(base); },
                    [&](const Symbol& x) { return mathml_name(x.name); },
                    [&](const Sum&) { return enclosed(base); }, [&](const Product&) { return enclosed(base); },
-                   [&](const Power&) { return enclosed(base); }, [&](const Call& x) { return call(x); }},
+                   [&](const Power&) { return enclosed(base); },
+                   [&](const Call& x) { return call(x, bracket_follows); }},
         layout_.graph().node(base));
   }
 
-  std::string enclosed(NodeId id) const { return is_bracketed(id) ? bracketed(write(id)) : write(id); }
+  std::string enclosed(NodeId id) const { return layout_.is_compound(id) ? bracketed(write(id)) : write(id); }
 
-  std::string call(const Call& call) const {
+  std::string call(const Call& call, bool bracket_follows) const {
     if (call.function == Function::exp) return element("msup", "<mi>e</mi>" + row(write(call.argument)));
     if (call.function == Function::abs) return row("<mo>|</mo>" + write(call.argument) + "<mo>|</mo>");
-    return called(call, "");
+    return called(call, "", bracket_follows);
   }
 
   /// sin θ, or with an exponent sin² θ.
-  std::string called(const Call& call, const std::string& exponent) const {
+  std::string called(const Call& call, const std::string& exponent, bool bracket_follows) const {
     std::string function = element("mi", std::string(written_function(call.function)));
     if (!exponent.empty()) function = element("msup", function + exponent);
-    const bool bare = std::holds_alternative<Symbol>(layout_.graph().node(call.argument));
+    const bool bare = is_bare(layout_, call.argument, bracket_follows);
     const std::string argument = write(call.argument);
     return row(function + apply_function + (bare ? argument : bracketed(argument)));
   }
