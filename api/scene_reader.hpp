@@ -18,6 +18,8 @@
 // symbols exist and its dimensions agree, and whether names are used twice, core says (core/mechanics).
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "api/json.hpp"
