@@ -1,0 +1,112 @@
+#include "server/commands.hpp"
+
+#include <unistd.h>
+
+#include <cctype>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "api/service.hpp"
+
+namespace qdot::server {
+namespace {
+
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::string percent_encoded(std::string_view text) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string result;
+  for (const unsigned char c : text) {
+    if ((c < 128 && std::isalnum(c)) ||
+        std::string_view("-._~").find(static_cast<char>(c)) != std::string::npos) {
+      result += static_cast<char>(c);
+    } else {
+      result += {'%', digits[c >> 4], digits[c & 15]};
+    }
+  }
+  return result;
+}
+
+std::string all_of(std::istream& stream) {
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::string request_body(const std::string& file) {
+  if (!file.empty() && file != "-") {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw UsageError("cannot read " + file);
+    return all_of(stream);
+  }
+  if (file.empty() && ::isatty(STDIN_FILENO)) {
+    throw UsageError("give the request as key=value, with --request FILE or on stdin");
+  }
+  return all_of(std::cin);
+}
+
+// "t_end=10" -> "t_end=10&" with both sides encoded.
+std::string query_of(const std::vector<std::string>& words) {
+  std::string query;
+  for (const auto& word : words) {
+    const auto equals = word.find('=');
+    if (equals == word.npos || equals == 0) throw UsageError("'" + word + "' is not of the form key=value");
+    query += percent_encoded(word.substr(0, equals)) + "=" + percent_encoded(word.substr(equals + 1)) + "&";
+  }
+  return query;
+}
+
+api::Request request_of(const Command& command, const Arguments& arguments) {
+  api::Request request{.method = "GET",
+                       .target = "/v1/" + std::string(command.name),
+                       .headers = {},
+                       .body = {},
+                       .interrupted = {}};
+  std::string query;
+  if (command.words == Words::name) {
+    if (arguments.words.size() > 1) throw UsageError("give one name");
+    if (!arguments.words.empty()) request.target += "/" + percent_encoded(arguments.words.front());
+  } else if (!arguments.words.empty()) {
+    if (!arguments.request_file.empty()) throw UsageError("give key=value or --request, not both");
+    query = query_of(arguments.words);
+  } else {
+    request.method = "POST";
+    request.headers["content-type"] = "application/json";
+    request.body = request_body(arguments.request_file);
+  }
+  if (!arguments.format.empty()) query += "format=" + percent_encoded(arguments.format) + "&";
+  if (arguments.pretty) query += "pretty&";
+  if (!query.empty()) request.target += "?" + query.substr(0, query.size() - 1);
+  return request;
+}
+
+ExitCode meaning_of(const api::Response& response) {
+  if (response.status < 400) return ExitCode::ok;
+  const auto body = nlohmann::json::parse(response.body, nullptr, false);
+  const auto type = body.is_object() ? body.value("type", "") : "";
+  if (type == "/errors/integration-failed" || response.status == 503) return ExitCode::failed;
+  return response.status < 500 ? ExitCode::invalid_request : ExitCode::internal;
+}
+
+}  // namespace
+
+ExitCode run(const Command& command, const Arguments& arguments) {
+  try {
+    const auto request = request_of(command, arguments);
+    const api::Service service({.scenes_directory = arguments.scenes});
+    const auto response = service.handle(request);
+    const auto code = meaning_of(response);
+    auto& stream = code == ExitCode::ok ? std::cout : std::cerr;
+    stream << response.body << std::flush;
+    if (!stream) throw std::runtime_error("cannot write the answer");
+    return code;
+  } catch (const UsageError& error) {
+    std::cerr << "qdot " << command.name << ": " << error.what() << "\n";
+    return ExitCode::usage;
+  }
+}
+
+}  // namespace qdot::server

@@ -1,0 +1,54 @@
+#pragma once
+// The commands that answer without a server: a command line becomes the request that a client would send.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace qdot::server {
+
+/// What `qdot` returns to its caller.
+enum class ExitCode {
+  ok = 0,
+  incorrect = 1,
+  usage = 2,
+  invalid_request = 3,
+  failed = 4,
+  internal = 5,
+  unreachable = 6
+};
+
+/// What the words after a command are.
+enum class Words {
+  request,  ///< key=value; without any, the request is a JSON body
+  name      ///< at most one name, the last part of the path
+};
+
+struct Command {
+  std::string_view name;
+  std::string_view help;
+  Words words{Words::request};
+};
+
+/// Command `name` is the path /v1/{name}.
+inline constexpr std::array commands{
+    Command{"simulate", "The trajectory of a system"},
+    Command{"equations", "Lagrangian, equations of motion and what is conserved"},
+    Command{"energy", "Energies, momenta and accelerations at a state"},
+    Command{"systems", "The systems there are, or one of them", Words::name},
+};
+
+struct Arguments {
+  std::vector<std::string> words;
+  std::string request_file;  ///< "-": stdin
+  std::string format;        ///< json, csv
+  bool pretty{false};
+  std::string scenes;  ///< directory of more scenes
+};
+
+/// Answer on stdout, problem on stderr.
+[[nodiscard]] ExitCode run(const Command& command, const Arguments& arguments);
+
+}  // namespace qdot::server

@@ -1,0 +1,110 @@
+// The command line of qdot: what may be typed. What a command does is in serve, commands and probe.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+
+#include "api/service.hpp"
+#include "server/commands.hpp"
+#include "server/probe.hpp"
+#include "server/serve.hpp"
+
+namespace {
+
+using namespace qdot::server;
+
+/// Set by the callback of the command that was typed, and run once all its options are known to be right.
+using Action = std::function<ExitCode()>;
+
+constexpr int max_port = 65535;
+constexpr int max_threads = 1024;
+
+void add_scenes(CLI::App& command, std::string& scenes) {
+  command.add_option("--scenes", scenes, "Directory of more scenes, one JSON file each")
+      ->envname("QDOT_SCENES");
+}
+
+void add_address(CLI::App& command, std::string& host, int& port, int lowest_port) {
+  command.add_option("--host", host, "Address")->envname("QDOT_HOST")->capture_default_str();
+  command.add_option("--port", port, "Port")
+      ->envname("QDOT_PORT")
+      ->check(CLI::Range(lowest_port, max_port))
+      ->capture_default_str();
+}
+
+void add_serve(CLI::App& app, ServeOptions& options, Action& action) {
+  auto& command = *app.add_subcommand("serve", "Serve HTTP until SIGTERM; port 0 picks a free one");
+  add_address(command, options.host, options.port, 0);
+  command.add_option("--threads", options.threads, "Requests that compute at a time (default: cores)")
+      ->envname("QDOT_THREADS")
+      ->check(CLI::Range(1, max_threads));
+  add_scenes(command, options.scenes);
+  command.callback([&] {
+    action = [&] {
+      serve(options);
+      return ExitCode::ok;
+    };
+  });
+}
+
+void add_computing(CLI::App& app, Arguments& arguments, Action& action) {
+  for (const auto& entry : commands) {
+    auto& command = *app.add_subcommand(std::string(entry.name), std::string(entry.help));
+    const bool named = entry.words == Words::name;
+    command.add_option(named ? "name" : "key=value", arguments.words,
+                       named ? "One of them" : "The request; without any, JSON from --request or stdin");
+    if (!named) {
+      command.add_option("--request", arguments.request_file, "File with the JSON request; - is stdin");
+      command.add_option("--format", arguments.format, "Form of the answer: json, csv, ...");
+    }
+    command.add_flag("--pretty", arguments.pretty, "Indent the answer");
+    add_scenes(command, arguments.scenes);
+    command.callback([&] { action = [&] { return run(entry, arguments); }; });
+  }
+}
+
+ExitCode code_of(bool reached) { return reached ? ExitCode::ok : ExitCode::unreachable; }
+
+void add_probes(CLI::App& app, ProbeOptions& options, double& patience, Action& action) {
+  auto& health = *app.add_subcommand("health", "Exit 0 if a server answers, 6 if not");
+  add_address(health, options.host, options.port, 1);
+  health.callback([&] { action = [&] { return code_of(healthy(options)); }; });
+
+  auto& wait = *app.add_subcommand("wait", "Wait until a server answers; exit 6 if none does in time");
+  add_address(wait, options.host, options.port, 1);
+  wait.add_option("--timeout", patience, "Seconds")->check(CLI::Range(0.0, 86400.0))->capture_default_str();
+  wait.callback([&] {
+    action = [&] {
+      const auto limit = std::chrono::duration<double>(patience);
+      return code_of(wait_until_healthy(options, std::chrono::ceil<std::chrono::milliseconds>(limit)));
+    };
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Lagrangian mechanics: trajectories and equations with errors that can be believed", "qdot");
+  app.set_version_flag("--version", "qdot " + std::string(qdot::api::service_version()));
+  app.require_subcommand(1);
+  ServeOptions serve_options;
+  Arguments arguments;
+  ProbeOptions probe_options;
+  double patience = 30;
+  Action action;
+  add_serve(app, serve_options, action);
+  add_computing(app, arguments, action);
+  add_probes(app, probe_options, patience, action);
+  try {
+    app.parse(argc, argv);
+    return static_cast<int>(action());
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+  } catch (const std::exception& error) {
+    std::cerr << "qdot: " << error.what() << "\n";
+    return static_cast<int>(ExitCode::internal);
+  }
+}

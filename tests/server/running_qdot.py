@@ -1,0 +1,62 @@
+"""A qdot server for the length of a test, and the command line as a function."""
+
+import http.client
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+QDOT = os.environ.get("QDOT_BINARY", str(ROOT / "build" / "release" / "qdot"))
+# A developer's own settings must not reach the tests.
+ENVIRONMENT = {k: v for k, v in os.environ.items() if not k.startswith("QDOT_")}
+
+
+class RunningQdot:
+    """`with RunningQdot() as server:` serves on a free port; leaving it sends SIGTERM to that process only."""
+
+    def __init__(self, *arguments, **environment):
+        self.log = tempfile.TemporaryFile(mode="w+")
+        self.process = subprocess.Popen([QDOT, "serve", "--port", "0", *arguments], stdout=subprocess.PIPE,
+                                        stderr=self.log, text=True, env={**ENVIRONMENT, **environment})
+        self.start_line = self.process.stdout.readline()
+        self.port = json.loads(self.start_line)["port"] if self.start_line else None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.terminate()
+        self.process.wait(timeout=60)
+        self.process.stdout.close()
+        self.log.close()
+
+    def connect(self):
+        return http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+
+    def request(self, method, target, body=None, headers=None):
+        """The response of one request on its own connection, with its body in `.data`."""
+        connection = self.connect()
+        try:
+            return answer(connection, method, target, body, headers)
+        finally:
+            connection.close()
+
+    def log_lines(self):
+        self.log.seek(0)
+        return [json.loads(line) for line in self.log]
+
+
+def answer(connection, method, target, body=None, headers=None):
+    connection.request(method, target, body, headers or {})
+    response = connection.getresponse()
+    response.data = response.read()
+    return response
+
+
+def qdot(*arguments, stdin="", **environment):
+    """Runs one command to its end: returncode, stdout and stderr as bytes."""
+    return subprocess.run([QDOT, *arguments], input=stdin.encode(), capture_output=True, timeout=60, check=False,
+                          env={**ENVIRONMENT, **environment})

@@ -1,0 +1,101 @@
+"""The command line: the same bytes as over HTTP, and exit codes that scripts can rely on."""
+
+import json
+import socket
+import tempfile
+import unittest
+
+from running_qdot import RunningQdot, qdot
+
+REQUEST = {"system": "spring_pendulum", "t_end": 2, "samples": 5}
+OK, USAGE, INVALID, UNREACHABLE = 0, 2, 3, 6
+
+
+class SameBytes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = RunningQdot()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.__exit__()
+
+    def assert_same(self, run, response):
+        self.assertEqual(response.status, 200, response.data)
+        self.assertEqual((run.returncode, run.stderr), (OK, b""))
+        self.assertEqual(run.stdout, response.data)
+
+    def test_stdin_and_file_are_a_post(self):
+        body = json.dumps(REQUEST)
+        for command, request in (("simulate", body), ("energy", '{"system": "spring_pendulum"}'),
+                                 ("equations", '{"system": "spring_pendulum"}')):
+            with self.subTest(command=command), tempfile.NamedTemporaryFile("w") as file:
+                file.write(request)
+                file.flush()
+                response = self.server.request("POST", f"/v1/{command}", request)
+                self.assert_same(qdot(command, stdin=request), response)
+                self.assert_same(qdot(command, "--request", "-", stdin=request), response)
+                self.assert_same(qdot(command, "--request", file.name), response)
+
+    def test_words_are_the_query_of_a_get(self):
+        run = qdot("simulate", "system=spring_pendulum", "t_end=2", "theta=30 deg", "samples=5")
+        response = self.server.request("GET", "/v1/simulate?system=spring_pendulum&t_end=2&theta=30%20deg&samples=5")
+        self.assert_same(run, response)
+
+    def test_pretty_and_format_are_part_of_the_query(self):
+        words = ("system=spring_pendulum", "t_end=2", "samples=5")
+        query = "/v1/simulate?" + "&".join(words)
+        self.assert_same(qdot("simulate", *words, "--pretty"), self.server.request("GET", query + "&pretty"))
+        self.assert_same(qdot("simulate", *words, "--format", "csv"), self.server.request("GET", query + "&format=csv"))
+
+    def test_systems(self):
+        self.assert_same(qdot("systems"), self.server.request("GET", "/v1/systems"))
+        self.assert_same(qdot("systems", "spring_pendulum"), self.server.request("GET", "/v1/systems/spring_pendulum"))
+
+    def test_a_problem_goes_to_stderr(self):
+        run = qdot("systems", "no_such_system")
+        self.assertEqual((run.returncode, run.stdout), (INVALID, b""))
+        self.assertEqual(run.stderr, self.server.request("GET", "/v1/systems/no_such_system").data)
+
+
+class ExitCodes(unittest.TestCase):
+    def test_version_and_help(self):
+        version = qdot("--version")
+        self.assertEqual(version.returncode, OK)
+        self.assertRegex(version.stdout.decode(), r"^qdot \d+\.\d+\.\d+\n$")
+        self.assertEqual(qdot("--help").returncode, OK)
+        self.assertEqual(qdot("simulate", "--help").returncode, OK)
+
+    def test_usage(self):
+        for arguments in ([], ["no_such_command"], ["simulate", "--no-such-option"], ["simulate", "no_equals_sign"],
+                          ["simulate", "=value"], ["simulate", "--request", "/no/such/file"],
+                          ["simulate", "system=x", "--request", "-"], ["systems", "one", "two"],
+                          ["serve", "--port", "65536"], ["serve", "--threads", "0"]):
+            with self.subTest(arguments=arguments):
+                run = qdot(*arguments)
+                self.assertEqual((run.returncode, run.stdout), (USAGE, b""))
+                self.assertNotEqual(run.stderr, b"")
+
+    def test_invalid_requests(self):
+        for stdin in ("", "{", '{"system": "no_such_system"}', '{"system": "spring_pendulum", "kk": 1}'):
+            with self.subTest(stdin=stdin):
+                run = qdot("simulate", stdin=stdin)
+                self.assertEqual((run.returncode, run.stdout), (INVALID, b""))
+                self.assertIn("type", json.loads(run.stderr))
+
+    def test_health_and_wait(self):
+        with RunningQdot() as server:
+            self.assertEqual(qdot("health", "--port", str(server.port)).returncode, OK)
+            self.assertEqual(qdot("health", QDOT_PORT=str(server.port), QDOT_HOST="0.0.0.0").returncode, OK)
+            self.assertEqual(qdot("wait", "--port", str(server.port), "--timeout", "30").returncode, OK)
+
+    def test_nobody_there(self):
+        with socket.socket() as bound:  # bound and not listening: nobody else takes the port, nobody answers
+            bound.bind(("127.0.0.1", 0))
+            port = str(bound.getsockname()[1])
+            self.assertEqual(qdot("health", "--port", port).returncode, UNREACHABLE)
+            self.assertEqual(qdot("wait", "--port", port, "--timeout", "0.2").returncode, UNREACHABLE)
+
+
+if __name__ == "__main__":
+    unittest.main()
