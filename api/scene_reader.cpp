@@ -15,7 +15,7 @@ namespace {
 const Fields<Parameter> parameter_fields{
     required("name", &Parameter::name, read_name),
     required("unit", &Parameter::unit, read_word),
-    required("default_value", &Parameter::default_value, read_expression),
+    required("default", &Parameter::default_value, read_expression),
     optional("domain", &Parameter::domain, read_domain),
     optional("meaning", &Parameter::meaning, read_prose),
     optional("latex", &Parameter::latex, read_word),
@@ -35,7 +35,7 @@ const Fields<Coordinate> coordinate_fields{
 const Fields<Input> input_fields{
     required("name", &Input::name, read_name),
     required("unit", &Input::unit, read_word),
-    optional("default_value", &Input::default_value, read_expression),
+    optional("default", &Input::default_value, read_expression),
     optional("meaning", &Input::meaning, read_prose),
 };
 

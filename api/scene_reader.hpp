@@ -3,7 +3,7 @@
 //
 // The JSON form has exactly the fields of core/mechanics/scene.hpp, in api/scenes/schema.json's words:
 //
-//   "parameters":   [{"name": "l", "unit": "m", "default_value": "0.5", "domain": "> 0", "meaning":
+//   "parameters":   [{"name": "l", "unit": "m", "default": "0.5", "domain": "> 0", "meaning":
 //   "length"}] "coordinates":  [{"name": "theta", "unit": "rad", "initial": "pi/6", "initial_rate": "0"}]
 //   "points":       [{"name": "bob", "components": ["l*sin(theta)", "-l*cos(theta)"]}]
 //   "bodies":       [{"kind": "particle", "name": "bob", "mass": "m", "position": "bob"}]

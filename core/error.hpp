@@ -12,6 +12,7 @@ enum class ErrorCode {
   unknown_symbol,  ///< an expression names something that is not declared
   too_large,       ///< an expression passes a size, depth or node bound
   invalid_scene,   ///< the scene has mistakes (SceneError lists them)
+  invalid_state,   ///< the coordinates describe no configuration, or a quantity has no value there
   not_applicable   ///< the question makes no sense for this scene
 };
 

@@ -1,18 +1,54 @@
 #include "core/analysis/dynamics.hpp"
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/parse.hpp"
 
 namespace qdot {
+namespace {
+
+Direction direction_of(Crossing crossing) {
+  if (crossing == Crossing::rising) return Direction::rising;
+  return crossing == Crossing::falling ? Direction::falling : Direction::either;
+}
+
+Direction direction_of(Passage passage) {
+  if (passage == Passage::rising) return Direction::rising;
+  return passage == Passage::falling ? Direction::falling : Direction::either;
+}
+
+/// Each input and its first two derivatives as functions of time, in a graph copied from the model's.
+std::vector<Replacement> input_replacements(const Model& model, const std::vector<std::string>& texts, Graph& graph) {
+  std::vector<std::string> allowed{"t"};
+  for (const Parameter& p : model.scene.parameters) allowed.push_back(p.name);
+  const Expression t = graph.adopt(model.parsed.symbols.t);
+  const Symbols::Varying& inputs = model.parsed.symbols.inputs;
+  std::vector<Replacement> replacements;
+  for (std::size_t i = 0; i < inputs.value.size(); ++i) {
+    const bool given = i < texts.size() && !texts[i].empty();
+    const Expression value = given ? parse(texts[i], graph, allowed) : graph.adopt(model.parsed.input_defaults[i]);
+    const Expression rate = differentiate(value, t);
+    replacements.emplace_back(graph.adopt(inputs.value[i]), value);
+    replacements.emplace_back(graph.adopt(inputs.rate[i]), rate);
+    replacements.emplace_back(graph.adopt(inputs.second_rate[i]), differentiate(rate, t));
+  }
+  return replacements;
+}
+
+}  // namespace
 
 /// A tape under construction on a private copy of the model's graph.
 class Dynamics::Builder {
  public:
-  Builder(const Model& model, const std::vector<std::string>& inputs)
+  Builder(const Model& model, const std::vector<std::string>& inputs) : Builder(model, inputs, *model.parsed.graph) {}
+
+  /// On a copy of a graph that was itself copied from the model's.
+  Builder(const Model& model, const std::vector<std::string>& inputs, const Graph& graph)
       : model_(model),
-        graph_(*model.parsed.graph),
+        graph_(graph),
         q_(adopted(model.parsed.symbols.coordinates.value)),
         rates_(adopted(model.parsed.symbols.coordinates.rate)),
         accelerations_(adopted(model.parsed.symbols.coordinates.second_rate)),
@@ -21,7 +57,9 @@ class Dynamics::Builder {
     for (const auto& [held, value] : model.lagrangian.holding) {
       replacements_.emplace_back(graph_.adopt(held), graph_.adopt(value));
     }
-    replace_inputs(inputs);
+    for (const Replacement& replacement : input_replacements(model, inputs, graph_)) {
+      replacements_.push_back(replacement);
+    }
     std::vector<Expression> variables = q_;
     variables.insert(variables.end(), rates_.begin(), rates_.end());
     tape_.emplace(graph_, parameters_, t_, variables);
@@ -31,12 +69,12 @@ class Dynamics::Builder {
     return substitute(graph_.adopt(of_model), replacements_);
   }
 
-  [[nodiscard]] Expression parsed(const std::string& text) {
+  [[nodiscard]] ParsedEvent parsed_event(const std::string& text) {
     std::vector<std::string> allowed{"t"};
     for (const auto* symbols : {&parameters_, &q_, &rates_}) {
       for (const Expression& symbol : *symbols) allowed.push_back(std::get<Symbol>(symbol.node()).name);
     }
-    return parse(text, graph_, allowed);
+    return parse_event(text, graph_, allowed);
   }
 
   [[nodiscard]] bool needs_accelerations(const Expression& e) const { return depends_on(e, accelerations_); }
@@ -66,24 +104,6 @@ class Dynamics::Builder {
     std::vector<Expression> result;
     for (const Expression& symbol : symbols) result.push_back(graph_.adopt(symbol));
     return result;
-  }
-
-  void replace_inputs(const std::vector<std::string>& texts) {
-    const Symbols::Varying& inputs = model_.parsed.symbols.inputs;
-    for (std::size_t i = 0; i < inputs.value.size(); ++i) {
-      const bool given = i < texts.size() && !texts[i].empty();
-      const Expression value = given ? parsed_input(texts[i]) : graph_.adopt(model_.parsed.input_defaults[i]);
-      const Expression rate = differentiate(value, t_);
-      replacements_.emplace_back(inputs.value[i], value);
-      replacements_.emplace_back(inputs.rate[i], rate);
-      replacements_.emplace_back(inputs.second_rate[i], differentiate(rate, t_));
-    }
-  }
-
-  [[nodiscard]] Expression parsed_input(const std::string& text) {
-    std::vector<std::string> allowed{"t"};
-    for (const Parameter& p : model_.scene.parameters) allowed.push_back(p.name);
-    return parse(text, graph_, allowed);
   }
 
   [[nodiscard]] std::vector<Expression> forcing() {
@@ -163,27 +183,66 @@ const CompiledFunction& Dynamics::jacobian() const {
   return *lazy_->jacobian;
 }
 
+CompiledFunction Dynamics::compiled(const Graph& graph, std::span<const Expression> expressions) const {
+  Builder builder(*model_, inputs_, graph);
+  for (const Expression& of_graph : expressions) {
+    const Expression e = builder.expression(of_graph);
+    if (builder.needs_accelerations(e)) (void)builder.accelerations();
+    builder.tape().output(e);
+  }
+  return builder.tape().finish();
+}
+
 std::shared_ptr<const CompiledFunction> Dynamics::columns(const std::vector<Column>& columns) const {
   std::vector<NodeId> key;
-  for (const Column& column : columns) key.push_back(column.value.id());
+  std::vector<Expression> expressions;
+  for (const Column& column : columns) {
+    key.push_back(column.value.id());
+    expressions.push_back(column.value);
+  }
   const std::lock_guard lock(lazy_->mutex);
   std::shared_ptr<const CompiledFunction>& slot = lazy_->columns[key];
-  if (!slot) {
-    Builder builder(*model_, inputs_);
-    for (const Column& column : columns) {
-      const Expression e = builder.expression(column.value);
-      if (builder.needs_accelerations(e)) (void)builder.accelerations();
-      builder.tape().output(e);
-    }
-    slot = std::make_shared<const CompiledFunction>(builder.tape().finish());
-  }
+  if (!slot) slot = std::make_shared<const CompiledFunction>(compiled(*model_->parsed.graph, expressions));
   return slot;
 }
 
-CompiledFunction Dynamics::compile(const std::vector<std::string>& expressions) const {
+Conserved Dynamics::derived_conserved(const std::vector<bool>& vanishing) const {
+  Lagrangian lagrangian = copied(model_->lagrangian);
+  std::vector<Replacement> replacements;
+  for (std::size_t i = 0; i < vanishing.size(); ++i) {
+    if (vanishing[i]) replacements.emplace_back(lagrangian.symbols.parameters[i], lagrangian.graph->number(0));
+  }
+  lagrangian = replaced(lagrangian, replacements);
+  lagrangian = replaced(lagrangian, input_replacements(*model_, inputs_, *lagrangian.graph));
+  Conserved result{conserved_quantities(lagrangian, model_->scene), nullptr};
+  std::vector<Expression> expressions;
+  for (const ConservedQuantity& quantity : result.quantities) expressions.push_back(quantity.value);
+  result.values = std::make_shared<const CompiledFunction>(compiled(*lagrangian.graph, expressions));
+  return result;
+}
+
+std::shared_ptr<const Conserved> Dynamics::conserved(std::span<const double> parameters) const {
+  std::vector<bool> vanishing;
+  for (const double value : parameters) vanishing.push_back(value == 0);
+  const std::lock_guard lock(lazy_->mutex);
+  std::shared_ptr<const Conserved>& slot = lazy_->conserved[vanishing];
+  if (!slot) slot = std::make_shared<const Conserved>(derived_conserved(vanishing));
+  return slot;
+}
+
+CompiledEvent Dynamics::event(const std::string& text) const {
+  const std::vector<SceneEvent>& named = model_->scene.events;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (named[i].name != text) continue;
+    const ParsedSceneEvent& event = model_->parsed.events[i];
+    CompiledEvent result{compiled(*model_->parsed.graph, {&event.value, 1}), direction_of(named[i].direction), {}};
+    if (event.when) result.when = compiled(*model_->parsed.graph, {&*event.when, 1});
+    return result;
+  }
   Builder builder(*model_, inputs_);
-  for (const std::string& text : expressions) builder.tape().output(builder.parsed(text));
-  return builder.tape().finish();
+  const ParsedEvent parsed = builder.parsed_event(text);
+  builder.tape().output(parsed.expression);
+  return {builder.tape().finish(), direction_of(parsed.passage), {}};
 }
 
 std::vector<Column> energy_columns(const Model& model) {
@@ -233,6 +292,24 @@ std::vector<Column> validity_columns(const Model& model) {
     columns.push_back({model.scene.valid_while[i].name, model.scene.valid_while[i].unit, model.validity[i]});
   }
   return columns;
+}
+
+std::vector<double> values_at(const Dynamics& dynamics, const std::vector<Column>& columns,
+                              std::span<const double> parameters, double t, std::span<const double> y) {
+  const auto function = dynamics.columns(columns);
+  Workspace workspace = function->bind(parameters);
+  std::vector<double> values(columns.size());
+  switch (function->evaluate(t, y, workspace, values)) {
+    case Evaluation::ok: return values;
+    case Evaluation::singular_mass:
+      throw Error(ErrorCode::invalid_state, "The mass matrix has no inverse in this state.");
+    case Evaluation::nonfinite: break;
+  }
+  std::string undefined;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!std::isfinite(values[i])) undefined += (undefined.empty() ? "" : ", ") + columns[i].name;
+  }
+  throw Error(ErrorCode::invalid_state, "In this state there is no finite value of " + undefined + ".");
 }
 
 }  // namespace qdot

@@ -7,10 +7,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/compile/compiled_function.hpp"
+#include "core/mechanics/conserved.hpp"
 #include "core/mechanics/model.hpp"
 
 namespace qdot {
@@ -20,6 +23,19 @@ struct Column {
   std::string name;
   std::string unit;
   Expression value;  ///< in t, q, q', q'', the parameters and inputs
+};
+
+/// An event as a compiled function: its zero, which way it is crossed, and optionally where a zero counts (> 0).
+struct CompiledEvent {
+  CompiledFunction value;
+  Direction direction{Direction::either};
+  std::optional<CompiledFunction> when;
+};
+
+/// What stays constant along motions with given parameters.
+struct Conserved {
+  std::vector<ConservedQuantity> quantities;  ///< in a graph of their own
+  std::shared_ptr<const CompiledFunction> values;
 };
 
 class Dynamics {
@@ -35,10 +51,14 @@ class Dynamics {
   /// d(q', q'')/d(q, q'), 2n x 2n by rows: the last n rows solve M dq''/dy = df/dy - dM/dy q''.
   [[nodiscard]] const CompiledFunction& jacobian() const;
 
-  /// The values of columns (which belong to the model's graph).
+  /// The values of columns, which belong to the model's graph.
   [[nodiscard]] std::shared_ptr<const CompiledFunction> columns(const std::vector<Column>& columns) const;
-  /// The values of expressions written by a user in t, q, q' and the parameters. Not kept.
-  [[nodiscard]] CompiledFunction compile(const std::vector<std::string>& expressions) const;
+  /// The conserved quantities; which there are depends on the parameters that are 0.
+  [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
+
+  /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the direction;
+  /// or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
+  [[nodiscard]] CompiledEvent event(const std::string& text) const;
 
  private:
   class Builder;
@@ -46,7 +66,11 @@ class Dynamics {
     std::mutex mutex;
     std::unique_ptr<const CompiledFunction> accelerations, jacobian;
     std::map<std::vector<NodeId>, std::shared_ptr<const CompiledFunction>> columns;
+    std::map<std::vector<bool>, std::shared_ptr<const Conserved>> conserved;
   };
+
+  [[nodiscard]] CompiledFunction compiled(const Graph& graph, std::span<const Expression> expressions) const;
+  [[nodiscard]] Conserved derived_conserved(const std::vector<bool>& vanishing) const;
 
   std::shared_ptr<const Model> model_;
   std::vector<std::string> inputs_;
@@ -59,5 +83,10 @@ class Dynamics {
 [[nodiscard]] std::vector<Column> position_columns(const Model& model);
 [[nodiscard]] std::vector<Column> acceleration_columns(const Model& model);
 [[nodiscard]] std::vector<Column> validity_columns(const Model& model);
+
+/// The columns' values at one state. Throws Error(invalid_state) where one of them has none.
+[[nodiscard]] std::vector<double> values_at(const Dynamics& dynamics, const std::vector<Column>& columns,
+                                            std::span<const double> parameters, double t,
+                                            std::span<const double> y);
 
 }  // namespace qdot

@@ -1,10 +1,13 @@
-// The explicit Runge-Kutta pair of prince_dormand.hpp, stepped by ARKODE's ARKStep with its default controller.
-// Source: D. R. Reynolds et al., ARKODE, ACM TOMS 49 (2023) 19; User Documentation for ARKODE 5.4.1, "ARKStep".
+// The explicit Runge-Kutta pair of prince_dormand.hpp, stepped by ARKODE's ARKStep with its default
+// controller. Source: D. R. Reynolds et al., ARKODE, ACM TOMS 49 (2023) 19; User Documentation for
+// ARKODE 5.4.1, "ARKStep".
 //
 // Three things are done differently from what the library offers, each for a measured reason:
-// - ARKStep, not ERKStep, which in this version reuses the last stage as f(t, y) and so loses up to five orders.
+// - ARKStep, not ERKStep, which in this version reuses the last stage as f(t, y) and so loses up to five
+// orders.
 // - Dense output by RungeKuttaFan: the library's Hermite polynomials have degree 5 at most.
-// - A stage at which f has no value ends an explicit run; here the step is tried again from its beginning, shorter.
+// - A stage at which f has no value ends an explicit run; here the step is tried again from its beginning,
+// shorter.
 
 #include <arkode/arkode_arkstep.h>
 
@@ -36,9 +39,9 @@ void set_prince_dormand(void* memory) {
   auto a = PrinceDormand::a;
   auto b = PrinceDormand::b;
   auto d = PrinceDormand::d;
-  const std::unique_ptr<ARKodeButcherTableMem, TableDeleter> table(
-      created(ARKodeButcherTable_Create(PrinceDormand::stages, PrinceDormand::order, PrinceDormand::embedded_order,
-                                        c.data(), a.front().data(), b.data(), d.data())));
+  const std::unique_ptr<ARKodeButcherTableMem, TableDeleter> table(created(
+      ARKodeButcherTable_Create(PrinceDormand::stages, PrinceDormand::order, PrinceDormand::embedded_order,
+                                c.data(), a.front().data(), b.data(), d.data())));
   require_success(
       ARKStepSetTables(memory, PrinceDormand::order, PrinceDormand::embedded_order, nullptr, table.get()));
 }

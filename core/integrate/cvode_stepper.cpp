@@ -1,6 +1,7 @@
-// Adams and BDF by CVODE, one internal step at a time. The dense output is the method's own Nordsieck polynomial and
-// has its order. Source: A. C. Hindmarsh et al., SUNDIALS, ACM TOMS 31 (2005) 363-396; User Documentation for CVODE
-// 6.4.1, sections "CVODE solver function", "Interpolated output function", "User-supplied functions".
+// Adams and BDF by CVODE, one internal step at a time. The dense output is the method's own Nordsieck
+// polynomial and has its order. Source: A. C. Hindmarsh et al., SUNDIALS, ACM TOMS 31 (2005) 363-396; User
+// Documentation for CVODE 6.4.1, sections "CVODE solver function", "Interpolated output function",
+// "User-supplied functions".
 
 #include <cvode/cvode.h>
 #include <cvode/cvode_ls.h>
@@ -24,8 +25,8 @@ struct CvodeDeleter {
   void operator()(void* memory) const { CVodeFree(&memory); }
 };
 
-// Attempts at one step. CVODE's defaults (7 and 10) give up while the step could still shrink: near the edge of where
-// f exists, or at a jump of f. A quarter each time, 30 of them reach the round-off of t.
+// Attempts at one step. CVODE's defaults (7 and 10) give up while the step could still shrink: near the edge
+// of where f exists, or at a jump of f. A quarter each time, 30 of them reach the round-off of t.
 constexpr int attempts = 30;
 
 class CvodeStepper final : public Stepper {
@@ -98,7 +99,8 @@ class CvodeStepper final : public Stepper {
     return answer;
   }
 
-  // Newton with the dense Jacobian was no cheaper for Adams on any of our oscillators (see the commit message).
+  // Newton with the dense Jacobian saves Adams a third of the evaluations on our oscillators and costs as
+  // much in all: the library's own work per step outweighs f.
   void correct_by_fixed_point() {
     fixed_point_.reset(created(SUNNonlinSol_FixedPoint(state_.get(), 0, context_.get())));
     require_success(CVodeSetNonlinearSolver(memory_.get(), fixed_point_.get()));
@@ -129,8 +131,8 @@ class CvodeStepper final : public Stepper {
     return why;
   }
 
-  // The evaluator's own reason says more than a flag. What is left are attempts that all failed the error test or the
-  // corrector although f had values everywhere: no honest name but that the work led nowhere.
+  // The evaluator's own reason says more than a flag. What is left are attempts that all failed the error
+  // test or the corrector although f had values everywhere: no honest name but that the work led nowhere.
   Ending ending_of(int flag) const {
     if (flag == CV_MEM_FAIL) throw std::bad_alloc();
     if (evaluator_.trouble()) return *evaluator_.trouble();

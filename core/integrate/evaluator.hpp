@@ -1,6 +1,6 @@
 #pragma once
-// The one door through which every method evaluates y' = f(t, y): it counts, applies the limits, refuses what is
-// not finite, and remembers why, so that a C library's failure code can be turned back into an Ending.
+// The one door through which every method evaluates y' = f(t, y): it counts, applies the limits, refuses what
+// is not finite, and remembers why, so that a C library's failure code can be turned back into an Ending.
 
 #include <cstdint>
 #include <exception>
@@ -15,12 +15,12 @@ namespace qdot {
 /// Answers have the values that SUNDIALS asks of its callbacks.
 enum Answer : int {
   answer_ok = 0,
-  answer_retry = 1,   ///< f has no value here: a smaller step may avoid the place
-  answer_stop = -1    ///< a limit is spent or the caller has gone: give up
+  answer_retry = 1,  ///< f has no value here: a smaller step may avoid the place
+  answer_stop = -1   ///< a limit is spent or the caller has gone: give up
 };
 
-/// Calls are noexcept because C frames lie between them and the caller. What the user's function threw is kept and
-/// thrown again by rethrow(). A Jacobian counts as one evaluation.
+/// Calls are noexcept because C frames lie between them and the caller. What the user's function threw is
+/// kept and thrown again by rethrow(). A Jacobian counts as one evaluation.
 class Evaluator {
  public:
   /// Keeps references: both arguments must outlive it.
@@ -32,7 +32,8 @@ class Evaluator {
   /// df/dy, row-major n x n.
   [[nodiscard]] Answer jacobian(double t, std::span<const double> y, std::span<double> jacobian) noexcept;
 
-  /// Why f last refused, since forget_trouble(); empty if it never did. A limit, once spent, is not forgotten.
+  /// Why f last refused, since forget_trouble(); empty if it never did. A limit, once spent, is not
+  /// forgotten.
   [[nodiscard]] std::optional<Ending> trouble() const { return trouble_; }
   void forget_trouble() {
     if (!stopped_) trouble_.reset();
@@ -45,7 +46,8 @@ class Evaluator {
 
  private:
   using Function = std::function<Evaluation(double, std::span<const double>, std::span<double>)>;
-  Answer evaluate(const Function& function, double t, std::span<const double> y, std::span<double> out) noexcept;
+  Answer evaluate(const Function& function, double t, std::span<const double> y,
+                  std::span<double> out) noexcept;
   bool limits_allow_another();
   Answer refuse(Answer answer, Ending why);
 
@@ -57,7 +59,8 @@ class Evaluator {
   std::exception_ptr exception_;
 };
 
-/// What is wrong with a state: nonfinite for NaN, blow_up for an infinite component or one beyond max_magnitude.
+/// What is wrong with a state: nonfinite for NaN, blow_up for an infinite component or one beyond
+/// max_magnitude.
 [[nodiscard]] std::optional<Ending> unusable(std::span<const double> y, double max_magnitude);
 
 }  // namespace qdot

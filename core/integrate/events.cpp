@@ -65,7 +65,8 @@ bool EventSearch::crosses(const EventFunction& event, Probe& probe, double value
   const int sign = sign_of(value);
   const bool crossed = sign * probe.sign < 0;
   probe = {value, sign == 0 ? probe.sign : sign};
-  return crossed && (event.direction == Direction::either || (event.direction == Direction::rising) == (sign > 0));
+  return crossed &&
+         (event.direction == Direction::either || (event.direction == Direction::rising) == (sign > 0));
 }
 
 // A probe that was exactly zero is the place: g had its old sign before and has the new one after.

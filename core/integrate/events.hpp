@@ -1,12 +1,13 @@
 #pragma once
 // Zeros of event functions g(t, y(t)), found on the dense output of each step.
 //
-// An event is a change of sign: g has one strict sign, later the other. Zeros between the two do not matter, so a
-// function that touches zero and turns back does not count, and one that is exactly zero at a step's end is decided
-// when it leaves zero. Each step is looked at in `pieces` pieces of equal length; two crossings within one piece are
-// not seen. A pole (tan) changes sign too, but its values grow towards the place: it does not count.
-// A zero at t_start does not fire, whether g is exactly zero there or crosses within 1e-12 of the span: so it goes when
-// a motion restarts where an earlier one was ended by the same event. It fires when it crosses later.
+// An event is a change of sign: g has one strict sign, later the other. Zeros between the two do not matter,
+// so a function that touches zero and turns back does not count, and one that is exactly zero at a step's end
+// is decided when it leaves zero. Each step is looked at in `pieces` pieces of equal length; two crossings
+// within one piece are not seen. A pole (tan) changes sign too, but its values grow towards the place: it
+// does not count. A zero at t_start does not fire, whether g is exactly zero there or crosses within 1e-12 of
+// the span: so it goes when a motion restarts where an earlier one was ended by the same event. It fires when
+// it crosses later.
 
 #include <cstddef>
 #include <optional>
@@ -44,7 +45,8 @@ class EventSearch {
   void search_piece(Stepper& stepper, double from, double to, Found& found);
   /// Takes note of g(to); true if g has crossed, in the direction asked for, since the probe before.
   static bool crosses(const EventFunction& event, Probe& probe, double value);
-  std::optional<double> locate(Stepper& stepper, const EventFunction& event, SignChange bracket, Found& found);
+  std::optional<double> locate(Stepper& stepper, const EventFunction& event, SignChange bracket,
+                               Found& found);
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 
   const RunRequest& request_;

@@ -2,9 +2,19 @@
 
 namespace qdot {
 
-const std::array<double, PrinceDormand::stages> PrinceDormand::c{
-    0, 1. / 18, 1. / 12, 1. / 8, 5. / 16, 3. / 8, 59. / 400, 93. / 200, 5490023248. / 9719169821, 13. / 20,
-    1201146811. / 1299019798, 1, 1};
+const std::array<double, PrinceDormand::stages> PrinceDormand::c{0,
+                                                                 1. / 18,
+                                                                 1. / 12,
+                                                                 1. / 8,
+                                                                 5. / 16,
+                                                                 3. / 8,
+                                                                 59. / 400,
+                                                                 93. / 200,
+                                                                 5490023248. / 9719169821,
+                                                                 13. / 20,
+                                                                 1201146811. / 1299019798,
+                                                                 1,
+                                                                 1};
 
 // clang-format off
 const std::array<std::array<double, PrinceDormand::stages>, PrinceDormand::stages> PrinceDormand::a{{

@@ -1,14 +1,15 @@
 #pragma once
 // The explicit Runge-Kutta pair RK8(7)13M of Prince and Dormand: order 8, embedded error estimate of order 7.
 //
-//   k_i = f(t + c_i h, y + h sum_{j<i} a_ij k_j),   y(t + h) = y + h sum_i b_i k_i,   error = h sum_i (b_i - d_i) k_i
+//   k_i = f(t + c_i h, y + h sum_{j<i} a_ij k_j),   y(t + h) = y + h sum_i b_i k_i,   error = h sum_i (b_i -
+//   d_i) k_i
 //
-// Source: P. J. Prince, J. R. Dormand, High order embedded Runge-Kutta formulae, J. Comp. Appl. Math. 7 (1981) 67-75,
-// Table 2. All 200 order conditions up to order 8 (115 of them of order 8 itself), and the 85 up to order 7 for d,
-// hold to 1e-14 with these numbers.
+// Source: P. J. Prince, J. R. Dormand, High order embedded Runge-Kutta formulae, J. Comp. Appl. Math. 7
+// (1981) 67-75, Table 2. All 200 order conditions up to order 8 (115 of them of order 8 itself), and the 85
+// up to order 7 for d, hold to 1e-14 with these numbers.
 //
-// Why not ARKODE's own Fehlberg 7(8): its error estimate, 41/840 (k_1 + k_11 - k_12 - k_13) with c = 0, 1, 0, 1, is
-// identically zero for y' = f(t), so that a cart pushed by a force F(t) would be integrated blindly.
+// Why not ARKODE's own Fehlberg 7(8): its error estimate, 41/840 (k_1 + k_11 - k_12 - k_13) with c = 0, 1, 0,
+// 1, is identically zero for y' = f(t), so that a cart pushed by a force F(t) would be integrated blindly.
 
 #include <array>
 #include <cstddef>
@@ -30,8 +31,8 @@ struct PrinceDormand {
   static const std::array<double, stages> d;                      ///< order 7
 };
 
-/// Dense output of full order: y(t_n + h) by one step of any length h from one base point (t_n, y_n). An interpolating
-/// polynomial of lower degree would spoil what the method earned.
+/// Dense output of full order: y(t_n + h) by one step of any length h from one base point (t_n, y_n). An
+/// interpolating polynomial of lower degree would spoil what the method earned.
 class RungeKuttaFan {
  public:
   RungeKuttaFan(Evaluator& evaluator, std::size_t dimension);

@@ -12,8 +12,8 @@ constexpr std::uint64_t window = 1000;
 constexpr double least_progress = 1e-9;  // of the span, in a window
 
 constexpr int most_still_steps = 10;
-// Between a smooth motion, which moves by about the round-off of t in such a step (1e-13), and a singularity, where
-// the step is a share of the time that is left (1e-3 to 1e-1).
+// Between a smooth motion, which moves by about the round-off of t in such a step (1e-13), and a singularity,
+// where the step is a share of the time that is left (1e-3 to 1e-1).
 constexpr double noticeable = 1e-6;
 
 double distance(std::span<const double> a, std::span<const double> b) {

@@ -11,12 +11,15 @@
 namespace qdot {
 
 /// Watches each step of a run. Two things end it:
-/// - 1000 steps that advance t by less than 1e-9 of the span: step_limit (a sliding discontinuity, say), but blow_up if
-///   |y| meanwhile grew to twice its largest value before them (a singularity approached at a tight tolerance);
-/// - steps so short that t + h = t, 10 in a row. If f had no value at a place tried meanwhile, that is the reason.
-///   Otherwise the state tells: if it moves noticeably while t stands still, it is no function of t any more, which is
-///   a singularity (y' = y^2 at its pole, a fall into 1/r^2): blow_up. If not, only the tolerances can want such
-///   steps: tolerance.
+/// - 1000 steps that advance t by less than 1e-9 of the span: step_limit (a sliding discontinuity, say), but
+/// blow_up if
+///   |y| meanwhile grew to twice its largest value before them (a singularity approached at a tight
+///   tolerance);
+/// - steps so short that t + h = t, 10 in a row. If f had no value at a place tried meanwhile, that is the
+/// reason.
+///   Otherwise the state tells: if it moves noticeably while t stands still, it is no function of t any more,
+///   which is a singularity (y' = y^2 at its pole, a fall into 1/r^2): blow_up. If not, only the tolerances
+///   can want such steps: tolerance.
 class ProgressGuard {
  public:
   explicit ProgressGuard(const RunRequest& request);
@@ -31,7 +34,7 @@ class ProgressGuard {
   double span_;
   double window_start_;
   std::uint64_t window_steps_{};
-  double largest_;                ///< |y| up to now
+  double largest_;  ///< |y| up to now
   double largest_before_window_;
   std::vector<double> y_when_moving_;  ///< the state when t last advanced
   int still_steps_{};

@@ -13,26 +13,35 @@ namespace qdot {
 /// What one evaluation of a compiled function came to.
 enum class Evaluation { ok, nonfinite, singular_mass };
 
-/// y' = f(t, y). All functions are noexcept in effect: they report by value, never by throwing.
+/// y' = f(t, y). A place where f has no value is reported by the answer; it is tried again nearer. What a
+/// function throws ends the run and reaches the caller of integrate(). Values that are not finite count as
+/// nonfinite even if the answer is ok. Called with y finite, |y_i| <= max_magnitude and t_start <= t <= t_end
+/// only.
 struct RightHandSide {
   std::size_t dimension{};
-  std::function<Evaluation(double t, std::span<const double> y, std::span<double> derivative)> derivative;
+  std::function<Evaluation(double t, std::span<const double> y, std::span<double> derivative)> derivative{};
   /// df/dy, row-major dimension x dimension; needed by Method::bdf only.
-  std::function<Evaluation(double t, std::span<const double> y, std::span<double> jacobian)> jacobian;
+  std::function<Evaluation(double t, std::span<const double> y, std::span<double> jacobian)> jacobian{};
 };
 
 enum class Direction { rising, falling, either };
 
-/// A zero of g(t, y). `condition` (optional) says whether a zero found at (t, y) counts.
+/// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
+/// `condition` (optional) says whether a zero found at (t, y) counts.
 struct EventFunction {
-  std::function<double(double t, std::span<const double> y)> value;
+  std::function<double(double t, std::span<const double> y)> value{};
   Direction direction{Direction::either};
   bool terminal{false};
-  std::function<bool(double t, std::span<const double> y)> condition;
+  std::function<bool(double t, std::span<const double> y)> condition{};
 };
 
+/// adams: CVODE, order 1 to 12, cheapest in evaluations when they are dear. bdf: CVODE, order 1 to 5, for
+/// stiff systems (strong damping). erk: ARKODE, order 8, the fastest of the three on small oscillating
+/// systems; a row of the grid costs it 12 evaluations, and watching events about 50 a step.
 enum class Method { adams, bdf, erk };
 
+/// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and
+/// bdf by a hundred to ten thousand times, for erk by ten to a hundred.
 struct Tolerances {
   double rtol{1e-9};
   double atol{1e-12};
@@ -41,52 +50,55 @@ struct Tolerances {
 /// Deterministic bounds on the work; `interrupted` is polled every 64 evaluations (deadline, client gone).
 struct Limits {
   std::uint64_t max_steps{1'000'000};
-  std::uint64_t max_evaluations{5'000'000};
+  std::uint64_t max_evaluations{5'000'000};  ///< of f and of its Jacobian together
   double max_magnitude{1e150};
-  std::function<bool()> interrupted;
+  std::function<bool()> interrupted{};
 };
 
 struct RunRequest {
   double t_start{};
-  std::vector<double> y_start;
+  std::vector<double> y_start{};
   double t_end{};
   /// Instants at which the state is wanted: increasing, in [t_start, t_end]; t_start itself gives y_start.
-  std::span<const double> grid;
-  std::vector<EventFunction> events;
+  std::span<const double> grid{};
+  std::vector<EventFunction> events{};
   Method method{Method::adams};
-  Tolerances tolerances;
-  Limits limits;
+  Tolerances tolerances{};
+  Limits limits{};
 };
 
 enum class Ending {
   reached_end,
   event,          ///< a terminal event
-  step_limit,     ///< max_steps or max_evaluations spent, or 1000 steps without progress
+  step_limit,     ///< max_steps or max_evaluations spent, 1000 steps without progress, or no step accepted at
+                  ///< all
   nonfinite,      ///< f became infinite or undefined
   singular_mass,  ///< the mass matrix lost its inverse
-  tolerance,      ///< the tolerances ask for more than double precision holds
-  blow_up,        ///< |y| beyond max_magnitude
+  tolerance,      ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
+  blow_up,        ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
   interrupted
 };
 
 struct EventOccurrence {
   std::size_t event{};  ///< index into RunRequest::events
   double t{};
-  std::vector<double> y;
+  std::vector<double> y{};
 };
 
 struct Run {
-  std::size_t rows{};          ///< instants of the grid that were reached
-  std::vector<double> states;  ///< rows x dimension, row-major
-  std::vector<EventOccurrence> events;  ///< in order of time
+  std::size_t rows{};                     ///< instants of the grid that were reached: those up to t
+  std::vector<double> states{};           ///< rows x dimension, row-major
+  std::vector<EventOccurrence> events{};  ///< in order of time, those of one instant in order of index
   Ending ending{Ending::reached_end};
-  double t{};              ///< where the run ended: t_end, the event, or the last good step
-  std::vector<double> y;   ///< the state there
+  double t{};               ///< where the run ended: t_end, the event, or the last good step
+  std::vector<double> y{};  ///< the state there
   std::uint64_t steps{};
   std::uint64_t evaluations{};
 };
 
-/// Integrates from t_start to t_end > t_start. The result does not depend on the grid or on non-terminal events.
+/// Integrates from t_start to t_end >= t_start. Rows and steps are the same bits whatever the grid and the
+/// non-terminal events, unless max_evaluations runs out. The same call gives the same bits, on any thread.
+/// Throws std::invalid_argument for tolerances that are not positive and for bdf without a Jacobian.
 [[nodiscard]] Run integrate(const RightHandSide& system, const RunRequest& request);
 
 }  // namespace qdot

@@ -1,6 +1,6 @@
 #pragma once
-// A method, seen from the loop in run.cpp: it steps as it likes and can say where the solution was inside its last
-// step. This is the one place with runtime polymorphism: methods of very different make stand behind it.
+// A method, seen from the loop in run.cpp: it steps as it likes and can say where the solution was inside its
+// last step. This is the one place with runtime polymorphism: methods of very different make stand behind it.
 
 #include <cstdint>
 #include <memory>
@@ -17,8 +17,8 @@ class Stepper {
  public:
   virtual ~Stepper() = default;
 
-  /// Takes one step of the method's own choosing, never evaluating f beyond t_end. Empty: t() and y() are the new
-  /// end. Otherwise why no step was possible; t() and y() stay where they were.
+  /// Takes one step of the method's own choosing, never evaluating f beyond t_end. Empty: t() and y() are the
+  /// new end. Otherwise why no step was possible; t() and y() stay where they were.
   [[nodiscard]] virtual std::optional<Ending> step() = 0;
 
   /// Beginning and end of the last step; both t_start before the first one.
@@ -26,8 +26,8 @@ class Stepper {
   [[nodiscard]] virtual double t() const = 0;
   [[nodiscard]] virtual std::span<const double> y() const = 0;
 
-  /// Dense output: y(t) for t_previous() <= t <= t(), exactly the end states at the two ends. May cost evaluations
-  /// and therefore fail with their Ending.
+  /// Dense output: y(t) for t_previous() <= t <= t(), exactly the end states at the two ends. May cost
+  /// evaluations and therefore fail with their Ending.
   [[nodiscard]] virtual std::optional<Ending> interpolate(double t, std::span<double> y_out) = 0;
 
   /// Why f last had no value at a place that was tried, since time last advanced; empty if it always had one.

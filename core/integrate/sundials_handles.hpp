@@ -1,6 +1,6 @@
 #pragma once
-// SUNDIALS objects owned by unique_ptr. Everything of a run hangs on one SUNContext, which is not thread safe and is
-// therefore the run's own; creating and freeing all of it takes a few microseconds.
+// SUNDIALS objects owned by unique_ptr. Everything of a run hangs on one SUNContext, which is not thread safe
+// and is therefore the run's own; creating and freeing all of it takes a few microseconds.
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
 
@@ -31,24 +30,7 @@ bool is_energy(const Lagrangian& lagrangian) {
 
 }  // namespace
 
-Lagrangian with_vanishing(const Lagrangian& lagrangian, std::span<const Expression> vanishing) {
-  if (vanishing.empty()) return lagrangian;
-  Lagrangian result = lagrangian;
-  std::vector<Replacement> zeros;
-  for (const Expression& p : vanishing) zeros.emplace_back(p, lagrangian.graph->number(0));
-  result.lagrangian = simplify_by_degree(substitute(lagrangian.lagrangian, zeros), lagrangian.symbols);
-  if (lagrangian.kinetic_energy) {
-    result.kinetic_energy = substitute(*lagrangian.kinetic_energy, zeros);
-    result.potential_energy = substitute(*lagrangian.potential_energy, zeros);
-  }
-  for (Expression& force : result.generalized_forces) force = substitute(force, zeros);
-  return result;
-}
-
-std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian,
-                                                    std::span<const Expression> vanishing,
-                                                    const std::vector<std::string>& units) {
-  const Lagrangian reduced = with_vanishing(lagrangian, vanishing);
+std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& reduced, const Scene& scene) {
   std::vector<ConservedQuantity> found;
   if (!has_forces(reduced) && !depends_on_time(reduced.lagrangian, reduced.symbols)) {
     if (is_energy(reduced)) {
@@ -64,7 +46,7 @@ std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian
   const std::vector<Expression> momenta = conjugate_momenta(reduced);
   for (const std::size_t i : ignorable_coordinates(reduced)) {
     const std::string q = name_of(reduced.symbols.coordinates.value[i]);
-    found.push_back({"p_" + q, units[i], momenta[i],
+    found.push_back({"p_" + q, momentum_unit(scene, i), momenta[i],
                      q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant."});
   }
   return found;

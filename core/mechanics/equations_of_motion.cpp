@@ -38,10 +38,15 @@ Monomial common_monomial(const RawEquation& equation) {
   return both.empty() ? Monomial{} : common_monomial(both);
 }
 
-/// Divides both sides by everything they share; returns what it was.
-Expression divide(Graph& graph, RawEquation& equation, const Expression& diagonal) {
+/// Divides both sides by everything they share but velocities and accelerations; returns what it was.
+Expression divide(const Lagrangian& lagrangian, RawEquation& equation, const Expression& diagonal) {
+  Graph& graph = *lagrangian.graph;
+  const Symbols::Varying& q = lagrangian.symbols.coordinates;
   Monomial common = common_monomial(equation);
-  std::erase_if(common, [](const Atom& atom) { return atom.q != 1; });
+  std::erase_if(common, [&](const Atom& atom) {
+    const Expression base(graph, atom.base);
+    return atom.q != 1 || depends_on(base, q.rate) || depends_on(base, q.second_rate);
+  });
   equation.left = scaled(equation.left, inverse(common), 1);
   equation.right = scaled(equation.right, inverse(common), 1);
   Expression divisor = to_expression(graph, common);
@@ -67,7 +72,7 @@ EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
   for (std::size_t i = 0; i < q.value.size(); ++i) {
     RawEquation raw = raw_equation(lagrangian, i);
     const Expression diagonal = simplify(differentiate(to_expression(graph, raw.left), q.second_rate[i]));
-    const Expression divisor = divide(graph, raw, diagonal);
+    const Expression divisor = divide(lagrangian, raw, diagonal);
     const Expression left = to_expression(graph, raw.left);
     const Expression right = to_expression(graph, raw.right);
     result.equations.push_back({simplify(left), simplify(right), divisor});

@@ -1,8 +1,11 @@
 #include "core/mechanics/lagrangian.hpp"
 
+#include <algorithm>
+
 #include "core/expr/factor.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/units.hpp"
 
 namespace qdot {
 namespace {
@@ -157,6 +160,49 @@ Lagrangian derive_lagrangian(const ParsedScene& scene) {
     result.lagrangian = *result.kinetic_energy - *result.potential_energy;
   }
   return result;
+}
+
+Lagrangian copied(const Lagrangian& lagrangian) {
+  Lagrangian copy = lagrangian;
+  copy.graph = std::make_shared<Graph>(*lagrangian.graph);
+  const auto move = [&](Expression& e) { e = copy.graph->adopt(e); };
+  const auto move_all = [&](std::vector<Expression>& all) { std::for_each(all.begin(), all.end(), move); };
+  for (Symbols::Varying* varying : {&copy.symbols.coordinates, &copy.symbols.inputs, &copy.symbols.held}) {
+    move_all(varying->value);
+    move_all(varying->rate);
+    move_all(varying->second_rate);
+  }
+  move(copy.symbols.t);
+  move_all(copy.symbols.parameters);
+  move(copy.lagrangian);
+  if (copy.kinetic_energy) move(*copy.kinetic_energy);
+  if (copy.potential_energy) move(*copy.potential_energy);
+  move_all(copy.generalized_forces);
+  move(copy.varied);
+  move_all(copy.held_forces);
+  for (auto& [held, value] : copy.holding) {
+    move(held);
+    move(value);
+  }
+  return copy;
+}
+
+Lagrangian replaced(const Lagrangian& lagrangian, std::span<const Replacement> replacements) {
+  if (replacements.empty()) return lagrangian;
+  Lagrangian result = lagrangian;
+  if (lagrangian.kinetic_energy) {
+    result.kinetic_energy = simplify_by_degree(substitute(*lagrangian.kinetic_energy, replacements), lagrangian.symbols);
+    result.potential_energy = simplify(substitute(*lagrangian.potential_energy, replacements));
+  }
+  result.lagrangian = simplify_by_degree(substitute(lagrangian.lagrangian, replacements), lagrangian.symbols);
+  for (Expression& force : result.generalized_forces) force = simplify(substitute(force, replacements));
+  return result;
+}
+
+std::string momentum_unit(const Scene& scene, std::size_t coordinate) {
+  const Dimension action = parse_unit("J*s")->dimension;
+  const auto unit = parse_unit(scene.coordinates[coordinate].unit);
+  return to_text(unit ? action / unit->dimension : action);
 }
 
 Expression velocity_degree(const Expression& e, const Symbols& symbols, int n) {

@@ -32,6 +32,15 @@ struct Lagrangian {
 
 [[nodiscard]] Lagrangian derive_lagrangian(const ParsedScene& scene);
 
+/// The same on a copy of its graph, where more may be derived without touching the original.
+[[nodiscard]] Lagrangian copied(const Lagrangian& lagrangian);
+
+/// L, T, V and the forces with symbols replaced; parameters by 0, say, or inputs by functions of time.
+[[nodiscard]] Lagrangian replaced(const Lagrangian& lagrangian, std::span<const Replacement> replacements);
+
+/// "kg*m^2/s" for the momentum of coordinate i: action over the coordinate's unit.
+[[nodiscard]] std::string momentum_unit(const Scene& scene, std::size_t coordinate);
+
 /// The part of e of degree n in the velocities: T = T2 + T1 + T0.
 [[nodiscard]] Expression velocity_degree(const Expression& e, const Symbols& symbols, int n);
 

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "core/expr/simplify.hpp"
-#include "core/mechanics/units.hpp"
 
 namespace qdot {
 namespace {
@@ -101,12 +100,6 @@ std::vector<double> initial_state(const Model& model, std::span<const double> pa
     append(model.scene.coordinates[i].name + "_dot", model.parsed.initial_rates[i]);
   }
   return state;
-}
-
-std::string momentum_unit(const Scene& scene, std::size_t coordinate) {
-  const Dimension action = parse_unit("J*s")->dimension;
-  const auto unit = parse_unit(scene.coordinates[coordinate].unit);
-  return to_text(unit ? action / unit->dimension : action);
 }
 
 }  // namespace qdot

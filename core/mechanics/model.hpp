@@ -54,7 +54,4 @@ using Values = std::map<std::string, double>;
 [[nodiscard]] std::vector<double> initial_state(const Model& model, std::span<const double> parameters,
                                                 const Values& given);
 
-/// "kg*m^2/s" for the momentum of coordinate i: action over the coordinate's unit.
-[[nodiscard]] std::string momentum_unit(const Scene& scene, std::size_t coordinate);
-
 }  // namespace qdot

@@ -20,12 +20,12 @@ Json file(const std::filesystem::path& path) {
 const char* const full_scene = R"json({
   "name": "full", "title": "Full", "problem": "11", "model_version": "2.0.0", "description": "Everything.",
   "parameters": [
-    {"name": "m", "unit": "kg", "default_value": 1.5, "domain": "> 0, <= 1e3", "meaning": "mass", "latex": "m"},
-    {"name": "l", "unit": "m", "default_value": "2*a", "domain": "<=-.5"}],
+    {"name": "m", "unit": "kg", "default": 1.5, "domain": "> 0, <= 1e3", "meaning": "mass", "latex": "m"},
+    {"name": "l", "unit": "m", "default": "2*a", "domain": "<=-.5"}],
   "coordinates": [
     {"name": "x", "unit": "m", "initial": "l", "initial_rate": -1, "scale": "l", "domain": ">= 0"},
     {"name": "phi", "unit": "rad"}],
-  "inputs": [{"name": "F", "unit": "N", "default_value": "cos(t)"}, {"name": "G", "unit": "N"}],
+  "inputs": [{"name": "F", "unit": "N", "default": "cos(t)"}, {"name": "G", "unit": "N"}],
   "held_lengths": [{"name": "s", "unit": "m", "value": "l"}],
   "points": [{"name": "bob", "components": ["x", 0]}],
   "bodies": [
@@ -163,7 +163,7 @@ TEST(SceneReader, SizesAreBounded) {
   json["coordinates"][1]["initial"] = std::string(limits::expression_bytes + 1, '1');
   json["parameters"] = Json::array();
   for (std::size_t i = 0; i <= scene_limits::parameters; ++i) {
-    json["parameters"].push_back({{"name", "p" + std::to_string(i)}, {"unit", "1"}, {"default_value", 0}});
+    json["parameters"].push_back({{"name", "p" + std::to_string(i)}, {"unit", "1"}, {"default", 0}});
   }
   const auto diagnostics = read_scene(json).diagnostics;
   ASSERT_EQ(diagnostics.size(), 2U);

@@ -1,0 +1,198 @@
+#include "core/analysis/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/analysis/watch.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t most_impacts = 10'000;
+
+/// q' and q'' from the compiled functions, each with a workspace of its own.
+RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request) {
+  const std::size_t n = dynamics.model().degrees_of_freedom();
+  const CompiledFunction& accelerations = dynamics.accelerations();
+  RightHandSide system;
+  system.dimension = 2 * n;
+  system.derivative = [&accelerations, n, workspace = accelerations.bind(request.parameters)](
+                          double t, std::span<const double> y, std::span<double> derivative) mutable {
+    std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, derivative.begin());
+    return accelerations.evaluate(t, y, workspace, derivative.subspan(n));
+  };
+  if (request.method == Method::bdf) {
+    const CompiledFunction& jacobian = dynamics.jacobian();
+    system.jacobian = [&jacobian, workspace = jacobian.bind(request.parameters)](
+                          double t, std::span<const double> y, std::span<double> out) mutable {
+      return jacobian.evaluate(t, y, workspace, out);
+    };
+  }
+  return system;
+}
+
+class Simulator {
+ public:
+  Simulator(const Dynamics& dynamics, const SimulationRequest& request)
+      : dynamics_(dynamics),
+        request_(request),
+        system_(right_hand_side(dynamics, request)),
+        watches_(watches(dynamics, request)) {
+    result_.t = request.t_start;
+    result_.y = request.y_start;
+  }
+
+  Simulation run() {
+    check_configuration();
+    if (!stopped_at_start()) {
+      std::size_t impacts = 0;
+      while (segment()) {
+        if (++impacts == most_impacts) result_.ending = Ending::step_limit;
+        if (impacts == most_impacts || !apply_impact()) break;
+      }
+    }
+    fill_columns();
+    fill_conserved();
+    return std::move(result_);
+  }
+
+ private:
+  /// The motion is over before it begins where a condition fails in the initial state.
+  bool stopped_at_start() {
+    for (const Watch& watch : watches_) {
+      if (watch.kind != Watch::Kind::validity || watch.value(result_.t, result_.y) >= 0) continue;
+      result_.stop = Stop{watch.reason, result_.t, watch.message};
+      result_.ending = Ending::event;
+      result_.states = result_.y;
+      result_.rows = !request_.grid.empty() && request_.grid.front() == result_.t ? 1 : 0;
+      result_.states.resize(result_.rows * result_.y.size());
+      return true;
+    }
+    return false;
+  }
+
+  void check_configuration() const {
+    for (const Watch& watch : watches_) {
+      if (watch.kind != Watch::Kind::singularity) continue;
+      const double value = watch.value(result_.t, result_.y);
+      if (watch.direction == Direction::falling ? value > 0 : value != 0) continue;
+      throw Error(ErrorCode::invalid_state, watch.message);
+    }
+  }
+
+  /// Integrates to the next impact. True when there was one.
+  bool segment() {
+    RunRequest run;
+    run.t_start = result_.t;
+    run.y_start = result_.y;
+    run.t_end = request_.t_end;
+    run.grid = std::span(request_.grid).subspan(result_.rows);
+    run.method = request_.method;
+    run.tolerances = request_.tolerances;
+    run.limits = request_.limits;
+    run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);
+    run.limits.max_evaluations -= std::min(run.limits.max_evaluations, result_.evaluations);
+    for (const Watch& watch : watches_) run.events.push_back(watch.event());
+    const Run done = integrate(system_, run);
+    result_.rows += done.rows;
+    result_.states.insert(result_.states.end(), done.states.begin(), done.states.end());
+    result_.steps += done.steps;
+    result_.evaluations += done.evaluations;
+    result_.ending = done.ending;
+    result_.t = done.t;
+    result_.y = done.y;
+    return record_events(done);
+  }
+
+  bool record_events(const Run& done) {
+    bool impact = false;
+    for (const EventOccurrence& occurrence : done.events) {
+      const Watch& watch = watches_[occurrence.event];
+      const bool last = done.ending == Ending::event && occurrence.t == done.t;
+      if (watch.kind == Watch::Kind::event || watch.kind == Watch::Kind::impact) {
+        result_.events.push_back({watch.name, occurrence.t, occurrence.y});
+        impact = impact || watch.kind == Watch::Kind::impact;
+      } else if (last && !result_.stop) {
+        result_.stop = Stop{watch.reason, occurrence.t, watch.message};
+      }
+    }
+    return impact && !result_.stop;
+  }
+
+  /// The state after the impact; false when the motion is over there anyway.
+  bool apply_impact() {
+    if (result_.t >= request_.t_end) {
+      result_.ending = Ending::reached_end;
+      return false;
+    }
+    std::vector<Column> after;
+    std::vector<std::size_t> places;
+    for (const auto& [symbol, expression] : dynamics_.model().parsed.impact) {
+      after.push_back({"", "", expression});
+      places.push_back(state_index(symbol));
+    }
+    const std::vector<double> values = values_at(dynamics_, after, request_.parameters, result_.t, result_.y);
+    for (std::size_t i = 0; i < places.size(); ++i) result_.y[places[i]] = values[i];
+    return true;
+  }
+
+  [[nodiscard]] std::size_t state_index(const Expression& symbol) const {
+    const Symbols::Varying& q = dynamics_.model().parsed.symbols.coordinates;
+    const auto found = std::find(q.value.begin(), q.value.end(), symbol);
+    if (found != q.value.end()) return static_cast<std::size_t>(found - q.value.begin());
+    return q.value.size() +
+           static_cast<std::size_t>(std::find(q.rate.begin(), q.rate.end(), symbol) - q.rate.begin());
+  }
+
+  [[nodiscard]] std::span<const double> row(std::size_t i) const {
+    return std::span(result_.states).subspan(i * request_.y_start.size(), request_.y_start.size());
+  }
+
+  void fill_columns() {
+    if (request_.columns.empty()) return;
+    const auto function = dynamics_.columns(request_.columns);
+    Workspace workspace = function->bind(request_.parameters);
+    const std::size_t width = request_.columns.size();
+    result_.columns.resize(result_.rows * width);
+    for (std::size_t i = 0; i < result_.rows; ++i) {
+      const std::span<double> out = std::span(result_.columns).subspan(i * width, width);
+      if (function->evaluate(request_.grid[i], row(i), workspace, out) == Evaluation::ok) continue;
+      throw Error(ErrorCode::invalid_state, "One of the columns has no finite value along this motion.");
+    }
+  }
+
+  void fill_conserved() {
+    const auto conserved = dynamics_.conserved(request_.parameters);
+    const std::size_t count = conserved->quantities.size();
+    if (count == 0 || result_.rows == 0) return;
+    Workspace workspace = conserved->values->bind(request_.parameters);
+    std::vector<double> initial(count), value(count), drift(count);
+    if (conserved->values->evaluate(request_.t_start, request_.y_start, workspace, initial) != Evaluation::ok) return;
+    for (std::size_t i = 0; i < result_.rows; ++i) {
+      if (conserved->values->evaluate(request_.grid[i], row(i), workspace, value) != Evaluation::ok) return;
+      for (std::size_t k = 0; k < count; ++k) drift[k] = std::max(drift[k], std::abs(value[k] - initial[k]));
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const ConservedQuantity& quantity = conserved->quantities[k];
+      ConservedRecord record{quantity.name, quantity.unit, initial[k], drift[k], {}};
+      const double relative = drift[k] / std::abs(initial[k]);
+      if (std::isfinite(relative)) record.max_rel_drift = relative;
+      result_.conserved.push_back(std::move(record));
+    }
+  }
+
+  const Dynamics& dynamics_;
+  const SimulationRequest& request_;
+  RightHandSide system_;
+  std::vector<Watch> watches_;
+  Simulation result_;
+};
+
+}  // namespace
+
+Simulation simulate(const Dynamics& dynamics, const SimulationRequest& request) {
+  return Simulator(dynamics, request).run();
+}
+
+}  // namespace qdot

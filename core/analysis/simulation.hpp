@@ -1,0 +1,72 @@
+#pragma once
+// A motion: from parameters and an initial state to columns on a grid, events, and how it ended.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/analysis/dynamics.hpp"
+#include "core/integrate/run.hpp"
+
+namespace qdot {
+
+/// What happens when one of the scene's `valid_while` conditions fails. Leaving a coordinate's domain or meeting a
+/// coordinate singularity ends every motion.
+enum class OnInvalid { stop, go_on };
+/// Whether the scene's impact map is applied at its event.
+enum class Impacts { apply, ignore };
+
+struct SimulationRequest {
+  std::vector<double> parameters;  ///< all of them, in order
+  std::vector<double> y_start;     ///< q, then q'
+  double t_start{};
+  double t_end{};
+  std::vector<double> grid;  ///< increasing, in [t_start, t_end]
+  std::vector<Column> columns;      ///< wanted beside the state
+  std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
+  OnInvalid on_invalid{OnInvalid::stop};
+  Impacts impacts{Impacts::apply};
+  Method method{Method::adams};
+  Tolerances tolerances;
+  Limits limits;
+};
+
+struct EventRecord {
+  std::string name;
+  double t{};
+  std::vector<double> y;  ///< before the impact, where the event is one
+};
+
+/// Why a motion ended before t_end in the nature of the system.
+struct Stop {
+  std::string reason;  ///< "string_slack", "lift_off", "fall", "coordinate_singularity"
+  double t{};
+  std::string message;
+};
+
+struct ConservedRecord {
+  std::string name;
+  std::string unit;
+  double initial{};
+  double max_abs_drift{};  ///< over the returned rows
+  std::optional<double> max_rel_drift;  ///< over |initial|; no value where that is 0
+};
+
+struct Simulation {
+  std::size_t rows{};           ///< instants of the grid that were reached
+  std::vector<double> states;   ///< rows x 2n, row-major
+  std::vector<double> columns;  ///< rows x request.columns, row-major
+  std::vector<EventRecord> events;
+  std::optional<Stop> stop;
+  Ending ending{Ending::reached_end};  ///< `event` when stopped; anything but that and reached_end is a failure
+  double t{};                          ///< how far it came
+  std::vector<double> y;               ///< the state there
+  std::vector<ConservedRecord> conserved;
+  std::uint64_t steps{};
+  std::uint64_t evaluations{};
+};
+
+/// Throws Error(invalid_state) when the initial state describes no configuration, and what Dynamics::event throws.
+[[nodiscard]] Simulation simulate(const Dynamics& dynamics, const SimulationRequest& request);
+
+}  // namespace qdot
