@@ -81,7 +81,7 @@ class LinearWriter {
     std::vector<Piece> below = powers(term.below);
     if (!term.under.is_one()) below.insert(below.begin(), number(term.under));
     const std::string divisor = at_least(product(below), Binding::power);
-    return {product(above).text + "/" + divisor, Binding::product};
+    return {at_least(product(above), Binding::product) + "/" + divisor, Binding::product};
   }
 
   std::vector<Piece> powers(const std::vector<WrittenPower>& factors) const {
@@ -91,8 +91,7 @@ class LinearWriter {
   }
 
   static Piece product(const std::vector<Piece>& factors) {
-    if (factors.size() == 1)
-      return {at_least(factors[0], Binding::product), std::max(factors[0].binding, Binding::product)};
+    if (factors.size() == 1) return factors[0];
     std::string text;
     for (const Piece& factor : factors) {
       if (!text.empty()) text += "*";

@@ -1,7 +1,7 @@
 #pragma once
-// Random numbers that are the same everywhere: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
-// generators, OOPSLA 2014, figure 17), and ranges made of it without the standard library's distributions, which
-// differ from one implementation to the next.
+// Random numbers that are the same everywhere: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom
+// number generators, OOPSLA 2014, figure 17), and ranges made of it without the standard library's
+// distributions, which differ from one implementation to the next.
 
 #include <cstdint>
 
