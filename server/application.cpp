@@ -7,14 +7,23 @@
 #include <string_view>
 #include <utility>
 
-#include "server/problem.hpp"
+#include "api/problem.hpp"
 #include "server/request_log.hpp"
 
 namespace qdot::server {
 namespace {
 
-api::Response try_later(std::string_view kind, std::string_view detail, std::string_view target) {
-  auto response = problem(503, kind, detail, target);
+using api::ProblemKind;
+
+std::string_view path_of(std::string_view target) { return target.substr(0, target.find('?')); }
+
+api::Response refused(const Refusal& refusal) {
+  return api::to_response({.kind = refusal.kind, .detail = refusal.detail}, path_of(refusal.target));
+}
+
+api::Response try_later(ProblemKind kind, std::string_view path) {
+  auto response =
+      api::to_response({.kind = kind, .detail = std::string(api::problem_type(kind).explanation)}, path);
   response.headers.emplace("Retry-After", "1");
   return response;
 }
@@ -54,8 +63,7 @@ api::Response Application::respond(const Incoming& incoming) {
   const auto start = std::chrono::steady_clock::now();
   const auto* refusal = std::get_if<Refusal>(&incoming);
   const auto* request = std::get_if<api::Request>(&incoming);
-  auto response =
-      refusal ? problem(refusal->status, refusal->kind, refusal->detail, refusal->target) : admit(*request);
+  auto response = refusal ? refused(*refusal) : admit(*request);
   const auto id = request_id(incoming);
   response.headers["X-Request-Id"] = id;
   response.headers["X-Content-Type-Options"] = "nosniff";
@@ -75,7 +83,7 @@ api::Response Application::admit(const api::Request& request) {
   const auto path = path_of(request.target);
   std::unique_lock lock(mutex_);
   if (draining_ && !answered_while_draining(path)) {
-    return try_later("draining", "This server is shutting down.", path);
+    return try_later(ProblemKind::draining, path);
   }
   if (!computes(path)) {
     lock.unlock();
@@ -83,7 +91,7 @@ api::Response Application::admit(const api::Request& request) {
   }
   if (computing_ >= options_.threads) {
     if (waiting_ >= options_.queue) {
-      return try_later("overloaded", "Too many requests are waiting.", path);
+      return try_later(ProblemKind::overloaded, path);
     }
     ++waiting_;
     changed_.wait(lock, [this] { return computing_ < options_.threads; });

@@ -9,8 +9,6 @@
 #include <cerrno>
 #include <utility>
 
-#include "server/problem.hpp"
-
 namespace qdot::server {
 namespace {
 
@@ -33,6 +31,34 @@ bool wait_until(int socket, short events, Clock::time_point deadline) {
     if (ready > 0) return true;
     if (ready == 0 || errno != EINTR) return false;
   }
+}
+
+constexpr auto phrases = std::to_array<std::pair<int, std::string_view>>({
+    {200, "OK"},
+    {204, "No Content"},
+    {304, "Not Modified"},
+    {400, "Bad Request"},
+    {403, "Forbidden"},
+    {404, "Not Found"},
+    {405, "Method Not Allowed"},
+    {406, "Not Acceptable"},
+    {408, "Request Timeout"},
+    {411, "Length Required"},
+    {413, "Content Too Large"},
+    {414, "URI Too Long"},
+    {415, "Unsupported Media Type"},
+    {417, "Expectation Failed"},
+    {421, "Misdirected Request"},
+    {422, "Unprocessable Content"},
+    {431, "Request Header Fields Too Large"},
+    {500, "Internal Server Error"},
+    {503, "Service Unavailable"},
+});
+
+// RFC 9110, 15. A status line without a phrase is correct, too.
+std::string_view reason_phrase(int status) {
+  const auto* found = std::ranges::find(phrases, status, &std::pair<int, std::string_view>::first);
+  return found == phrases.end() ? "" : found->second;
 }
 
 // A field value never carries a line end, whatever it was made of.
@@ -73,7 +99,8 @@ bool Connection::wait_for_request(const std::function<bool()>& give_up) {
 std::optional<Incoming> Connection::read_request() {
   const auto deadline = Clock::now() + request_limit;
   const auto late = [&] {
-    return refuse({408, "request-timeout", "The request did not arrive within 10 seconds.", {}, {}});
+    return refuse(
+        {api::ProblemKind::request_timeout, "The request did not arrive within 10 seconds.", {}, {}});
   };
   reusable_ = head_only_ = false;
   // RFC 9112, 2.2: an empty line before the request line is ignored.

@@ -6,18 +6,22 @@
 #include <stdexcept>
 #include <utility>
 
+#include "api/text.hpp"
+
 namespace qdot::server {
 namespace {
 
+using api::lower_case;
+using api::ProblemKind;
+using api::trimmed;
+
 // Thrown and caught in this file only: most rules sit two calls deep.
 struct Refused : std::runtime_error {
-  Refused(int status, std::string_view kind, const std::string& detail)
-      : std::runtime_error(detail), status(status), kind(kind) {}
-  int status;
-  std::string_view kind;
+  Refused(ProblemKind kind, const std::string& detail) : std::runtime_error(detail), kind(kind) {}
+  ProblemKind kind;
 };
 
-[[noreturn]] void malformed(const std::string& detail) { throw Refused(400, "bad-request", detail); }
+[[noreturn]] void malformed(const std::string& detail) { throw Refused(ProblemKind::invalid_target, detail); }
 
 bool is_token(std::string_view text) {
   constexpr std::string_view marks = "!#$%&'*+-.^_`|~";
@@ -27,18 +31,6 @@ bool is_token(std::string_view text) {
 }
 
 bool is_control(unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7f; }
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
-  return result;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 std::string_view take_line(std::string_view& rest) {
   const auto end = rest.find('\n');
@@ -51,7 +43,7 @@ std::string_view take_line(std::string_view& rest) {
 // A proxy's form "http://host/path" means "/path" here.
 std::string origin_form(std::string_view target) {
   constexpr std::string_view scheme = "http://";
-  if (lower(target.substr(0, scheme.size())) != scheme) return std::string(target);
+  if (lower_case(target.substr(0, scheme.size())) != scheme) return std::string(target);
   const auto path = target.find_first_of("/?", scheme.size());
   if (path == target.npos) return "/";
   std::string result(target.substr(path));
@@ -72,7 +64,8 @@ void read_request_line(std::string_view line, Head& head) {
     malformed("The version is neither HTTP/1.1 nor HTTP/1.0.");
   head.keep_alive = version == "HTTP/1.1";
   if (target.size() > max_target_bytes) {
-    throw Refused(414, "uri-too-long", "The target is longer than 8192 bytes; send the request as a POST.");
+    throw Refused(ProblemKind::target_too_long,
+                  "The target is longer than 8192 bytes; send the request as a POST.");
   }
   const auto illegal = [](unsigned char c) { return c <= 0x20 || c == 0x7f; };
   if (target.empty() || std::ranges::any_of(target, illegal)) malformed("The target has a blank; write %20.");
@@ -83,7 +76,7 @@ void read_field(std::string_view line, Head& head) {
   const auto colon = line.find(':');
   if (colon == line.npos || !is_token(line.substr(0, colon)))
     malformed("A header field is: name, colon, value.");
-  const auto name = lower(line.substr(0, colon));
+  const auto name = lower_case(line.substr(0, colon));
   const auto value = trimmed(line.substr(colon + 1));
   if (std::ranges::any_of(value, is_control)) malformed("A header field holds a control character.");
   const auto [place, fresh] = head.fields.emplace(name, value);
@@ -107,7 +100,7 @@ std::size_t content_length(std::string_view text) {
     malformed("Content-Length is not a number of bytes.");
   }
   if (too_large || length > max_body_bytes) {
-    throw Refused(413, "content-too-large", "The body is longer than 1048576 bytes.");
+    throw Refused(ProblemKind::payload_too_large, "The body is longer than 1048576 bytes.");
   }
   return length;
 }
@@ -115,7 +108,7 @@ std::size_t content_length(std::string_view text) {
 bool lists(std::string_view values, std::string_view wanted) {
   while (!values.empty()) {
     const auto comma = std::min(values.find(','), values.size());
-    if (lower(trimmed(values.substr(0, comma))) == wanted) return true;
+    if (lower_case(trimmed(values.substr(0, comma))) == wanted) return true;
     values.remove_prefix(std::min(comma + 1, values.size()));
   }
   return false;
@@ -125,16 +118,18 @@ bool lists(std::string_view values, std::string_view wanted) {
 void settle(Head& head) {
   if (head.keep_alive && !head.fields.contains("host")) malformed("HTTP/1.1 wants a Host header field.");
   if (head.fields.contains("transfer-encoding")) {
-    throw Refused(411, "length-required", "Send the body with Content-Length, not with Transfer-Encoding.");
+    throw Refused(ProblemKind::length_required,
+                  "Send the body with Content-Length, not with Transfer-Encoding.");
   }
   if (head.fields.contains("content-length"))
     head.content_length = content_length(field(head, "content-length"));
-  if (head.fields.contains("content-encoding") && lower(field(head, "content-encoding")) != "identity") {
-    throw Refused(415, "unsupported-media-type", "Send the body without Content-Encoding.");
+  if (head.fields.contains("content-encoding") && lower_case(field(head, "content-encoding")) != "identity") {
+    throw Refused(ProblemKind::unsupported_media_type, "Send the body without Content-Encoding.");
   }
   if (head.fields.contains("expect")) {
-    head.expects_continue = lower(field(head, "expect")) == "100-continue";
-    if (!head.expects_continue) throw Refused(417, "expectation-failed", "Expect can only be 100-continue.");
+    head.expects_continue = lower_case(field(head, "expect")) == "100-continue";
+    if (!head.expects_continue)
+      throw Refused(ProblemKind::expectation_failed, "Expect can only be 100-continue.");
   }
   const auto connection = field(head, "connection");
   head.keep_alive = head.keep_alive ? !lists(connection, "close") : lists(connection, "keep-alive");
@@ -159,21 +154,21 @@ std::variant<Head, Refusal> read_head(std::string_view bytes) {
     std::size_t count = 0;
     for (auto line = take_line(bytes); !line.empty(); line = take_line(bytes)) {
       if (++count > max_fields)
-        throw Refused(431, "header-too-large", "There are more than 64 header fields.");
+        throw Refused(ProblemKind::headers_too_large, "There are more than 64 header fields.");
       read_field(line, head);
     }
     settle(head);
     return head;
   } catch (const Refused& refused) {
-    return Refusal{refused.status, refused.kind, refused.what(), head.method, head.target};
+    return Refusal{refused.kind, refused.what(), head.method, head.target};
   }
 }
 
 Refusal oversized_head(std::string_view bytes) {
   if (bytes.find('\n') == bytes.npos) {
-    return {414, "uri-too-long", "The request line is longer than 16384 bytes.", {}, {}};
+    return {ProblemKind::target_too_long, "The request line is longer than 16384 bytes.", {}, {}};
   }
-  return {431, "header-too-large", "The head is longer than 16384 bytes.", {}, {}};
+  return {ProblemKind::headers_too_large, "The head is longer than 16384 bytes.", {}, {}};
 }
 
 }  // namespace qdot::server

@@ -8,9 +8,12 @@
 #include <string_view>
 #include <variant>
 
+#include "api/limits.hpp"
+#include "api/problem.hpp"
+
 namespace qdot::server {
 
-inline constexpr std::size_t max_body_bytes = std::size_t{1} << 20;
+inline constexpr std::size_t max_body_bytes = api::limits::large_body_bytes;
 inline constexpr std::size_t max_head_bytes = std::size_t{1} << 14;
 inline constexpr std::size_t max_target_bytes = std::size_t{1} << 13;
 inline constexpr std::size_t max_fields = 64;
@@ -18,8 +21,7 @@ inline constexpr std::size_t max_fields = 64;
 /// Why a request goes no further than its framing. The connection closes after the answer, because where the
 /// next request would begin is not known.
 struct Refusal {
-  int status{400};
-  std::string_view kind;
+  api::ProblemKind kind{};
   std::string detail;
   std::string method;  ///< as far as it was read
   std::string target;

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/problem.hpp"
+#include "api/problem.hpp"
 
 // Without the flags of `pkg-config --cflags cpp-httplib` all this compiles and then corrupts memory.
 static_assert(sizeof(httplib::Request) == 608, "compile with the flags of pkg-config cpp-httplib 0.11.4");
@@ -139,7 +139,7 @@ struct Transport::Impl final : httplib::Server {
     try {
       return handler_(incoming);
     } catch (...) {
-      return problem(500, "internal", "The server made a mistake.", "");
+      return api::to_response({.detail = "An exception reached the transport."}, "");
     }
   }
 

@@ -36,12 +36,12 @@ struct SlowService {
 TEST(Application, ARefusalBecomesAProblem) {
   Application application({}, ok);
   const auto response =
-      application.respond(Refusal{413, "content-too-large", "Too long.", "POST", "/v1/energy?a"});
+      application.respond(Refusal{api::ProblemKind::payload_too_large, "Too long.", "POST", "/v1/energy?a"});
   EXPECT_EQ(response.status, 413);
   EXPECT_EQ(response.content_type, "application/problem+json");
   const auto body = nlohmann::json::parse(response.body);
-  EXPECT_EQ(body["type"], "/errors/content-too-large");
-  EXPECT_EQ(body["title"], "Content Too Large");
+  EXPECT_EQ(body["type"], "/errors/payload-too-large");
+  EXPECT_EQ(body["title"], "The body is too large");
   EXPECT_EQ(body["status"], 413);
   EXPECT_EQ(body["detail"], "Too long.");
   EXPECT_EQ(body["instance"], "/v1/energy");
@@ -94,7 +94,7 @@ TEST(Application, LogsOneJsonLineARequest) {
   std::FILE* file = std::tmpfile();
   Application application({.log = file}, ok);
   (void)application.respond(get("/v1/x?" + std::string(1000, 'a') + "\xff"));
-  (void)application.respond(Refusal{400, "bad-request", "No.", {}, {}});
+  (void)application.respond(Refusal{api::ProblemKind::invalid_target, "No.", {}, {}});
   std::rewind(file);
   std::string text(4096, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file));

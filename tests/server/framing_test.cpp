@@ -21,7 +21,7 @@ Head accepted(const std::string& bytes) {
 int refused(const std::string& bytes) {
   const auto outcome = read_head(bytes);
   const auto* refusal = std::get_if<Refusal>(&outcome);
-  return refusal ? refusal->status : 0;
+  return refusal ? api::problem_type(refusal->kind).status : 0;
 }
 
 std::string post(const std::string& fields) {
@@ -94,8 +94,9 @@ TEST(Framing, BoundsTargetAndFields) {
   std::string fields;
   for (std::size_t i = 0; i < max_fields; ++i) fields += "X-" + std::to_string(i) + ": a\r\n";
   EXPECT_EQ(refused(post(fields)), 431);
-  EXPECT_EQ(oversized_head(std::string(max_head_bytes, 'a')).status, 414);
-  EXPECT_EQ(oversized_head("GET / HTTP/1.1\r\nA: " + std::string(max_head_bytes, 'a')).status, 431);
+  EXPECT_EQ(oversized_head(std::string(max_head_bytes, 'a')).kind, api::ProblemKind::target_too_long);
+  EXPECT_EQ(oversized_head("GET / HTTP/1.1\r\nA: " + std::string(max_head_bytes, 'a')).kind,
+            api::ProblemKind::headers_too_large);
 }
 
 TEST(Framing, ARefusalSaysWhatWasReadSoFar) {

@@ -22,8 +22,9 @@ using testing::StartsWith;
 
 /// Echoes method, target and body; a refusal's status comes back as it is.
 api::Response echo(const Incoming& incoming) {
-  if (const auto* refusal = std::get_if<Refusal>(&incoming))
-    return {refusal->status, "text/plain", {}, "refused\n"};
+  if (const auto* refusal = std::get_if<Refusal>(&incoming)) {
+    return {api::problem_type(refusal->kind).status, "text/plain", {}, "refused\n"};
+  }
   const auto& request = std::get<api::Request>(incoming);
   if (request.target == "/throw") throw std::runtime_error("secret");
   return {200, "text/plain", {}, request.method + " " + request.target + " " + request.body + "\n"};
