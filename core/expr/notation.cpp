@@ -70,6 +70,15 @@ std::string latex_accent(std::string_view command, const std::string& latex) {
   return "\\" + std::string(command) + (command_follows ? latex : "{" + latex + "}");
 }
 
+/// Length of what a dot goes over: theta_1 without its index; all of it when the index is inside of braces.
+std::size_t letter_length(std::string_view latex) {
+  const std::size_t index = std::min(latex.find('_'), latex.size());
+  const std::string_view letter = latex.substr(0, index);
+  const bool closed =
+      std::count(letter.begin(), letter.end(), '{') == std::count(letter.begin(), letter.end(), '}');
+  return closed ? index : latex.size();
+}
+
 std::string latex_index(const std::vector<std::string>& indices, const Notation& notation) {
   std::string joined;
   for (const std::string& index : indices) {
@@ -137,9 +146,8 @@ std::string latex_name(std::string_view name, const Notation& notation) {
   std::string_view undotted = name;
   if (parts.dots > 0) undotted.remove_suffix(dots[parts.dots].size() + 1);
   if (const auto given = given_latex(undotted, notation); given && parts.dots > 0) {
-    // The dot goes over the letter, the index stays outside.
-    const std::size_t index = std::min(given->find('_'), given->size());
-    return latex_accent(dots[parts.dots], given->substr(0, index)) + given->substr(index);
+    const std::size_t letter = letter_length(*given);
+    return latex_accent(dots[parts.dots], given->substr(0, letter)) + given->substr(letter);
   }
   std::string latex = latex_word(parts.base);
   if (parts.hat) latex = latex_accent("hat", latex);
