@@ -21,7 +21,8 @@ Direction direction_of(Passage passage) {
 }
 
 /// Each input and its first two derivatives as functions of time, in a graph copied from the model's.
-std::vector<Replacement> input_replacements(const Model& model, const std::vector<std::string>& texts, Graph& graph) {
+std::vector<Replacement> input_replacements(const Model& model, const std::vector<std::string>& texts,
+                                            Graph& graph) {
   std::vector<std::string> allowed{"t"};
   for (const Parameter& p : model.scene.parameters) allowed.push_back(p.name);
   const Expression t = graph.adopt(model.parsed.symbols.t);
@@ -29,7 +30,8 @@ std::vector<Replacement> input_replacements(const Model& model, const std::vecto
   std::vector<Replacement> replacements;
   for (std::size_t i = 0; i < inputs.value.size(); ++i) {
     const bool given = i < texts.size() && !texts[i].empty();
-    const Expression value = given ? parse(texts[i], graph, allowed) : graph.adopt(model.parsed.input_defaults[i]);
+    const Expression value =
+        given ? parse(texts[i], graph, allowed) : graph.adopt(model.parsed.input_defaults[i]);
     const Expression rate = differentiate(value, t);
     replacements.emplace_back(graph.adopt(inputs.value[i]), value);
     replacements.emplace_back(graph.adopt(inputs.rate[i]), rate);
@@ -43,7 +45,8 @@ std::vector<Replacement> input_replacements(const Model& model, const std::vecto
 /// A tape under construction on a private copy of the model's graph.
 class Dynamics::Builder {
  public:
-  Builder(const Model& model, const std::vector<std::string>& inputs) : Builder(model, inputs, *model.parsed.graph) {}
+  Builder(const Model& model, const std::vector<std::string>& inputs)
+      : Builder(model, inputs, *model.parsed.graph) {}
 
   /// On a copy of a graph that was itself copied from the model's.
   Builder(const Model& model, const std::vector<std::string>& inputs, const Graph& graph)
@@ -210,7 +213,8 @@ Conserved Dynamics::derived_conserved(const std::vector<bool>& vanishing) const 
   Lagrangian lagrangian = copied(model_->lagrangian);
   std::vector<Replacement> replacements;
   for (std::size_t i = 0; i < vanishing.size(); ++i) {
-    if (vanishing[i]) replacements.emplace_back(lagrangian.symbols.parameters[i], lagrangian.graph->number(0));
+    if (vanishing[i])
+      replacements.emplace_back(lagrangian.symbols.parameters[i], lagrangian.graph->number(0));
   }
   lagrangian = replaced(lagrangian, replacements);
   lagrangian = replaced(lagrangian, input_replacements(*model_, inputs_, *lagrangian.graph));
@@ -235,7 +239,8 @@ CompiledEvent Dynamics::event(const std::string& text) const {
   for (std::size_t i = 0; i < named.size(); ++i) {
     if (named[i].name != text) continue;
     const ParsedSceneEvent& event = model_->parsed.events[i];
-    CompiledEvent result{compiled(*model_->parsed.graph, {&event.value, 1}), direction_of(named[i].direction), {}};
+    CompiledEvent result{
+        compiled(*model_->parsed.graph, {&event.value, 1}), direction_of(named[i].direction), {}};
     if (event.when) result.when = compiled(*model_->parsed.graph, {&*event.when, 1});
     return result;
   }
@@ -259,7 +264,8 @@ std::vector<Column> energy_columns(const Model& model) {
 std::vector<Column> momentum_columns(const Model& model) {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < model.degrees_of_freedom(); ++i) {
-    columns.push_back({"p_" + model.scene.coordinates[i].name, momentum_unit(model.scene, i), model.momenta[i]});
+    columns.push_back(
+        {"p_" + model.scene.coordinates[i].name, momentum_unit(model.scene, i), model.momenta[i]});
   }
   return columns;
 }
@@ -300,10 +306,12 @@ std::vector<double> values_at(const Dynamics& dynamics, const std::vector<Column
   Workspace workspace = function->bind(parameters);
   std::vector<double> values(columns.size());
   switch (function->evaluate(t, y, workspace, values)) {
-    case Evaluation::ok: return values;
+    case Evaluation::ok:
+      return values;
     case Evaluation::singular_mass:
       throw Error(ErrorCode::invalid_state, "The mass matrix has no inverse in this state.");
-    case Evaluation::nonfinite: break;
+    case Evaluation::nonfinite:
+      break;
   }
   std::string undefined;
   for (std::size_t i = 0; i < columns.size(); ++i) {

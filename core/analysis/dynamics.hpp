@@ -1,8 +1,8 @@
 #pragma once
 // The compiled functions of a model, its inputs replaced by functions of time.
 //
-// Every function has the parameters bound first and then t and the state y = (q, q'). Functions are compiled on
-// first use; a Dynamics is shared by threads.
+// Every function has the parameters bound first and then t and the state y = (q, q'). Functions are compiled
+// on first use; a Dynamics is shared by threads.
 
 #include <map>
 #include <memory>
@@ -25,7 +25,8 @@ struct Column {
   Expression value;  ///< in t, q, q', q'', the parameters and inputs
 };
 
-/// An event as a compiled function: its zero, which way it is crossed, and optionally where a zero counts (> 0).
+/// An event as a compiled function: its zero, which way it is crossed, and optionally where a zero counts (>
+/// 0).
 struct CompiledEvent {
   CompiledFunction value;
   Direction direction{Direction::either};
@@ -40,8 +41,8 @@ struct Conserved {
 
 class Dynamics {
  public:
-  /// `inputs`: for each input of the scene an expression in t and the parameters; empty texts mean the default.
-  /// Throws Error(syntax | unknown_symbol | too_large).
+  /// `inputs`: for each input of the scene an expression in t and the parameters; empty texts mean the
+  /// default. Throws Error(syntax | unknown_symbol | too_large).
   explicit Dynamics(std::shared_ptr<const Model> model, const std::vector<std::string>& inputs = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
@@ -56,8 +57,8 @@ class Dynamics {
   /// The conserved quantities; which there are depends on the parameters that are 0.
   [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
 
-  /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the direction;
-  /// or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
+  /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the
+  /// direction; or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
   [[nodiscard]] CompiledEvent event(const std::string& text) const;
 
  private:

@@ -168,7 +168,8 @@ class Simulator {
     if (count == 0 || result_.rows == 0) return;
     Workspace workspace = conserved->values->bind(request_.parameters);
     std::vector<double> initial(count), value(count), drift(count);
-    if (conserved->values->evaluate(request_.t_start, request_.y_start, workspace, initial) != Evaluation::ok) return;
+    if (conserved->values->evaluate(request_.t_start, request_.y_start, workspace, initial) != Evaluation::ok)
+      return;
     for (std::size_t i = 0; i < result_.rows; ++i) {
       if (conserved->values->evaluate(request_.grid[i], row(i), workspace, value) != Evaluation::ok) return;
       for (std::size_t k = 0; k < count; ++k) drift[k] = std::max(drift[k], std::abs(value[k] - initial[k]));

@@ -10,8 +10,8 @@
 
 namespace qdot {
 
-/// What happens when one of the scene's `valid_while` conditions fails. Leaving a coordinate's domain or meeting a
-/// coordinate singularity ends every motion.
+/// What happens when one of the scene's `valid_while` conditions fails. Leaving a coordinate's domain or
+/// meeting a coordinate singularity ends every motion.
 enum class OnInvalid { stop, go_on };
 /// Whether the scene's impact map is applied at its event.
 enum class Impacts { apply, ignore };
@@ -21,7 +21,7 @@ struct SimulationRequest {
   std::vector<double> y_start;     ///< q, then q'
   double t_start{};
   double t_end{};
-  std::vector<double> grid;  ///< increasing, in [t_start, t_end]
+  std::vector<double> grid;         ///< increasing, in [t_start, t_end]
   std::vector<Column> columns;      ///< wanted beside the state
   std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};
@@ -48,7 +48,7 @@ struct ConservedRecord {
   std::string name;
   std::string unit;
   double initial{};
-  double max_abs_drift{};  ///< over the returned rows
+  double max_abs_drift{};               ///< over the returned rows
   std::optional<double> max_rel_drift;  ///< over |initial|; no value where that is 0
 };
 
@@ -58,15 +58,17 @@ struct Simulation {
   std::vector<double> columns;  ///< rows x request.columns, row-major
   std::vector<EventRecord> events;
   std::optional<Stop> stop;
-  Ending ending{Ending::reached_end};  ///< `event` when stopped; anything but that and reached_end is a failure
-  double t{};                          ///< how far it came
-  std::vector<double> y;               ///< the state there
+  Ending ending{
+      Ending::reached_end};  ///< `event` when stopped; anything but that and reached_end is a failure
+  double t{};                ///< how far it came
+  std::vector<double> y;     ///< the state there
   std::vector<ConservedRecord> conserved;
   std::uint64_t steps{};
   std::uint64_t evaluations{};
 };
 
-/// Throws Error(invalid_state) when the initial state describes no configuration, and what Dynamics::event throws.
+/// Throws Error(invalid_state) when the initial state describes no configuration, and what Dynamics::event
+/// throws.
 [[nodiscard]] Simulation simulate(const Dynamics& dynamics, const SimulationRequest& request);
 
 }  // namespace qdot

@@ -24,7 +24,8 @@ Watch watch_event(const Dynamics& dynamics, const SimulationRequest& request, co
   Watch watch;
   watch.name = text;
   watch.direction = event.direction;
-  watch.value = quantity(std::make_shared<const CompiledFunction>(std::move(event.value)), request.parameters);
+  watch.value =
+      quantity(std::make_shared<const CompiledFunction>(std::move(event.value)), request.parameters);
   if (event.when) {
     const Quantity when =
         quantity(std::make_shared<const CompiledFunction>(std::move(*event.when)), request.parameters);
@@ -37,7 +38,13 @@ void add_validity(const Dynamics& dynamics, const SimulationRequest& request, st
   const std::vector<Column> columns = validity_columns(dynamics.model());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const ValidityCondition& condition = dynamics.model().scene.valid_while[i];
-    Watch watch{Watch::Kind::validity, condition.name, condition.reason, condition.message, Direction::falling, {}, {}};
+    Watch watch{Watch::Kind::validity,
+                condition.name,
+                condition.reason,
+                condition.message,
+                Direction::falling,
+                {},
+                {}};
     watch.value = quantity(dynamics.columns({columns[i]}), request.parameters);
     all.push_back(std::move(watch));
   }
@@ -54,14 +61,14 @@ void add_domains(const Dynamics& dynamics, std::vector<Watch>& all) {
     const std::string message =
         "The coordinate " + coordinates[i].name + " left the range in which it describes a configuration.";
     if (std::isfinite(domain.lower)) {
-      all.push_back(singularity(message, Direction::falling, [i, lower = domain.lower](double, std::span<const double> y) {
-        return y[i] - lower;
-      }));
+      all.push_back(
+          singularity(message, Direction::falling,
+                      [i, lower = domain.lower](double, std::span<const double> y) { return y[i] - lower; }));
     }
     if (std::isfinite(domain.upper)) {
-      all.push_back(singularity(message, Direction::falling, [i, upper = domain.upper](double, std::span<const double> y) {
-        return upper - y[i];
-      }));
+      all.push_back(
+          singularity(message, Direction::falling,
+                      [i, upper = domain.upper](double, std::span<const double> y) { return upper - y[i]; }));
     }
   }
 }
@@ -93,7 +100,8 @@ std::vector<Watch> watches(const Dynamics& dynamics, const SimulationRequest& re
   const Model& model = dynamics.model();
   const bool with_impacts = model.scene.impact && request.impacts == Impacts::apply;
   for (const std::string& text : request.events) {
-    if (!with_impacts || text != model.scene.impact->event) all.push_back(watch_event(dynamics, request, text));
+    if (!with_impacts || text != model.scene.impact->event)
+      all.push_back(watch_event(dynamics, request, text));
   }
   if (request.on_invalid == OnInvalid::stop) add_validity(dynamics, request, all);
   add_domains(dynamics, all);

@@ -21,8 +21,8 @@ double sum_of_products(const Instruction& i, const Slot* operand, const double* 
   return sum;
 }
 
-/// Two unknowns by the determinant that was simplified symbolically; `m` by rows, one right-hand side after the
-/// other. The determinant is lost when it is round-off beside the products it is made of.
+/// Two unknowns by the determinant that was simplified symbolically; `m` by rows, one right-hand side after
+/// the other. The determinant is lost when it is round-off beside the products it is made of.
 bool solve_two(double determinant, const double* m, std::span<double> b) {
   const double scale = std::abs(m[0] * m[3]) + std::abs(m[1] * m[2]);
   if (!(std::abs(determinant) > 4 * std::numeric_limits<double>::epsilon() * scale)) return false;
@@ -76,19 +76,27 @@ bool CompiledFunction::run(std::span<const Instruction> instructions, double* sl
   for (const Instruction& i : instructions) {
     const Slot* operand = operands_.data() + i.first;
     switch (i.operation) {
-      case Operation::sum_of_products: slots[i.out] = sum_of_products(i, operand, slots); break;
-      case Operation::quotient: slots[i.out] = slots[operand[0]] / slots[operand[1]]; break;
+      case Operation::sum_of_products:
+        slots[i.out] = sum_of_products(i, operand, slots);
+        break;
+      case Operation::quotient:
+        slots[i.out] = slots[operand[0]] / slots[operand[1]];
+        break;
       case Operation::power:
         slots[i.out] = Sleef_cinz_powd1_u10purec(slots[operand[0]], slots[operand[1]]);
         break;
-      case Operation::square_root: slots[i.out] = std::sqrt(slots[operand[0]]); break;
+      case Operation::square_root:
+        slots[i.out] = std::sqrt(slots[operand[0]]);
+        break;
       case Operation::sine_cosine: {
         const auto both = Sleef_cinz_sincosd1_u10purec(slots[operand[0]]);
         slots[i.out] = both.x;
         slots[i.out + 1] = both.y;
         break;
       }
-      case Operation::call: slots[i.out] = qdot::evaluate(i.function, slots[operand[0]]); break;
+      case Operation::call:
+        slots[i.out] = qdot::evaluate(i.function, slots[operand[0]]);
+        break;
       case Operation::solve:
         if (!solve(i, operand, slots)) return false;
         break;

@@ -1,12 +1,13 @@
 #pragma once
-// A compiled function: a flat tape of instructions on numbered slots, evaluated in a workspace of the caller's.
+// A compiled function: a flat tape of instructions on numbered slots, evaluated in a workspace of the
+// caller's.
 //
-// The tape is immutable and shared by threads; every thread brings its own Workspace. Slots hold the parameters,
-// the time, the variables, then literals and what follows; what depends on parameters alone is computed once, by
-// bind. Instructions are fused sums of products
+// The tape is immutable and shared by threads; every thread brings its own Workspace. Slots hold the
+// parameters, the time, the variables, then literals and what follows; what depends on parameters alone is
+// computed once, by bind. Instructions are fused sums of products
 //     out = sum_i c_i x_i + sum_j c_j x_j y_j
-// beside quotients, calls, sin and cos of one argument together, and solves of linear systems; a Taylor method
-// can run the same tape with a row of coefficients a slot.
+// beside quotients, calls, sin and cos of one argument together, and solves of linear systems; a Taylor
+// method can run the same tape with a row of coefficients a slot.
 
 #include <cstdint>
 #include <span>

@@ -71,17 +71,17 @@ Slot TapeBuilder::slot(const Expression& e) { return emitted(e.id()); }
 Slot TapeBuilder::emitted(NodeId id) {
   const auto found = slots_.find(id);
   if (found != slots_.end()) return found->second;
-  const Slot slot = std::visit(
-      overloaded{[&](const Literal& x) { return literal(x.value.value()); },
-                 [&](const Symbol& x) {
-                   if (x.name == "pi") return literal(pi);
-                   throw Error(ErrorCode::unknown_symbol, "'" + x.name + "' has no value");
-                 },
-                 [&](const Sum& x) { return emitted_sum(id, x); },
-                 [&](const Product& x) { return emitted_product(id, x); },
-                 [&](const Power& x) { return emitted_power(id, x); },
-                 [&](const Call& x) { return emitted_call(id, x); }},
-      graph_.node(id));
+  const Slot slot =
+      std::visit(overloaded{[&](const Literal& x) { return literal(x.value.value()); },
+                            [&](const Symbol& x) {
+                              if (x.name == "pi") return literal(pi);
+                              throw Error(ErrorCode::unknown_symbol, "'" + x.name + "' has no value");
+                            },
+                            [&](const Sum& x) { return emitted_sum(id, x); },
+                            [&](const Product& x) { return emitted_product(id, x); },
+                            [&](const Power& x) { return emitted_power(id, x); },
+                            [&](const Call& x) { return emitted_call(id, x); }},
+                 graph_.node(id));
   slots_[id] = slot;
   return slot;
 }
@@ -151,7 +151,8 @@ Slot TapeBuilder::emitted_sum(NodeId id, const Sum& sum) {
       pairs.insert(pairs.end(), {factors->coefficient, factors->varying[0]});
     } else {
       const std::vector<Slot> rest(factors->varying.begin() + 1, factors->varying.end());
-      triples.insert(triples.end(), {factors->coefficient, factors->varying[0], product_of(literal(1), rest, true)});
+      triples.insert(triples.end(),
+                     {factors->coefficient, factors->varying[0], product_of(literal(1), rest, true)});
     }
   }
   const Instruction instruction{.operation = Operation::sum_of_products,
@@ -189,7 +190,8 @@ Slot TapeBuilder::emitted_power(NodeId id, const Power& power) {
   if (exponent.is_exact() && exponent.denominator() <= 2) {
     const auto size = static_cast<int>(std::abs(exponent.numerator()));
     Slot result = base;
-    if (exponent.denominator() == 2) result = emit({.operation = Operation::square_root}, {&base, 1}, varying);
+    if (exponent.denominator() == 2)
+      result = emit({.operation = Operation::square_root}, {&base, 1}, varying);
     result = whole_power(result, size, varying);
     if (!exponent.is_negative()) return result;
     const Slot operands[]{literal(1), result};
@@ -230,9 +232,11 @@ std::vector<std::vector<Slot>> TapeBuilder::solve(const LinearSystem& system) {
                                   .products = static_cast<std::uint16_t>(system.right_hand_sides.size()),
                                   .has_determinant = with_determinant};
     const auto size = static_cast<Slot>(group.size());
-    const Slot out = emit(instruction, operands, true, static_cast<Slot>(system.right_hand_sides.size()) * size);
+    const Slot out =
+        emit(instruction, operands, true, static_cast<Slot>(system.right_hand_sides.size()) * size);
     for (std::size_t k = 0; k < solutions.size(); ++k) {
-      for (std::size_t i = 0; i < group.size(); ++i) solutions[k][group[i]] = out + static_cast<Slot>(k * size + i);
+      for (std::size_t i = 0; i < group.size(); ++i)
+        solutions[k][group[i]] = out + static_cast<Slot>(k * size + i);
     }
   }
   for (std::size_t i = 0; i < system.unknowns.size(); ++i) {

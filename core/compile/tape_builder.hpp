@@ -18,12 +18,12 @@ class TapeBuilder {
   TapeBuilder(Graph& graph, std::span<const Expression> parameters, const Expression& t,
               std::span<const Expression> variables);
 
-  /// Adds the solution x of M x = b, one column of unknowns a right-hand side. The first column's values can be
-  /// used in later expressions through `unknowns` (symbols, n of them).
+  /// Adds the solution x of M x = b, one column of unknowns a right-hand side. The first column's values can
+  /// be used in later expressions through `unknowns` (symbols, n of them).
   struct LinearSystem {
-    Matrix matrix;                                         ///< n rows
-    std::optional<Expression> determinant;                 ///< for n = 2: a form of det M without cancellation
-    std::vector<std::vector<Expression>> right_hand_sides; ///< k columns of n
+    Matrix matrix;                          ///< n rows
+    std::optional<Expression> determinant;  ///< for n = 2: a form of det M without cancellation
+    std::vector<std::vector<Expression>> right_hand_sides;  ///< k columns of n
     std::vector<Expression> unknowns;
   };
   /// Slots of the solutions, k columns of n. Unknowns that no equation couples are solved apart.
@@ -38,12 +38,13 @@ class TapeBuilder {
 
  private:
   struct Factors {
-    Slot coefficient;            ///< literal or parameter part
-    std::vector<Slot> varying;   ///< factors with positive exponents
+    Slot coefficient;           ///< literal or parameter part
+    std::vector<Slot> varying;  ///< factors with positive exponents
   };
 
   [[nodiscard]] bool varies(NodeId id);
-  [[nodiscard]] Slot emit(Instruction instruction, std::span<const Slot> operands, bool varying, Slot count = 1);
+  [[nodiscard]] Slot emit(Instruction instruction, std::span<const Slot> operands, bool varying,
+                          Slot count = 1);
   [[nodiscard]] Slot emitted(NodeId id);
   [[nodiscard]] Slot emitted_sum(NodeId id, const Sum& sum);
   [[nodiscard]] Slot emitted_product(NodeId id, const Product& product);

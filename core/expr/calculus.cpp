@@ -12,19 +12,32 @@ Expression slope(Function function, const Expression& u) {
   Graph& graph = u.graph();
   const Expression one = graph.number(1);
   switch (function) {
-    case Function::sin: return cos(u);
-    case Function::cos: return -sin(u);
-    case Function::tan: return one + pow(graph.call(Function::tan, u), Number(2));
-    case Function::asin: return pow(one - u * u, Number::ratio(-1, 2));
-    case Function::acos: return -pow(one - u * u, Number::ratio(-1, 2));
-    case Function::atan: return pow(one + u * u, Number(-1));
-    case Function::sinh: return graph.call(Function::cosh, u);
-    case Function::cosh: return graph.call(Function::sinh, u);
-    case Function::tanh: return one - pow(graph.call(Function::tanh, u), Number(2));
-    case Function::exp: return graph.call(Function::exp, u);
-    case Function::log: return pow(u, Number(-1));
-    case Function::abs: return graph.call(Function::sign, u);
-    case Function::sign: return graph.number(0);
+    case Function::sin:
+      return cos(u);
+    case Function::cos:
+      return -sin(u);
+    case Function::tan:
+      return one + pow(graph.call(Function::tan, u), Number(2));
+    case Function::asin:
+      return pow(one - u * u, Number::ratio(-1, 2));
+    case Function::acos:
+      return -pow(one - u * u, Number::ratio(-1, 2));
+    case Function::atan:
+      return pow(one + u * u, Number(-1));
+    case Function::sinh:
+      return graph.call(Function::cosh, u);
+    case Function::cosh:
+      return graph.call(Function::sinh, u);
+    case Function::tanh:
+      return one - pow(graph.call(Function::tanh, u), Number(2));
+    case Function::exp:
+      return graph.call(Function::exp, u);
+    case Function::log:
+      return pow(u, Number(-1));
+    case Function::abs:
+      return graph.call(Function::sign, u);
+    case Function::sign:
+      return graph.number(0);
   }
   return one;  // not reached: the switch is complete
 }
@@ -144,23 +157,23 @@ double evaluate(const Expression& e, std::span<const Assignment> values) {
   const NodeId root[]{e.id()};
   std::map<NodeId, double> done;
   for (const auto& [symbol, value] : values) done[symbol.id()] = value;
-  const auto value_of = overloaded{
-      [&](const Literal& x) { return x.value.value(); },
-      [&](const Symbol& x) {
-        return x.name == "pi" ? 3.14159265358979323846 : std::numeric_limits<double>::quiet_NaN();
-      },
-      [&](const Sum& x) {
-        double sum = 0;
-        for (const NodeId id : x.terms) sum += done.at(id);
-        return sum;
-      },
-      [&](const Product& x) {
-        double product = x.coefficient.value();
-        for (const NodeId id : x.factors) product *= done.at(id);
-        return product;
-      },
-      [&](const Power& x) { return std::pow(done.at(x.base), x.exponent.value()); },
-      [&](const Call& x) { return evaluate(x.function, done.at(x.argument)); }};
+  const auto value_of =
+      overloaded{[&](const Literal& x) { return x.value.value(); },
+                 [&](const Symbol& x) {
+                   return x.name == "pi" ? 3.14159265358979323846 : std::numeric_limits<double>::quiet_NaN();
+                 },
+                 [&](const Sum& x) {
+                   double sum = 0;
+                   for (const NodeId id : x.terms) sum += done.at(id);
+                   return sum;
+                 },
+                 [&](const Product& x) {
+                   double product = x.coefficient.value();
+                   for (const NodeId id : x.factors) product *= done.at(id);
+                   return product;
+                 },
+                 [&](const Power& x) { return std::pow(done.at(x.base), x.exponent.value()); },
+                 [&](const Call& x) { return evaluate(x.function, done.at(x.argument)); }};
   for (const NodeId id : reachable(graph, root)) {
     if (!done.contains(id)) done[id] = std::visit(value_of, graph.node(id));
   }

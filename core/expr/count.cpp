@@ -28,8 +28,7 @@ std::size_t count(const Graph& graph, NodeId id, std::map<NodeId, std::size_t>& 
   const auto found = done.find(id);
   if (found != done.end()) return found->second;
   const std::size_t operations = std::visit(
-      overloaded{[](const Literal&) { return std::size_t{0}; },
-                 [](const Symbol&) { return std::size_t{0}; },
+      overloaded{[](const Literal&) { return std::size_t{0}; }, [](const Symbol&) { return std::size_t{0}; },
                  [&](const Sum& x) { return count_terms(graph, x, done); },
                  [&](const Product& x) { return count_factors(graph, x, done); },
                  [&](const Power& x) { return 1 + count(graph, x.base, done); },

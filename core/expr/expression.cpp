@@ -16,8 +16,9 @@ std::size_t mix(std::size_t seed, std::size_t value) {
 }
 
 std::size_t hash_of(const Number& n) {
-  return n.is_exact() ? mix(static_cast<std::size_t>(n.numerator()), static_cast<std::size_t>(n.denominator()))
-                      : std::hash<double>{}(n.value());
+  return n.is_exact()
+             ? mix(static_cast<std::size_t>(n.numerator()), static_cast<std::size_t>(n.denominator()))
+             : std::hash<double>{}(n.value());
 }
 
 std::size_t hash_of(const std::vector<NodeId>& ids, std::size_t seed) {
@@ -172,7 +173,8 @@ Expression Graph::call(Function function, const Expression& argument) {
   const bool even = function == Function::cos || function == Function::cosh || function == Function::abs;
   if (argument.is_zero()) {
     if (odd) return argument;
-    if (function == Function::cos || function == Function::cosh || function == Function::exp) return number(1);
+    if (function == Function::cos || function == Function::cosh || function == Function::exp)
+      return number(1);
   }
   if (function == Function::log && argument.is_one()) return number(0);
   if ((odd || even) && leads_with_minus(argument)) {
@@ -233,12 +235,13 @@ Expression sin(const Expression& e) { return e.graph().call(Function::sin, e); }
 Expression cos(const Expression& e) { return e.graph().call(Function::cos, e); }
 
 std::vector<NodeId> children(const Node& node) {
-  return std::visit(overloaded{[](const Literal&) { return std::vector<NodeId>{}; },
-                               [](const Symbol&) { return std::vector<NodeId>{}; },
-                               [](const Sum& x) { return x.terms; }, [](const Product& x) { return x.factors; },
-                               [](const Power& x) { return std::vector<NodeId>{x.base}; },
-                               [](const Call& x) { return std::vector<NodeId>{x.argument}; }},
-                    node);
+  return std::visit(
+      overloaded{[](const Literal&) { return std::vector<NodeId>{}; },
+                 [](const Symbol&) { return std::vector<NodeId>{}; }, [](const Sum& x) { return x.terms; },
+                 [](const Product& x) { return x.factors; },
+                 [](const Power& x) { return std::vector<NodeId>{x.base}; },
+                 [](const Call& x) { return std::vector<NodeId>{x.argument}; }},
+      node);
 }
 
 std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots) {

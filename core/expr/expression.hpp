@@ -39,7 +39,8 @@ struct Sum {
   std::vector<NodeId> terms;
   bool operator==(const Sum&) const = default;
 };
-/// coefficient times one or more factors, none of which is a literal, a product or shares its base with another.
+/// coefficient times one or more factors, none of which is a literal, a product or shares its base with
+/// another.
 struct Product {
   Number coefficient;
   std::vector<NodeId> factors;
@@ -101,7 +102,8 @@ class Graph {
 
   Graph();
   [[nodiscard]] Expression number(const Number& value);
-  /// The symbol `name`, made on first use. Symbols made earlier come first in sign conventions: theta - gamma.
+  /// The symbol `name`, made on first use. Symbols made earlier come first in sign conventions: theta -
+  /// gamma.
   [[nodiscard]] Expression symbol(std::string_view name);
   [[nodiscard]] Expression sum(std::span<const Expression> terms);
   [[nodiscard]] Expression product(std::span<const Expression> factors);

@@ -151,7 +151,8 @@ Expression factored(Graph& graph, const Polynomial& polynomial) {
 
 Expression collected(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {
   const auto is_chosen = [&](const Atom& atom) {
-    return std::any_of(symbols.begin(), symbols.end(), [&](const Expression& s) { return s.id() == atom.base; });
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](const Expression& s) { return s.id() == atom.base; });
   };
   if (polynomial.empty()) return graph.number(0);
   Monomial common = common_monomial(polynomial);
@@ -165,7 +166,8 @@ Expression collected(Graph& graph, const Polynomial& polynomial, std::span<const
   const auto written = [&](const Monomial& front, const Number& divisor) {
     std::vector<Expression> terms;
     for (const auto& [chosen, part] : parts) {
-      terms.push_back(factored(graph, scaled(part, front, Number(1) / divisor)) * to_expression(graph, chosen));
+      terms.push_back(factored(graph, scaled(part, front, Number(1) / divisor)) *
+                      to_expression(graph, chosen));
     }
     return graph.sum(terms);
   };

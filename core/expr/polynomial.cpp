@@ -35,21 +35,21 @@ class Expander {
 
  private:
   Polynomial expanded(NodeId id) {
-    return std::visit(overloaded{[&](const Literal& x) { return constant(x.value); },
-                                 [&](const Symbol&) { return atom(id); },
-                                 [&](const Sum& x) {
-                                   Polynomial sum;
-                                   for (const NodeId term : x.terms) add(sum, (*this)(term));
-                                   return sum;
-                                 },
-                                 [&](const Product& x) {
-                                   Polynomial product = constant(x.coefficient);
-                                   for (const NodeId factor : x.factors) product = product * (*this)(factor);
-                                   return with_roots_opened(std::move(product));
-                                 },
-                                 [&](const Power& x) { return raised(id, x); },
-                                 [&](const Call& x) { return called(x); }},
-                      graph_.node(id));
+    return std::visit(
+        overloaded{[&](const Literal& x) { return constant(x.value); },
+                   [&](const Symbol&) { return atom(id); },
+                   [&](const Sum& x) {
+                     Polynomial sum;
+                     for (const NodeId term : x.terms) add(sum, (*this)(term));
+                     return sum;
+                   },
+                   [&](const Product& x) {
+                     Polynomial product = constant(x.coefficient);
+                     for (const NodeId factor : x.factors) product = product * (*this)(factor);
+                     return with_roots_opened(std::move(product));
+                   },
+                   [&](const Power& x) { return raised(id, x); }, [&](const Call& x) { return called(x); }},
+        graph_.node(id));
   }
 
   static Polynomial constant(const Number& value) {
@@ -75,7 +75,8 @@ class Expander {
     }
     const Expression base(graph_, canonical(x.base));
     const Expression again = graph_.power(base, x.exponent);
-    if (std::holds_alternative<Power>(again.node()) && split_power(again).base == base) return atom(base.id(), p, q);
+    if (std::holds_alternative<Power>(again.node()) && split_power(again).base == base)
+      return atom(base.id(), p, q);
     return (*this)(again.id());  // the base turned out simpler: 1/(2 m) is a product
   }
 
@@ -197,7 +198,8 @@ void add(Polynomial& sum, const Polynomial& other, const Number& factor) {
 }
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
-  if (a.size() * b.size() > largest_polynomial) throw Error(ErrorCode::too_large, "an expression grows too large");
+  if (a.size() * b.size() > largest_polynomial)
+    throw Error(ErrorCode::too_large, "an expression grows too large");
   Polynomial product;
   for (const auto& [x, c] : a) {
     for (const auto& [y, d] : b) add(product, x * y, c * d);

@@ -46,8 +46,8 @@ void add(Polynomial& sum, const Polynomial& other, const Number& factor = Number
 [[nodiscard]] Expression to_expression(Graph& graph, const Polynomial& polynomial);
 [[nodiscard]] Expression to_expression(Graph& graph, const Monomial& monomial);
 
-/// The largest monomial that all terms share: x^2 y + x^3 -> x^2; only what every term has in its numerator, or
-/// every term in its denominator.
+/// The largest monomial that all terms share: x^2 y + x^3 -> x^2; only what every term has in its numerator,
+/// or every term in its denominator.
 [[nodiscard]] Monomial common_monomial(const Polynomial& polynomial);
 
 /// a / b when that is a polynomial again.

@@ -16,7 +16,6 @@ struct Candidate {
   std::size_t cost;
 };
 
-
 Candidate candidate(Graph& graph, Polynomial polynomial) {
   const Expression form = factored(graph, polynomial);
   return {std::move(polynomial), form, written_length(form)};
@@ -26,8 +25,9 @@ Candidate candidate(Graph& graph, Polynomial polynomial) {
 std::vector<Polynomial> neighbours(Graph& graph, const Polynomial& polynomial) {
   std::vector<Polynomial> found;
   for (const Expression& u : trigonometric_arguments(graph, polynomial)) {
-    for (Polynomial next : {without_sine_squares(graph, polynomial, u), without_cosine_squares(graph, polynomial, u),
-                            with_double_angle(graph, polynomial, u)}) {
+    for (Polynomial next :
+         {without_sine_squares(graph, polynomial, u), without_cosine_squares(graph, polynomial, u),
+          with_double_angle(graph, polynomial, u)}) {
       if (next != polynomial) found.push_back(joined(graph, std::move(next)));
     }
   }
@@ -90,7 +90,8 @@ Expression simplify_quotient(const Expression& numerator, const Expression& deno
       rest = *b;
     }
   }
-  if (const auto whole = trigonometric_quotient(graph, above, rest)) return simplify(to_expression(graph, *whole));
+  if (const auto whole = trigonometric_quotient(graph, above, rest))
+    return simplify(to_expression(graph, *whole));
   return simplify(to_expression(graph, above)) / simplify(to_expression(graph, rest));
 }
 

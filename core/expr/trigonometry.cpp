@@ -1,6 +1,5 @@
 #include "core/expr/trigonometry.hpp"
 
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>

@@ -16,9 +16,11 @@ namespace qdot {
 [[nodiscard]] Polynomial joined(Graph& graph, Polynomial polynomial);
 
 /// sin^2 u -> 1 - cos^2 u in every term.
-[[nodiscard]] Polynomial without_sine_squares(Graph& graph, const Polynomial& polynomial, const Expression& u);
+[[nodiscard]] Polynomial without_sine_squares(Graph& graph, const Polynomial& polynomial,
+                                              const Expression& u);
 /// cos^2 u -> 1 - sin^2 u in every term.
-[[nodiscard]] Polynomial without_cosine_squares(Graph& graph, const Polynomial& polynomial, const Expression& u);
+[[nodiscard]] Polynomial without_cosine_squares(Graph& graph, const Polynomial& polynomial,
+                                                const Expression& u);
 
 /// sin u cos u -> sin(2u)/2, cos^2 u -> (1 + cos 2u)/2, sin^2 u -> (1 - cos 2u)/2.
 [[nodiscard]] Polynomial with_double_angle(Graph& graph, const Polynomial& polynomial, const Expression& u);
@@ -27,8 +29,8 @@ namespace qdot {
 [[nodiscard]] std::optional<Polynomial> trigonometric_quotient(Graph& graph, const Polynomial& a,
                                                                const Polynomial& b);
 
-/// Functions of sums and integer multiples of angles in terms of the single angles, sin^2 -> 1 - cos^2: a normal
-/// form, zero exactly when the polynomial vanishes identically (in independent angles).
+/// Functions of sums and integer multiples of angles in terms of the single angles, sin^2 -> 1 - cos^2: a
+/// normal form, zero exactly when the polynomial vanishes identically (in independent angles).
 [[nodiscard]] Polynomial with_single_angles(Graph& graph, const Polynomial& polynomial);
 
 }  // namespace qdot

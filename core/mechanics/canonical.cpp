@@ -8,13 +8,14 @@ namespace {
 
 /// L = q'.A q'/2 + a.q' + L0 in the velocities of the chosen coordinates; A, a and L0 may contain the others.
 struct QuadraticForm {
-  Matrix mass;                          ///< A
-  std::vector<Expression> linear;       ///< a
-  Expression rest;                      ///< L0
+  Matrix mass;                     ///< A
+  std::vector<Expression> linear;  ///< a
+  Expression rest;                 ///< L0
 };
 
 /// No value where L is not quadratic or A is singular.
-std::optional<QuadraticForm> quadratic_form(const Lagrangian& lagrangian, const std::vector<std::size_t>& chosen) {
+std::optional<QuadraticForm> quadratic_form(const Lagrangian& lagrangian,
+                                            const std::vector<std::size_t>& chosen) {
   if (chosen.empty() || chosen.size() > largest_written_system) return std::nullopt;
   const std::vector<Expression>& rate = lagrangian.symbols.coordinates.rate;
   std::vector<Replacement> at_rest;

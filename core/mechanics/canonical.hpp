@@ -10,8 +10,8 @@ namespace qdot {
 /// The symbol p_<coordinate> for each coordinate.
 [[nodiscard]] std::vector<Expression> momentum_symbols(const Lagrangian& lagrangian);
 
-/// H(q, p, t) = sum p_i q_i' - L with the velocities eliminated. No value for more than three degrees of freedom
-/// or an L that is not quadratic in the velocities.
+/// H(q, p, t) = sum p_i q_i' - L with the velocities eliminated. No value for more than three degrees of
+/// freedom or an L that is not quadratic in the velocities.
 [[nodiscard]] std::optional<Expression> hamiltonian(const Lagrangian& lagrangian);
 
 /// Coordinates that L and the generalized forces do not contain: dL/dq_i = 0 and Q_i = 0.

@@ -12,7 +12,8 @@ std::string name_of(const Expression& symbol) { return std::get<Symbol>(symbol.n
 
 /// The time, and inputs, which are functions of it.
 bool depends_on_time(const Expression& e, const Symbols& symbols) {
-  return depends_on(e, symbols.t) || depends_on(e, symbols.inputs.value) || depends_on(e, symbols.inputs.rate);
+  return depends_on(e, symbols.t) || depends_on(e, symbols.inputs.value) ||
+         depends_on(e, symbols.inputs.rate);
 }
 
 bool has_forces(const Lagrangian& lagrangian) {
@@ -34,20 +35,23 @@ std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& reduced, c
   std::vector<ConservedQuantity> found;
   if (!has_forces(reduced) && !depends_on_time(reduced.lagrangian, reduced.symbols)) {
     if (is_energy(reduced)) {
-      found.push_back({"energy", "J", jacobi_integral(reduced),
-                       "The Lagrangian does not contain the time and T is quadratic in the velocities, so the "
-                       "Jacobi integral is the energy T + V."});
+      found.push_back(
+          {"energy", "J", jacobi_integral(reduced),
+           "The Lagrangian does not contain the time and T is quadratic in the velocities, so the "
+           "Jacobi integral is the energy T + V."});
     } else {
-      found.push_back({"h", "J", jacobi_integral(reduced),
-                       "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L "
-                       "is constant."});
+      found.push_back(
+          {"h", "J", jacobi_integral(reduced),
+           "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L "
+           "is constant."});
     }
   }
   const std::vector<Expression> momenta = conjugate_momenta(reduced);
   for (const std::size_t i : ignorable_coordinates(reduced)) {
     const std::string q = name_of(reduced.symbols.coordinates.value[i]);
-    found.push_back({"p_" + q, momentum_unit(scene, i), momenta[i],
-                     q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant."});
+    found.push_back(
+        {"p_" + q, momentum_unit(scene, i), momenta[i],
+         q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant."});
   }
   return found;
 }
@@ -57,9 +61,11 @@ std::string why_energy_changes(const Lagrangian& lagrangian) {
   if (depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
     return "The Lagrangian contains the time explicitly: what moves the system from outside does work.";
   }
-  if (!lagrangian.kinetic_energy) return "The scene gives only its Lagrangian, so T and V are not known apart.";
+  if (!lagrangian.kinetic_energy)
+    return "The scene gives only its Lagrangian, so T and V are not known apart.";
   if (is_energy(lagrangian)) return "";
-  return "T has terms that are not quadratic in the velocities: what keeps the prescribed motion does work, so h is "
+  return "T has terms that are not quadratic in the velocities: what keeps the prescribed motion does work, "
+         "so h is "
          "constant and T + V is not.";
 }
 

@@ -15,8 +15,8 @@ class Checker {
     return std::visit(
         overloaded{[](const Literal& x) { return x.value.is_zero() ? DimensionResult{} : plain(); },
                    [&](const Symbol&) { return of_symbol(id); }, [&](const Sum& x) { return of_sum(x); },
-                   [&](const Product& x) { return of_product(x); }, [&](const Power& x) { return of_power(x); },
-                   [&](const Call& x) { return of_call(x); }},
+                   [&](const Product& x) { return of_product(x); },
+                   [&](const Power& x) { return of_power(x); }, [&](const Call& x) { return of_call(x); }},
         graph_.node(id));
   }
 
@@ -53,7 +53,8 @@ class Checker {
   DimensionResult of_power(const Power& x) {
     const DimensionResult base = of(x.base);
     if (!base.mistake.empty() || base.dimension->is_dimensionless()) return base;
-    if (!x.exponent.is_exact()) return {std::nullopt, "it raises a dimension to the power " + quoted_number(x)};
+    if (!x.exponent.is_exact())
+      return {std::nullopt, "it raises a dimension to the power " + quoted_number(x)};
     return {pow(*base.dimension, static_cast<int>(x.exponent.numerator()),
                 static_cast<int>(x.exponent.denominator())),
             ""};
@@ -63,8 +64,9 @@ class Checker {
     DimensionResult argument = of(x.argument);
     if (!argument.mistake.empty() || x.function == Function::abs) return argument;
     if (x.function == Function::sign || argument.dimension->is_dimensionless()) return plain();
-    return {std::nullopt, "it takes " + std::string(name(x.function)) + " of " + quoted({graph_, x.argument}) +
-                              ", which is in " + to_text(*argument.dimension) + " and not a pure number"};
+    return {std::nullopt, "it takes " + std::string(name(x.function)) + " of " +
+                              quoted({graph_, x.argument}) + ", which is in " + to_text(*argument.dimension) +
+                              " and not a pure number"};
   }
 
   std::string quoted_number(const Power& x) { return quoted(graph_.number(x.exponent)); }

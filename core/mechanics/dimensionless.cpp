@@ -77,9 +77,9 @@ UnitSystem choose_units(const Scene& scene, const ParsedScene& parsed) {
   for (const bool in_scales : {true, false}) {
     for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
       const Expression& p = parsed.symbols.parameters[i];
-      const bool occurs = parsed.scales && (depends_on(parsed.scales->mass, p) ||
-                                            depends_on(parsed.scales->length, p) ||
-                                            depends_on(parsed.scales->time, p));
+      const bool occurs =
+          parsed.scales && (depends_on(parsed.scales->mass, p) || depends_on(parsed.scales->length, p) ||
+                            depends_on(parsed.scales->time, p));
       if (occurs == in_scales) units.offer(p, exponents_of(scene.parameters[i].unit));
     }
   }
@@ -108,7 +108,8 @@ std::optional<DimensionlessForm> dimensionless_form(const Scene& scene, const Pa
   std::vector<Replacement> replacements;
   for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
     const Expression& p = parsed.symbols.parameters[i];
-    const bool is_unit = std::find(units.parameters.begin(), units.parameters.end(), p) != units.parameters.end();
+    const bool is_unit =
+        std::find(units.parameters.begin(), units.parameters.end(), p) != units.parameters.end();
     if (is_unit) {
       replacements.emplace_back(p, graph.number(1));
       continue;

@@ -1,10 +1,10 @@
 #pragma once
 // The dimensionless form of a scene: which combinations of its parameters matter (Buckingham's pi theorem).
 //
-// As many parameters as there are independent dimensions are taken as units (those the scene's scales are made
-// of, else the first that do) and become 1. Any other parameter p becomes p over the product of powers of the
-// units that has its dimension; that quotient is a dimensionless group, and L over its unit of energy contains
-// the groups alone.
+// As many parameters as there are independent dimensions are taken as units (those the scene's scales are
+// made of, else the first that do) and become 1. Any other parameter p becomes p over the product of powers
+// of the units that has its dimension; that quotient is a dimensionless group, and L over its unit of energy
+// contains the groups alone.
 
 #include <string>
 #include <vector>
@@ -14,8 +14,8 @@
 namespace qdot {
 
 struct DimensionlessGroup {
-  std::string name;   ///< "mu", or "<parameter>_hat"
-  Expression value;   ///< m/M
+  std::string name;  ///< "mu", or "<parameter>_hat"
+  Expression value;  ///< m/M
 };
 
 struct DimensionlessForm {
@@ -27,7 +27,8 @@ struct DimensionlessForm {
 };
 
 /// No value when the scene's parameters do not span its dimensions.
-[[nodiscard]] std::optional<DimensionlessForm> dimensionless_form(const Scene& scene, const ParsedScene& parsed,
+[[nodiscard]] std::optional<DimensionlessForm> dimensionless_form(const Scene& scene,
+                                                                  const ParsedScene& parsed,
                                                                   const Lagrangian& lagrangian);
 
 }  // namespace qdot

@@ -2,9 +2,9 @@
 // Lagrange's equations d/dt dL/dq_i' - dL/dq_i = Q_i, linear in the accelerations: M(q,t) q'' = f(q,q',t).
 //
 // Each equation is divided by the factor that all its terms share, as one does by hand: m l^2 in the walker's
-// phi equation, which makes the massless foot regular. Dividing assumes the factor is not zero; where it can be
-// (a coordinate, a bracket such as 1/2 + sin(theta)), the equation says the same everywhere else. The rows of M
-// are divided each by its own factor, so M is not symmetric.
+// phi equation, which makes the massless foot regular. Dividing assumes the factor is not zero; where it can
+// be (a coordinate, a bracket such as 1/2 + sin(theta)), the equation says the same everywhere else. The rows
+// of M are divided each by its own factor, so M is not symmetric.
 
 #include <optional>
 #include <vector>
@@ -21,9 +21,9 @@ struct Equation {
 };
 
 struct EquationsOfMotion {
-  std::vector<Equation> equations;                   ///< in order of the coordinates
-  Matrix mass_matrix;                  ///< M, n x n, rows divided
-  std::vector<Expression> forcing;                   ///< f
+  std::vector<Equation> equations;  ///< in order of the coordinates
+  Matrix mass_matrix;               ///< M, n x n, rows divided
+  std::vector<Expression> forcing;  ///< f
   /// det M in short form for n = 2: 1 + mu sin^2(phi) without the cancellation of M11 M22 - M12 M21.
   std::optional<Expression> determinant;
 };

@@ -75,11 +75,14 @@ class Energies {
   [[nodiscard]] Expression weight(const Expression& mass, const Vector& centre) const {
     return scene_.gravity.empty() ? graph().number(0) : -(mass * dot(graph(), scene_.gravity, centre));
   }
-  [[nodiscard]] Expression weight_of(const ParsedParticle& body) const { return weight(body.mass, body.position); }
+  [[nodiscard]] Expression weight_of(const ParsedParticle& body) const {
+    return weight(body.mass, body.position);
+  }
   [[nodiscard]] Expression weight_of(const ParsedDisk& body) const { return weight(body.mass, body.centre); }
   [[nodiscard]] Expression weight_of(const ParsedRod& body) const {
     Vector middle;
-    for (std::size_t i = 0; i < body.start.size(); ++i) middle.push_back(half() * (body.start[i] + body.end[i]));
+    for (std::size_t i = 0; i < body.start.size(); ++i)
+      middle.push_back(half() * (body.start[i] + body.end[i]));
     return weight(body.mass, middle);
   }
 
@@ -191,7 +194,8 @@ Lagrangian replaced(const Lagrangian& lagrangian, std::span<const Replacement> r
   if (replacements.empty()) return lagrangian;
   Lagrangian result = lagrangian;
   if (lagrangian.kinetic_energy) {
-    result.kinetic_energy = simplify_by_degree(substitute(*lagrangian.kinetic_energy, replacements), lagrangian.symbols);
+    result.kinetic_energy =
+        simplify_by_degree(substitute(*lagrangian.kinetic_energy, replacements), lagrangian.symbols);
     result.potential_energy = simplify(substitute(*lagrangian.potential_energy, replacements));
   }
   result.lagrangian = simplify_by_degree(substitute(lagrangian.lagrangian, replacements), lagrangian.symbols);
@@ -221,7 +225,8 @@ Expression simplify_by_degree(const Expression& e, const Symbols& symbols) {
   std::vector<Expression> terms;
   for (const auto& [degree, part] : parts) {
     const Expression rest = simplify(to_expression(e.graph(), part));
-    terms.push_back(degree == 0 ? rest : collected(e.graph(), multiplied_out(rest), symbols.coordinates.rate));
+    terms.push_back(degree == 0 ? rest
+                                : collected(e.graph(), multiplied_out(rest), symbols.coordinates.rate));
   }
   return e.graph().sum(terms);
 }

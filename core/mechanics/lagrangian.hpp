@@ -6,8 +6,8 @@
 //   V = - sum of m g.r + sum of k/2 (length - rest_length)^2 + extra potential
 //   Q_i = sum of F . dr/dq_i - dD/dq_i'  (virtual work of forces, Rayleigh dissipation D)
 //   L = T - V
-// Sources: Goldstein, Classical Mechanics, 3rd ed., 1.4 (Q_i), 1.5 (D); the rod's T integrates a velocity that
-// is linear along it.
+// Sources: Goldstein, Classical Mechanics, 3rd ed., 1.4 (Q_i), 1.5 (D); the rod's T integrates a velocity
+// that is linear along it.
 
 #include <optional>
 
@@ -53,7 +53,8 @@ struct Lagrangian {
 /// h = sum p_i q_i' - L, the Jacobi integral [J].
 [[nodiscard]] Expression jacobi_integral(const Lagrangian& lagrangian);
 
-/// sign (d/dt dL/ds' - dL/ds - Q_s) with the held length s varied and then held [N for a length]; contains q_ddot.
+/// sign (d/dt dL/ds' - dL/ds - Q_s) with the held length s varied and then held [N for a length]; contains
+/// q_ddot.
 [[nodiscard]] Expression reaction(const Lagrangian& lagrangian, const ParsedReaction& which);
 
 }  // namespace qdot

@@ -83,7 +83,8 @@ std::vector<double> parameter_values(const Model& model, const Values& given) {
   return values;
 }
 
-std::vector<double> initial_state(const Model& model, std::span<const double> parameters, const Values& given) {
+std::vector<double> initial_state(const Model& model, std::span<const double> parameters,
+                                  const Values& given) {
   std::vector<Assignment> known;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     known.emplace_back(model.parsed.symbols.parameters[i], parameters[i]);

@@ -35,7 +35,7 @@ struct Parameter {
 
 struct Coordinate {
   std::string name;
-  std::string unit;  ///< of the coordinate; its velocity `<name>_dot` has unit/s
+  std::string unit;          ///< of the coordinate; its velocity `<name>_dot` has unit/s
   std::string initial;       ///< default initial value, an expression of the parameters
   std::string initial_rate;  ///< default initial velocity
   std::string scale;         ///< optional length that turns an angle into an arc, "l"
@@ -53,7 +53,8 @@ struct Input {
   std::string meaning;
 };
 
-/// A length that the motion keeps at `value`. It is varied to derive the reaction that keeps it (see Reaction).
+/// A length that the motion keeps at `value`. It is varied to derive the reaction that keeps it (see
+/// Reaction).
 struct HeldLength {
   std::string name;
   std::string unit;
@@ -122,11 +123,11 @@ struct Reaction {
 
 /// The model holds while `quantity` >= 0.
 struct ValidityCondition {
-  std::string name;                                ///< the column's name, "tension"
+  std::string name;  ///< the column's name, "tension"
   std::string unit;
-  std::variant<Reaction, std::string> quantity;    ///< a derived reaction, or an expression
-  std::string reason;                              ///< code of the ending, "string_slack"
-  std::string message;                             ///< the sentence to print when it fails
+  std::variant<Reaction, std::string> quantity;  ///< a derived reaction, or an expression
+  std::string reason;                            ///< code of the ending, "string_slack"
+  std::string message;                           ///< the sentence to print when it fails
 };
 
 /// The coordinates describe no configuration where `expression` is 0: every motion ends there.
@@ -174,9 +175,10 @@ struct Scene {
   std::vector<HeldLength> held_lengths;
   std::vector<Point> points;
   std::vector<Body> bodies;
-  std::vector<std::string> gravity;  ///< acceleration vector, as many components as the positions; may be empty
+  std::vector<std::string>
+      gravity;  ///< acceleration vector, as many components as the positions; may be empty
   std::vector<Spring> springs;
-  std::string potential;   ///< extra potential energy, or empty
+  std::string potential;  ///< extra potential energy, or empty
   std::vector<Force> forces;
   std::string dissipation;  ///< Rayleigh function D: Q_i = -dD/dq_i_dot, or empty
   std::string lagrangian;   ///< instead of bodies, gravity, springs and potential

@@ -1,0 +1,108 @@
+#include "core/mechanics/scene_text.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/expr/parse.hpp"
+
+namespace qdot {
+namespace {
+
+std::string error_code(const ParseError& error) {
+  switch (error.code) {
+    case ErrorCode::unknown_symbol:
+      return "unknown_symbol";
+    case ErrorCode::too_large:
+      return "too_large";
+    default:
+      return "syntax";
+  }
+}
+
+}  // namespace
+
+Dimension dimension_of_unit(const std::string& text) {
+  const std::optional<Unit> unit = parse_unit(text);
+  return unit ? unit->dimension : Dimension{};
+}
+
+void SceneText::complain(const std::string& place, const std::string& code, const std::string& message) {
+  diagnostics_.push_back({place, code, message});
+}
+
+Expression SceneText::declare(const std::string& name, const Dimension& dimension, Context context,
+                              const std::string& place) {
+  const Expression symbol = graph_.symbol(name);
+  if (!declared_.insert(name).second) {
+    complain(place, "duplicate_name", "The name '" + name + "' is used twice.");
+  }
+  dimensions_[symbol.id()] = dimension;
+  for (int c = static_cast<int>(context); c <= static_cast<int>(Context::state); ++c)
+    allowed_[c].push_back(name);
+  return symbol;
+}
+
+void SceneText::declare_varying(Symbols::Varying& varying, const std::string& name,
+                                const Dimension& dimension, Context value, Context rate,
+                                const std::string& place) {
+  const Dimension second = dimension_of_unit("s");
+  varying.value.push_back(declare(name, dimension, value, place + "/name"));
+  varying.rate.push_back(declare(name + "_dot", dimension / second, rate, place + "/name"));
+  varying.second_rate.push_back(graph_.symbol(name + "_ddot"));
+  dimensions_[varying.second_rate.back().id()] = dimension / second / second;
+}
+
+Dimension SceneText::unit(const std::string& text, const std::string& place) {
+  const std::optional<Unit> unit = parse_unit(text);
+  if (unit && unit->is_coherent()) return unit->dimension;
+  complain(place + "/unit", "unit",
+           unit ? "The unit '" + text + "' is not an SI unit without a prefix; write kg, m, s, rad, N, J, ..."
+                : "The unit '" + text + "' is not known; write a product of SI units such as kg*m/s^2.");
+  return {};
+}
+
+Expression SceneText::read(const std::string& text, Context context, const std::string& place,
+                           const std::optional<Dimension>& expected) {
+  const ParseResult result = parse_all(text, graph_, allowed_[static_cast<int>(context)]);
+  for (const ParseError& error : result.errors) complain(place, error_code(error), error.message + ".");
+  if (!result.expression) return graph_.number(0);
+  check_dimension(*result.expression, place, expected);
+  return *result.expression;
+}
+
+std::optional<Expression> SceneText::read_optional(const std::string& text, Context context,
+                                                   const std::string& place,
+                                                   const std::optional<Dimension>& expected) {
+  if (text.empty()) return std::nullopt;
+  return read(text, context, place, expected);
+}
+
+void SceneText::check_dimension(const Expression& e, const std::string& place,
+                                const std::optional<Dimension>& expected) {
+  const DimensionResult found = dimension_of(e, dimensions_);
+  if (!found.mistake.empty()) {
+    complain(place, "dimension", "The expression's dimensions do not fit: " + found.mistake + ".");
+  } else if (expected && found.dimension && *found.dimension != *expected && e.number() == nullptr) {
+    complain(place, "dimension",
+             "The expression is in " + to_text(*found.dimension) + ", but " + to_text(*expected) +
+                 " belongs here.");
+  }
+}
+
+Vector SceneText::read_vector(const std::vector<std::string>& components, Context context,
+                              const std::string& place, const Dimension& dimension) {
+  Vector vector;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    vector.push_back(read(components[i], context, place + "/" + std::to_string(i), dimension));
+  }
+  if (space_ == 0) space_ = components.size();
+  if (components.size() != space_ || space_ < 2 || space_ > 3) {
+    complain(place, "components", "Positions and vectors have two components, or all of them three.");
+    vector.resize(zero_vector().size(), graph_.number(0));
+  }
+  return vector;
+}
+
+Vector SceneText::zero_vector() const { return Vector(std::max<std::size_t>(space_, 2), graph_.number(0)); }
+
+}  // namespace qdot

@@ -1,0 +1,71 @@
+#pragma once
+// The texts of a scene one at a time: what each may speak of, and what dimension it must have.
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/mechanics/dimension_check.hpp"
+#include "core/mechanics/parsed_scene.hpp"
+
+namespace qdot {
+
+/// What an expression may speak of; each includes the ones before it.
+enum class Context {
+  parameters,     ///< the parameters
+  time,           ///< and t
+  configuration,  ///< and coordinates, inputs, held lengths
+  state           ///< and velocities
+};
+
+/// Reads texts into one graph and collects what is wrong with them.
+class SceneText {
+ public:
+  SceneText(Graph& graph, std::vector<Diagnostic>& diagnostics) : graph_(graph), diagnostics_(diagnostics) {}
+
+  void complain(const std::string& place, const std::string& code, const std::string& message);
+
+  /// A new symbol that expressions of `context` and later ones may use.
+  Expression declare(const std::string& name, const Dimension& dimension, Context context,
+                     const std::string& place);
+
+  /// x, x_dot and x_ddot.
+  void declare_varying(Symbols::Varying& varying, const std::string& name, const Dimension& dimension,
+                       Context value, Context rate, const std::string& place);
+
+  /// The dimension of a coherent SI unit; complains about any other.
+  Dimension unit(const std::string& text, const std::string& place);
+
+  /// The expression, or 0 with a complaint. Nothing expected: any dimension that is consistent in itself. A
+  /// plain number is taken as a number of SI units.
+  Expression read(const std::string& text, Context context, const std::string& place,
+                  const std::optional<Dimension>& expected);
+  std::optional<Expression> read_optional(const std::string& text, Context context, const std::string& place,
+                                          const std::optional<Dimension>& expected);
+
+  /// 2 components, or 3: as many as in all vectors of the scene.
+  Vector read_vector(const std::vector<std::string>& components, Context context, const std::string& place,
+                     const Dimension& dimension);
+  [[nodiscard]] Vector zero_vector() const;
+
+  [[nodiscard]] Dimension dimension_of_symbol(const Expression& symbol) const {
+    return dimensions_.at(symbol.id());
+  }
+
+ private:
+  void check_dimension(const Expression& e, const std::string& place,
+                       const std::optional<Dimension>& expected);
+
+  Graph& graph_;
+  std::vector<Diagnostic>& diagnostics_;
+  std::set<std::string> declared_;
+  std::vector<std::string> allowed_[4];
+  SymbolDimensions dimensions_;
+  std::size_t space_{0};
+};
+
+/// The dimension of a unit's name, none where it is unknown.
+[[nodiscard]] Dimension dimension_of_unit(const std::string& text);
+
+}  // namespace qdot
