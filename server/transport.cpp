@@ -130,7 +130,8 @@ struct Transport::Impl final : httplib::Server {
     const auto incoming = connection.read_request();
     if (!incoming) return false;
     const auto response = answer(*incoming);
-    const bool last = !connection.reusable() || stopping_;
+    // When more connections are open than threads, each request waits its turn: none may keep its thread.
+    const bool last = !connection.reusable() || stopping_ || waiting_ > 0;
     connection.write_response(response, last);
     return !last && connection.reusable();
   }
