@@ -18,7 +18,8 @@ struct Ingredients {
                                   Function::acos, Function::atan, Function::sinh, Function::cosh,
                                   Function::tanh, Function::exp,  Function::log,  Function::abs,
                                   Function::sign};
-  bool doubles{true};  ///< inexact numbers too
+  bool doubles{true};            ///< inexact numbers too
+  bool powers_of_numbers{true};  ///< sqrt(5/4) too
 };
 
 inline Number random_number(Random& random, bool doubles) {
@@ -67,7 +68,8 @@ inline Expression random_expression(Random& random, Graph& graph, int depth,
           {{2, 1}, {3, 1}, {-1, 1}, {-2, 1}, {1, 2}, {-1, 2}, {3, 2}, {-1, 3}}};
       const auto [p, q] = pick(exponents);
       const Expression base = part();
-      return base.is_zero() ? base : pow(base, Number::ratio(p, q));
+      const bool kept = base.is_zero() || (base.number() != nullptr && !ingredients.powers_of_numbers);
+      return kept ? base : pow(base, Number::ratio(p, q));
     }
     default:
       return graph.call(pick(ingredients.functions), part());
