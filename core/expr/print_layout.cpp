@@ -1,16 +1,10 @@
 #include "core/expr/print_layout.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <charconv>
-#include <cmath>
-#include <string>
+#include <tuple>
 
 namespace qdot {
 namespace {
-
-constexpr std::int64_t largest_plain_denominator = 9;  // 3/4 stays a fraction at any rate
-constexpr int most_decimals = 15;
 
 Number magnitude(const Number& value) { return value.is_negative() ? -value : value; }
 
@@ -37,41 +31,7 @@ std::weak_ordering descending(double a, double b) {
   return a > b ? std::weak_ordering::less : std::weak_ordering::greater;
 }
 
-/// p/q with q a divisor of 10^decimals, or an empty text.
-std::string exact_decimal(const Number& value) {
-  __int128 p = value.numerator();
-  int decimals = 0;
-  while (p % value.denominator() != 0) {
-    p *= 10;
-    if (++decimals > most_decimals) return "";
-  }
-  p /= value.denominator();
-  if (p > std::int64_t{1} << 53) return "";
-  std::string digits = std::to_string(static_cast<std::int64_t>(p));
-  if (decimals == 0) return digits;
-  if (static_cast<int>(digits.size()) <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-  return digits.insert(digits.size() - decimals, ".");
-}
-
 }  // namespace
-
-bool prefers_decimal(const Number& value) {
-  if (!value.is_exact()) return true;
-  if (value.denominator() <= largest_plain_denominator) return false;
-  const std::string decimal = exact_decimal(magnitude(value));
-  const std::size_t fraction =
-      std::to_string(std::abs(value.numerator())).size() + 1 + std::to_string(value.denominator()).size();
-  return !decimal.empty() && decimal.size() < fraction;
-}
-
-std::string decimal_text(const Number& value) {
-  if (value.is_exact()) return exact_decimal(value);
-  char buffer[64];
-  char* const end = buffer + sizeof buffer;
-  const std::string text(buffer, std::to_chars(buffer, end, value.value()).ptr);
-  if (text.find_first_of(".en") != std::string::npos) return text;
-  return {buffer, std::to_chars(buffer, end, value.value(), std::chars_format::scientific).ptr};
-}
 
 Layout::Layout(const Expression& e, const Notation& notation) : graph_(e.graph()), notation_(notation) {
   const NodeId root[]{e.id()};
@@ -105,8 +65,10 @@ Layout::Traits Layout::sum_traits(const Sum& sum) const {
   result.children = sum.terms;
   for (const NodeId id : sum.terms) {
     const Traits& term = traits_.at(id);
-    result.acceleration = std::max(result.acceleration, term.acceleration);
-    result.velocity = std::max(result.velocity, term.velocity);
+    if (std::tie(term.acceleration, term.velocity) > std::tie(result.acceleration, result.velocity)) {
+      result.acceleration = term.acceleration;
+      result.velocity = term.velocity;
+    }
     result.calls = result.calls || term.calls;
     result.varies = result.varies || term.varies;
   }
@@ -177,6 +139,7 @@ std::weak_ordering Layout::compare_terms(NodeId a, NodeId b) const {
   const std::vector<NodeId> y = factors(b);
   if (const auto c = y.empty() <=> x.empty(); c != 0) return c;  // numbers first
   if (const auto c = left.calls <=> right.calls; c != 0) return c;
+  if (const auto c = right.varies <=> left.varies; c != 0) return c;
   if (const auto c = x.size() <=> y.size(); c != 0) return c;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (const auto c = compare_factors(x[i], y[i]); c != 0) return c;

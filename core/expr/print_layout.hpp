@@ -2,6 +2,7 @@
 // What all printers share: the order of terms and factors, and what stands above and below a fraction bar.
 
 #include <compare>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -43,7 +44,7 @@ class Layout {
  private:
   struct Traits {
     double acceleration{0};        ///< degree in the accelerations
-    double velocity{0};            ///< degree in the velocities
+    double velocity{0};            ///< degree in the velocities (of a sum: both of its first term)
     bool calls{false};             ///< whether a function occurs
     bool varies{false};            ///< whether a coordinate, velocity or acceleration occurs
     Place place;                   ///< of a symbol
@@ -66,7 +67,7 @@ class Layout {
   std::unordered_map<NodeId, Traits> traits_;
 };
 
-/// Whether an exact fraction is better written as a decimal: 981/100 as 9.81, but 3/4 and 53/6 as they are.
+/// Whether a number >= 0 is better written as a decimal: 981/100 as 9.81, but 3/4 and 53/6 as they are.
 [[nodiscard]] bool prefers_decimal(const Number& value);
 
 /// A number >= 0 as a decimal: an integer, an exact decimal (prefers_decimal), or the shortest that has the

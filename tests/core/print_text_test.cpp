@@ -116,6 +116,15 @@ TEST(PrintText, TermsStandByFallingDerivatives) {
   EXPECT_EQ(reprinted("p_theta^2/(2*m*l^2) - m*g*l*cos(theta)"), "p_theta^2/(2*m*l^2) - m*g*l*cos(theta)");
   EXPECT_EQ(reprinted("k*x + m*l*theta_ddot*cos(theta) - m*l*theta_dot^2*sin(theta) + (M + m)*x_ddot"),
             "(M + m)*x_ddot + m*l*theta_ddot*cos(theta) - m*l*theta_dot^2*sin(theta) + k*x");
+  EXPECT_EQ(reprinted("l*(theta_ddot*cos(theta) - theta_dot^2*sin(theta)) + x_ddot"),
+            "x_ddot + l*(theta_ddot*cos(theta) - theta_dot^2*sin(theta))");
+}
+
+TEST(PrintText, TermsThatVaryStandBeforeTermsThatDoNot) {
+  EXPECT_EQ(reprinted("m*g/k + l"), "l + m*g/k");
+  EXPECT_EQ(reprinted("theta - gamma - phi"), "theta - phi - gamma");
+  EXPECT_EQ(reprinted("1/2*m*r^2*Omega^2 + 1/2*m*Omega^2*x^2"), "1/2*m*Omega^2*x^2 + 1/2*m*r^2*Omega^2");
+  EXPECT_EQ(reprinted("m*sin(phi)^2 + M"), "M + m*sin(phi)^2");
 }
 
 TEST(PrintText, SumsAvoidALeadingMinus) {
