@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/expr/calculus.hpp"
+#include "tests/support/random.hpp"
 
 namespace qdot {
 namespace {
@@ -283,6 +284,31 @@ TEST(ParseBounds, TwoThousandNodesHoweverTheyArise) {
   const ParseResult result = parse_all(nested, other, many);
   ASSERT_EQ(result.errors.size(), 1u);
   EXPECT_EQ(result.errors[0].message, "the expression has more than 2000 parts");
+}
+
+TEST(ParseBounds, HostileTextIsReadOrRefusedWithAPlace) {
+  const std::vector<std::string> pieces{"x",     "y",     "pi",   "kk",   "2",    "0",    "1e9",   "0.1",
+                                        "1e308", ".",     "+",    "-",    "*",    "/",    "^",     "**",
+                                        "(",     "(",     ")",    ")",    "sin(", "exp(", "sqrt(", "^-",
+                                        "e5",    "(1/3)", "acos", "log(", " ",    "\xff", "^64",   "1-1"};
+  test::Random random(99);
+  int read = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string text;
+    for (auto length = random.integer(1, 12); length > 0; --length) {
+      text +=
+          pieces[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(pieces.size()) - 1))];
+    }
+    Graph graph;
+    const ParseResult result = parse_all(text, graph, names);
+    ASSERT_EQ(result.expression.has_value(), result.errors.empty()) << text;
+    for (const ParseError& error : result.errors) {
+      EXPECT_LE(error.offset, text.size()) << text;
+      EXPECT_FALSE(error.message.empty()) << text;
+    }
+    read += result.expression.has_value() ? 1 : 0;
+  }
+  EXPECT_GT(read, 500);
 }
 
 TEST(ParseEvent, IsADifferenceWithADirection) {
