@@ -216,6 +216,11 @@ TEST(ParseBounds, DepthOfBracketsCallsAndExponents) {
   EXPECT_EQ(error_of(repeated("(", 65)).code, ErrorCode::too_large);
 }
 
+TEST(ParseBounds, BracketsBesideEachOtherAreNotDeep) {
+  Reading read;
+  EXPECT_EQ(read("0" + repeated("+(x)", 100) + repeated("*x^2", 10)), read("99*x + x^21"));
+}
+
 TEST(ParseBounds, ChainsAreFlatAndMayBeLong) {
   Reading read;
   const ParseLimits wide{.bytes = 1 << 20, .tokens = 1 << 20, .nodes = 1 << 20};

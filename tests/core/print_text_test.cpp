@@ -127,6 +127,14 @@ TEST(PrintText, TermsThatVaryStandBeforeTermsThatDoNot) {
   EXPECT_EQ(reprinted("m*sin(phi)^2 + M"), "M + m*sin(phi)^2");
 }
 
+TEST(PrintText, ShortTermsStandBeforeLongOnes) {
+  EXPECT_EQ(reprinted("m*x*l + g*x"), "g*x + m*x*l");
+  EXPECT_EQ(reprinted("x_dot*theta_dot^2 + x_dot^2*theta_dot"), "x_dot^2*theta_dot + x_dot*theta_dot^2");
+  EXPECT_EQ(reprinted("x^3*l + x*l^2"), "x*l^2 + x^3*l");
+  EXPECT_EQ(reprinted("(1 + x + x^2)*(1 + x)"), "(1 + x)*(1 + x + x^2)");
+  EXPECT_EQ(reprinted("(1 + x)*(1 + x + x^2)"), "(1 + x)*(1 + x + x^2)");
+}
+
 TEST(PrintText, SumsAvoidALeadingMinus) {
   EXPECT_EQ(reprinted("1 - cos(phi)"), "1 - cos(phi)");
   EXPECT_EQ(reprinted("cos(phi) - 1"), "cos(phi) - 1");
@@ -163,6 +171,7 @@ TEST(PrintText, DecimalsAreUsedWhereTheyAreShorter) {
   EXPECT_EQ(reprinted("981/100"), "9.81");
   EXPECT_EQ(reprinted("0.001*x"), "0.001*x");
   EXPECT_EQ(reprinted("0.75"), "3/4");
+  EXPECT_EQ(reprinted("0.15"), "3/20");
   EXPECT_EQ(reprinted("0.0625"), "1/16");
   EXPECT_EQ(reprinted("0.200310900544247"), "0.200310900544247");
   EXPECT_EQ(reprinted("1/300"), "1/300");
