@@ -121,7 +121,7 @@ Response to_response(const Problem& problem, std::string_view path, Layout layou
   }
   return {.status = type.status,
           .content_type = "application/problem+json",
-          .headers = {},
+
           .body = to_text(body, layout)};
 }
 

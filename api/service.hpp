@@ -12,18 +12,19 @@
 namespace qdot::api {
 
 struct Request {
-  std::string method;                          ///< "GET", "POST", ...
-  std::string target;                          ///< path and query as sent, "/v1/energy?system=..."
-  std::map<std::string, std::string> headers;  ///< names in lower case
-  std::string body;
-  std::function<bool()> interrupted;  ///< optional: true when nobody waits for the answer any more
+  std::string method{};                          ///< "GET", "POST", ...
+  std::string target{};                          ///< path and query as sent, "/v1/energy?system=..."
+  std::map<std::string, std::string> headers{};  ///< names in lower case
+  std::string body{};
+  std::function<bool()> interrupted{};  ///< optional: true when nobody waits for the answer any more
 };
 
+/// The answer to HEAD is that to GET, body included: the transport sends its length and leaves it out.
 struct Response {
   int status{200};
-  std::string content_type;
-  std::map<std::string, std::string> headers;  ///< beside Content-Type: Allow, Retry-After, Server-Timing
-  std::string body;
+  std::string content_type{};
+  std::map<std::string, std::string> headers{};  ///< beside Content-Type: Allow, ETag, Server-Timing
+  std::string body{};
 };
 
 struct ServiceOptions {

@@ -20,18 +20,22 @@ Direction direction_of(Passage passage) {
   return passage == Passage::falling ? Direction::falling : Direction::either;
 }
 
+Expression parsed_input(const Model& model, const std::string& text, Graph& graph) {
+  std::vector<std::string> allowed{"t"};
+  for (const Parameter& p : model.scene.parameters) allowed.push_back(p.name);
+  return parse(text, graph, allowed);
+}
+
 /// Each input and its first two derivatives as functions of time, in a graph copied from the model's.
 std::vector<Replacement> input_replacements(const Model& model, const std::vector<std::string>& texts,
                                             Graph& graph) {
-  std::vector<std::string> allowed{"t"};
-  for (const Parameter& p : model.scene.parameters) allowed.push_back(p.name);
   const Expression t = graph.adopt(model.parsed.symbols.t);
   const Symbols::Varying& inputs = model.parsed.symbols.inputs;
   std::vector<Replacement> replacements;
   for (std::size_t i = 0; i < inputs.value.size(); ++i) {
     const bool given = i < texts.size() && !texts[i].empty();
     const Expression value =
-        given ? parse(texts[i], graph, allowed) : graph.adopt(model.parsed.input_defaults[i]);
+        given ? parsed_input(model, texts[i], graph) : graph.adopt(model.parsed.input_defaults[i]);
     const Expression rate = differentiate(value, t);
     replacements.emplace_back(graph.adopt(inputs.value[i]), value);
     replacements.emplace_back(graph.adopt(inputs.rate[i]), rate);
@@ -248,6 +252,11 @@ CompiledEvent Dynamics::event(const std::string& text) const {
   const ParsedEvent parsed = builder.parsed_event(text);
   builder.tape().output(parsed.expression);
   return {builder.tape().finish(), direction_of(parsed.passage), {}};
+}
+
+void check_input(const Model& model, const std::string& text) {
+  Graph graph(*model.parsed.graph);
+  (void)parsed_input(model, text, graph);
 }
 
 std::vector<Column> energy_columns(const Model& model) {

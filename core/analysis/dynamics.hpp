@@ -46,6 +46,7 @@ class Dynamics {
   explicit Dynamics(std::shared_ptr<const Model> model, const std::vector<std::string>& inputs = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] std::shared_ptr<const Model> shared_model() const { return model_; }
 
   /// q'' (n outputs), from M q'' = f.
   [[nodiscard]] const CompiledFunction& accelerations() const;
@@ -77,6 +78,9 @@ class Dynamics {
   std::vector<std::string> inputs_;
   std::unique_ptr<Lazy> lazy_;
 };
+
+/// Throws what the constructor would for this text as an input.
+void check_input(const Model& model, const std::string& text);
 
 /// Columns of the contract's `include` groups.
 [[nodiscard]] std::vector<Column> energy_columns(const Model& model);

@@ -72,7 +72,7 @@ struct UnitSystem {
   }
 };
 
-UnitSystem choose_units(const Scene& scene, const ParsedScene& parsed) {
+UnitSystem choose_units(const Scene& scene, const ParsedScene& parsed, const Lagrangian& lagrangian) {
   UnitSystem units;
   for (const bool in_scales : {true, false}) {
     for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
@@ -80,7 +80,8 @@ UnitSystem choose_units(const Scene& scene, const ParsedScene& parsed) {
       const bool occurs =
           parsed.scales && (depends_on(parsed.scales->mass, p) || depends_on(parsed.scales->length, p) ||
                             depends_on(parsed.scales->time, p));
-      if (occurs == in_scales) units.offer(p, exponents_of(scene.parameters[i].unit));
+      if (occurs == in_scales)
+        units.offer(lagrangian.symbols.parameters[i], exponents_of(scene.parameters[i].unit));
     }
   }
   return units;
@@ -99,15 +100,15 @@ std::string group_name(const Scene& scene, const std::string& parameter, bool di
 
 std::optional<DimensionlessForm> dimensionless_form(const Scene& scene, const ParsedScene& parsed,
                                                     const Lagrangian& lagrangian) {
-  Graph& graph = *parsed.graph;
-  const UnitSystem units = choose_units(scene, parsed);
+  Graph& graph = *lagrangian.graph;
+  const UnitSystem units = choose_units(scene, parsed, lagrangian);
   const auto energy = units.of(graph, exponents_of("J"));
   const auto time = units.of(graph, exponents_of("s"));
   if (!energy || !time) return std::nullopt;
   DimensionlessForm form{units.parameters, {}, *energy, *time, {}};
   std::vector<Replacement> replacements;
   for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
-    const Expression& p = parsed.symbols.parameters[i];
+    const Expression& p = lagrangian.symbols.parameters[i];
     const bool is_unit =
         std::find(units.parameters.begin(), units.parameters.end(), p) != units.parameters.end();
     if (is_unit) {

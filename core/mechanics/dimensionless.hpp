@@ -26,7 +26,8 @@ struct DimensionlessForm {
   Expression lagrangian;                   ///< L over the unit of energy, time in units of time
 };
 
-/// No value when the scene's parameters do not span its dimensions.
+/// In the Lagrangian's graph; `parsed` says what the scales are made of. No value when the scene's parameters
+/// do not span its dimensions.
 [[nodiscard]] std::optional<DimensionlessForm> dimensionless_form(const Scene& scene,
                                                                   const ParsedScene& parsed,
                                                                   const Lagrangian& lagrangian);

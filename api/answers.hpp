@@ -1,0 +1,48 @@
+#pragma once
+// What the answers of all computing endpoints share.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/json.hpp"
+#include "api/json_writer.hpp"
+#include "api/models.hpp"
+#include "api/routes.hpp"
+#include "api/system_choice.hpp"
+
+namespace qdot::api {
+
+/// The parameters and the initial state of a request, defaults filled in.
+struct ResolvedState {
+  std::vector<double> parameters;
+  std::vector<double> y;
+};
+
+/// Throws Error(invalid_state) where a default has no finite value.
+[[nodiscard]] ResolvedState resolved_state(const Model& model, const SystemChoice& choice);
+
+/// Puts what was resolved into the request's echo: every parameter, the whole state.
+void fill_echo(Json& echo, const Scene& scene, const ResolvedState& state);
+
+/// {"q": ..., "q_dot": ...} by name, in the scene's order.
+[[nodiscard]] Json state_json(const Scene& scene, std::span<const double> y);
+
+/// The beginning of every answer: system, versions and the resolved request.
+void write_head(JsonWriter& writer, const Scene& scene, const Json& echo);
+
+/// How the call's request came: errors of a body have pointers, those of a query parameters.
+[[nodiscard]] Road road_of(const Call& call);
+
+/// What core said of a text at this place of the request.
+[[nodiscard]] FieldError text_error(const Place& place, const Error& error);
+
+/// What core throws while `answer` runs, as a problem.
+[[nodiscard]] Response guarded(Call& call, const std::function<Response()>& answer);
+
+/// The model with the request's inputs; an input that does not parse is reported at its place.
+[[nodiscard]] std::variant<std::shared_ptr<const Dynamics>, Problem> dynamics_of(Models& models,
+                                                                                 const SystemChoice& choice,
+                                                                                 const Call& call);
+
+}  // namespace qdot::api

@@ -1,0 +1,225 @@
+#include "api/service.hpp"
+
+#include <new>
+#include <utility>
+
+#include "api/catalogue.hpp"
+#include "api/endpoint.hpp"
+#include "api/energy.hpp"
+#include "api/equations.hpp"
+#include "api/http.hpp"
+#include "api/json_writer.hpp"
+#include "api/limits.hpp"
+#include "api/problem.hpp"
+#include "api/routes.hpp"
+#include "api/simulation.hpp"
+#include "api/system_lookup.hpp"
+#include "api/systems.hpp"
+#include "api/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+Json limits_json() {
+  return {{"body_bytes", limits::body_bytes},
+          {"large_body_bytes", limits::large_body_bytes},
+          {"json_depth", limits::json_depth},
+          {"json_nodes", limits::json_nodes},
+          {"name_bytes", limits::name_bytes},
+          {"expression_bytes", limits::expression_bytes},
+          {"rows", limits::rows},
+          {"numbers", limits::numbers},
+          {"events", limits::events},
+          {"rtol", {limits::least_rtol, limits::largest_rtol}},
+          {"atol", {0, limits::largest_atol}}};
+}
+
+Json problem_type_json(const ProblemType& type) {
+  return {{"type", "/errors/" + std::string(type.name)},
+          {"status", type.status},
+          {"title", type.title},
+          {"explanation", type.explanation}};
+}
+
+/// The index: every address once, in the order of the routes.
+Json index_json(const Routes& routes) {
+  Json addresses = Json::object();
+  for (const Endpoint& endpoint : routes.endpoints()) addresses[endpoint.pattern].push_back(endpoint.method);
+  return {{"service", "qdot"},
+          {"service_version", service_version()},
+          {"endpoints", std::move(addresses)},
+          {"examples",
+           {"curl localhost:8080/v1/systems", "curl localhost:8080/v1/systems/cart_pendulum?pretty"}}};
+}
+
+/// `pretty` is taken out of the query: it is said of every answer. "?pretty" and "?pretty=true" ask for it.
+Layout take_layout(Target& target) {
+  Layout layout = Layout::compact;
+  std::erase_if(target.query, [&](const auto& parameter) {
+    const auto& [name, value] = parameter;
+    if (name != "pretty") return false;
+    layout = value == "false" || value == "0" ? Layout::compact : Layout::pretty;
+    return true;
+  });
+  return layout;
+}
+
+std::string header(const Request& request, const std::string& name) {
+  const auto found = request.headers.find(name);
+  return found == request.headers.end() ? "" : found->second;
+}
+
+Response no_content(const std::string& allow) { return {.status = 204, .headers = {{"Allow", allow}}}; }
+
+/// What a GET answered can be kept and asked again: the same request has the same bytes.
+void add_entity_tag(const Request& request, Response& response) {
+  const std::string tag = entity_tag(response.body);
+  response.headers["ETag"] = tag;
+  response.headers["Cache-Control"] = "no-cache";
+  response.headers["Vary"] = "Accept";
+  if (matches_entity_tag(header(request, "if-none-match"), tag)) {
+    response.status = 304;
+    response.content_type.clear();
+    response.body.clear();
+  }
+}
+
+}  // namespace
+
+std::string_view service_version() { return "0.1.0"; }
+
+struct Service::Impl {
+  explicit Impl(const ServiceOptions& options) : catalogue(Catalogue::built_in()) {
+    if (!options.scenes_directory.empty()) catalogue = catalogue.with_directory(options.scenes_directory);
+    add_documents();
+    add_systems();
+    add_computations();
+  }
+
+  /// An address whose answer is one document.
+  void add_document(const std::string& pattern, Json document) {
+    routes.add({"GET", pattern, [document = std::move(document)](Call& call) {
+                  return json_response(document, call.layout);
+                }});
+  }
+
+  void add_documents() {
+    routes.add({"GET", "/", [this](Call& call) { return json_response(index_json(routes), call.layout); }});
+    for (const char* probe : {"/healthz", "/livez", "/readyz"}) add_document(probe, {{"status", "ok"}});
+    add_document("/version", {{"service_version", service_version()}});
+    add_document("/v1/limits", limits_json());
+    routes.add({"GET", "/errors/{name}", [](Call& call) {
+                  if (const ProblemType* type = find_problem_type(call.captures[0])) {
+                    return json_response(problem_type_json(*type), call.layout);
+                  }
+                  return not_found(call);
+                }});
+  }
+
+  void add_systems() {
+    add_document("/v1/systems", system_list(catalogue));
+    routes.add({"GET", "/v1/systems/{name}", [this](Call& call) {
+                  if (const CatalogueEntry* entry = catalogue.find(call.captures[0])) {
+                    return json_response(system_description(*entry), call.layout);
+                  }
+                  return to_response({.kind = ProblemKind::not_found,
+                                      .detail = "There is no system " + in_quotes(call.captures[0]) +
+                                                "; /v1/systems lists them."},
+                                     call.target.path, call.layout);
+                }});
+  }
+
+  void add_computations() {
+    for (const CatalogueEntry& entry : catalogue.entries()) models.add(entry.scene);
+    const FindSystem find_system = find_system_in(catalogue);
+    add_endpoint<EquationsRequest>(
+        routes, "equations", equations_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_equations(resolved, call, models); });
+    add_endpoint<EnergyRequest>(
+        routes, "energy", energy_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_energy(resolved, call, models); });
+    add_endpoint<SimulateRequest>(
+        routes, "simulate", simulate_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_simulate(resolved, call, models); },
+        {"application/json", "text/csv"});
+  }
+
+  static Response not_found(const Call& call) {
+    return to_response(
+        {.kind = ProblemKind::not_found,
+         .detail = "There is nothing at " + in_quotes(call.target.path) + "; / lists what there is."},
+        call.target.path, call.layout);
+  }
+
+  Response answer(const Request& request) const {
+    std::optional<Target> target = parse_target(request.target);
+    if (!target) {
+      return to_response({.kind = ProblemKind::invalid_target,
+                          .detail = "The address has a % without two hexadecimal digits, or is not UTF-8."},
+                         request.target);
+    }
+    Call call{.request = request, .target = std::move(*target)};
+    call.layout = take_layout(call.target);
+    Response response = route(call);
+    if (const std::string timing = call.timing.header(); !timing.empty()) {
+      response.headers["Server-Timing"] = timing;
+    }
+    return response;
+  }
+
+  Response route(Call& call) const {
+    const std::string& method = call.request.method;
+    if (method == "OPTIONS" && call.request.target == "*") return no_content("GET, HEAD, POST, OPTIONS");
+    Routes::Match match = routes.match(method, call.target.path);
+    if (match.allow.empty()) return not_found(call);
+    if (method == "OPTIONS") return no_content(match.allow);
+    if (match.endpoint == nullptr) {
+      Response response =
+          to_response({.kind = ProblemKind::method_not_allowed, .detail = "Use one of " + match.allow + "."},
+                      call.target.path, call.layout);
+      response.headers["Allow"] = match.allow;
+      return response;
+    }
+    const std::string* accepted = negotiated(header(call.request, "accept"), match.endpoint->offers);
+    if (accepted == nullptr) {
+      return to_response({.kind = ProblemKind::not_acceptable,
+                          .detail = "This answer comes as " + enumerated(match.endpoint->offers) + "."},
+                         call.target.path, call.layout);
+    }
+    call.accepted = *accepted;
+    call.captures = std::move(match.captures);
+    Response response = match.endpoint->handler(call);
+    if (match.endpoint->method == "GET" && response.status == 200) add_entity_tag(call.request, response);
+    return response;
+  }
+
+  Catalogue catalogue;
+  Models models;
+  Routes routes;
+};
+
+Service::Service(const ServiceOptions& options) : impl_(std::make_unique<const Impl>(options)) {}
+Service::~Service() = default;
+
+Response Service::handle(const Request& request) const noexcept {
+  try {
+    try {
+      return impl_->answer(request);
+    } catch (const std::bad_alloc&) {
+      Response response =
+          to_response({.kind = ProblemKind::overloaded, .detail = "There is no memory left."}, "");
+      response.headers["Retry-After"] = "1";
+      return response;
+    } catch (...) {
+      // Whatever it was, its text stays here: it may hold library names or the request.
+      return to_response({.kind = ProblemKind::internal, .detail = "This should not have happened."},
+                         request.target);
+    }
+  } catch (...) {
+    Response bare;  // not even memory for a message
+    bare.status = 500;
+    return bare;
+  }
+}
+
+}  // namespace qdot::api
