@@ -8,6 +8,8 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t worthwhile_saving = 3;
+/// Up to so many terms alternatives are compared; beyond, the first choice is taken.
+constexpr std::size_t most_compared = 24;
 
 Expression grouped(Graph& graph, const Polynomial& polynomial);
 
@@ -30,6 +32,7 @@ bool all_negative(const Polynomial& polynomial) {
 
 /// Numbers worth taking out: the commonest and the least coefficient, one, and what divides them all.
 std::vector<Number> numeric_factors(const Polynomial& polynomial) {
+  if (polynomial.size() > most_compared) return {common_coefficient(polynomial).value_or(Number(1))};
   Number least = size_of(polynomial.begin()->second);
   Number divisor = least;
   std::map<Number, int> times;
@@ -132,7 +135,7 @@ Expression grouped(Graph& graph, const Polynomial& polynomial) {
   const std::vector<Shared> shared = most_shared(polynomial);
   if (shared.empty()) return to_expression(graph, polynomial);
   const Expression last = grouped_by(graph, polynomial, shared.back().atom);  // parameters come last
-  if (shared.size() == 1) return last;
+  if (shared.size() == 1 || polynomial.size() > most_compared) return last;
   const Expression first = grouped_by(graph, polynomial, shared.front().atom);
   return written_length(first) < written_length(last) ? first : last;
 }

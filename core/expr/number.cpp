@@ -21,6 +21,7 @@ Wide greatest_divisor(Wide a, Wide b) {
 }
 
 Number reduced(Wide p, Wide q) {
+  if (q == 1 && p <= largest_exact && -p <= largest_exact) return Number(static_cast<std::int64_t>(p));
   if (q < 0) {
     p = -p;
     q = -q;

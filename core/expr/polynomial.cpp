@@ -8,7 +8,7 @@
 namespace qdot {
 namespace {
 
-constexpr std::size_t largest_polynomial = 20'000;
+constexpr std::size_t largest_polynomial = 5'000;
 constexpr int largest_exponent = 64;
 
 /// a.p/a.q < b.p/b.q, where an absent atom has exponent 0.

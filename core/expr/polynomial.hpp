@@ -41,7 +41,7 @@ void add(Polynomial& sum, const Polynomial& other, const Number& factor = Number
 [[nodiscard]] Polynomial operator*(const Polynomial& a, const Polynomial& b);
 [[nodiscard]] Polynomial scaled(const Polynomial& a, const Monomial& monomial, const Number& coefficient);
 
-/// Throws Error(too_large) past 20,000 terms.
+/// Throws Error(too_large) past 5,000 terms.
 [[nodiscard]] Polynomial multiplied_out(const Expression& e);
 [[nodiscard]] Expression to_expression(Graph& graph, const Polynomial& polynomial);
 [[nodiscard]] Expression to_expression(Graph& graph, const Monomial& monomial);

@@ -9,6 +9,9 @@
 namespace qdot {
 namespace {
 
+/// Identities are tried one by one in expressions of up to so many terms.
+constexpr std::size_t most_searched = 200;
+
 /// A polynomial with its short form and what that costs.
 struct Candidate {
   Polynomial polynomial;
@@ -58,7 +61,7 @@ Expression simplify(const Expression& e) {
     Candidate other = candidate(graph, joined(graph, with_single_angles(graph, start)));
     if (other.cost < best.cost) best = std::move(other);
   }
-  for (bool improved = true; improved;) {
+  for (bool improved = start.size() <= most_searched; improved;) {
     improved = false;
     for (Polynomial& next : neighbours(graph, best.polynomial)) {
       Candidate other = candidate(graph, std::move(next));

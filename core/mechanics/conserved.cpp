@@ -31,24 +31,25 @@ bool is_energy(const Lagrangian& lagrangian) {
 
 }  // namespace
 
-std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& reduced, const Scene& scene) {
+std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian, const Scene& scene) {
   std::vector<ConservedQuantity> found;
-  if (!has_forces(reduced) && !depends_on_time(reduced.lagrangian, reduced.symbols)) {
-    if (is_energy(reduced)) {
+  if (!has_forces(lagrangian) && !depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
+    if (is_energy(lagrangian)) {
       found.push_back(
-          {"energy", "J", jacobi_integral(reduced),
+          {"energy", "J", jacobi_integral(lagrangian),
            "The Lagrangian does not contain the time and T is quadratic in the velocities, so the "
            "Jacobi integral is the energy T + V."});
     } else {
       found.push_back(
-          {"h", "J", jacobi_integral(reduced),
+          {"h", "J", jacobi_integral(lagrangian),
            "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L "
            "is constant."});
     }
   }
-  const std::vector<Expression> momenta = conjugate_momenta(reduced);
-  for (const std::size_t i : ignorable_coordinates(reduced)) {
-    const std::string q = name_of(reduced.symbols.coordinates.value[i]);
+  const std::vector<Expression> momenta = conjugate_momenta(lagrangian);
+  for (const std::size_t i : ignorable_coordinates(lagrangian)) {
+    if (momenta[i].is_zero()) continue;  // a massless foot has none to keep
+    const std::string q = name_of(lagrangian.symbols.coordinates.value[i]);
     found.push_back(
         {"p_" + q, momentum_unit(scene, i), momenta[i],
          q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant."});
