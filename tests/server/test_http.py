@@ -1,5 +1,6 @@
 """The built server as a client sees it: start, requests, refusals, end."""
 
+import concurrent.futures
 import json
 import signal
 import socket
@@ -63,6 +64,13 @@ class Served(unittest.TestCase):
         self.assertEqual(response.status, 200, response.data)
         self.assertEqual(response.getheader("Content-Type"), "application/json")
         self.assertTrue(response.data.endswith(b"\n"))
+
+    def test_the_same_question_has_the_same_bytes_in_any_thread(self):
+        def ask(_):
+            return self.server.request("POST", "/v1/simulate", SIMULATE).data
+
+        with concurrent.futures.ThreadPoolExecutor(8) as pool:
+            self.assertEqual(len(set(pool.map(ask, range(64)))), 1)
 
     def test_large_form_bodies_reach_the_reader_of_json(self):
         for size in (9 * 1024, 900 * 1024):
