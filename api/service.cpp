@@ -49,7 +49,9 @@ Json index_json(const Routes& routes) {
           {"service_version", service_version()},
           {"endpoints", std::move(addresses)},
           {"examples",
-           {"curl localhost:8080/v1/systems", "curl localhost:8080/v1/systems/cart_pendulum?pretty"}}};
+           {"curl 'localhost:8080/v1/simulate?system=cart_pendulum&theta=30deg&t_end=10&pretty'",
+            R"(curl -d '{"system": "spring_pendulum", "initial": {"l": "50cm"}, "t_end": 10}' )"
+            "localhost:8080/v1/simulate"}}};
 }
 
 /// `pretty` is taken out of the query: it is said of every answer. "?pretty" and "?pretty=true" ask for it.
