@@ -10,16 +10,6 @@
 namespace qdot {
 namespace {
 
-Direction direction_of(Crossing crossing) {
-  if (crossing == Crossing::rising) return Direction::rising;
-  return crossing == Crossing::falling ? Direction::falling : Direction::either;
-}
-
-Direction direction_of(Passage passage) {
-  if (passage == Passage::rising) return Direction::rising;
-  return passage == Passage::falling ? Direction::falling : Direction::either;
-}
-
 Expression parsed_input(const Model& model, const std::string& text, Graph& graph) {
   std::vector<std::string> allowed{"t"};
   for (const Parameter& p : model.scene.parameters) allowed.push_back(p.name);
@@ -244,14 +234,14 @@ CompiledEvent Dynamics::event(const std::string& text) const {
     if (named[i].name != text) continue;
     const ParsedSceneEvent& event = model_->parsed.events[i];
     CompiledEvent result{
-        compiled(*model_->parsed.graph, {&event.value, 1}), direction_of(named[i].direction), {}};
+        compiled(*model_->parsed.graph, {&event.value, 1}), named[i].direction, {}};
     if (event.when) result.when = compiled(*model_->parsed.graph, {&*event.when, 1});
     return result;
   }
   Builder builder(*model_, inputs_);
   const ParsedEvent parsed = builder.parsed_event(text);
   builder.tape().output(parsed.expression);
-  return {builder.tape().finish(), direction_of(parsed.passage), {}};
+  return {builder.tape().finish(), parsed.crossing, {}};
 }
 
 void check_input(const Model& model, const std::string& text) {

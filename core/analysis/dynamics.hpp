@@ -29,7 +29,7 @@ struct Column {
 /// 0).
 struct CompiledEvent {
   CompiledFunction value;
-  Direction direction{Direction::either};
+  Crossing direction{Crossing::either};
   std::optional<CompiledFunction> when;
 };
 

@@ -61,7 +61,7 @@ class Simulator {
   /// The motion is over before it begins where a condition fails in the initial state.
   bool stopped_at_start() {
     for (const Watch& watch : watches_) {
-      if (watch.kind != Watch::Kind::validity || watch.value(result_.t, result_.y) >= 0) continue;
+      if (watch.kind != Watch::Kind::validity || holds_at_start(watch)) continue;
       result_.stop = Stop{watch.reason, result_.t, watch.message};
       result_.ending = Ending::event;
       result_.states = result_.y;
@@ -72,11 +72,22 @@ class Simulator {
     return false;
   }
 
+  /// A condition that holds with equality fails at once when its value falls from there.
+  bool holds_at_start(const Watch& watch) const {
+    const double value = watch.value(result_.t, result_.y);
+    if (value != 0) return !(value < 0);
+    const double h = 1e-9 * (request_.t_end - request_.t_start);
+    std::vector<double> y = result_.y, slope(y.size());
+    if (system_.derivative(result_.t, y, slope) != Evaluation::ok) return true;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];
+    return !(watch.value(result_.t + h, y) < 0);
+  }
+
   void check_configuration() const {
     for (const Watch& watch : watches_) {
       if (watch.kind != Watch::Kind::singularity) continue;
       const double value = watch.value(result_.t, result_.y);
-      if (watch.direction == Direction::falling ? value > 0 : value != 0) continue;
+      if (watch.direction == Crossing::falling ? value > 0 : value != 0) continue;
       throw Error(ErrorCode::invalid_state, watch.message);
     }
   }

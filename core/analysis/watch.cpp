@@ -42,7 +42,7 @@ void add_validity(const Dynamics& dynamics, const SimulationRequest& request, st
                 condition.name,
                 condition.reason,
                 condition.message,
-                Direction::falling,
+                Crossing::falling,
                 {},
                 {}};
     watch.value = quantity(dynamics.columns({columns[i]}), request.parameters);
@@ -50,7 +50,7 @@ void add_validity(const Dynamics& dynamics, const SimulationRequest& request, st
   }
 }
 
-Watch singularity(const std::string& message, Direction direction, Quantity value) {
+Watch singularity(const std::string& message, Crossing direction, Quantity value) {
   return {Watch::Kind::singularity, "", "coordinate_singularity", message, direction, std::move(value), {}};
 }
 
@@ -62,12 +62,12 @@ void add_domains(const Dynamics& dynamics, std::vector<Watch>& all) {
         "The coordinate " + coordinates[i].name + " left the range in which it describes a configuration.";
     if (std::isfinite(domain.lower)) {
       all.push_back(
-          singularity(message, Direction::falling,
+          singularity(message, Crossing::falling,
                       [i, lower = domain.lower](double, std::span<const double> y) { return y[i] - lower; }));
     }
     if (std::isfinite(domain.upper)) {
       all.push_back(
-          singularity(message, Direction::falling,
+          singularity(message, Crossing::falling,
                       [i, upper = domain.upper](double, std::span<const double> y) { return upper - y[i]; }));
     }
   }
@@ -77,7 +77,7 @@ void add_singularities(const Dynamics& dynamics, const SimulationRequest& reques
   const Model& model = dynamics.model();
   for (std::size_t i = 0; i < model.scene.singular_where.size(); ++i) {
     const Column column{model.scene.singular_where[i].name, "", model.parsed.singular_where[i]};
-    all.push_back(singularity(model.scene.singular_where[i].message, Direction::either,
+    all.push_back(singularity(model.scene.singular_where[i].message, Crossing::either,
                               quantity(dynamics.columns({column}), request.parameters)));
   }
 }
@@ -85,14 +85,7 @@ void add_singularities(const Dynamics& dynamics, const SimulationRequest& reques
 }  // namespace
 
 EventFunction Watch::event() const {
-  EventFunction function{value, direction, kind != Kind::event, condition};
-  if (kind == Kind::validity) {
-    // A condition that holds with equality still holds; the smallest number above 0 lets it fail from there.
-    function.value = [value = value](double t, std::span<const double> y) {
-      return value(t, y) + std::numeric_limits<double>::min();
-    };
-  }
-  return function;
+  return {value, direction, kind != Kind::event, condition};
 }
 
 std::vector<Watch> watches(const Dynamics& dynamics, const SimulationRequest& request) {

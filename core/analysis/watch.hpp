@@ -24,7 +24,7 @@ struct Watch {
   Kind kind{Kind::event};
   std::string name;
   std::string reason, message;  ///< of a stop
-  Direction direction{Direction::either};
+  Crossing direction{Crossing::either};
   std::function<double(double t, std::span<const double> y)> value;
   std::function<bool(double t, std::span<const double> y)> condition;  ///< optional: where a zero counts
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/expr/crossing.hpp"
 #include "core/expr/expression.hpp"
 
 namespace qdot {
@@ -57,13 +58,10 @@ struct ParseResult {
 [[nodiscard]] Expression parse(std::string_view text, Graph& graph,
                                std::span<const std::string> allowed_symbols);
 
-/// How an event's expression passes through zero, with time running forwards.
-enum class Passage { rising, falling, either };
-
 /// An event is a zero of `expression`.
 struct ParsedEvent {
   Expression expression;
-  Passage passage{Passage::either};
+  Crossing crossing{Crossing::either};
 };
 
 /// "theta = 0+", "l=1.2", "phi - 2*theta = 0-": left minus right side; a last + counts upward crossings only,

@@ -16,10 +16,10 @@ Expression parse_part(std::string_view part, std::size_t begin, Graph& graph,
 }
 
 /// Cuts the sign that says which crossings count off the end of `text`.
-Passage take_passage(std::string_view& text) {
+Crossing take_passage(std::string_view& text) {
   const std::size_t last = text.find_last_not_of(" \t\r\n");
-  if (last == std::string_view::npos || (text[last] != '+' && text[last] != '-')) return Passage::either;
-  const Passage passage = text[last] == '+' ? Passage::rising : Passage::falling;
+  if (last == std::string_view::npos || (text[last] != '+' && text[last] != '-')) return Crossing::either;
+  const Crossing passage = text[last] == '+' ? Crossing::rising : Crossing::falling;
   text = text.substr(0, last);
   return passage;
 }
@@ -32,7 +32,7 @@ ParsedEvent parse_event(std::string_view text, Graph& graph, std::span<const std
   const std::size_t second = text.find('=', equals + 1);
   if (second != std::string_view::npos) throw Error(ErrorCode::syntax, event_forms, second);
   std::string_view right = text.substr(equals + 1);
-  const Passage passage = take_passage(right);
+  const Crossing passage = take_passage(right);
   const Expression value = parse_part(text.substr(0, equals), 0, graph, allowed_symbols);
   return {value - parse_part(right, equals + 1, graph, allowed_symbols), passage};
 }

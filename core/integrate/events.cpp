@@ -33,7 +33,7 @@ EventSearch::EventSearch(const RunRequest& request)
 
 EventSearch::Found EventSearch::search(Stepper& stepper) {
   Found found;
-  if (probes_.empty()) return found;
+  if (probes_.empty() || is_quiet(stepper)) return found;
   const double begin = stepper.t_previous();
   const double length = stepper.t() - begin;
   double from = begin;
@@ -43,6 +43,30 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
     from = to;
   }
   return found;
+}
+
+// Quiet: one strict sign throughout, and never as near to zero as an eighth of the way from one place to the next.
+bool EventSearch::is_quiet(Stepper& stepper) {
+  const double begin = stepper.t_previous();
+  const double length = stepper.t() - begin;
+  std::vector<double> last;
+  for (const Probe& probe : probes_) last.push_back(probe.value);
+  for (int k = 1; k <= pieces; ++k) {
+    const double t = k == pieces ? stepper.t() : begin + length * k / pieces;
+    if (k == pieces) {
+      std::ranges::copy(stepper.y(), y_.begin());
+    } else if (stepper.sketch(t, y_)) {
+      return false;
+    }
+    for (std::size_t i = 0; i < probes_.size(); ++i) {
+      const double value = request_.events[i].value(t, y_);
+      const bool near = !(8 * std::min(std::abs(value), std::abs(last[i])) > std::abs(value - last[i]));
+      if (near || sign_of(value) != probes_[i].sign) return false;
+      last[i] = value;
+    }
+  }
+  for (std::size_t i = 0; i < probes_.size(); ++i) probes_[i].value = last[i];
+  return true;
 }
 
 void EventSearch::search_piece(Stepper& stepper, double from, double to, Found& found) {
@@ -66,7 +90,7 @@ bool EventSearch::crosses(const EventFunction& event, Probe& probe, double value
   const bool crossed = sign * probe.sign < 0;
   probe = {value, sign == 0 ? probe.sign : sign};
   return crossed &&
-         (event.direction == Direction::either || (event.direction == Direction::rising) == (sign > 0));
+         (event.direction == Crossing::either || (event.direction == Crossing::rising) == (sign > 0));
 }
 
 // A probe that was exactly zero is the place: g had its old sign before and has the new one after.

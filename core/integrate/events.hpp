@@ -42,6 +42,9 @@ class EventSearch {
     int sign{};
   };
 
+  /// Whether a rough look at the last step shows that no event function comes near a change of sign in it; the
+  /// probes are then at its end.
+  bool is_quiet(Stepper& stepper);
   void search_piece(Stepper& stepper, double from, double to, Found& found);
   /// Takes note of g(to); true if g has crossed, in the direction asked for, since the probe before.
   static bool crosses(const EventFunction& event, Probe& probe, double value);

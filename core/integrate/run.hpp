@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "core/expr/crossing.hpp"
+
 namespace qdot {
 
 /// What one evaluation of a compiled function came to.
@@ -24,13 +26,11 @@ struct RightHandSide {
   std::function<Evaluation(double t, std::span<const double> y, std::span<double> jacobian)> jacobian{};
 };
 
-enum class Direction { rising, falling, either };
-
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
 /// `condition` (optional) says whether a zero found at (t, y) counts.
 struct EventFunction {
   std::function<double(double t, std::span<const double> y)> value{};
-  Direction direction{Direction::either};
+  Crossing direction{Crossing::either};
   bool terminal{false};
   std::function<bool(double t, std::span<const double> y)> condition{};
 };

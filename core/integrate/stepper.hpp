@@ -30,6 +30,12 @@ class Stepper {
   /// evaluations and therefore fail with their Ending.
   [[nodiscard]] virtual std::optional<Ending> interpolate(double t, std::span<double> y_out) = 0;
 
+  /// y(t) inside the last step roughly, at little cost: enough to see that nothing changes sign there. Methods whose
+  /// dense output is cheap give that.
+  [[nodiscard]] virtual std::optional<Ending> sketch(double t, std::span<double> y_out) {
+    return interpolate(t, y_out);
+  }
+
   /// Why f last had no value at a place that was tried, since time last advanced; empty if it always had one.
   [[nodiscard]] virtual std::optional<Ending> trouble() const = 0;
 

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/expr/crossing.hpp"
+
 namespace qdot {
 
 /// The interval in which a number makes sense: "> 0" is lower = 0, lower_open = true.
@@ -136,8 +138,6 @@ struct Singularity {
   std::string expression;
   std::string message;
 };
-
-enum class Crossing { rising, falling, either };
 
 struct SceneEvent {
   std::string name;
