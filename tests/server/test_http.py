@@ -142,7 +142,7 @@ class Lifetime(unittest.TestCase):
                 idle.close()
 
     def test_sigterm_lets_a_request_in_flight_finish(self):
-        body = json.dumps({"system": "spring_pendulum", "t_end": 1000, "samples": 100000})
+        body = json.dumps({"system": "spring_pendulum", "t_end": 100, "samples": 10000})
         with RunningQdot("--threads", "1") as server:
             connections = [server.connect() for _ in range(4)]
             for connection in connections:
