@@ -9,6 +9,7 @@
 #include "core/expr/print.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/random_expression.hpp"
+#include "tests/support/random_polynomial.hpp"
 #include "tests/support/system_test.hpp"
 
 namespace qdot {
@@ -36,15 +37,6 @@ double on_tape(Graph& graph, const Places& places, const Expression& e, std::spa
   return evaluation == Evaluation::ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// What e is made of may be large and cancel: the largest part is what round-off is measured by.
-double largest_part(const Expression& e, const std::vector<Assignment>& values) {
-  double largest = 0;
-  const NodeId root = e.id();
-  for (const NodeId id : reachable(e.graph(), {&root, 1}))
-    largest = std::max(largest, std::abs(evaluate({e.graph(), id}, values)));
-  return largest;
-}
-
 TEST(Tape, GivesTheTreesValueOfRandomExpressions) {
   test::Random random(14);
   test::Ingredients ingredients;
@@ -61,7 +53,7 @@ TEST(Tape, GivesTheTreesValueOfRandomExpressions) {
     for (const Expression& x : places.variables)
       values.emplace_back(x, variables.emplace_back(random.real(-2, 2)));
     const double tree = evaluate(e, values);
-    const double largest = largest_part(e, values);
+    const double largest = test::largest_part(e, values);
     if (!std::isfinite(tree) || !(largest < 1e6)) continue;  // steep functions magnify the last bit
     const double tape = on_tape(graph, places, e, parameters, variables);
     EXPECT_NEAR(tape, tree, 1e-14 * (1 + largest * largest)) << print(e, Form::text);
