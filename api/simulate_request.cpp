@@ -104,10 +104,9 @@ RequestTable<R> make_table() {
       choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}},
              "form of the answer; without it, what the Accept header says"),
   };
-  return RequestTable<R>(std::move(fields),
-                         {{{{"samples"}, {"dt"}, {"times"}}},
-                          {{{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}}}},
-                         check);
+  const OneOf grid{.ways = {{"samples"}, {"dt"}, {"times"}}};
+  const OneOf accuracy{.ways = {{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}}};
+  return RequestTable<R>(std::move(fields), {grid, accuracy}, check);
 }
 
 }  // namespace
