@@ -44,6 +44,19 @@ void append_flat(std::string& out, const Json& json, std::string_view comma, int
   }
 }
 
+/// The number's digits from `text` on, at most longest_number of them; returns their end.
+char* write_number(char* text, double value) {
+  if (value == 0) return std::ranges::copy(std::string_view("0.0"), text).out;  // -0.0 too
+  const std::chars_format format = notation(std::abs(value));
+  char* end = std::to_chars(text, text + longest_number - 2, value, format).ptr;
+  // A whole number in fixed notation has no point; below 1e15 its double is exact, so the test is too.
+  if (format == std::chars_format::fixed && value == std::trunc(value)) {
+    *end++ = '.';
+    *end++ = '0';
+  }
+  return end;
+}
+
 }  // namespace
 
 double rounded(double value, int digits) {
@@ -57,20 +70,8 @@ double rounded(double value, int digits) {
 }
 
 void append_number(std::string& out, double value, int digits) {
-  value = rounded(require_finite(value), digits);
-  if (value == 0) {  // -0.0 too
-    out += "0.0";
-    return;
-  }
   char text[longest_number];
-  const std::chars_format format = notation(std::abs(value));
-  char* end = std::to_chars(text, text + sizeof text - 2, value, format).ptr;
-  // A whole number in fixed notation has no point; below 1e15 its double is exact, so the test is too.
-  if (format == std::chars_format::fixed && value == std::trunc(value)) {
-    *end++ = '.';
-    *end++ = '0';
-  }
-  out.append(text, end);
+  out.append(text, write_number(text, rounded(require_finite(value), digits)));
 }
 
 void append_string(std::string& out, std::string_view text) {
@@ -127,15 +128,16 @@ void JsonWriter::string(std::string_view text) {
 
 void JsonWriter::numbers(std::span<const double> values, int digits) {
   separate();
-  out_.reserve(out_.size() + 22 * values.size() + 2);
   out_ += '[';
   const std::string_view comma = layout_ == Layout::pretty ? ", " : ",";
-  bool first = true;
+  const std::size_t begin = out_.size();
+  out_.resize(begin + (longest_number + comma.size()) * values.size());
+  char* end = out_.data() + begin;
   for (const double value : values) {
-    if (!first) out_ += comma;
-    first = false;
-    append_number(out_, value, digits);
+    if (end != out_.data() + begin) end = std::ranges::copy(comma, end).out;
+    end = write_number(end, rounded(require_finite(value), digits));
   }
+  out_.resize(static_cast<std::size_t>(end - out_.data()));
   out_ += ']';
 }
 

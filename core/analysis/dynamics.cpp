@@ -233,8 +233,7 @@ CompiledEvent Dynamics::event(const std::string& text) const {
   for (std::size_t i = 0; i < named.size(); ++i) {
     if (named[i].name != text) continue;
     const ParsedSceneEvent& event = model_->parsed.events[i];
-    CompiledEvent result{
-        compiled(*model_->parsed.graph, {&event.value, 1}), named[i].direction, {}};
+    CompiledEvent result{compiled(*model_->parsed.graph, {&event.value, 1}), named[i].direction, {}};
     if (event.when) result.when = compiled(*model_->parsed.graph, {&*event.when, 1});
     return result;
   }

@@ -94,6 +94,7 @@ class Simulator {
 
   /// Integrates to the next impact. True when there was one.
   bool segment() {
+    segments_.push_back({result_.rows, result_.t, result_.y});
     RunRequest run;
     run.t_start = result_.t;
     run.y_start = result_.y;
@@ -173,17 +174,26 @@ class Simulator {
     }
   }
 
+  /// Drift is counted from the beginning of each segment: what an impact takes is no drift.
   void fill_conserved() {
     const auto conserved = dynamics_.conserved(request_.parameters);
     const std::size_t count = conserved->quantities.size();
     if (count == 0 || result_.rows == 0) return;
     Workspace workspace = conserved->values->bind(request_.parameters);
-    std::vector<double> initial(count), value(count), drift(count);
-    if (conserved->values->evaluate(request_.t_start, request_.y_start, workspace, initial) != Evaluation::ok)
-      return;
-    for (std::size_t i = 0; i < result_.rows; ++i) {
-      if (conserved->values->evaluate(request_.grid[i], row(i), workspace, value) != Evaluation::ok) return;
-      for (std::size_t k = 0; k < count; ++k) drift[k] = std::max(drift[k], std::abs(value[k] - initial[k]));
+    std::vector<double> reference(count), value(count), drift(count);
+    const auto evaluate = [&](double t, std::span<const double> y, std::vector<double>& out) {
+      return conserved->values->evaluate(t, y, workspace, out) == Evaluation::ok;
+    };
+    std::vector<double> initial(count);
+    if (!evaluate(request_.t_start, request_.y_start, initial)) return;
+    for (std::size_t i = 0, next = 0; i < result_.rows; ++i) {
+      for (; next < segments_.size() && segments_[next].first_row <= i; ++next) {
+        if (!evaluate(segments_[next].t, segments_[next].y, reference)) return;
+      }
+      if (!evaluate(request_.grid[i], row(i), value)) return;
+      for (std::size_t k = 0; k < count && next > 0; ++k) {
+        drift[k] = std::max(drift[k], std::abs(value[k] - reference[k]));
+      }
     }
     for (std::size_t k = 0; k < count; ++k) {
       const ConservedQuantity& quantity = conserved->quantities[k];
@@ -194,10 +204,18 @@ class Simulator {
     }
   }
 
+  /// What lies between two impacts.
+  struct Segment {
+    std::size_t first_row;
+    double t;
+    std::vector<double> y;
+  };
+
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
   RightHandSide system_;
   std::vector<Watch> watches_;
+  std::vector<Segment> segments_;
   Simulation result_;
 };
 

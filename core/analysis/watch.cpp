@@ -84,9 +84,7 @@ void add_singularities(const Dynamics& dynamics, const SimulationRequest& reques
 
 }  // namespace
 
-EventFunction Watch::event() const {
-  return {value, direction, kind != Kind::event, condition};
-}
+EventFunction Watch::event() const { return {value, direction, kind != Kind::event, condition}; }
 
 std::vector<Watch> watches(const Dynamics& dynamics, const SimulationRequest& request) {
   std::vector<Watch> all;

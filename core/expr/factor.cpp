@@ -128,7 +128,7 @@ Expression grouped_by(Graph& graph, const Polynomial& polynomial, const Atom& at
     add(cofactor, front, 1);
     return factored(graph, cofactor) * factored(graph, bracket);
   }
-  return factored(graph, group) + factored(graph, others);
+  return with_common_factor(graph, group, front) + factored(graph, others);
 }
 
 Expression grouped(Graph& graph, const Polynomial& polynomial) {

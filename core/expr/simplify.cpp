@@ -9,8 +9,9 @@
 namespace qdot {
 namespace {
 
-/// Identities are tried one by one in expressions of up to so many terms.
-constexpr std::size_t most_searched = 200;
+/// Identities are tried one by one in expressions of up to so many terms and angles.
+constexpr std::size_t most_terms_searched = 200;
+constexpr std::size_t most_angles_searched = 8;
 
 /// A polynomial with its short form and what that costs.
 struct Candidate {
@@ -57,11 +58,15 @@ Expression simplify(const Expression& e) {
   Graph& graph = e.graph();
   const Polynomial start = joined(graph, multiplied_out(e));
   Candidate best = candidate(graph, start);
+  if (start.size() > most_terms_searched ||
+      trigonometric_arguments(graph, start).size() > most_angles_searched) {
+    return best.form;
+  }
   if (arguments_depend(graph, start)) {
     Candidate other = candidate(graph, joined(graph, with_single_angles(graph, start)));
     if (other.cost < best.cost) best = std::move(other);
   }
-  for (bool improved = start.size() <= most_searched; improved;) {
+  for (bool improved = true; improved;) {
     improved = false;
     for (Polynomial& next : neighbours(graph, best.polynomial)) {
       Candidate other = candidate(graph, std::move(next));

@@ -10,6 +10,10 @@
 namespace qdot {
 namespace {
 
+bool is_trigonometric(const Call& call) {
+  return call.function == Function::sin || call.function == Function::cos;
+}
+
 /// The nodes of sin(u) and cos(u).
 struct Pair {
   NodeId sine;
@@ -18,101 +22,104 @@ struct Pair {
 
 Pair pair_of(const Expression& u) { return {sin(u).id(), cos(u).id()}; }
 
-/// a sin^2 u + b cos^2 u with equal cofactors, and 1 - sin^2 u, 1 - cos^2 u.
-bool join_squares(Polynomial& polynomial, const Pair& u) {
-  for (const auto& [monomial, coefficient] : polynomial) {
-    for (const auto& [one, other] : {std::pair{u.sine, u.cosine}, std::pair{u.cosine, u.sine}}) {
-      if (exponent_of(monomial, one) < 2) continue;
-      const Monomial without = times(monomial, one, -2);
-      const Monomial partner = times(without, other, 2);
-      const Number c = coefficient;
-      const auto square = polynomial.find(partner);
-      if (square != polynomial.end() && square->second == c) {
-        const Monomial first = monomial;
-        polynomial.erase(first);
-        polynomial.erase(partner);
-        add(polynomial, without, c);
-        return true;
-      }
-      const auto constant = polynomial.find(without);
-      if (constant != polynomial.end() && constant->second == -c) {
-        const Monomial first = monomial;
-        polynomial.erase(first);
-        polynomial.erase(without);
-        add(polynomial, partner, -c);
-        return true;
-      }
+/// sin(u) or cos(u) in a monomial.
+struct Wave {
+  NodeId id;
+  Function function;
+  Expression argument;
+  int exponent;
+};
+
+std::vector<Wave> waves(Graph& graph, const Monomial& monomial) {
+  std::vector<Wave> found;
+  for (const Atom& atom : monomial) {
+    const auto* call = std::get_if<Call>(&graph.node(atom.base));
+    if (call == nullptr || !is_trigonometric(*call) || atom.q != 1 || atom.p < 1) continue;
+    found.push_back({atom.base, call->function, {graph, call->argument}, atom.p});
+  }
+  return found;
+}
+
+/// The function's other half: cos(u) for sin(u).
+NodeId partner_of(const Wave& wave) {
+  return (wave.function == Function::sin ? cos(wave.argument) : sin(wave.argument)).id();
+}
+
+using Term = std::pair<Monomial, Number>;
+
+/// Both terms away, coefficient * rest * result in their place.
+void put(Polynomial& polynomial, const Monomial& first, const Monomial& second, const Expression& result,
+         const Monomial& rest, const Number& coefficient) {
+  const Polynomial replacement = scaled(multiplied_out(result), rest, coefficient);
+  polynomial.erase(first);
+  polynomial.erase(second);
+  add(polynomial, replacement);
+}
+
+/// sin^2 u + cos^2 u = 1 with equal cofactors, 1 - sin^2 u = cos^2 u, 1 - cos^2 u = sin^2 u.
+bool join_square(Graph& graph, Polynomial& polynomial, const Term& term) {
+  const auto& [monomial, coefficient] = term;
+  for (const Wave& wave : waves(graph, monomial)) {
+    if (wave.exponent < 2) continue;
+    const Monomial rest = times(monomial, wave.id, -2);
+    const Monomial partner = times(rest, partner_of(wave), 2);
+    const auto square = polynomial.find(partner);
+    if (square != polynomial.end() && square->second == coefficient) {
+      put(polynomial, monomial, partner, graph.number(1), rest, coefficient);
+      return true;
+    }
+    const auto constant = polynomial.find(rest);
+    if (constant != polynomial.end() && constant->second == -coefficient) {
+      put(polynomial, monomial, rest, graph.number(1), partner, -coefficient);
+      return true;
     }
   }
   return false;
 }
 
-/// What the products of functions of u and v with equal or opposite coefficients become.
-struct Addition {
-  NodeId first_u, first_v;    // one term has these
-  NodeId second_u, second_v;  // the other these
-  Expression equal;           // joined when the coefficients are equal
-  Expression opposite;        // joined (with the first's coefficient) when they are opposite
-};
-
-bool join_products(Polynomial& polynomial, const Addition& rule) {
-  for (const auto& [monomial, coefficient] : polynomial) {
-    if (exponent_of(monomial, rule.first_u) < 1 || exponent_of(monomial, rule.first_v) < 1) continue;
-    const Monomial without = times(times(monomial, rule.first_u, -1), rule.first_v, -1);
-    const Monomial partner = times(times(without, rule.second_u, 1), rule.second_v, 1);
-    const auto found = polynomial.find(partner);
-    if (found == polynomial.end()) continue;
-    const bool equal = found->second == coefficient;
-    if (!equal && found->second != -coefficient) continue;
-    const Expression result = equal ? rule.equal : rule.opposite;
-    const Polynomial replacement = scaled(multiplied_out(result), without, coefficient);
-    const Monomial first = monomial;
-    polynomial.erase(first);
-    polynomial.erase(partner);
-    add(polynomial, replacement);
-    return true;
+/// cos u cos v + sin u sin v = cos(u - v), sin u cos v - cos u sin v = sin(u - v), and the like with u + v.
+bool join_product(Graph& graph, Polynomial& polynomial, const Term& term) {
+  const auto& [monomial, coefficient] = term;
+  for (const Wave& u : waves(graph, monomial)) {
+    for (const Wave& v : waves(graph, monomial)) {
+      const bool usable = v.function == Function::cos && u.argument != v.argument &&
+                          (u.function == Function::sin || u.id < v.id);
+      if (!usable) continue;
+      const Monomial rest = times(times(monomial, u.id, -1), v.id, -1);
+      const Monomial partner = times(times(rest, partner_of(u), 1), partner_of(v), 1);
+      const auto found = polynomial.find(partner);
+      if (found == polynomial.end()) continue;
+      const bool equal = found->second == coefficient;
+      if (!equal && found->second != -coefficient) continue;
+      const bool minus = equal == (u.function == Function::cos);
+      const Expression angle = minus ? u.argument - v.argument : u.argument + v.argument;
+      put(polynomial, monomial, partner, graph.call(u.function, angle), rest, coefficient);
+      return true;
+    }
   }
   return false;
 }
 
-bool join_angles(Polynomial& polynomial, const Expression& u, const Expression& v) {
-  const Pair a = pair_of(u);
-  const Pair b = pair_of(v);
-  const Addition cosines{a.cosine, b.cosine, a.sine, b.sine, cos(u - v), cos(u + v)};
-  const Addition sines{a.sine, b.cosine, a.cosine, b.sine, sin(u + v), sin(u - v)};
-  return join_products(polynomial, cosines) || join_products(polynomial, sines);
-}
-
-bool join_double_angle(Polynomial& polynomial, const Expression& u) {
-  const Pair a = pair_of(u);
-  for (const auto& [monomial, coefficient] : polynomial) {
-    if (exponent_of(monomial, a.cosine) < 2) continue;
-    const Monomial without = times(monomial, a.cosine, -2);
-    const Monomial partner = times(without, a.sine, 2);
+/// cos^2 u - sin^2 u = cos 2u.
+bool join_double_angle(Graph& graph, Polynomial& polynomial, const Term& term) {
+  const auto& [monomial, coefficient] = term;
+  for (const Wave& wave : waves(graph, monomial)) {
+    if (wave.function != Function::cos || wave.exponent < 2) continue;
+    const Monomial rest = times(monomial, wave.id, -2);
+    const Monomial partner = times(rest, partner_of(wave), 2);
     const auto found = polynomial.find(partner);
     if (found == polynomial.end() || found->second != -coefficient) continue;
-    const Polynomial replacement = scaled(multiplied_out(cos(Number(2) * u)), without, coefficient);
-    const Monomial first = monomial;
-    polynomial.erase(first);
-    polynomial.erase(partner);
-    add(polynomial, replacement);
+    put(polynomial, monomial, partner, cos(Number(2) * wave.argument), rest, coefficient);
     return true;
   }
   return false;
 }
 
 bool join_once(Graph& graph, Polynomial& polynomial) {
-  const std::vector<Expression> arguments = trigonometric_arguments(graph, polynomial);
-  for (const Expression& u : arguments) {
-    if (join_squares(polynomial, pair_of(u))) return true;
-  }
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    for (std::size_t j = i + 1; j < arguments.size(); ++j) {
-      if (join_angles(polynomial, arguments[i], arguments[j])) return true;
+  for (const auto rule : {join_square, join_product, join_double_angle}) {
+    for (const auto& [monomial, coefficient] : polynomial) {
+      if (rule(graph, polynomial, {monomial, coefficient})) return true;
     }
-  }
-  for (const Expression& u : arguments) {
-    if (join_double_angle(polynomial, u)) return true;
   }
   return false;
 }
@@ -167,10 +174,6 @@ Expression of_single_angles(Function function, const Expression& argument) {
   const Expression rest_sine = of_single_angles(Function::sin, rest);
   return function == Function::cos ? cosine * rest_cosine - sine * rest_sine
                                    : sine * rest_cosine + cosine * rest_sine;
-}
-
-bool is_trigonometric(const Call& call) {
-  return call.function == Function::sin || call.function == Function::cos;
 }
 
 }  // namespace

@@ -136,7 +136,8 @@ class ArkodeStepper final : public Stepper {
     if (slopes_until_ == t_) return std::nullopt;
     slope_before_.swap(slope_after_);
     const bool follows = slopes_until_ == t_previous_;
-    if (!follows && evaluator_.derivative(t_previous_, elements(y_previous_.get()), slope_before_) != answer_ok) {
+    if (!follows &&
+        evaluator_.derivative(t_previous_, elements(y_previous_.get()), slope_before_) != answer_ok) {
       return evaluator_.trouble();
     }
     slopes_until_ = t_;

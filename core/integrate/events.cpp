@@ -21,10 +21,7 @@ bool is_pole(const SignChange& begin, const SignChange& end) {
 }  // namespace
 
 EventSearch::EventSearch(const RunRequest& request)
-    : request_(request),
-      first_time_(request.t_start +
-                  1e-12 * std::max(std::abs(request.t_start), request.t_end - request.t_start)),
-      y_(request.y_start.size()) {
+    : request_(request), first_time_(request.t_start), y_(request.y_start.size()) {
   for (const EventFunction& event : request.events) {
     const double value = event.value(request.t_start, request.y_start);
     probes_.push_back({value, sign_of(value)});
@@ -36,6 +33,7 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   if (probes_.empty() || is_quiet(stepper)) return found;
   const double begin = stepper.t_previous();
   const double length = stepper.t() - begin;
+  if (begin == request_.t_start) first_time_ = begin + std::max(1e-9 * length, 16 * time_round_off(begin));
   double from = begin;
   for (int i = 1; i <= pieces && !found.terminal && !found.failure; ++i) {
     const double to = i == pieces ? stepper.t() : begin + length * i / pieces;
@@ -45,7 +43,8 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   return found;
 }
 
-// Quiet: one strict sign throughout, and never as near to zero as an eighth of the way from one place to the next.
+// Quiet: one strict sign throughout, and never as near to zero as an eighth of the way from one place to the
+// next.
 bool EventSearch::is_quiet(Stepper& stepper) {
   const double begin = stepper.t_previous();
   const double length = stepper.t() - begin;

@@ -5,9 +5,9 @@
 // so a function that touches zero and turns back does not count, and one that is exactly zero at a step's end
 // is decided when it leaves zero. Each step is looked at in `pieces` pieces of equal length; two crossings
 // within one piece are not seen. A pole (tan) changes sign too, but its values grow towards the place: it
-// does not count. A zero at t_start does not fire, whether g is exactly zero there or crosses within 1e-12 of
-// the span: so it goes when a motion restarts where an earlier one was ended by the same event. It fires when
-// it crosses later.
+// does not count. A zero at t_start does not fire, whether g is exactly zero there or crosses within 1e-9 of
+// the first step: so it goes when a motion restarts where an earlier one was ended by the same event. It
+// fires when it crosses later.
 
 #include <cstddef>
 #include <optional>
@@ -42,8 +42,8 @@ class EventSearch {
     int sign{};
   };
 
-  /// Whether a rough look at the last step shows that no event function comes near a change of sign in it; the
-  /// probes are then at its end.
+  /// Whether a rough look at the last step shows that no event function comes near a change of sign in it;
+  /// the probes are then at its end.
   bool is_quiet(Stepper& stepper);
   void search_piece(Stepper& stepper, double from, double to, Found& found);
   /// Takes note of g(to); true if g has crossed, in the direction asked for, since the probe before.

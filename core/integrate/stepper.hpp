@@ -30,8 +30,8 @@ class Stepper {
   /// evaluations and therefore fail with their Ending.
   [[nodiscard]] virtual std::optional<Ending> interpolate(double t, std::span<double> y_out) = 0;
 
-  /// y(t) inside the last step roughly, at little cost: enough to see that nothing changes sign there. Methods whose
-  /// dense output is cheap give that.
+  /// y(t) inside the last step roughly, at little cost: enough to see that nothing changes sign there.
+  /// Methods whose dense output is cheap give that.
   [[nodiscard]] virtual std::optional<Ending> sketch(double t, std::span<double> y_out) {
     return interpolate(t, y_out);
   }

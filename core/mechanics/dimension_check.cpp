@@ -14,7 +14,7 @@ class Checker {
   DimensionResult of(NodeId id) {
     return std::visit(
         overloaded{[](const Literal& x) { return x.value.is_zero() ? DimensionResult{} : plain(); },
-                   [&](const Symbol&) { return of_symbol(id); }, [&](const Sum& x) { return of_sum(x); },
+                   [&](const Symbol& x) { return of_symbol(id, x); }, [&](const Sum& x) { return of_sum(x); },
                    [&](const Product& x) { return of_product(x); },
                    [&](const Power& x) { return of_power(x); }, [&](const Call& x) { return of_call(x); }},
         graph_.node(id));
@@ -23,9 +23,11 @@ class Checker {
  private:
   static DimensionResult plain() { return {Dimension{}, ""}; }
 
-  DimensionResult of_symbol(NodeId id) {
+  /// A symbol of unknown dimension fits anywhere: its unit has been complained about already.
+  DimensionResult of_symbol(NodeId id, const Symbol& symbol) {
     const auto found = symbols_.find(id);
-    return found == symbols_.end() ? plain() : DimensionResult{found->second, ""};
+    if (found != symbols_.end()) return {found->second, ""};
+    return symbol.name == "pi" ? plain() : DimensionResult{};
   }
 
   DimensionResult of_sum(const Sum& x) {
@@ -33,7 +35,8 @@ class Checker {
     for (std::size_t i = 1; i < x.terms.size() && first.mistake.empty(); ++i) {
       DimensionResult next = of(x.terms[i]);
       if (!next.mistake.empty()) return next;
-      if (*next.dimension == *first.dimension) continue;
+      if (!first.dimension) first = next;
+      if (!next.dimension || *next.dimension == *first.dimension) continue;
       return {std::nullopt, "it adds " + quoted({graph_, x.terms[0]}) + " in " + to_text(*first.dimension) +
                                 " to " + quoted({graph_, x.terms[i]}) + " in " + to_text(*next.dimension)};
     }
@@ -45,14 +48,15 @@ class Checker {
     for (const NodeId factor : x.factors) {
       const DimensionResult next = of(factor);
       if (!next.mistake.empty()) return next;
-      product.dimension = *product.dimension * *next.dimension;
+      if (!next.dimension) product.dimension.reset();
+      if (product.dimension) product.dimension = *product.dimension * *next.dimension;
     }
     return product;
   }
 
   DimensionResult of_power(const Power& x) {
     const DimensionResult base = of(x.base);
-    if (!base.mistake.empty() || base.dimension->is_dimensionless()) return base;
+    if (!base.dimension || base.dimension->is_dimensionless()) return base;
     if (!x.exponent.is_exact())
       return {std::nullopt, "it raises a dimension to the power " + quoted_number(x)};
     return {pow(*base.dimension, static_cast<int>(x.exponent.numerator()),
@@ -63,7 +67,8 @@ class Checker {
   DimensionResult of_call(const Call& x) {
     DimensionResult argument = of(x.argument);
     if (!argument.mistake.empty() || x.function == Function::abs) return argument;
-    if (x.function == Function::sign || argument.dimension->is_dimensionless()) return plain();
+    if (x.function == Function::sign || !argument.dimension || argument.dimension->is_dimensionless())
+      return plain();
     return {std::nullopt, "it takes " + std::string(name(x.function)) + " of " +
                               quoted({graph_, x.argument}) + ", which is in " + to_text(*argument.dimension) +
                               " and not a pure number"};

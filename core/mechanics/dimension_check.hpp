@@ -13,7 +13,7 @@ namespace qdot {
 using SymbolDimensions = std::map<NodeId, Dimension>;
 
 struct DimensionResult {
-  /// No value: any dimension fits (the number 0), or there is a mistake.
+  /// No value: any dimension fits (the number 0, symbols of unknown dimension), or there is a mistake.
   std::optional<Dimension> dimension;
   std::string mistake;  ///< "l + theta adds m to 1", or empty
 };

@@ -72,7 +72,12 @@ EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
   for (std::size_t i = 0; i < q.value.size(); ++i) {
     RawEquation raw = raw_equation(lagrangian, i);
     const Expression diagonal = simplify(differentiate(to_expression(graph, raw.left), q.second_rate[i]));
-    const Expression divisor = divide(lagrangian, raw, diagonal);
+    Expression divisor = divide(lagrangian, raw, diagonal);
+    if (raw.right.empty()) {  // a number in front of everything says nothing
+      const Number number = split_coefficient(simplify(to_expression(graph, raw.left))).coefficient;
+      raw.left = scaled(raw.left, {}, Number(1) / number);
+      divisor = number * divisor;
+    }
     const Expression left = to_expression(graph, raw.left);
     const Expression right = to_expression(graph, raw.right);
     result.equations.push_back({simplify(left), simplify(right), divisor});

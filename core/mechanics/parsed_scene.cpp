@@ -66,10 +66,11 @@ class SceneParser {
           text_.read(p.default_value, Context::parameters, place + "/default", dimension_of_unit(p.unit)));
     });
     each(scene_.coordinates, "/coordinates", [&](const Coordinate& q, const std::string& place) {
-      const Dimension d = dimension_of_unit(q.unit);
+      const std::optional<Dimension> d = dimension_of_unit(q.unit);
       parsed_.initial.push_back(text_.read(q.initial, Context::parameters, place + "/initial", d));
-      parsed_.initial_rates.push_back(text_.read(q.initial_rate, Context::parameters, place + "/initial_rate",
-                                                 d / dimension_of_unit("s")));
+      parsed_.initial_rates.push_back(
+          text_.read(q.initial_rate, Context::parameters, place + "/initial_rate",
+                     d ? std::optional(*d / *dimension_of_unit("s")) : std::nullopt));
       if (!q.scale.empty())
         (void)text_.read(q.scale, Context::parameters, place + "/scale", dimension_of_unit("m"));
     });
@@ -145,7 +146,7 @@ class SceneParser {
   void read_conditions() {
     each(scene_.valid_while, "/valid_while",
          [&](const ValidityCondition& condition, const std::string& place) {
-           const Dimension d = text_.unit(condition.unit, place);
+           const std::optional<Dimension> d = text_.unit(condition.unit, place);
            parsed_.valid_while.push_back(
                std::visit(overloaded{[&](const Reaction& reaction) -> ParsedCondition {
                                        return read_reaction(reaction, place);
@@ -191,7 +192,7 @@ class SceneParser {
                             std::find(q.rate.begin(), q.rate.end(), symbol) != q.rate.end();
       if (!is_state)
         text_.complain(place, "unknown_symbol", "'" + name + "' is neither a coordinate nor a velocity.");
-      const auto expected = is_state ? std::optional(text_.dimension_of_symbol(symbol)) : std::nullopt;
+      const auto expected = is_state ? text_.dimension_of_symbol(symbol) : std::nullopt;
       parsed_.impact.emplace_back(symbol, text_.read(text, Context::state, place, expected));
     }
   }

@@ -21,44 +21,47 @@ std::string error_code(const ParseError& error) {
 
 }  // namespace
 
-Dimension dimension_of_unit(const std::string& text) {
+std::optional<Dimension> dimension_of_unit(const std::string& text) {
   const std::optional<Unit> unit = parse_unit(text);
-  return unit ? unit->dimension : Dimension{};
+  return unit ? std::optional(unit->dimension) : std::nullopt;
 }
 
 void SceneText::complain(const std::string& place, const std::string& code, const std::string& message) {
   diagnostics_.push_back({place, code, message});
 }
 
-Expression SceneText::declare(const std::string& name, const Dimension& dimension, Context context,
-                              const std::string& place) {
+Expression SceneText::declare(const std::string& name, const std::optional<Dimension>& dimension,
+                              Context context, const std::string& place) {
   const Expression symbol = graph_.symbol(name);
   if (!declared_.insert(name).second) {
     complain(place, "duplicate_name", "The name '" + name + "' is used twice.");
   }
-  dimensions_[symbol.id()] = dimension;
+  if (dimension) dimensions_[symbol.id()] = *dimension;
   for (int c = static_cast<int>(context); c <= static_cast<int>(Context::state); ++c)
     allowed_[c].push_back(name);
   return symbol;
 }
 
 void SceneText::declare_varying(Symbols::Varying& varying, const std::string& name,
-                                const Dimension& dimension, Context value, Context rate,
+                                const std::optional<Dimension>& dimension, Context value, Context rate,
                                 const std::string& place) {
-  const Dimension second = dimension_of_unit("s");
+  const Dimension second = parse_unit("s")->dimension;
+  const auto over_time = [&](const std::optional<Dimension>& d) {
+    return d ? std::optional(*d / second) : std::nullopt;
+  };
   varying.value.push_back(declare(name, dimension, value, place + "/name"));
-  varying.rate.push_back(declare(name + "_dot", dimension / second, rate, place + "/name"));
+  varying.rate.push_back(declare(name + "_dot", over_time(dimension), rate, place + "/name"));
   varying.second_rate.push_back(graph_.symbol(name + "_ddot"));
-  dimensions_[varying.second_rate.back().id()] = dimension / second / second;
+  if (dimension) dimensions_[varying.second_rate.back().id()] = *dimension / second / second;
 }
 
-Dimension SceneText::unit(const std::string& text, const std::string& place) {
+std::optional<Dimension> SceneText::unit(const std::string& text, const std::string& place) {
   const std::optional<Unit> unit = parse_unit(text);
   if (unit && unit->is_coherent()) return unit->dimension;
   complain(place + "/unit", "unit",
            unit ? "The unit '" + text + "' is not an SI unit without a prefix; write kg, m, s, rad, N, J, ..."
                 : "The unit '" + text + "' is not known; write a product of SI units such as kg*m/s^2.");
-  return {};
+  return std::nullopt;
 }
 
 Expression SceneText::read(const std::string& text, Context context, const std::string& place,
@@ -90,7 +93,7 @@ void SceneText::check_dimension(const Expression& e, const std::string& place,
 }
 
 Vector SceneText::read_vector(const std::vector<std::string>& components, Context context,
-                              const std::string& place, const Dimension& dimension) {
+                              const std::string& place, const std::optional<Dimension>& dimension) {
   Vector vector;
   for (std::size_t i = 0; i < components.size(); ++i) {
     vector.push_back(read(components[i], context, place + "/" + std::to_string(i), dimension));

@@ -26,16 +26,17 @@ class SceneText {
 
   void complain(const std::string& place, const std::string& code, const std::string& message);
 
-  /// A new symbol that expressions of `context` and later ones may use.
-  Expression declare(const std::string& name, const Dimension& dimension, Context context,
+  /// A new symbol that expressions of `context` and later ones may use. No dimension: it is unknown.
+  Expression declare(const std::string& name, const std::optional<Dimension>& dimension, Context context,
                      const std::string& place);
 
   /// x, x_dot and x_ddot.
-  void declare_varying(Symbols::Varying& varying, const std::string& name, const Dimension& dimension,
-                       Context value, Context rate, const std::string& place);
+  void declare_varying(Symbols::Varying& varying, const std::string& name,
+                       const std::optional<Dimension>& dimension, Context value, Context rate,
+                       const std::string& place);
 
   /// The dimension of a coherent SI unit; complains about any other.
-  Dimension unit(const std::string& text, const std::string& place);
+  std::optional<Dimension> unit(const std::string& text, const std::string& place);
 
   /// The expression, or 0 with a complaint. Nothing expected: any dimension that is consistent in itself. A
   /// plain number is taken as a number of SI units.
@@ -46,11 +47,12 @@ class SceneText {
 
   /// 2 components, or 3: as many as in all vectors of the scene.
   Vector read_vector(const std::vector<std::string>& components, Context context, const std::string& place,
-                     const Dimension& dimension);
+                     const std::optional<Dimension>& dimension);
   [[nodiscard]] Vector zero_vector() const;
 
-  [[nodiscard]] Dimension dimension_of_symbol(const Expression& symbol) const {
-    return dimensions_.at(symbol.id());
+  [[nodiscard]] std::optional<Dimension> dimension_of_symbol(const Expression& symbol) const {
+    const auto found = dimensions_.find(symbol.id());
+    return found == dimensions_.end() ? std::nullopt : std::optional(found->second);
   }
 
  private:
@@ -65,7 +67,7 @@ class SceneText {
   std::size_t space_{0};
 };
 
-/// The dimension of a unit's name, none where it is unknown.
-[[nodiscard]] Dimension dimension_of_unit(const std::string& text);
+/// The dimension of a unit's name; no value where it is unknown.
+[[nodiscard]] std::optional<Dimension> dimension_of_unit(const std::string& text);
 
 }  // namespace qdot
