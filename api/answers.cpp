@@ -54,37 +54,12 @@ void write_head(JsonWriter& writer, const Scene& scene, const Json& echo) {
 
 Road road_of(const Call& call) { return call.request.method == "POST" ? Road::body : Road::query; }
 
-FieldError text_error(const Place& place, const Error& error) {
-  const char* code = error.code() == ErrorCode::unknown_symbol ? "unknown_symbol"
-                     : error.code() == ErrorCode::too_large    ? "too_large"
-                                                               : "syntax";
-  return place.error(code, std::string(error.what()) + ".");
-}
-
 Response guarded(Call& call, const std::function<Response()>& answer) {
   try {
     return answer();
   } catch (const Error& error) {
     return to_response(problem_of(error, Place(road_of(call))), call.target.path, call.layout);
   }
-}
-
-std::variant<std::shared_ptr<const Dynamics>, Problem> dynamics_of(Models& models, const SystemChoice& choice,
-                                                                   const Call& call) {
-  SystemChoice plain = choice;
-  plain.inputs.clear();
-  const std::shared_ptr<const Dynamics> dynamics = models.of(plain);
-  if (choice.inputs.empty()) return dynamics;
-  std::vector<FieldError> errors;
-  for (const auto& [name, text] : choice.inputs) {
-    try {
-      check_input(dynamics->model(), text);
-    } catch (const Error& error) {
-      errors.push_back(text_error(Place(road_of(call)).below("inputs").below(name), error));
-    }
-  }
-  if (!errors.empty()) return invalid_request(std::move(errors));
-  return models.of(choice);
 }
 
 }  // namespace qdot::api

@@ -34,15 +34,7 @@ void write_head(JsonWriter& writer, const Scene& scene, const Json& echo);
 /// How the call's request came: errors of a body have pointers, those of a query parameters.
 [[nodiscard]] Road road_of(const Call& call);
 
-/// What core said of a text at this place of the request.
-[[nodiscard]] FieldError text_error(const Place& place, const Error& error);
-
 /// What core throws while `answer` runs, as a problem.
 [[nodiscard]] Response guarded(Call& call, const std::function<Response()>& answer);
-
-/// The model with the request's inputs; an input that does not parse is reported at its place.
-[[nodiscard]] std::variant<std::shared_ptr<const Dynamics>, Problem> dynamics_of(Models& models,
-                                                                                 const SystemChoice& choice,
-                                                                                 const Call& call);
 
 }  // namespace qdot::api

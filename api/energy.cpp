@@ -79,11 +79,8 @@ class EnergyAnswer {
 
 Response answer_energy(const Resolved<EnergyRequest>& resolved, Call& call, Models& models) {
   return guarded(call, [&] {
-    const auto found = dynamics_of(models, resolved.request.system, call);
-    if (const auto* problem = std::get_if<Problem>(&found)) {
-      return to_response(*problem, call.target.path, call.layout);
-    }
-    const Dynamics& dynamics = *std::get<std::shared_ptr<const Dynamics>>(found);
+    const std::shared_ptr<const Dynamics> found = models.of(resolved.request.system);
+    const Dynamics& dynamics = *found;
     const ResolvedState state = resolved_state(dynamics.model(), resolved.request.system);
     Json echo = resolved.echo;
     fill_echo(echo, dynamics.model().scene, state);

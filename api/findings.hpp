@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "api/field_values.hpp"
 #include "api/json.hpp"
@@ -16,6 +17,9 @@ class Findings {
   Findings(Road road, Json& echo, Errors& errors) : root_(road), echo_(&echo), errors_(&errors) {}
 
   void report(const std::string& field, std::string code, std::string detail);
+  void add(FieldError error) { errors_->push_back(std::move(error)); }
+  /// The whole request.
+  [[nodiscard]] const Place& root() const { return root_; }
   [[nodiscard]] Json& echo() { return *echo_; }
   /// Is something wrong with one of these fields already? A rule about them would only repeat it.
   [[nodiscard]] bool has_error_at(std::initializer_list<std::string_view> fields) const;

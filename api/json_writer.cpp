@@ -199,4 +199,19 @@ std::string to_csv(std::span<const Column> table, int digits) {
   return out;
 }
 
+std::string to_ndjson(std::span<const Column> table, int digits) {
+  std::string out;
+  const std::size_t rows = table.empty() ? 0 : table[0].values.size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      out += i == 0 ? '{' : ',';
+      append_string(out, table[i].name);
+      out += ':';
+      append_number(out, table[i].values[row], digits);
+    }
+    out += "}\n";
+  }
+  return out;
+}
+
 }  // namespace qdot::api

@@ -77,4 +77,7 @@ class JsonWriter {
 /// RFC 4180 with LF: a header row of names, then one row for each index. All columns are of one length.
 [[nodiscard]] std::string to_csv(std::span<const Column> table, int digits = shortest_digits);
 
+/// One object a row: {"t":0.0,"theta":0.3}
+[[nodiscard]] std::string to_ndjson(std::span<const Column> table, int digits = shortest_digits);
+
 }  // namespace qdot::api

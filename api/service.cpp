@@ -143,7 +143,7 @@ struct Service::Impl {
     add_endpoint<SimulateRequest>(
         routes, "simulate", simulate_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_simulate(resolved, call, models); },
-        {"application/json", "text/csv"});
+        {"application/json", "text/csv", "application/x-ndjson"});
   }
 
   static Response not_found(const Call& call) {

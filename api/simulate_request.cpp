@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/limits.hpp"
+#include "api/text_checks.hpp"
 #include "api/time_grid.hpp"
 
 namespace qdot::api {
@@ -13,6 +14,10 @@ using R = SimulateRequest;
 constexpr Domain instants{.lower = -limits::largest_time, .upper = limits::largest_time};
 
 void check_grid(R& request, Findings& findings) {
+  if (findings.echo().contains("times") && request.times.empty()) {
+    findings.report("times", "empty", "'times' needs at least one instant.");
+    return;
+  }
   auto grid = time_grid({.t_start = request.t_start,
                          .t_end = request.t_end,
                          .samples = request.samples,
@@ -41,7 +46,12 @@ void check(R& request, Findings& findings) {
   if (scene == nullptr) return;
   if (!findings.has_error_at({"t_start", "t_end", "samples", "dt", "times", "include"})) {
     check_grid(request, findings);
+  } else if (!findings.has_error_at({"t_start", "t_end"}) && request.t_end &&
+             *request.t_end <= request.t_start) {
+    findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
   }
+  if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
+  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
   if (!request.impacts && !scene->impact) {
     findings.report("impacts", "not_applicable", scene->name + " has no impacts to leave out.");
   }
@@ -78,7 +88,8 @@ RequestTable<R> make_table() {
       choice("on_invalid", &R::on_invalid, {{"stop", OnInvalid::stop}, {"continue", OnInvalid::carry_on}},
              "what to do where the model stops holding, such as at a slack string",
              {.default_value = "stop"}),
-      boolean("impacts", &R::impacts, "apply the system's impacts; false: the motion up to the first one",
+      boolean("impacts", &R::impacts,
+              "apply the system's impacts; false: the motion goes on as if there were none",
               {.default_value = true}),
       later_field<R>("steps", "Give t_end."),
       choice("method", &R::method,
@@ -101,7 +112,7 @@ RequestTable<R> make_table() {
       boolean("verify", &R::verify, "estimate the error of the answer", {.default_value = true}),
       integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
               {.aliases = {"precision", "significant_digits"}}),
-      choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}},
+      choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
              "form of the answer; without it, what the Accept header says"),
   };
   const OneOf grid{.ways = {{"samples"}, {"dt"}, {"times"}}};

@@ -19,7 +19,7 @@ enum class OnInvalid { stop, carry_on };
 /// `automatic` leaves the choice to the service.
 enum class MethodChoice { automatic, adams, bdf, erk };
 
-enum class Format { json, csv };
+enum class Format { json, csv, ndjson };
 
 struct SimulateRequest {
   SystemChoice system{};

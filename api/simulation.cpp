@@ -6,6 +6,7 @@ namespace qdot::api {
 namespace {
 
 constexpr const char* csv_type = "text/csv";
+constexpr const char* ndjson_type = "application/x-ndjson";
 
 Method method_of(MethodChoice choice) {
   switch (choice) {
@@ -60,20 +61,6 @@ std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra
   return columns;
 }
 
-/// Each event that does not parse, at its place.
-std::vector<FieldError> wrong_events(const Dynamics& dynamics, const std::vector<std::string>& events,
-                                     const Call& call) {
-  std::vector<FieldError> errors;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    try {
-      (void)dynamics.event(events[i]);
-    } catch (const Error& error) {
-      errors.push_back(text_error(Place(road_of(call)).below("events").below(i), error));
-    }
-  }
-  return errors;
-}
-
 /// How a run that failed in its numbers is explained.
 struct Failure {
   const char* reason;
@@ -94,7 +81,7 @@ Failure failure_of(Ending ending) {
       return {"tolerance",
               "The tolerances ask for more than double precision holds; choose larger rtol and atol."};
     case Ending::blow_up:
-      return {"blow-up", "The motion grew beyond all bounds."};
+      return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
     case Ending::reached_end:
     case Ending::event:
     case Ending::interrupted:
@@ -111,16 +98,13 @@ class SimulationAnswer {
       : request_(resolved.request), echo_(resolved.echo), call_(call), dynamics_(dynamics) {}
 
   Response response() {
-    std::vector<FieldError> wrong = wrong_events(dynamics_, request_.events, call_);
-    if (!wrong.empty())
-      return to_response(invalid_request(std::move(wrong)), call_.target.path, call_.layout);
     const ResolvedState state = resolved_state(model(), request_.system);
     fill_echo(echo_, model().scene, state);
     run(state);
     call_.timing.lap("solve");
     if (failed(result_.ending)) return failure();
     make_table();
-    Response answer = wants_csv() ? csv() : json();
+    Response answer = format() == Format::json ? json() : rows();
     call_.timing.lap("encode");
     return answer;
   }
@@ -128,8 +112,10 @@ class SimulationAnswer {
  private:
   [[nodiscard]] const Model& model() const { return dynamics_.model(); }
   [[nodiscard]] int digits() const { return request_.digits.value_or(shortest_digits); }
-  [[nodiscard]] bool wants_csv() const {
-    return request_.format ? *request_.format == Format::csv : call_.accepted == csv_type;
+  [[nodiscard]] Format format() const {
+    if (request_.format) return *request_.format;
+    if (call_.accepted == csv_type) return Format::csv;
+    return call_.accepted == ndjson_type ? Format::ndjson : Format::json;
   }
 
   void run(const ResolvedState& state) {
@@ -197,10 +183,13 @@ class SimulationAnswer {
 
   [[nodiscard]] const char* status() const { return result_.stop ? "stopped" : "complete"; }
 
-  Response csv() {
-    Response response{
-        .status = 200, .content_type = csv_type, .headers = {}, .body = to_csv(table_, digits())};
-    response.headers["X-Qdot-Status"] = status();
+  /// Row by row, as CSV or NDJSON; how the motion ended stands in the headers.
+  Response rows() {
+    const bool csv = format() == Format::csv;
+    Response response{.status = 200,
+                      .content_type = csv ? csv_type : ndjson_type,
+                      .headers = {{"X-Qdot-Status", status()}},
+                      .body = csv ? to_csv(table_, digits()) : to_ndjson(table_, digits())};
     if (result_.stop) response.headers["X-Qdot-Stop"] = result_.stop->reason;
     return response;
   }
@@ -281,13 +270,8 @@ class SimulationAnswer {
 }  // namespace
 
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
-  return guarded(call, [&] {
-    const auto found = dynamics_of(models, resolved.request.system, call);
-    if (const auto* problem = std::get_if<Problem>(&found)) {
-      return to_response(*problem, call.target.path, call.layout);
-    }
-    return SimulationAnswer(resolved, call, *std::get<std::shared_ptr<const Dynamics>>(found)).response();
-  });
+  return guarded(
+      call, [&] { return SimulationAnswer(resolved, call, *models.of(resolved.request.system)).response(); });
 }
 
 }  // namespace qdot::api

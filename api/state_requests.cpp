@@ -1,21 +1,27 @@
 #include "api/state_requests.hpp"
 
 #include "api/limits.hpp"
+#include "api/text_checks.hpp"
 
 namespace qdot::api {
 
 const RequestTable<EnergyRequest>& energy_table() {
   using R = EnergyRequest;
-  static const RequestTable<R> table({
-      system_field<R>(),
-      parameters_field<R>(),
-      initial_field<R>(),
-      inputs_field<R>(),
-      number("t", &R::t, {"s", {-limits::largest_time, limits::largest_time}}, "instant of the state",
-             {.default_value = 0.0, .aliases = {"time", "t0", "t_start"}}),
-      integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-              {.aliases = {"precision", "significant_digits"}}),
-  });
+  static const RequestTable<R> table(
+      {
+          system_field<R>(),
+          parameters_field<R>(),
+          initial_field<R>(),
+          inputs_field<R>(),
+          number("t", &R::t, {"s", {-limits::largest_time, limits::largest_time}}, "instant of the state",
+                 {.default_value = 0.0, .aliases = {"time", "t0", "t_start"}}),
+          integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
+                  {.aliases = {"precision", "significant_digits"}}),
+      },
+      {}, [](R& request, Findings& findings) {
+        if (request.system.scene && !findings.has_error_at({"inputs"}))
+          check_inputs(request.system, findings);
+      });
   return table;
 }
 

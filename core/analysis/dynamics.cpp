@@ -243,11 +243,6 @@ CompiledEvent Dynamics::event(const std::string& text) const {
   return {builder.tape().finish(), parsed.crossing, {}};
 }
 
-void check_input(const Model& model, const std::string& text) {
-  Graph graph(*model.parsed.graph);
-  (void)parsed_input(model, text, graph);
-}
-
 std::vector<Column> energy_columns(const Model& model) {
   std::vector<Column> columns;
   if (const Lagrangian& l = model.lagrangian; l.kinetic_energy) {

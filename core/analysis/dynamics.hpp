@@ -79,9 +79,6 @@ class Dynamics {
   std::unique_ptr<Lazy> lazy_;
 };
 
-/// Throws what the constructor would for this text as an input.
-void check_input(const Model& model, const std::string& text);
-
 /// Columns of the contract's `include` groups.
 [[nodiscard]] std::vector<Column> energy_columns(const Model& model);
 [[nodiscard]] std::vector<Column> momentum_columns(const Model& model);

@@ -76,7 +76,7 @@ class Simulator {
   bool holds_at_start(const Watch& watch) const {
     const double value = watch.value(result_.t, result_.y);
     if (value != 0) return !(value < 0);
-    const double h = 1e-9 * (request_.t_end - request_.t_start);
+    const double h = 1e-9 * std::min(1.0, request_.t_end - request_.t_start);
     std::vector<double> y = result_.y, slope(y.size());
     if (system_.derivative(result_.t, y, slope) != Evaluation::ok) return true;
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];

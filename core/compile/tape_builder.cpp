@@ -8,6 +8,13 @@
 namespace qdot {
 namespace {
 
+/// Whole powers up to here are products; a hostile text can ask for x^(2^36).
+constexpr std::int64_t most_multiplied = 1024;
+
+bool is_product(const Number& exponent) {
+  return exponent.is_integer() && std::abs(exponent.numerator()) <= most_multiplied;
+}
+
 constexpr double pi = 3.14159265358979323846;
 
 /// Groups of unknowns that the matrix couples, directly or through others.
@@ -125,7 +132,7 @@ std::optional<TapeBuilder::Factors> TapeBuilder::factors_of(NodeId id) {
       continue;
     }
     const auto* power = std::get_if<Power>(&graph_.node(factor));
-    if (power == nullptr || !power->exponent.is_integer()) {
+    if (power == nullptr || !is_product(power->exponent)) {
       result.varying.push_back(emitted(factor));
     } else if (power->exponent.is_negative()) {
       return std::nullopt;
@@ -170,7 +177,7 @@ Slot TapeBuilder::emitted_product(NodeId id, const Product& product) {
   std::vector<Slot> above, below;
   for (const NodeId factor : product.factors) {
     const auto* power = std::get_if<Power>(&graph_.node(factor));
-    if (power == nullptr || !power->exponent.is_integer() || !power->exponent.is_negative()) {
+    if (power == nullptr || !is_product(power->exponent) || !power->exponent.is_negative()) {
       above.push_back(emitted(factor));
     } else {
       const int exponent = static_cast<int>(-power->exponent.numerator());
@@ -187,7 +194,7 @@ Slot TapeBuilder::emitted_power(NodeId id, const Power& power) {
   const bool varying = varies(id);
   const Slot base = emitted(power.base);
   const Number& exponent = power.exponent;
-  if (exponent.is_exact() && exponent.denominator() <= 2) {
+  if (is_product(Number(2) * exponent)) {
     const auto size = static_cast<int>(std::abs(exponent.numerator()));
     Slot result = base;
     if (exponent.denominator() == 2)

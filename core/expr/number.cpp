@@ -78,7 +78,10 @@ Number power(const Number& base, int exponent) {
 }
 
 Number gcd(const Number& a, const Number& b) {
-  return Number::ratio(std::gcd(a.numerator(), b.numerator()), std::lcm(a.denominator(), b.denominator()));
+  const std::int64_t shared = std::gcd(a.denominator(), b.denominator());
+  const Wide denominator = Wide{a.denominator()} / shared * b.denominator();
+  if (denominator > largest_exact) return Number(1);
+  return Number::ratio(std::gcd(a.numerator(), b.numerator()), static_cast<std::int64_t>(denominator));
 }
 
 }  // namespace qdot

@@ -44,7 +44,8 @@ class Number {
 /// base^exponent; base != 0 when exponent < 0.
 [[nodiscard]] Number power(const Number& base, int exponent);
 
-/// Greatest common divisor of two exact numbers: the largest r >= 0 with a/r and b/r integers.
+/// Greatest common divisor of two exact numbers: the largest r >= 0 with a/r and b/r integers; 1
+/// where r would not be exact.
 [[nodiscard]] Number gcd(const Number& a, const Number& b);
 
 }  // namespace qdot

@@ -10,15 +10,19 @@ namespace {
 
 constexpr std::size_t largest_polynomial = 5'000;
 constexpr int largest_exponent = 64;
+constexpr std::int64_t largest_sum_of_exponents = 1'000'000;
 
 /// a.p/a.q < b.p/b.q, where an absent atom has exponent 0.
-bool less(int ap, int aq, int bp, int bq) { return ap * bq < bp * aq; }
+bool less(std::int64_t ap, std::int64_t aq, std::int64_t bp, std::int64_t bq) { return ap * bq < bp * aq; }
 
 Atom sum_of_exponents(const Atom& a, const Atom& b) {
-  const int p = a.p * b.q + b.p * a.q;
-  const int q = a.q * b.q;
-  const int divisor = std::gcd(p, q);
-  return {a.base, p / divisor, q / divisor};
+  const std::int64_t p = std::int64_t{a.p} * b.q + std::int64_t{b.p} * a.q;
+  const std::int64_t q = std::int64_t{a.q} * b.q;
+  const std::int64_t divisor = std::gcd(p, q);
+  if (std::abs(p / divisor) > largest_sum_of_exponents || q / divisor > largest_sum_of_exponents) {
+    throw Error(ErrorCode::too_large, "an exponent grows too large");
+  }
+  return {a.base, static_cast<int>(p / divisor), static_cast<int>(q / divisor)};
 }
 
 /// Terms of e by their nodes, multiplied out bottom-up with memory.

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/error.hpp"
 #include "core/expr/factor.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/trigonometry.hpp"
@@ -12,6 +13,7 @@ namespace {
 /// Identities are tried one by one in expressions of up to so many terms and angles.
 constexpr std::size_t most_terms_searched = 200;
 constexpr std::size_t most_angles_searched = 8;
+constexpr std::size_t most_terms_opened = 40;
 
 /// A polynomial with its short form and what that costs.
 struct Candidate {
@@ -62,9 +64,12 @@ Expression simplify(const Expression& e) {
       trigonometric_arguments(graph, start).size() > most_angles_searched) {
     return best.form;
   }
-  if (arguments_depend(graph, start)) {
-    Candidate other = candidate(graph, joined(graph, with_single_angles(graph, start)));
-    if (other.cost < best.cost) best = std::move(other);
+  if (start.size() > 1 && arguments_depend(graph, start)) {
+    const Polynomial opened = with_single_angles(graph, start);
+    if (opened.size() <= most_terms_opened) {
+      Candidate other = candidate(graph, joined(graph, opened));
+      if (other.cost < best.cost) best = std::move(other);
+    }
   }
   for (bool improved = true; improved;) {
     improved = false;
@@ -82,9 +87,10 @@ Expression simplify(const Expression& e) {
 Expression simplify_quotient(const Expression& numerator, const Expression& denominator) {
   Graph& graph = numerator.graph();
   Polynomial above = multiplied_out(simplify(numerator));
-  if (above.empty()) return graph.number(0);
   const Expression below = simplify(denominator);
   Polynomial rest = multiplied_out(below);
+  if (rest.empty()) throw Error(ErrorCode::not_applicable, "The denominator vanishes identically.");
+  if (above.empty()) return graph.number(0);
   const Monomial common = common_monomial(rest);
   rest = scaled(rest, inverse(common), 1);
   above = scaled(above, inverse(common), 1);

@@ -14,7 +14,8 @@ namespace qdot {
 /// factors cancel (x/x = 1), so the result may be regular where e was 0/0.
 [[nodiscard]] Expression simplify(const Expression& e);
 
-/// numerator / denominator, each in short form, without the factors they share.
+/// numerator / denominator, each in short form, without the factors they share. Throws
+/// Error(not_applicable) when the denominator vanishes identically.
 [[nodiscard]] Expression simplify_quotient(const Expression& numerator, const Expression& denominator);
 
 }  // namespace qdot

@@ -1,5 +1,7 @@
 #include "core/mechanics/dimension_check.hpp"
 
+#include <cstdlib>
+
 #include "core/expr/print.hpp"
 
 namespace qdot {
@@ -57,7 +59,7 @@ class Checker {
   DimensionResult of_power(const Power& x) {
     const DimensionResult base = of(x.base);
     if (!base.dimension || base.dimension->is_dimensionless()) return base;
-    if (!x.exponent.is_exact())
+    if (!x.exponent.is_exact() || std::abs(x.exponent.numerator()) > 64 || x.exponent.denominator() > 64)
       return {std::nullopt, "it raises a dimension to the power " + quoted_number(x)};
     return {pow(*base.dimension, static_cast<int>(x.exponent.numerator()),
                 static_cast<int>(x.exponent.denominator())),

@@ -25,6 +25,14 @@ void check_inertia(const Scene& scene, const EquationsOfMotion& equations) {
                            "Nothing that has mass moves with '" + scene.coordinates[i].name +
                                "', so its acceleration is undetermined."});
   }
+  const std::size_t n = scene.coordinates.size();
+  if (diagnostics.empty() && n > 1 && n <= largest_written_system &&
+      simplify(determinant(equations.mass_matrix)).is_zero()) {
+    diagnostics.push_back(
+        {"/coordinates", "no_inertia",
+         "The kinetic energy does not determine all accelerations: the mass matrix is singular "
+         "everywhere."});
+  }
   if (!diagnostics.empty()) throw SceneError(diagnostics);
 }
 
