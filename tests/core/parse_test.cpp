@@ -320,14 +320,14 @@ TEST(ParseEvent, IsADifferenceWithADirection) {
   Reading read;
   const auto event = [&](std::string_view text) { return parse_event(text, read.graph, names); };
   EXPECT_EQ(event("theta=0+").expression, read("theta"));
-  EXPECT_EQ(event("theta=0+").passage, Passage::rising);
+  EXPECT_EQ(event("theta=0+").crossing, Crossing::rising);
   EXPECT_EQ(event("theta_dot = 0-").expression, read("theta_dot"));
-  EXPECT_EQ(event("theta_dot = 0-").passage, Passage::falling);
+  EXPECT_EQ(event("theta_dot = 0-").crossing, Crossing::falling);
   EXPECT_EQ(event("x=1.2").expression, read("x - 1.2"));
-  EXPECT_EQ(event("x=1.2").passage, Passage::either);
+  EXPECT_EQ(event("x=1.2").crossing, Crossing::either);
   EXPECT_EQ(event("x - 2*theta = y + ").expression, read("x - 2*theta - y"));
-  EXPECT_EQ(event("x - 2*theta = y + ").passage, Passage::rising);
-  EXPECT_EQ(event("x=-1").passage, Passage::either);
+  EXPECT_EQ(event("x - 2*theta = y + ").crossing, Crossing::rising);
+  EXPECT_EQ(event("x=-1").crossing, Crossing::either);
 }
 
 TEST(ParseEvent, ErrorsCountFromTheBeginningOfTheText) {
