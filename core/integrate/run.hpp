@@ -37,7 +37,7 @@ struct EventFunction {
 
 /// adams: CVODE, order 1 to 12, cheapest in evaluations when they are dear. bdf: CVODE, order 1 to 5, for
 /// stiff systems (strong damping). erk: ARKODE, order 8, the fastest of the three on small oscillating
-/// systems; a row of the grid costs it 12 evaluations, and watching events about 50 a step.
+/// systems; a row of the grid costs it 12 evaluations, and watching events about 10 a step.
 enum class Method { adams, bdf, erk };
 
 /// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and
