@@ -8,7 +8,7 @@ import unittest
 from running_qdot import RunningQdot, qdot
 
 REQUEST = {"system": "spring_pendulum", "t_end": 2, "samples": 5}
-OK, USAGE, INVALID, UNREACHABLE = 0, 2, 3, 6
+OK, USAGE, INVALID, FAILED, UNREACHABLE = 0, 2, 3, 4, 6
 
 
 class SameBytes(unittest.TestCase):
@@ -82,6 +82,11 @@ class ExitCodes(unittest.TestCase):
                 run = qdot("simulate", stdin=stdin)
                 self.assertEqual((run.returncode, run.stdout), (INVALID, b""))
                 self.assertIn("type", json.loads(run.stderr))
+
+    def test_a_failed_computation(self):
+        run = qdot("simulate", "system=spring_pendulum", "l=1e150", "t_end=1")
+        self.assertEqual((run.returncode, run.stdout), (FAILED, b""))
+        self.assertEqual(json.loads(run.stderr)["type"], "/errors/integration-failed")
 
     def test_health_and_wait(self):
         with RunningQdot() as server:
