@@ -224,7 +224,35 @@ class Fields(Service):
             with self.subTest(fields):
                 self.refused_at("simulate", {"system": "spring_pendulum", "t_end": 1} | fields, f"#/{place}")
         self.refused_at("simulate", {"system": "spring_pendulum"}, "#/t_end")
-        self.refused_at("simulate", {"system": "spring_pendulum", "times": []}, "#/t_end")
+        self.refused_at("simulate", {"system": "spring_pendulum", "times": []}, "#/times")
+
+    def test_an_empty_list_of_instants_is_refused(self):
+        self.refused_at("simulate", {"system": "spring_pendulum", "t_end": 1, "times": []}, "#/times")
+
+    def test_the_end_of_time_and_events_are_told_with_the_other_mistakes(self):
+        self.refused_at("simulate", {"system": "spring_pendulum", "t_end": -1, "digits": 99, "events": ["zz=0"]},
+                        "#/t_end", "#/digits", "#/events/0")
+
+    def test_an_input_that_cannot_be_read_is_told_with_the_other_mistakes(self):
+        self.refused_at("simulate",
+                        {"system": "forced_spring_pendulum", "t_end": 1, "digits": 99, "inputs": {"F": "q"}},
+                        "#/inputs/F", "#/digits")
+
+    def test_an_unknown_unit_has_no_mistakes_in_its_train(self):
+        scene = textbook_scene("plane_pendulum")
+        scene["parameters"][0]["unit"] = "kgg"
+        self.refused_at("simulate", {"system": scene, "t_end": 1}, "#/system/parameters/0/unit")
+
+    def test_watching_a_domain_costs_less_than_the_steps(self):
+        found = self.ask("simulate", {"system": "spring_pendulum", "t_end": 1, "samples": 3})["diagnostics"]
+        self.assertLess(found["rhs_evaluations"], 20 * found["steps"])
+
+    def test_rows_come_one_by_one_as_ndjson(self):
+        columns = self.ask("simulate", {"system": "spring_pendulum", "t_end": 1, "samples": 3})["trajectory"]
+        response = self.raw("POST", "/v1/simulate", '{"system":"spring_pendulum","t_end":1,"samples":3}',
+                            {"Accept": "application/x-ndjson"})
+        rows = [json.loads(line) for line in response.data.splitlines()]
+        self.assertEqual({name: [row[name] for row in rows] for name in columns}, columns)
 
     def test_every_column_asked_for_has_a_unit_and_a_number_in_every_row(self):
         for system, columns in (

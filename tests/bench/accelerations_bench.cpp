@@ -1,4 +1,5 @@
-// The tape's q'' = M^-1 f against the same equations written by hand in C++, with the same elementary functions.
+// The tape's q'' = M^-1 f against the same equations written by hand in C++, with the same elementary
+// functions.
 
 #include <benchmark/benchmark.h>
 #include <sleef.h>
