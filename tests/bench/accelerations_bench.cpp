@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "core/analysis/dynamics.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot {
@@ -48,7 +49,7 @@ void run_by_hand(benchmark::State& state, Parameters parameters, State y, Functi
 }
 
 void run_tape(benchmark::State& state, const char* system, std::span<const double> parameters, State y) {
-  const Dynamics dynamics(model_of(system));
+  const Dynamics dynamics(test::model_of(system));
   const CompiledFunction& function = dynamics.accelerations();
   Workspace workspace = function.bind(parameters);
   Accelerations a{};
