@@ -37,15 +37,18 @@ bool solve_two(double determinant, const double* m, std::span<double> b) {
 
 bool solve(const Instruction& i, const Slot* operand, double* slots) {
   const std::size_t n = i.linear;
+  if (n == 1) {
+    const double m = slots[operand[0]];
+    for (std::size_t k = 0; k < i.products; ++k) slots[i.out + k] = slots[operand[1 + k]] / m;
+    return m != 0;
+  }
   const double determinant = i.has_determinant ? slots[*operand++] : 0;
   std::array<double, largest_system * largest_system> m;
   for (std::size_t k = 0; k < n * n; ++k) m[k] = slots[*operand++];
   const std::span<double> b(slots + i.out, n * i.products);
   for (double& value : b) value = slots[*operand++];
   if (i.has_determinant) return solve_two(determinant, m.data(), b);
-  if (n > 1) return solve_linear(n, std::span(m).first(n * n), b);
-  for (double& value : b) value /= m[0];
-  return m[0] != 0;
+  return solve_linear(n, std::span(m).first(n * n), b);
 }
 
 }  // namespace
