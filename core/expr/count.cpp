@@ -1,63 +1,61 @@
 #include "core/expr/count.hpp"
 
-#include <map>
+#include <algorithm>
+
+#include "core/expr/expression.hpp"
 
 namespace qdot {
 namespace {
 
-std::size_t count(const Graph& graph, NodeId id, std::map<NodeId, std::size_t>& done);
+/// A graph shares what a text repeats, so lengths grow like 2^depth: far beyond all that is compared they
+/// stop.
+constexpr std::size_t longest = 1'000'000'000;
 
-std::size_t count_terms(const Graph& graph, const Sum& sum, std::map<NodeId, std::size_t>& done) {
-  std::size_t operations = sum.terms.size() - 1;
-  for (const NodeId id : sum.terms) operations += count(graph, id, done);
-  return operations;
+void add(Length& sum, const Length& part) {
+  sum.operations = std::min(longest, sum.operations + part.operations);
+  sum.fractions = std::min(longest, sum.fractions + part.fractions);
 }
 
-std::size_t count_factors(const Graph& graph, const Product& product, std::map<NodeId, std::size_t>& done) {
+Length with(std::size_t operations, const Length& part) {
+  Length sum{operations, 0};
+  add(sum, part);
+  return sum;
+}
+
+Length of_product(const Graph& graph, const Product& product) {
   const bool bare = product.coefficient.is_one() || product.coefficient == Number(-1);
-  std::size_t operations = product.factors.size() - (bare ? 1 : 0);
+  Length sum{product.factors.size() - (bare ? 1 : 0), product.coefficient.is_integer() ? 0U : 1U};
   for (const NodeId id : product.factors) {
     const auto* power = std::get_if<Power>(&graph.node(id));
     const bool quotient = power != nullptr && power->exponent == Number(-1);
-    operations += quotient ? count(graph, power->base, done) : count(graph, id, done);
+    add(sum, graph.length(quotient ? power->base : id));
   }
-  return operations;
-}
-
-std::size_t count(const Graph& graph, NodeId id, std::map<NodeId, std::size_t>& done) {
-  const auto found = done.find(id);
-  if (found != done.end()) return found->second;
-  const std::size_t operations = std::visit(
-      overloaded{[](const Literal&) { return std::size_t{0}; }, [](const Symbol&) { return std::size_t{0}; },
-                 [&](const Sum& x) { return count_terms(graph, x, done); },
-                 [&](const Product& x) { return count_factors(graph, x, done); },
-                 [&](const Power& x) { return 1 + count(graph, x.base, done); },
-                 [&](const Call& x) { return 1 + count(graph, x.argument, done); }},
-      graph.node(id));
-  done.emplace(id, operations);
-  return operations;
-}
-
-bool is_fraction(const Node& node) {
-  if (const auto* literal = std::get_if<Literal>(&node)) return !literal->value.is_integer();
-  if (const auto* product = std::get_if<Product>(&node)) return !product->coefficient.is_integer();
-  return false;
+  return sum;
 }
 
 }  // namespace
 
-std::size_t operation_count(const Expression& e) {
-  std::map<NodeId, std::size_t> done;
-  return count(e.graph(), e.id(), done);
+Length length_of(const Graph& graph, const Node& node) {
+  return std::visit(overloaded{[](const Literal& x) {
+                                 return Length{0, x.value.is_integer() ? 0U : 1U};
+                               },
+                               [](const Symbol&) { return Length{}; },
+                               [&](const Sum& x) {
+                                 Length sum{x.terms.size() - 1, 0};
+                                 for (const NodeId id : x.terms) add(sum, graph.length(id));
+                                 return sum;
+                               },
+                               [&](const Product& x) { return of_product(graph, x); },
+                               [&](const Power& x) { return with(1, graph.length(x.base)); },
+                               [&](const Call& x) { return with(1, graph.length(x.argument)); }},
+                    node);
 }
 
+std::size_t operation_count(const Expression& e) { return e.graph().length(e.id()).operations; }
+
 std::size_t written_length(const Expression& e) {
-  const NodeId root[]{e.id()};
-  std::size_t fractions = 0;
-  for (const NodeId id : reachable(e.graph(), root)) {
-    if (is_fraction(e.graph().node(id))) ++fractions;
-  }
-  return 2 * operation_count(e) + fractions;
+  const Length length = e.graph().length(e.id());
+  return 2 * length.operations + length.fractions;
 }
 
 }  // namespace qdot

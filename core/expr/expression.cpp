@@ -94,6 +94,7 @@ Expression Graph::intern(Node node) {
   }
   if (nodes_.size() >= max_nodes) throw Error(ErrorCode::too_large, "the expressions grow too large");
   const auto id = static_cast<NodeId>(nodes_.size());
+  lengths_.push_back(length_of(*this, node));
   nodes_.push_back(std::move(node));
   index_.emplace(hash, id);
   return {*this, id};
@@ -212,10 +213,10 @@ Expression operator*(const Number& a, const Expression& b) {
 Scaled split_coefficient(const Expression& e) {
   if (const Number* number = e.number()) return {*number, e.graph().number(1)};
   const auto* product = std::get_if<Product>(&e.node());
-  if (product == nullptr) return {Number(1), e};
+  if (product == nullptr || product->coefficient.is_one()) return {Number(1), e};
   std::vector<Expression> factors;
   for (const NodeId id : product->factors) factors.emplace_back(e.graph(), id);
-  return {product->coefficient, product->coefficient.is_one() ? e : e.graph().product(factors)};
+  return {product->coefficient, e.graph().product(factors)};
 }
 
 Raised split_power(const Expression& e) {

@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/expr/count.hpp"
 #include "core/expr/function.hpp"
 #include "core/expr/number.hpp"
 
@@ -113,14 +114,19 @@ class Graph {
   [[nodiscard]] Expression adopt(const Expression& e) { return {*this, e.id()}; }
 
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
+  [[nodiscard]] const Length& length(NodeId id) const { return lengths_[id]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
  private:
   [[nodiscard]] Expression intern(Node node);
 
   std::deque<Node> nodes_;  // a deque: references to nodes stay good while nodes are added
+  std::vector<Length> lengths_;
   std::unordered_multimap<std::size_t, NodeId> index_;
 };
+
+/// From the lengths of its children.
+[[nodiscard]] Length length_of(const Graph& graph, const Node& node);
 
 /// Children of a node, in order.
 [[nodiscard]] std::vector<NodeId> children(const Node& node);
