@@ -34,6 +34,12 @@ std::vector<Replacement> input_replacements(const Model& model, const std::vecto
   return replacements;
 }
 
+std::vector<bool> zeros_among(std::span<const double> values) {
+  std::vector<bool> zeros;
+  for (const double value : values) zeros.push_back(value == 0);
+  return zeros;
+}
+
 }  // namespace
 
 /// A tape under construction on a private copy of the model's graph.
@@ -203,7 +209,7 @@ std::shared_ptr<const CompiledFunction> Dynamics::columns(const std::vector<Colu
   return slot;
 }
 
-Conserved Dynamics::derived_conserved(const std::vector<bool>& vanishing) const {
+Lagrangian Dynamics::specialized(const std::vector<bool>& vanishing) const {
   Lagrangian lagrangian = copied(model_->lagrangian);
   std::vector<Replacement> replacements;
   for (std::size_t i = 0; i < vanishing.size(); ++i) {
@@ -211,7 +217,11 @@ Conserved Dynamics::derived_conserved(const std::vector<bool>& vanishing) const 
       replacements.emplace_back(lagrangian.symbols.parameters[i], lagrangian.graph->number(0));
   }
   lagrangian = replaced(lagrangian, replacements);
-  lagrangian = replaced(lagrangian, input_replacements(*model_, inputs_, *lagrangian.graph));
+  return replaced(lagrangian, input_replacements(*model_, inputs_, *lagrangian.graph));
+}
+
+Conserved Dynamics::derived_conserved(const std::vector<bool>& vanishing) const {
+  const Lagrangian lagrangian = specialized(vanishing);
   Conserved result{conserved_quantities(lagrangian, model_->scene), nullptr};
   std::vector<Expression> expressions;
   for (const ConservedQuantity& quantity : result.quantities) expressions.push_back(quantity.value);
@@ -220,11 +230,18 @@ Conserved Dynamics::derived_conserved(const std::vector<bool>& vanishing) const 
 }
 
 std::shared_ptr<const Conserved> Dynamics::conserved(std::span<const double> parameters) const {
-  std::vector<bool> vanishing;
-  for (const double value : parameters) vanishing.push_back(value == 0);
+  const std::vector<bool> vanishing = zeros_among(parameters);
   const std::lock_guard lock(lazy_->mutex);
   std::shared_ptr<const Conserved>& slot = lazy_->conserved[vanishing];
   if (!slot) slot = std::make_shared<const Conserved>(derived_conserved(vanishing));
+  return slot;
+}
+
+std::shared_ptr<const Statics> Dynamics::statics(std::span<const double> parameters) const {
+  const std::vector<bool> vanishing = zeros_among(parameters);
+  const std::lock_guard lock(lazy_->mutex);
+  std::shared_ptr<const Statics>& slot = lazy_->statics[vanishing];
+  if (!slot) slot = std::make_shared<const Statics>(derive_statics(specialized(vanishing)));
   return slot;
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/statics.hpp"
 #include "core/compile/compiled_function.hpp"
 #include "core/mechanics/conserved.hpp"
 #include "core/mechanics/model.hpp"
@@ -57,6 +58,9 @@ class Dynamics {
   [[nodiscard]] std::shared_ptr<const CompiledFunction> columns(const std::vector<Column>& columns) const;
   /// The conserved quantities; which there are depends on the parameters that are 0.
   [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
+  /// Functions for questions that need no motion; they depend on the parameters that are 0. Throws
+  /// Error(not_applicable) as derive_statics does.
+  [[nodiscard]] std::shared_ptr<const Statics> statics(std::span<const double> parameters) const;
 
   /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the
   /// direction; or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
@@ -69,9 +73,12 @@ class Dynamics {
     std::unique_ptr<const CompiledFunction> accelerations, jacobian;
     std::map<std::vector<NodeId>, std::shared_ptr<const CompiledFunction>> columns;
     std::map<std::vector<bool>, std::shared_ptr<const Conserved>> conserved;
+    std::map<std::vector<bool>, std::shared_ptr<const Statics>> statics;
   };
 
   [[nodiscard]] CompiledFunction compiled(const Graph& graph, std::span<const Expression> expressions) const;
+  /// The Lagrangian with vanishing parameters and the inputs replaced, in a graph of its own.
+  [[nodiscard]] Lagrangian specialized(const std::vector<bool>& vanishing) const;
   [[nodiscard]] Conserved derived_conserved(const std::vector<bool>& vanishing) const;
 
   std::shared_ptr<const Model> model_;

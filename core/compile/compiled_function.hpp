@@ -61,6 +61,8 @@ class CompiledFunction {
 
  private:
   friend class TapeBuilder;
+  template <class T>
+  friend class TapeEvaluator;
 
   [[nodiscard]] bool run(std::span<const Instruction> instructions, double* slots) const noexcept;
 

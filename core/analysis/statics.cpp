@@ -1,0 +1,85 @@
+#include "core/analysis/statics.hpp"
+
+#include "core/analysis/dynamics.hpp"
+#include "core/compile/tape_builder.hpp"
+#include "core/error.hpp"
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+/// de_i/dv_j at rest, by rows.
+std::vector<Expression> derivatives(const Reduction& reduction, const std::vector<Expression>& e,
+                                    const std::vector<Expression>& variables) {
+  std::vector<Expression> result;
+  for (const Expression& row : e) {
+    for (const Expression& v : variables) {
+      result.push_back(simplify(at_rest(reduction, differentiate(row, v))));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+CompiledFunction compiled_at_rest(const Reduction& reduction, Graph& graph,
+                                  std::span<const Expression> expressions) {
+  std::vector<Expression> constants, variables;
+  for (const Expression& c : reduction.constants) constants.push_back(graph.adopt(c));
+  for (const Expression& x : reduction.x) variables.push_back(graph.adopt(x));
+  TapeBuilder tape(graph, constants, graph.symbol("t"), variables);
+  for (const Expression& e : expressions) tape.output(e);
+  return tape.finish();
+}
+
+Statics derive_statics(const Lagrangian& lagrangian) {
+  Statics statics{derive_reduction(lagrangian), {}, {}, {}, {}, {}, {}, {}};
+  const Reduction& reduction = statics.reduction;
+  if (!reduction.autonomous) {
+    throw Error(ErrorCode::not_applicable,
+                "The time enters the equations of motion, so nothing stays at rest in this system.");
+  }
+  const auto compiled = [&](const std::vector<Expression>& expressions) {
+    return compiled_at_rest(reduction, *reduction.graph, expressions);
+  };
+  for (const Expression& e : reduction.equations) statics.rest.push_back(simplify(at_rest(reduction, e)));
+  statics.forces = compiled(statics.rest);
+  statics.stiffness = compiled(derivatives(reduction, statics.rest, reduction.x));
+  statics.inertia = compiled(derivatives(reduction, reduction.equations, reduction.x_ddot));
+  statics.damping = compiled(derivatives(reduction, reduction.equations, reduction.x_dot));
+  std::vector<Expression> rates;
+  for (const Expression& rate : reduction.ignored_rates) rates.push_back(at_rest(reduction, rate));
+  statics.ignored_rates = compiled(rates);
+  if (reduction.conservative) {
+    statics.potential = compiled({simplify(Number(-1) * at_rest(reduction, reduction.routhian))});
+  }
+  return statics;
+}
+
+std::vector<double> constants_at(const Dynamics& dynamics, const Statics& statics,
+                                 std::span<const double> parameters, std::span<const double> y) {
+  std::vector<Column> momenta;
+  const std::vector<Column> all = momentum_columns(dynamics.model());
+  for (const std::size_t c : statics.reduction.ignored) momenta.push_back(all[c]);
+  std::vector<double> constants(parameters.begin(), parameters.end());
+  if (momenta.empty()) return constants;
+  for (const double p : values_at(dynamics, momenta, parameters, 0, y)) constants.push_back(p);
+  return constants;
+}
+
+std::vector<double> steady_state(const Statics& statics, std::span<const double> constants,
+                                 std::span<const double> x, std::span<const double> y) {
+  const std::size_t n = y.size() / 2;
+  std::vector<double> state(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(n));
+  state.resize(2 * n, 0.0);
+  for (std::size_t k = 0; k < x.size(); ++k) state[statics.reduction.kept[k]] = x[k];
+  std::vector<double> rates(statics.reduction.ignored.size());
+  Workspace workspace = statics.ignored_rates.bind(constants);
+  if (statics.ignored_rates.evaluate(0, x, workspace, rates) != Evaluation::ok) {
+    throw Error(ErrorCode::invalid_state, "A steady rate has no finite value there.");
+  }
+  for (std::size_t k = 0; k < rates.size(); ++k) state[n + statics.reduction.ignored[k]] = rates[k];
+  return state;
+}
+
+}  // namespace qdot

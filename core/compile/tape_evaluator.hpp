@@ -1,0 +1,106 @@
+#pragma once
+// A tape evaluated in other numbers than doubles: in intervals, to enclose its values; in differences, to
+// compare two places without cancellation.
+
+#include <cassert>
+#include <span>
+#include <vector>
+
+#include "core/compile/compiled_function.hpp"
+
+namespace qdot {
+
+/// For one tape without `solve`, at time 0, and one set of parameters. T has T::literal(double), the
+/// operators
+/// + * /, and square, sqrt, sin, cos, power(T, double), evaluate(Function, T).
+template <class T>
+class TapeEvaluator {
+ public:
+  TapeEvaluator(const CompiledFunction& function, std::span<const T> parameters)
+      : function_(function), slots_(function.slots_, T::literal(0)) {
+    assert(parameters.size() == function.parameters_);
+    for (const auto& [slot, value] : function.literals_) {
+      slots_[slot] = T::literal(value);
+      if (value == 1) one_ = slot;
+    }
+    bind(parameters);
+  }
+
+  void bind(std::span<const T> parameters) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) slots_[i] = parameters[i];
+    run(function_.prologue_);
+  }
+
+  void operator()(std::span<const T> variables, std::span<T> out) {
+    for (std::size_t i = 0; i < variables.size(); ++i) slots_[function_.parameters_ + 1 + i] = variables[i];
+    run(function_.body_);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = slots_[function_.outputs_[i]];
+  }
+
+ private:
+  void run(std::span<const Instruction> instructions) {
+    for (const Instruction& i : instructions) {
+      const Slot* operand = function_.operands_.data() + i.first;
+      const T& x = slots_[operand[0]];
+      switch (i.operation) {
+        case Operation::sum_of_products:
+          slots_[i.out] = sum_of_products(i, operand);
+          break;
+        case Operation::quotient:
+          slots_[i.out] = x / slots_[operand[1]];
+          break;
+        case Operation::power:
+          slots_[i.out] = power(x, exponent(operand[1]));
+          break;
+        case Operation::square_root:
+          slots_[i.out] = sqrt(x);
+          break;
+        case Operation::sine_cosine: {
+          const T argument = x;
+          slots_[i.out] = sin(argument);
+          slots_[i.out + 1] = cos(argument);
+          break;
+        }
+        case Operation::call:
+          slots_[i.out] = evaluate(i.function, x);
+          break;
+        case Operation::solve:
+          assert(false);
+          break;
+      }
+    }
+  }
+
+  [[nodiscard]] T sum_of_products(const Instruction& i, const Slot* operand) const {
+    T sum = T::literal(0);
+    bool first = true;
+    const auto add = [&](const T& term) {
+      sum = first ? term : sum + term;  // 0 + x would be rounded once more
+      first = false;
+    };
+    for (unsigned k = 0; k < i.linear; ++k, operand += 2) add(scaled(operand[0], slots_[operand[1]]));
+    for (unsigned k = 0; k < i.products; ++k, operand += 3) {
+      const T& x = slots_[operand[1]];
+      add(scaled(operand[0], operand[1] == operand[2] ? square(x) : x * slots_[operand[2]]));
+    }
+    return sum;
+  }
+
+  /// Most coefficients are the literal 1.
+  [[nodiscard]] T scaled(Slot coefficient, const T& x) const {
+    return coefficient == one_ ? x : slots_[coefficient] * x;
+  }
+
+  [[nodiscard]] double exponent(Slot slot) const {
+    for (const auto& [literal, value] : function_.literals_) {
+      if (literal == slot) return value;
+    }
+    return 1;  // not reached: exponents are literals
+  }
+
+  const CompiledFunction& function_;
+  std::vector<T> slots_;
+  Slot one_{static_cast<Slot>(-1)};  ///< of the literal 1
+};
+
+}  // namespace qdot

@@ -1,0 +1,88 @@
+#include "core/mechanics/reduction.hpp"
+
+#include <algorithm>
+
+#include "core/expr/simplify.hpp"
+#include "core/mechanics/canonical.hpp"
+
+namespace qdot {
+namespace {
+
+/// Ignorable, and in no generalized force: forces on others may depend on where an ignorable coordinate is.
+std::vector<std::size_t> removable_coordinates(const Lagrangian& lagrangian) {
+  std::vector<std::size_t> found = ignorable_coordinates(lagrangian);
+  const std::vector<Expression>& q = lagrangian.symbols.coordinates.value;
+  std::erase_if(found, [&](std::size_t i) {
+    return std::any_of(lagrangian.generalized_forces.begin(), lagrangian.generalized_forces.end(),
+                       [&](const Expression& force) { return depends_on(force, q[i]); });
+  });
+  return found;
+}
+
+std::vector<Expression> chosen(const std::vector<Expression>& all, const std::vector<std::size_t>& places) {
+  std::vector<Expression> result;
+  for (const std::size_t i : places) result.push_back(all[i]);
+  return result;
+}
+
+/// d/dt dR/dx_i' - dR/dx_i.
+Expression lagrange(const Reduction& reduction, const Symbols& symbols, std::size_t i) {
+  std::vector<Replacement> rates{{symbols.t, reduction.graph->number(1)}};
+  for (std::size_t k = 0; k < reduction.x.size(); ++k) {
+    rates.emplace_back(reduction.x[k], reduction.x_dot[k]);
+    rates.emplace_back(reduction.x_dot[k], reduction.x_ddot[k]);
+  }
+  const Expression momentum = differentiate(reduction.routhian, reduction.x_dot[i]);
+  return total_derivative(momentum, rates) - differentiate(reduction.routhian, reduction.x[i]);
+}
+
+}  // namespace
+
+Reduction derive_reduction(const Lagrangian& lagrangian) {
+  Lagrangian own = copied(lagrangian);
+  const Symbols::Varying& q = own.symbols.coordinates;
+  Reduction result;
+  result.graph = own.graph;
+  result.constants = own.symbols.parameters;
+  result.routhian = own.lagrangian;
+  std::vector<Replacement> replacements;
+  if (const std::vector<std::size_t> removable = removable_coordinates(own); !removable.empty()) {
+    if (const auto routh = routhian(own); routh && routh->ignored == removable) {
+      result.ignored = removable;
+      result.routhian = routh->routhian;
+      result.ignored_rates = routh->rates;
+      const std::vector<Expression> p = momentum_symbols(own);
+      for (std::size_t k = 0; k < removable.size(); ++k) {
+        result.constants.push_back(p[removable[k]]);
+        replacements.emplace_back(q.rate[removable[k]], routh->rates[k]);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < q.value.size(); ++i) {
+    if (std::find(result.ignored.begin(), result.ignored.end(), i) == result.ignored.end())
+      result.kept.push_back(i);
+  }
+  result.x = chosen(q.value, result.kept);
+  result.x_dot = chosen(q.rate, result.kept);
+  result.x_ddot = chosen(q.second_rate, result.kept);
+  result.autonomous = true;
+  result.conservative = !depends_on(result.routhian, own.symbols.t);
+  for (std::size_t k = 0; k < result.kept.size(); ++k) {
+    const Expression force = substitute(own.generalized_forces[result.kept[k]], replacements);
+    const Expression equation = simplify(lagrange(result, own.symbols, k) - force);
+    result.equations.push_back(equation);
+    result.conservative = result.conservative && force.is_zero();
+    result.autonomous = result.autonomous && !depends_on(equation, own.symbols.t);
+  }
+  return result;
+}
+
+Expression at_rest(const Reduction& reduction, const Expression& e) {
+  std::vector<Replacement> rest;
+  for (const auto* symbols : {&reduction.x_dot, &reduction.x_ddot}) {
+    for (const Expression& symbol : *symbols) rest.emplace_back(symbol, reduction.graph->number(0));
+  }
+  return substitute(e, rest);
+}
+
+}  // namespace qdot

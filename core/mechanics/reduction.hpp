@@ -1,0 +1,40 @@
+#pragma once
+// A motion without its ignorable coordinates: Routh's reduction (Goldstein, Classical Mechanics, 3rd
+// ed., 8.3), and the equations of what is left.
+//
+//   R(x, x'; p) = L - sum p_c q_c'   over the ignorable coordinates q_c, their velocities eliminated
+//   E_i = d/dt dR/dx_i' - dR/dx_i - Q_i = 0   for the coordinates x that are left
+// A steady motion (x' = 0, every q_c' constant) is a zero of E(x, 0, 0), an equilibrium if nothing is
+// ignorable.
+
+#include <memory>
+#include <vector>
+
+#include "core/mechanics/lagrangian.hpp"
+
+namespace qdot {
+
+struct Reduction {
+  std::shared_ptr<Graph> graph;
+  std::vector<std::size_t> kept, ignored;    ///< coordinates by number
+  std::vector<Expression> x, x_dot, x_ddot;  ///< symbols of the kept ones
+  /// The scene's parameters, then p_c of each ignored coordinate.
+  std::vector<Expression> constants;
+  Expression routhian;                    ///< R [J]; L where nothing is ignorable
+  std::vector<Expression> equations;      ///< E_i(x, x', x''), not divided by anything
+  std::vector<Expression> ignored_rates;  ///< q_c'(x, x'; p)
+  bool autonomous{};                      ///< no E_i contains the time
+  /// Every Q_i is zero and R does not contain the time, so that h = sum x_i' dR/dx_i' - R stays constant.
+  bool conservative{};
+
+  [[nodiscard]] std::size_t degrees_of_freedom() const { return kept.size(); }
+};
+
+/// Works on a graph of its own. What is ignorable depends on the parameters: ask for the Lagrangian with the
+/// vanishing ones replaced by 0.
+[[nodiscard]] Reduction derive_reduction(const Lagrangian& lagrangian);
+
+/// e with x' = x'' = 0.
+[[nodiscard]] Expression at_rest(const Reduction& reduction, const Expression& e);
+
+}  // namespace qdot
