@@ -210,14 +210,31 @@ std::shared_ptr<const CompiledFunction> Dynamics::columns(const std::vector<Colu
 }
 
 Lagrangian Dynamics::specialized(const std::vector<bool>& vanishing) const {
-  Lagrangian lagrangian = copied(model_->lagrangian);
-  std::vector<Replacement> replacements;
+  const Lagrangian own = copied(model_->lagrangian);
+  return replaced(own, specialization(vanishing, own));
+}
+
+std::vector<Replacement> Dynamics::specialization(const std::vector<bool>& vanishing,
+                                                  const Lagrangian& own) const {
+  std::vector<Replacement> replacements = input_replacements(*model_, inputs_, *own.graph);
   for (std::size_t i = 0; i < vanishing.size(); ++i) {
-    if (vanishing[i])
-      replacements.emplace_back(lagrangian.symbols.parameters[i], lagrangian.graph->number(0));
+    if (!vanishing[i]) continue;
+    const Replacement zero{own.symbols.parameters[i], own.graph->number(0)};
+    for (Replacement& input : replacements) input.second = substitute(input.second, {&zero, 1});
+    replacements.push_back(zero);
   }
-  lagrangian = replaced(lagrangian, replacements);
-  return replaced(lagrangian, input_replacements(*model_, inputs_, *lagrangian.graph));
+  return replacements;
+}
+
+Statics Dynamics::derived_statics(const std::vector<bool>& vanishing) const {
+  const Lagrangian own = copied(model_->lagrangian);
+  const std::vector<Replacement> replacements = specialization(vanishing, own);
+  std::vector<Expression> divided;
+  for (const Equation& equation : model_->equations.equations) {
+    const Expression whole = own.graph->adopt(equation.left) - own.graph->adopt(equation.right);
+    divided.push_back(substitute(whole, replacements));
+  }
+  return derive_statics(replaced(own, replacements), divided);
 }
 
 Conserved Dynamics::derived_conserved(const std::vector<bool>& vanishing) const {
@@ -241,7 +258,7 @@ std::shared_ptr<const Statics> Dynamics::statics(std::span<const double> paramet
   const std::vector<bool> vanishing = zeros_among(parameters);
   const std::lock_guard lock(lazy_->mutex);
   std::shared_ptr<const Statics>& slot = lazy_->statics[vanishing];
-  if (!slot) slot = std::make_shared<const Statics>(derive_statics(specialized(vanishing)));
+  if (!slot) slot = std::make_shared<const Statics>(derived_statics(vanishing));
   return slot;
 }
 

@@ -65,6 +65,8 @@ class Dynamics {
   /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the
   /// direction; or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
   [[nodiscard]] CompiledEvent event(const std::string& text) const;
+  /// Expressions of a copy of the model's graph, as they are along motions: q'' solved for, inputs replaced.
+  [[nodiscard]] CompiledFunction compiled(const Graph& graph, std::span<const Expression> expressions) const;
 
  private:
   class Builder;
@@ -76,9 +78,11 @@ class Dynamics {
     std::map<std::vector<bool>, std::shared_ptr<const Statics>> statics;
   };
 
-  [[nodiscard]] CompiledFunction compiled(const Graph& graph, std::span<const Expression> expressions) const;
   /// The Lagrangian with vanishing parameters and the inputs replaced, in a graph of its own.
   [[nodiscard]] Lagrangian specialized(const std::vector<bool>& vanishing) const;
+  [[nodiscard]] std::vector<Replacement> specialization(const std::vector<bool>& vanishing,
+                                                        const Lagrangian& own) const;
+  [[nodiscard]] Statics derived_statics(const std::vector<bool>& vanishing) const;
   [[nodiscard]] Conserved derived_conserved(const std::vector<bool>& vanishing) const;
 
   std::shared_ptr<const Model> model_;

@@ -32,8 +32,8 @@ CompiledFunction compiled_at_rest(const Reduction& reduction, Graph& graph,
   return tape.finish();
 }
 
-Statics derive_statics(const Lagrangian& lagrangian) {
-  Statics statics{derive_reduction(lagrangian), {}, {}, {}, {}, {}, {}, {}};
+Statics derive_statics(const Lagrangian& lagrangian, const std::vector<Expression>& divided) {
+  Statics statics{derive_reduction(lagrangian, divided), {}, {}, {}, {}, {}, {}, {}};
   const Reduction& reduction = statics.reduction;
   if (!reduction.autonomous) {
     throw Error(ErrorCode::not_applicable,

@@ -25,8 +25,10 @@ struct Statics {
   std::optional<CompiledFunction> potential;
 };
 
-/// Throws Error(not_applicable) where the time enters the equations: nothing stays at rest then.
-[[nodiscard]] Statics derive_statics(const Lagrangian& lagrangian);
+/// Arguments as in derive_reduction. Throws Error(not_applicable) where the time enters the equations:
+/// nothing stays at rest then.
+[[nodiscard]] Statics derive_statics(const Lagrangian& lagrangian,
+                                     const std::vector<Expression>& divided = {});
 
 /// Expressions of the reduction's graph, or of a copy of it, as one more function of the constants and x.
 [[nodiscard]] CompiledFunction compiled_at_rest(const Reduction& reduction, Graph& graph,

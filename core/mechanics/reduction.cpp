@@ -38,7 +38,7 @@ Expression lagrange(const Reduction& reduction, const Symbols& symbols, std::siz
 
 }  // namespace
 
-Reduction derive_reduction(const Lagrangian& lagrangian) {
+Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expression>& divided) {
   Lagrangian own = copied(lagrangian);
   const Symbols::Varying& q = own.symbols.coordinates;
   Reduction result;
@@ -69,7 +69,10 @@ Reduction derive_reduction(const Lagrangian& lagrangian) {
   result.conservative = !depends_on(result.routhian, own.symbols.t);
   for (std::size_t k = 0; k < result.kept.size(); ++k) {
     const Expression force = substitute(own.generalized_forces[result.kept[k]], replacements);
-    const Expression equation = simplify(lagrange(result, own.symbols, k) - force);
+    Expression equation = simplify(lagrange(result, own.symbols, k) - force);
+    if (equation.is_zero() && result.kept[k] < divided.size()) {
+      equation = simplify(substitute(own.graph->adopt(divided[result.kept[k]]), replacements));
+    }
     result.equations.push_back(equation);
     result.conservative = result.conservative && force.is_zero();
     result.autonomous = result.autonomous && !depends_on(equation, own.symbols.t);

@@ -21,7 +21,7 @@ struct Reduction {
   /// The scene's parameters, then p_c of each ignored coordinate.
   std::vector<Expression> constants;
   Expression routhian;                    ///< R [J]; L where nothing is ignorable
-  std::vector<Expression> equations;      ///< E_i(x, x', x''), not divided by anything
+  std::vector<Expression> equations;      ///< E_i(x, x', x''), undivided unless it vanishes
   std::vector<Expression> ignored_rates;  ///< q_c'(x, x'; p)
   bool autonomous{};                      ///< no E_i contains the time
   /// Every Q_i is zero and R does not contain the time, so that h = sum x_i' dR/dx_i' - R stays constant.
@@ -31,8 +31,11 @@ struct Reduction {
 };
 
 /// Works on a graph of its own. What is ignorable depends on the parameters: ask for the Lagrangian with the
-/// vanishing ones replaced by 0.
-[[nodiscard]] Reduction derive_reduction(const Lagrangian& lagrangian);
+/// vanishing ones replaced by 0. An equation may vanish with them, such as that of a leg whose foot loses its
+/// mass; then its limit stands there: left - right of Lagrange's equation of that coordinate, divided by its
+/// factors before they vanished. `divided` has these, in order of the coordinates, in the Lagrangian's graph.
+[[nodiscard]] Reduction derive_reduction(const Lagrangian& lagrangian,
+                                         const std::vector<Expression>& divided = {});
 
 /// e with x' = x'' = 0.
 [[nodiscard]] Expression at_rest(const Reduction& reduction, const Expression& e);
