@@ -1,6 +1,7 @@
 #include "api/equations.hpp"
 
 #include "core/expr/print.hpp"
+#include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/conserved.hpp"
 #include "core/mechanics/dimensionless.hpp"
@@ -192,11 +193,17 @@ class Sheet {
     for (const DimensionlessGroup& group : form->groups) groups[group.name] = written(group.value);
     Json units = Json::array();
     for (const Expression& unit : form->units) units.push_back(written(unit));
+    Json momenta = Json::object();
+    for (std::size_t i = 0; i < model_.degrees_of_freedom(); ++i) {
+      const Expression momentum = differentiate(form->lagrangian, own_.symbols.coordinates.rate[i]);
+      momenta["p_" + model_.scene.coordinates[i].name] = written(simplify(momentum));
+    }
     return {{"set_to_one", std::move(units)},
             {"groups", std::move(groups)},
             {"energy_unit", written(form->energy_unit)},
             {"time_unit", written(form->time_unit)},
-            {"L", written(form->lagrangian)}};
+            {"L", written(form->lagrangian)},
+            {"momenta", std::move(momenta)}};
   }
 
   const Model& model_;

@@ -10,6 +10,7 @@
 #include "api/http.hpp"
 #include "api/json_writer.hpp"
 #include "api/limits.hpp"
+#include "api/practice.hpp"
 #include "api/problem.hpp"
 #include "api/routes.hpp"
 #include "api/simulation.hpp"
@@ -95,6 +96,7 @@ struct Service::Impl {
     if (!options.scenes_directory.empty()) catalogue = catalogue.with_directory(options.scenes_directory);
     add_documents();
     add_systems();
+    add_problems();
     add_computations();
   }
 
@@ -127,6 +129,20 @@ struct Service::Impl {
                   return to_response({.kind = ProblemKind::not_found,
                                       .detail = "There is no system " + in_quotes(call.captures[0]) +
                                                 "; /v1/systems lists them."},
+                                     call.target.path, call.layout);
+                }});
+  }
+
+  void add_problems() {
+    add_document("/v1/problems", problem_list());
+    routes.add({"GET", "/v1/problems/{number}", [this](Call& call) {
+                  const auto ask = [this](const Request& request) { return answer(request); };
+                  if (const auto problem = problem_answers(call.captures[0], ask)) {
+                    return json_response(*problem, call.layout);
+                  }
+                  return to_response({.kind = ProblemKind::not_found,
+                                      .detail = "The practice sheet has no problem " +
+                                                in_quotes(call.captures[0]) + "; /v1/problems lists them."},
                                      call.target.path, call.layout);
                 }});
   }

@@ -37,7 +37,13 @@ inline constexpr std::array commands{
     Command{"simulate", "The trajectory of a system"},
     Command{"equations", "Lagrangian, equations of motion and what is conserved"},
     Command{"energy", "Energies, momenta and accelerations at a state"},
+    Command{"modes", "Equilibrium, natural frequencies and mode shapes"},
+    Command{"turning_points", "The largest and the least value of a coordinate"},
+    Command{"equilibria", "All equilibria, or the parameter that makes a position one"},
+    Command{"bifurcations", "Critical values of a parameter"},
+    Command{"gait", "Periodic gaits of a walker"},
     Command{"systems", "The systems there are, or one of them", Words::name},
+    Command{"problems", "The practice sheet, or one of its problems with answers", Words::name},
 };
 
 struct Arguments {

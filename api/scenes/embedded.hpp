@@ -1,5 +1,5 @@
 #pragma once
-// The files of this directory inside the program. embed.cmake writes the definitions.
+// The files of this directory, and api/problems.json, inside the program. embed.cmake writes the definitions.
 
 #include <span>
 #include <string_view>
@@ -16,5 +16,8 @@ struct File {
 
 /// schema.json.
 [[nodiscard]] std::string_view schema();
+
+/// problems.json.
+[[nodiscard]] std::string_view problems();
 
 }  // namespace qdot::api::embedded
