@@ -17,6 +17,7 @@
 #include "api/system_lookup.hpp"
 #include "api/systems.hpp"
 #include "api/text.hpp"
+#include "api/turning_points.hpp"
 
 namespace qdot::api {
 namespace {
@@ -156,6 +157,9 @@ struct Service::Impl {
     add_endpoint<EnergyRequest>(
         routes, "energy", energy_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_energy(resolved, call, models); });
+    add_endpoint<TurningPointsRequest>(
+        routes, "turning_points", turning_points_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_turning_points(resolved, call, models); });
     add_endpoint<SimulateRequest>(
         routes, "simulate", simulate_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_simulate(resolved, call, models); },

@@ -90,8 +90,6 @@ Failure failure_of(Ending ending) {
   return {"interrupted", "The computation was given up."};
 }
 
-bool failed(Ending ending) { return ending != Ending::reached_end && ending != Ending::event; }
-
 class SimulationAnswer {
  public:
   SimulationAnswer(const Resolved<SimulateRequest>& resolved, Call& call, const Dynamics& dynamics)
@@ -102,7 +100,9 @@ class SimulationAnswer {
     fill_echo(echo_, model().scene, state);
     run(state);
     call_.timing.lap("solve");
-    if (failed(result_.ending)) return failure();
+    if (has_failed(result_.ending)) {
+      return integration_failure(call_, model().scene, result_.ending, result_.t, result_.y);
+    }
     make_table();
     Response answer = format() == Format::json ? json() : rows();
     call_.timing.lap("encode");
@@ -133,25 +133,6 @@ class SimulationAnswer {
     core.tolerances = {request_.rtol, request_.atol};
     core.limits.interrupted = call_.request.interrupted;
     result_ = simulate(dynamics_, core);
-  }
-
-  Response failure() {
-    if (result_.ending == Ending::interrupted) {
-      Response response =
-          to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
-                      call_.target.path, call_.layout);
-      response.headers["Retry-After"] = "1";
-      return response;
-    }
-    const Failure why = failure_of(result_.ending);
-    Json members{{"reason", why.reason},
-                 {"t_reached", result_.t},
-                 {"last_state", state_json(model().scene, result_.y)}};
-    return to_response({.kind = ProblemKind::integration_failed,
-                        .detail = why.detail,
-                        .errors = {},
-                        .members = std::move(members)},
-                       call_.target.path, call_.layout);
   }
 
   void add_column(const std::string& name, const std::string& unit, std::vector<double> values) {
@@ -268,6 +249,25 @@ class SimulationAnswer {
 };
 
 }  // namespace
+
+bool has_failed(Ending ending) { return ending != Ending::reached_end && ending != Ending::event; }
+
+Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
+                             std::span<const double> y) {
+  if (ending == Ending::interrupted) {
+    Response response = to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
+                                    call.target.path, call.layout);
+    response.headers["Retry-After"] = "1";
+    return response;
+  }
+  const Failure why = failure_of(ending);
+  Json members{{"reason", why.reason}, {"t_reached", t}, {"last_state", state_json(scene, y)}};
+  return to_response({.kind = ProblemKind::integration_failed,
+                      .detail = why.detail,
+                      .errors = {},
+                      .members = std::move(members)},
+                     call.target.path, call.layout);
+}
 
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
   return guarded(

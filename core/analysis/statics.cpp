@@ -20,6 +20,46 @@ std::vector<Expression> derivatives(const Reduction& reduction, const std::vecto
   return result;
 }
 
+bool has_quadratic_energy(const Reduction& reduction) {
+  for (const Expression& row : reduction.equations) {
+    for (const Expression& acceleration : reduction.x_ddot) {
+      const Expression entry = differentiate(row, acceleration);
+      if (depends_on(entry, reduction.x_dot) && depends_on(simplify(entry), reduction.x_dot)) return false;
+    }
+  }
+  return true;
+}
+
+/// M, K and D of Lagrange's equations for all coordinates, the ignored ones at their steady rates.
+std::vector<Expression> linearized(const Lagrangian& lagrangian, const Reduction& reduction) {
+  const Lagrangian own = copied(lagrangian);
+  const Symbols::Varying& q = own.symbols.coordinates;
+  Graph& graph = *reduction.graph;
+  std::vector<Replacement> steady, unaccelerated;
+  for (std::size_t c = 0; c < reduction.ignored.size(); ++c) {
+    steady.emplace_back(graph.adopt(q.rate[reduction.ignored[c]]), reduction.ignored_rates[c]);
+  }
+  for (const Expression& symbol : q.second_rate) {
+    unaccelerated.emplace_back(graph.adopt(symbol), graph.number(0));
+  }
+  std::vector<Expression> equations;
+  for (std::size_t i = 0; i < q.value.size(); ++i) {
+    const Expression momentum = differentiate(own.lagrangian, q.rate[i]);
+    equations.push_back(total_derivative(momentum, own.symbols.rates()) -
+                        differentiate(own.lagrangian, q.value[i]) - own.generalized_forces[i]);
+  }
+  std::vector<Expression> result;
+  for (const auto* variables : {&q.second_rate, &q.value, &q.rate}) {
+    for (const Expression& equation : equations) {
+      for (const Expression& v : *variables) {
+        const Expression e = substitute(graph.adopt(differentiate(equation, v)), unaccelerated);
+        result.push_back(simplify(at_rest(reduction, substitute(e, steady))));
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 CompiledFunction compiled_at_rest(const Reduction& reduction, Graph& graph,
@@ -33,7 +73,7 @@ CompiledFunction compiled_at_rest(const Reduction& reduction, Graph& graph,
 }
 
 Statics derive_statics(const Lagrangian& lagrangian, const std::vector<Expression>& divided) {
-  Statics statics{derive_reduction(lagrangian, divided), {}, {}, {}, {}, {}, {}, {}};
+  Statics statics{derive_reduction(lagrangian, divided), {}, {}, {}, {}, {}, {}, {}, {}};
   const Reduction& reduction = statics.reduction;
   if (!reduction.autonomous) {
     throw Error(ErrorCode::not_applicable,
@@ -53,6 +93,8 @@ Statics derive_statics(const Lagrangian& lagrangian, const std::vector<Expressio
   if (reduction.conservative) {
     statics.potential = compiled({simplify(Number(-1) * at_rest(reduction, reduction.routhian))});
   }
+  if (!reduction.ignored.empty()) statics.linearized = compiled(linearized(lagrangian, reduction));
+  statics.quadratic = has_quadratic_energy(reduction);
   return statics;
 }
 

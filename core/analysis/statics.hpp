@@ -23,6 +23,11 @@ struct Statics {
   CompiledFunction ignored_rates;  ///< q_c' at rest
   /// Effective potential U(x) = -R(x, 0) [J], g = dU/dx; only where the reduction is conservative.
   std::optional<CompiledFunction> potential;
+  /// Where coordinates are ignored: M, K and D of all N coordinates along the steady motion, each N x N by
+  /// rows, M u'' + D u' + K u = 0 for small departures u from it.
+  std::optional<CompiledFunction> linearized;
+  /// No M_ij contains a velocity: the energy is 1/2 x'.M x' + U, and no motion passes where U exceeds it.
+  bool quadratic{};
 };
 
 /// Arguments as in derive_reduction. Throws Error(not_applicable) where the time enters the equations:

@@ -1,7 +1,9 @@
 #include "core/compile/interval.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace qdot {
 namespace {
@@ -12,8 +14,14 @@ constexpr double pi = 3.14159265358979323846;
 /// SLEEF's functions are within one unit in the last place of the true value.
 constexpr int units_of_functions = 2;
 
-double below(double x) { return std::nextafter(x, -infinity); }
-double above(double x) { return std::nextafter(x, infinity); }
+/// The neighbouring doubles: those of one sign are in the order of their bits.
+double below(double x) {
+  if (!(x > -infinity)) return x;
+  if (x == 0) return -std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  return std::bit_cast<double>(x > 0 ? bits - 1 : bits + 1);
+}
+double above(double x) { return -below(-x); }
 
 /// The ends are rounded values of exact ones. What is exactly zero stays so: products and sums that vanish
 /// do.
@@ -63,6 +71,7 @@ Interval wave(Function function, const Interval& a, int top, int bottom) {
   const double left = evaluate(function, a.lower);
   const double right = evaluate(function, a.upper);
   Interval range = outward({std::min(left, right), std::max(left, right)}, units_of_functions);
+  if (a.lower == 0 && a.upper == 0) return left;  // exact: 0 or 1
   if (a.width() == 0) return intersection(range, {-1, 1});
   if (reaches_quarter(a, top)) range.upper = 1;
   if (reaches_quarter(a, bottom)) range.lower = -1;
