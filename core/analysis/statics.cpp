@@ -32,27 +32,36 @@ bool has_quadratic_energy(const Reduction& reduction) {
 
 /// M, K and D of Lagrange's equations for all coordinates, the ignored ones at their steady rates.
 std::vector<Expression> linearized(const Lagrangian& lagrangian, const Reduction& reduction) {
-  const Lagrangian own = copied(lagrangian);
-  const Symbols::Varying& q = own.symbols.coordinates;
   Graph& graph = *reduction.graph;
-  std::vector<Replacement> steady, unaccelerated;
-  for (std::size_t c = 0; c < reduction.ignored.size(); ++c) {
-    steady.emplace_back(graph.adopt(q.rate[reduction.ignored[c]]), reduction.ignored_rates[c]);
+  const auto adopted = [&](const std::vector<Expression>& expressions) {
+    std::vector<Expression> result;
+    for (const Expression& e : expressions) result.push_back(graph.adopt(e));
+    return result;
+  };
+  const Symbols::Varying& symbols = lagrangian.symbols.coordinates;
+  const std::vector<Expression> q = adopted(symbols.value), q_dot = adopted(symbols.rate),
+                                q_ddot = adopted(symbols.second_rate),
+                                forces = adopted(lagrangian.generalized_forces);
+  const Expression l = graph.adopt(lagrangian.lagrangian);
+  std::vector<Replacement> rates{{graph.adopt(lagrangian.symbols.t), graph.number(1)}}, steady, unaccelerated;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    rates.emplace_back(q[i], q_dot[i]);
+    rates.emplace_back(q_dot[i], q_ddot[i]);
+    unaccelerated.emplace_back(q_ddot[i], graph.number(0));
   }
-  for (const Expression& symbol : q.second_rate) {
-    unaccelerated.emplace_back(graph.adopt(symbol), graph.number(0));
+  for (std::size_t c = 0; c < reduction.ignored.size(); ++c) {
+    steady.emplace_back(q_dot[reduction.ignored[c]], reduction.ignored_rates[c]);
   }
   std::vector<Expression> equations;
-  for (std::size_t i = 0; i < q.value.size(); ++i) {
-    const Expression momentum = differentiate(own.lagrangian, q.rate[i]);
-    equations.push_back(total_derivative(momentum, own.symbols.rates()) -
-                        differentiate(own.lagrangian, q.value[i]) - own.generalized_forces[i]);
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const Expression change = total_derivative(differentiate(l, q_dot[i]), rates);
+    equations.push_back(change - differentiate(l, q[i]) - forces[i]);
   }
   std::vector<Expression> result;
-  for (const auto* variables : {&q.second_rate, &q.value, &q.rate}) {
+  for (const auto* variables : {&q_ddot, &q, &q_dot}) {
     for (const Expression& equation : equations) {
       for (const Expression& v : *variables) {
-        const Expression e = substitute(graph.adopt(differentiate(equation, v)), unaccelerated);
+        const Expression e = substitute(differentiate(equation, v), unaccelerated);
         result.push_back(simplify(at_rest(reduction, substitute(e, steady))));
       }
     }
