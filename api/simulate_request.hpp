@@ -17,7 +17,7 @@ enum class Extra { energy, momenta, positions, accelerations, validity };
 enum class OnInvalid { stop, carry_on };
 
 /// `automatic` leaves the choice to the service.
-enum class MethodChoice { automatic, adams, bdf, erk };
+enum class MethodChoice { automatic, adams, bdf, erk, taylor };
 
 enum class Format { json, csv, ndjson };
 

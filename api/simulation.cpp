@@ -14,11 +14,13 @@ Method method_of(MethodChoice choice) {
       return Method::adams;
     case MethodChoice::bdf:
       return Method::bdf;
-    case MethodChoice::automatic:  // of the three it reaches every tolerance with the least work
     case MethodChoice::erk:
+      return Method::erk;
+    case MethodChoice::automatic:  // it reaches every accuracy with the least work
+    case MethodChoice::taylor:
       break;
   }
-  return Method::erk;
+  return Method::taylor;
 }
 
 const char* name_of(Method method) {
@@ -28,9 +30,11 @@ const char* name_of(Method method) {
     case Method::bdf:
       return "bdf";
     case Method::erk:
+      return "erk";
+    case Method::taylor:
       break;
   }
-  return "erk";
+  return "taylor";
 }
 
 std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra>& include) {
@@ -129,7 +133,7 @@ class SimulationAnswer {
     core.events = request_.events;
     core.on_invalid = request_.on_invalid == OnInvalid::stop ? qdot::OnInvalid::stop : qdot::OnInvalid::go_on;
     core.impacts = request_.impacts ? Impacts::apply : Impacts::ignore;
-    core.method = method_ = method_of(request_.method);
+    core.method = method_of(request_.method);
     core.tolerances = {request_.rtol, request_.atol};
     core.limits.interrupted = call_.request.interrupted;
     result_ = simulate(dynamics_, core);
@@ -207,7 +211,7 @@ class SimulationAnswer {
   }
 
   [[nodiscard]] Json accuracy_json() const {
-    return {{"method", name_of(method_)},
+    return {{"method", name_of(result_.method)},
             {"rtol", request_.rtol},
             {"atol", request_.atol},
             {"max_abs_error", nullptr},
@@ -240,7 +244,6 @@ class SimulationAnswer {
   Json echo_;
   Call& call_;
   const Dynamics& dynamics_;
-  Method method_{};
   std::vector<qdot::Column> columns_;
   Simulation result_;
   std::vector<std::vector<double>> values_;
@@ -255,8 +258,9 @@ bool has_failed(Ending ending) { return ending != Ending::reached_end && ending 
 Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
                              std::span<const double> y) {
   if (ending == Ending::interrupted) {
-    Response response = to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
-                                    call.target.path, call.layout);
+    Response response =
+        to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
+                    call.target.path, call.layout);
     response.headers["Retry-After"] = "1";
     return response;
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/analysis/watch.hpp"
+#include "core/compile/taylor_expansion.hpp"
 
 namespace qdot {
 namespace {
@@ -12,7 +13,13 @@ namespace {
 constexpr std::size_t most_impacts = 10'000;
 
 /// q' and q'' from the compiled functions, each with a workspace of its own.
-RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request) {
+/// A series knows no kinks: where a force has abs or sign, the Runge-Kutta method takes over.
+Method possible_method(const Dynamics& dynamics, Method wanted) {
+  const bool possible = wanted != Method::taylor || has_taylor_expansion(dynamics.accelerations());
+  return possible ? wanted : Method::erk;
+}
+
+RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request, Method method) {
   const std::size_t n = dynamics.model().degrees_of_freedom();
   const CompiledFunction& accelerations = dynamics.accelerations();
   RightHandSide system;
@@ -22,11 +29,17 @@ RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest&
     std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, derivative.begin());
     return accelerations.evaluate(t, y, workspace, derivative.subspan(n));
   };
-  if (request.method == Method::bdf) {
+  if (method == Method::bdf) {
     const CompiledFunction& jacobian = dynamics.jacobian();
     system.jacobian = [&jacobian, workspace = jacobian.bind(request.parameters)](
                           double t, std::span<const double> y, std::span<double> out) mutable {
       return jacobian.evaluate(t, y, workspace, out);
+    };
+  }
+  if (method == Method::taylor) {
+    const auto expansion = std::make_shared<TaylorExpansion>(accelerations, request.parameters);
+    system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
+      return expansion->expand(t, y, order, c);
     };
   }
   return system;
@@ -37,10 +50,12 @@ class Simulator {
   Simulator(const Dynamics& dynamics, const SimulationRequest& request)
       : dynamics_(dynamics),
         request_(request),
-        system_(right_hand_side(dynamics, request)),
+        method_(possible_method(dynamics, request.method)),
+        system_(right_hand_side(dynamics, request, method_)),
         watches_(watches(dynamics, request)) {
     result_.t = request.t_start;
     result_.y = request.y_start;
+    result_.method = method_;
   }
 
   Simulation run() {
@@ -100,7 +115,7 @@ class Simulator {
     run.y_start = result_.y;
     run.t_end = request_.t_end;
     run.grid = std::span(request_.grid).subspan(result_.rows);
-    run.method = request_.method;
+    run.method = method_;
     run.tolerances = request_.tolerances;
     run.limits = request_.limits;
     run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);
@@ -213,6 +228,7 @@ class Simulator {
 
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
+  Method method_;
   RightHandSide system_;
   std::vector<Watch> watches_;
   std::vector<Segment> segments_;

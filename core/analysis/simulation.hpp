@@ -63,6 +63,7 @@ struct Simulation {
   double t{};                ///< how far it came
   std::vector<double> y;     ///< the state there
   std::vector<ConservedRecord> conserved;
+  Method method{};  ///< the one used: erk for taylor where a force has a kink (abs, sign)
   std::uint64_t steps{};
   std::uint64_t evaluations{};
 };

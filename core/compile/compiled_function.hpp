@@ -63,6 +63,7 @@ class CompiledFunction {
   friend class TapeBuilder;
   template <class T>
   friend class TapeEvaluator;
+  friend class TaylorExpansion;
 
   [[nodiscard]] bool run(std::span<const Instruction> instructions, double* slots) const noexcept;
 

@@ -1,12 +1,23 @@
 #pragma once
 // M x = b for the few unknowns of a mechanical system.
 
+#include <array>
 #include <cstddef>
 #include <span>
 
 namespace qdot {
 
 inline constexpr std::size_t largest_system = 16;
+
+/// The order of the rows that pivoting chose.
+using RowOrder = std::array<std::size_t, largest_system>;
+
+/// Factors M (n x n, by rows) in place. False as below.
+[[nodiscard]] bool factor_linear(std::size_t n, std::span<double> m, RowOrder& row) noexcept;
+
+/// One right-hand side b -> x through the factors.
+void substitute_linear(std::size_t n, std::span<const double> m, const RowOrder& row,
+                       std::span<double> b) noexcept;
 
 /// Solves M x = b for each right-hand side, M given by rows (n x n), b and x by right-hand sides (k x n).
 /// Gaussian elimination with row pivoting scaled by the rows' largest entries (Golub and Van Loan, Matrix

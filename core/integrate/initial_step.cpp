@@ -1,5 +1,7 @@
 #include "core/integrate/initial_step.hpp"
 
+#include <sleef.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,7 +58,7 @@ std::optional<double> initial_step(Evaluator& evaluator, double t, std::span<con
   const auto d2 = second_derivative(evaluator, t, f, h0, norm);
   if (!d2) return std::nullopt;
   const double d = std::max(d1, *d2);
-  const double h1 = d < 1e-15 ? 100 * h0 : std::pow(0.01 / d, 1.0 / (order + 1));
+  const double h1 = d < 1e-15 ? 100 * h0 : Sleef_cinz_powd1_u10purec(0.01 / d, 1.0 / (order + 1));
   // A sub-ulp or vanishing proposal (overflow above) falls back to the explicit Euler step.
   const double h = std::min(100 * h0, h1 > 0 ? h1 : h0);
   return std::clamp(h, shortest, span);

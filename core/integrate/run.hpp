@@ -24,6 +24,10 @@ struct RightHandSide {
   std::function<Evaluation(double t, std::span<const double> y, std::span<double> derivative)> derivative{};
   /// df/dy, row-major dimension x dimension; needed by Method::bdf only.
   std::function<Evaluation(double t, std::span<const double> y, std::span<double> jacobian)> jacobian{};
+  /// Taylor coefficients of the solution through (t, y): y_i(t + s) = sum_k c[i (order + 1) + k] s^k; needed
+  /// by Method::taylor only.
+  std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
+      expansion{};
 };
 
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
@@ -38,7 +42,9 @@ struct EventFunction {
 /// adams: CVODE, order 1 to 12, cheapest in evaluations when they are dear. bdf: CVODE, order 1 to 5, for
 /// stiff systems (strong damping). erk: ARKODE, order 8, the fastest of the three on small oscillating
 /// systems; a row of the grid costs it 12 evaluations, and watching events about 10 a step.
-enum class Method { adams, bdf, erk };
+/// taylor: Taylor series of order 14 or 20; the fewest and longest steps, its polynomial for dense output,
+/// and round-off kept low.
+enum class Method { adams, bdf, erk, taylor };
 
 /// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and
 /// bdf by a hundred to ten thousand times, for erk by ten to a hundred.
@@ -98,7 +104,8 @@ struct Run {
 
 /// Integrates from t_start to t_end >= t_start. Rows and steps are the same bits whatever the grid and the
 /// non-terminal events, unless max_evaluations runs out. The same call gives the same bits, on any thread.
-/// Throws std::invalid_argument for tolerances that are not positive and for bdf without a Jacobian.
+/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian
+/// and for taylor without an expansion.
 [[nodiscard]] Run integrate(const RightHandSide& system, const RunRequest& request);
 
 }  // namespace qdot

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/integrate/sundials_steppers.hpp"
+#include "core/integrate/taylor_stepper.hpp"
 
 namespace qdot {
 
@@ -17,6 +18,9 @@ std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequ
       return make_bdf_stepper(system, request);
     case Method::erk:
       return make_erk_stepper(system, request);
+    case Method::taylor:
+      if (!system.expansion) throw std::invalid_argument("taylor needs an expansion");
+      return make_taylor_stepper(system, request);
   }
   throw std::invalid_argument("unknown method");
 }

@@ -44,7 +44,8 @@ class Stepper {
 };
 
 /// The method that request.method names. Both arguments must outlive the stepper.
-/// Throws std::invalid_argument for tolerances that are not positive or for bdf without a Jacobian.
+/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian
+/// and for taylor without an expansion.
 [[nodiscard]] std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequest& request);
 
 }  // namespace qdot

@@ -1,0 +1,206 @@
+#include "core/integrate/taylor_stepper.hpp"
+
+#include <sleef.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/integrate/evaluator.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr unsigned order_loose = 14;  ///< cheaper per step; fewer digits need no more
+constexpr unsigned order_tight = 20;
+constexpr double loose = 1e-6;
+constexpr int attempts = 60;            ///< at one step, each half as long
+constexpr double largest_defect = 1e3;  ///< of the equation at the end of a step, in units of the tolerance
+
+/// w / |c|, to the power 1 / k; infinite for c = 0.
+double root_of(double w, double c, unsigned k) {
+  if (c == 0) return std::numeric_limits<double>::infinity();
+  const double exponent = Sleef_cinz_log2d1_u10purec(w) - Sleef_cinz_log2d1_u10purec(std::abs(c));
+  return Sleef_cinz_exp2d1_u10purec(exponent / k);
+}
+
+class TaylorStepper final : public Stepper {
+ public:
+  TaylorStepper(const RightHandSide& system, const RunRequest& request)
+      : system_(system),
+        request_(request),
+        order_(request.tolerances.rtol >= loose ? order_loose : order_tight),
+        t_previous_(request.t_start),
+        t_(request.t_start),
+        y_previous_(request.y_start),
+        y_(request.y_start),
+        carried_(y_.size()),
+        coefficients_(y_.size() * (order_ + 1)),
+        next_(coefficients_.size()) {}
+
+  std::optional<Ending> step() override {
+    if (t_ != t_previous_) trouble_.reset();
+    if (steps_ == 0) {
+      if (const auto failed = expand(t_, y_, next_)) return failed;
+    }
+    const double wanted = step_size();
+    const std::vector<double> carried = carried_;
+    double h = std::min(wanted, request_.t_end - t_);
+    for (int i = 0; i < attempts; ++i, h /= 2) {
+      const double t = h == request_.t_end - t_ ? request_.t_end : t_ + h;
+      if (!(t > t_)) break;
+      if (const auto spent = limit()) return spent;
+      if (try_step(t, carried)) {
+        last_step_ = h;
+        return std::nullopt;
+      }
+    }
+    return stuck(wanted);
+  }
+
+  std::optional<Ending> interpolate(double t, std::span<double> y_out) override {
+    if (t == t_) {
+      std::ranges::copy(y_, y_out.begin());
+    } else {
+      for (std::size_t i = 0; i < y_out.size(); ++i) {
+        y_out[i] = y_previous_[i] + increment(coefficients_, i, t - t_previous_);
+      }
+    }
+    return std::nullopt;
+  }
+
+  double t_previous() const override { return t_previous_; }
+  double t() const override { return t_; }
+  std::span<const double> y() const override { return y_; }
+  std::optional<Ending> trouble() const override { return trouble_; }
+  std::uint64_t steps() const override { return steps_; }
+  std::uint64_t evaluations() const override { return evaluations_; }
+
+ private:
+  std::optional<Ending> limit() const {
+    const Limits& limits = request_.limits;
+    if (evaluations_ + order_ > limits.max_evaluations) return Ending::step_limit;
+    if (limits.interrupted && steps_ % 4 == 0 && limits.interrupted()) return Ending::interrupted;
+    return std::nullopt;
+  }
+
+  std::optional<Ending> expand(double t, std::span<const double> y, std::vector<double>& coefficients) {
+    if (const auto wrong = unusable(y, request_.limits.max_magnitude)) return trouble_ = wrong;
+    evaluations_ += order_;
+    switch (system_.expansion(t, y, order_, coefficients)) {
+      case Evaluation::ok:
+        return std::nullopt;
+      case Evaluation::singular_mass:
+        return trouble_ = Ending::singular_mass;
+      case Evaluation::nonfinite:
+        break;
+    }
+    return trouble_ = Ending::nonfinite;
+  }
+
+  /// c_i,k of the expansion at the current state.
+  [[nodiscard]] double coefficient(const std::vector<double>& c, std::size_t i, unsigned k) const {
+    return c[i * (order_ + 1) + k];
+  }
+
+  [[nodiscard]] double weight(std::size_t i) const {
+    const double reach = std::abs(y_[i]) + last_step_ * std::abs(coefficient(next_, i, 1));
+    return request_.tolerances.atol + request_.tolerances.rtol * reach;
+  }
+
+  /// By the last two coefficients that are finite in all components.
+  [[nodiscard]] double step_size() const {
+    unsigned last = order_;
+    const auto is_finite = [&](unsigned k) {
+      for (std::size_t i = 0; i < y_.size(); ++i) {
+        if (!std::isfinite(coefficient(next_, i, k))) return false;
+      }
+      return true;
+    };
+    while (last > 1 && !is_finite(last)) --last;
+    double h = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      const double w = weight(i);
+      for (unsigned k = last > 2 ? last - 1 : last; k <= last; ++k) {
+        h = std::min(h, root_of(w, coefficient(next_, i, k), k));
+      }
+    }
+    return h;
+  }
+
+  /// sum_{k>=1} c_k s^k.
+  [[nodiscard]] double increment(const std::vector<double>& c, std::size_t i, double s) const {
+    const double* row = c.data() + i * (order_ + 1);
+    double sum = row[order_];
+    for (unsigned k = order_ - 1; k >= 1; --k) sum = sum * s + row[k];
+    return sum * s;
+  }
+
+  [[nodiscard]] double slope(const std::vector<double>& c, std::size_t i, double s) const {
+    const double* row = c.data() + i * (order_ + 1);
+    double sum = order_ * row[order_];
+    for (unsigned k = order_ - 1; k >= 1; --k) sum = sum * s + k * row[k];
+    return sum;
+  }
+
+  /// To time t, if the polynomial holds until there.
+  bool try_step(double t, const std::vector<double>& carried) {
+    const double h = t - t_;
+    std::vector<double>& y = attempt_;
+    y.resize(y_.size());
+    attempt_carried_ = carried;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double rise = increment(next_, i, h) + carried[i];
+      y[i] = y_[i] + rise;
+      const double taken = y[i] - y_[i];
+      attempt_carried_[i] = (y_[i] - (y[i] - taken)) + (rise - taken);
+    }
+    if (expand(t, y, beyond_)) return false;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double defect = slope(next_, i, h) - coefficient(beyond_, i, 1);
+      const double round_off = 1e-12 * (std::abs(slope(next_, i, h)) + std::abs(coefficient(beyond_, i, 1)));
+      if (!(h * std::abs(defect) <= largest_defect * weight(i) + h * round_off)) return false;
+    }
+    accept(t);
+    return true;
+  }
+
+  void accept(double t) {
+    t_previous_ = t_;
+    t_ = t;
+    y_previous_.swap(y_);
+    y_.swap(attempt_);
+    carried_.swap(attempt_carried_);
+    coefficients_.swap(next_);
+    next_.swap(beyond_);
+    ++steps_;
+  }
+
+  /// No step was accepted, or none can be taken.
+  Ending stuck(double wanted) const {
+    if (trouble_) return *trouble_;
+    return std::isfinite(wanted) ? Ending::blow_up : Ending::nonfinite;
+  }
+
+  const RightHandSide& system_;
+  const RunRequest& request_;
+  unsigned order_;
+  double t_previous_, t_;
+  double last_step_{};
+  std::vector<double> y_previous_, y_, attempt_;
+  std::vector<double> carried_, attempt_carried_;  ///< what the sums of the state have rounded away
+  std::vector<double> coefficients_;               ///< at t_previous_: the dense output
+  std::vector<double> next_;                       ///< at t_
+  std::vector<double> beyond_ = std::vector<double>(coefficients_.size());
+  std::uint64_t steps_{}, evaluations_{};
+  std::optional<Ending> trouble_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_taylor_stepper(const RightHandSide& system, const RunRequest& request) {
+  return std::make_unique<TaylorStepper>(system, request);
+}
+
+}  // namespace qdot
