@@ -49,7 +49,7 @@ struct SystemKind {};
 
 /// What a request says of its system's own symbols. In a body an object, "parameters": {"k": 40}; in a query
 /// flattened, k=40.
-enum class SymbolRole { parameter, initial, input };
+enum class SymbolRole { parameter, initial, input, equilibrium };
 struct SymbolsKind {
   SymbolRole role{};
 };

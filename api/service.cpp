@@ -7,9 +7,11 @@
 #include "api/endpoint.hpp"
 #include "api/energy.hpp"
 #include "api/equations.hpp"
+#include "api/gait.hpp"
 #include "api/http.hpp"
 #include "api/json_writer.hpp"
 #include "api/limits.hpp"
+#include "api/modes.hpp"
 #include "api/practice.hpp"
 #include "api/problem.hpp"
 #include "api/routes.hpp"
@@ -157,6 +159,12 @@ struct Service::Impl {
     add_endpoint<EnergyRequest>(
         routes, "energy", energy_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_energy(resolved, call, models); });
+    add_endpoint<ModesRequest>(
+        routes, "modes", modes_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_modes(resolved, call, models); });
+    add_endpoint<GaitRequest>(
+        routes, "gait", gait_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_gait(resolved, call, models); });
     add_endpoint<TurningPointsRequest>(
         routes, "turning_points", turning_points_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_turning_points(resolved, call, models); });

@@ -24,6 +24,8 @@ std::string kind_name(SymbolRole role) {
       return "coordinate or velocity";
     case SymbolRole::input:
       return "input";
+    case SymbolRole::equilibrium:
+      return "coordinate";
   }
   return {};
 }
@@ -57,6 +59,9 @@ void store(SymbolRole role, const std::string& name, const Json& value, SystemCh
     case SymbolRole::input:
       choice.inputs.emplace_back(name, value.get<std::string>());
       break;
+    case SymbolRole::equilibrium:
+      choice.equilibrium.emplace_back(name, value.get<double>());
+      break;
   }
 }
 
@@ -76,6 +81,9 @@ std::vector<Symbol> symbols(const Scene& scene, SymbolRole role) {
     case SymbolRole::input:
       for (const Input& input : scene.inputs) result.push_back({input.name, input.unit, {}});
       break;
+    case SymbolRole::equilibrium:
+      for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain});
+      break;
   }
   return result;
 }
@@ -88,6 +96,8 @@ std::string field_name(SymbolRole role) {
       return "initial";
     case SymbolRole::input:
       return "inputs";
+    case SymbolRole::equilibrium:
+      return "equilibrium";
   }
   return {};
 }

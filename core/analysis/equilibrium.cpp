@@ -62,7 +62,7 @@ class Search {
 
   Equilibrium nearest() {
     const std::optional<VectorXd> found = newton(guess_);
-    if (!found || !within(*found, pi / 2)) throw none();
+    if (!found || !within(*found, pi / 2) || !in_domain(*found)) throw none();
     if (const auto enclosed = enclosure(*found)) return *enclosed;
     throw none();
   }
@@ -204,12 +204,18 @@ class Search {
     return true;
   }
 
+  [[nodiscard]] bool in_domain(const VectorXd& x) const {
+    for (std::size_t i = 0; i < sizes_.size(); ++i) {
+      const Coordinate& q = dynamics_.model().scene.coordinates[statics_.reduction.kept[i]];
+      if (!q.domain.contains(x[index(i)])) return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] bool valid(const VectorXd& x) const {
+    if (!in_domain(x)) return false;
     const Scene& scene = dynamics_.model().scene;
     const std::span<const double> at(x.data(), static_cast<std::size_t>(x.size()));
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (!scene.coordinates[statics_.reduction.kept[i]].domain.contains(at[i])) return false;
-    }
     if (scene.valid_while.empty()) return true;
     const std::vector<double> y =
         steady_state(statics_, constants_, at, std::vector<double>(2 * scene.coordinates.size()));
@@ -221,50 +227,65 @@ class Search {
   /// Newton's iteration with g in twice the digits, and Krawczyk's operator around where it ends.
   std::optional<Equilibrium> enclosure(const VectorXd& start) {
     TapeEvaluator<Ball> forces(statics_.forces, enclosed_constants_);
-    TapeEvaluator<Ball> stiffness(statics_.stiffness, enclosed_constants_);
-    const std::size_t n = sizes_.size();
     const auto inverse = inverse_stiffness(start);
     if (!inverse) return std::nullopt;
-    std::vector<Ball> x(start.data(), start.data() + n);
-    std::vector<Ball> g(n);
-    std::vector<double> left(n);
-    const auto correction = [&](std::size_t i) {
-      Ball sum;
-      for (std::size_t j = 0; j < n; ++j) sum = sum + Ball((*inverse)(index(i), index(j))) * g[j];
-      return sum;
-    };
-    for (int pass = 0; pass < 4; ++pass) {
-      forces(x, g);
-      std::vector<Ball> next = x;
-      for (std::size_t i = 0; i < n; ++i) {
-        const Ball step = correction(i);
-        left[i] = step.magnitude();
-        if (!free_[i]) next[i] = Ball((x[i] - step).middle, 0);
-      }
-      if (pass < 3) x = next;
+    std::vector<Ball> x(start.data(), start.data() + start.size());
+    for (int pass = 0; pass < 3; ++pass) {
+      const std::vector<Ball> step = correction(*inverse, x, forces);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] = Ball((x[i] - step[i]).middle, 0);
     }
-    Equilibrium result{x, false};
-    for (std::size_t i = 0; i < n; ++i)
-      if (!free_[i]) result.x[i].radius = 2 * left[i] + 0x1p-100 * std::abs(x[i].middle.high) + 1e-290;
-    std::vector<Ball> k(n * n);
-    stiffness(result.x, k);
-    result.isolated = true;
-    for (std::size_t i = 0; i < n; ++i) {
-      double reach = left[i];
-      for (std::size_t j = 0; j < n; ++j) {
-        Ball rest = i == j && !free_[i] ? 1 : 0;
-        for (std::size_t l = 0; l < n; ++l) {
-          rest = rest - Ball((*inverse)(index(i), index(l))) * k[l * n + j];
-        }
-        reach += rest.magnitude() * result.x[j].radius;
-      }
-      result.isolated = result.isolated && (free_[i] || reach * (1 + 1e-10) <= result.x[i].radius);
-    }
-    if (!result.isolated) return degenerate(x, left, forces);
-    for (Ball& ball : result.x) {
-      if (ball.contains_zero()) ball = Ball(DoubleDouble{}, ball.magnitude());
+    std::vector<double> left;
+    for (const Ball& step : correction(*inverse, x, forces)) left.push_back(step.magnitude());
+    const bool isolated = contract(*inverse, left, x);
+    Equilibrium result{x, isolated};
+    if (!result.isolated) return degenerate(result.x, left, forces);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      result.x[i] = x[i].contains_zero() ? Ball(DoubleDouble{}, x[i].magnitude()) : x[i];
+      if (free_[i]) result.x[i] = x[i];
     }
     return without_forces(result.x, forces) ? std::optional(result) : std::nullopt;
+  }
+
+  /// K^-1 g, nothing for coordinates that stay.
+  [[nodiscard]] std::vector<Ball> correction(const MatrixXd& inverse, const std::vector<Ball>& x,
+                                             TapeEvaluator<Ball>& forces) const {
+    std::vector<Ball> g(x.size()), result(x.size());
+    forces(x, g);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (std::size_t j = 0; j < x.size() && !free_[i]; ++j)
+        result[i] = result[i] + Ball(inverse(index(i), index(j))) * g[j];
+    }
+    return result;
+  }
+
+  /// Gives the points x radii r with |C g| + |I - C K(x +- r)| r <= r, which proves one zero inside; or not.
+  [[nodiscard]] bool contract(const MatrixXd& inverse, const std::vector<double>& left,
+                              std::vector<Ball>& x) const {
+    constexpr int attempts = 4;
+    const std::size_t n = x.size();
+    TapeEvaluator<Ball> stiffness(statics_.stiffness, enclosed_constants_);
+    std::vector<double> reach = left;
+    std::vector<Ball> trial = x;
+    std::vector<Ball> k(n * n);
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      for (std::size_t i = 0; i < n; ++i)
+        if (!free_[i]) trial[i].radius = 2 * reach[i] + 0x1p-100 * std::abs(x[i].middle.high) + 1e-290;
+      stiffness(trial, k);
+      bool inside = true;
+      for (std::size_t i = 0; i < n; ++i) {
+        reach[i] = left[i];
+        for (std::size_t j = 0; j < n && !free_[i]; ++j) {
+          Ball rest = i == j ? 1 : 0;
+          for (std::size_t l = 0; l < n; ++l) rest = rest - Ball(inverse(index(i), index(l))) * k[l * n + j];
+          reach[i] += rest.magnitude() * trial[j].radius;
+        }
+        inside = inside && (free_[i] || reach[i] * (1 + 1e-10) <= trial[i].radius);
+      }
+      if (!inside) continue;
+      x = trial;
+      return true;
+    }
+    return false;
   }
 
   /// K does not decide here. A coordinate that is nearly zero may be zero exactly.

@@ -78,6 +78,8 @@ TEST(Modes, AgreeWithTheReferenceValues) {
       for (std::size_t i = 0; i < model->degrees_of_freedom(); ++i) {
         const double q = expected.at("equilibrium").at(model->scene.coordinates[i].name);
         EXPECT_NEAR(found.y[i], q, promised * std::abs(q));
+        ASSERT_TRUE(found.y_error[i]);
+        EXPECT_LE(*found.y_error[i], tight);
       }
     }
   }

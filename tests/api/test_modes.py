@@ -1,0 +1,149 @@
+"""Small oscillations over HTTP: the reference cases, the practice sheet's numbers, and laws on random parameters."""
+
+import json
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, reference_cases, textbook_scene  # noqa: E402
+
+PROMISED = 1e-12  # relative
+ROUND_OFF = 1e-15  # what a stated error may be of its value
+
+
+class Modes(Service):
+    def modes(self, system, parameters=None, **more):
+        found = self.ask("modes", {"system": system, "parameters": parameters or {}} | more)
+        omegas = [mode["omega"] for mode in found["modes"]]
+        self.assertEqual(omegas, sorted(omegas))
+        return found
+
+    def assert_near(self, actual, expected, relative=PROMISED):
+        self.assertLessEqual(abs(actual - expected), relative*abs(expected), (actual, expected))
+
+    def assert_shape(self, shape, expected, relative=PROMISED):
+        self.assertEqual(list(shape), list(expected))
+        for name, number in expected.items():
+            self.assert_near(shape[name], number, relative)
+
+    def test_reference_cases(self):
+        count = 0
+        for case in reference_cases("modes"):
+            with self.subTest(case["id"]):
+                count += 1
+                found, expected = self.modes(case["system"], case["parameters"]), case["expected"]
+                self.assertEqual(found["equilibrium"]["stability"], "stable")
+                self.assertEqual(found["coordinates"], list(expected["mode_shapes"][0]))
+                for name, number in expected["equilibrium"].items():
+                    self.assert_near(found["equilibrium"]["state"][name], number)
+                    self.assertLessEqual(found["equilibrium"]["error"][name], ROUND_OFF)
+                self.assertEqual(len(found["modes"]), len(expected["omega"]))
+                for i, mode in enumerate(found["modes"]):
+                    self.assertEqual(mode["kind"], "oscillation")
+                    self.assert_near(mode["omega"], expected["omega"][i])
+                    self.assert_near(mode["f"], expected["frequency_hz"][i])
+                    self.assert_near(mode["period"], 1/expected["frequency_hz"][i])
+                    self.assertLessEqual(mode["error"], ROUND_OFF*mode["omega"])
+                    self.assertLessEqual(abs(mode["omega"] - expected["omega"][i]), mode["error"] + 1e-15*mode["omega"])
+                    self.assert_shape(mode["shape"], expected["mode_shapes"][i])
+        self.assertEqual(count, 5)
+
+    def test_the_sheets_fourth_problem(self):
+        found = self.modes("cart_pendulum")
+        slow, fast = found["modes"]
+        self.assert_near(slow["lambda"], 0.5)
+        self.assert_near(fast["lambda"], 2)
+        self.assert_shape(slow["shape_scaled"], {"x": 1, "theta": 1})
+        self.assert_shape(fast["shape_scaled"], {"x": 1, "theta": -2})
+        m, length, g = 0.5, 0.4, 9.81
+        for row, expected in zip(found["mass_matrix"] + found["stiffness_matrix"],
+                                 [[3*m, m*length], [m*length, m*length**2], [2*m*g/length, 0], [0, m*g*length]]):
+            for actual, number in zip(row, expected):
+                self.assert_near(actual, number)
+        self.assertEqual(found["gyroscopic_matrix"], [[0, 0], [0, 0]])
+        self.assertNotIn("damping_matrix", found)
+        self.assertEqual(found["units"]["mass_matrix"], [["kg", "kg*m"], ["kg*m", "kg*m^2"]])
+        self.assertEqual(found["units"]["stiffness_matrix"][0][0], "kg/s^2")
+
+    def test_the_sheets_fifth_problem(self):
+        slow, fast = self.modes("rod_pendulum")["modes"]
+        self.assert_near(slow["lambda"], (17 - math.sqrt(217))/4)
+        self.assert_near(fast["lambda"], (17 + math.sqrt(217))/4)
+        self.assert_near(slow["shape"]["phi"], 1.3109099885546863)
+        self.assert_near(fast["shape"]["phi"], -1.1442433218880196)
+
+    def test_a_query_gives_the_bytes_that_the_body_gives(self):
+        posted = self.post("modes", {"system": "cart_pendulum", "parameters": {"k": 19.62}, "digits": 6,
+                                     "equilibrium": {"theta": "180deg"}})
+        got = self.get("modes", {"system": "cart_pendulum", "k": 19.62, "digits": 6, "equilibrium.theta": "180deg"})
+        self.assertEqual((posted.status, got.status), (200, 200), got.data[:300])
+        self.assertEqual(got.data, posted.data)
+        found = json.loads(got.data)
+        self.assertEqual(found["equilibrium"]["stability"], "unstable")
+        self.assertEqual([mode["kind"] for mode in found["modes"]], ["growth", "oscillation"])
+        self.assertGreater(found["modes"][1]["error"], 1e-7*found["modes"][1]["omega"]/10)  # of six digits
+
+    def test_a_small_simulated_oscillation_has_the_frequency(self):
+        """Started along a shape with amplitude a, the period is off by some a^2, and by what the crossings are off."""
+        rng = random.Random(11)
+        for _ in range(6):
+            parameters = {"M": rng.uniform(0.2, 4), "m": rng.uniform(0.2, 4), "k": rng.uniform(1, 80),
+                          "l": rng.uniform(0.2, 2), "g": rng.uniform(2, 20)}
+            for mode in self.modes("cart_pendulum", parameters)["modes"]:
+                amplitude = 1e-5
+                largest = max(abs(component) for component in mode["shape"].values())
+                initial = {name: amplitude*component/largest for name, component in mode["shape"].items()}
+                initial |= {"x_dot": 0, "theta_dot": 0}
+                found = self.ask("simulate", {"system": "cart_pendulum", "parameters": parameters, "initial": initial,
+                                              "t_end": 3.3*mode["period"], "samples": 2, "rtol": 1e-13, "atol": 1e-16,
+                                              "method": "erk", "events": ["x_dot=0"]})
+                times = [event["t"] for event in found["events"] if event["t"] > mode["period"]/4]
+                self.assert_near(times[5], 3*mode["period"], 1e-8)
+
+    def test_whirling_and_spinning(self):
+        found = self.modes("whirling_pendulum", {"Omega": 0.0}, equilibrium={"theta": math.pi})
+        self.assertEqual(found["modes"][0]["kind"], "growth")
+        self.assertEqual(found["modes"][0]["omega"], 0)
+        cone = self.modes("free_spin_pendulum", initial={"theta": 0.6, "psi_dot": 3})
+        self.assertEqual([mode["kind"] for mode in cone["modes"]], ["rigid", "oscillation"])
+        self.assertEqual(cone["modes"][1]["shape"]["theta"], {"re": 1, "im": 0})
+        self.assertEqual(cone["modes"][1]["shape"]["psi"]["re"], 0)
+        self.assertNotEqual(cone["gyroscopic_matrix"][0][1], 0)
+
+    def test_scenes_with_damping_and_gyroscopic_terms(self):
+        scene = textbook_scene("damped_oscillator")
+        decay, = self.modes(scene, {"m": 0.5, "b": 0.3, "k": 8})["modes"]
+        self.assertEqual(decay["kind"], "decay")
+        self.assert_near(decay["rate"], 0.3)
+        self.assert_near(decay["omega"], math.sqrt(16 - 0.09))
+        g, length, turning = 9.81, 67, 7.292115e-5*math.sin(0.8527)
+        slow, fast = self.modes(textbook_scene("foucault"))["modes"]
+        self.assert_near(fast["omega"], math.sqrt(g/length + turning**2) + turning)
+        self.assert_near(slow["omega"], math.sqrt(g/length + turning**2) - turning)
+        self.assert_near(fast["shape"]["y"]["im"]*slow["shape"]["y"]["im"], -1)
+
+    def test_every_system_is_answered_or_refused_with_a_sentence(self):
+        for system in json.loads(self.raw("GET", "/v1/systems").data)["systems"]:
+            with self.subTest(system["name"]):
+                request = {"system": system["name"]}
+                if system["name"] == "rolling_disk_platform":
+                    problem = self.refused("modes", request)
+                    self.assertEqual(problem["type"], "/errors/not-applicable")
+                    self.assertIn("time", problem["detail"])
+                    request["parameters"] = {"g": 0}
+                self.assertTrue(self.ask("modes", request)["modes"])
+
+    def test_mistakes(self):
+        self.refused_at("modes", {"system": "cart_pendulum", "equilibrium": {"theta_dot": 1, "x": "3 rad"}},
+                        "#/equilibrium/theta_dot", "#/equilibrium/x")
+        problem = self.refused("modes", {"system": "forced_spring_pendulum", "inputs": {"F": "cos(t)"}})
+        self.assertEqual(problem["type"], "/errors/not-applicable")
+        problem = self.refused("modes", {"system": "spring_pendulum", "parameters": {"k": 0}})
+        self.assertIn("no equilibrium near", problem["detail"])
+
+
+if __name__ == "__main__":
+    unittest.main()
