@@ -10,12 +10,23 @@ namespace {
 constexpr Tolerances fine{.rtol = 1e-13, .atol = 1e-15};
 constexpr Tolerances coarse{.rtol = 1e-11, .atol = 1e-13};
 
+/// A place where the coordinate may be largest or smallest.
+struct Candidate {
+  double t, x;
+};
+
+/// A motion with its candidates, in order of time; there is always one.
+struct Followed {
+  TrajectoryExtrema ending;
+  std::vector<Candidate> candidates;
+};
+
 class Follower {
  public:
   Follower(const Dynamics& dynamics, const ExtremaRequest& request)
       : dynamics_(dynamics), request_(request) {}
 
-  TrajectoryExtrema follow(const Tolerances& tolerances) {
+  Followed follow(const Tolerances& tolerances) {
     const Model& model = dynamics_.model();
     const std::string velocity = model.scene.coordinates[request_.coordinate].name + "_dot = 0";
     const std::vector<double> ends{request_.t_end};
@@ -41,20 +52,11 @@ class Follower {
     result_.ending = motion.ending;
     result_.t = motion.t;
     result_.y = motion.y;
-    return std::move(result_);
+    return {std::move(result_), std::move(candidates_)};
   }
 
  private:
-  void look(double t, double x) {
-    if (!result_.maximum.value || x > *result_.maximum.value) {
-      result_.maximum.value = x;
-      result_.t_maximum = t;
-    }
-    if (!result_.minimum.value || x < *result_.minimum.value) {
-      result_.minimum.value = x;
-      result_.t_minimum = t;
-    }
-  }
+  void look(double t, double x) { candidates_.push_back({t, x}); }
 
   /// The coordinate after the impact, where the impact map changes it.
   [[nodiscard]] double after_impact(const EventRecord& event) const {
@@ -69,30 +71,48 @@ class Follower {
   const Dynamics& dynamics_;
   const ExtremaRequest& request_;
   TrajectoryExtrema result_;
+  std::vector<Candidate> candidates_;
 };
 
-/// What two integrations disagree about is the error; of motions that end differently nothing is certain.
-void estimate(Extremum& extremum, const Extremum& other, bool same_ending) {
+/// Up or down: the extremum is the largest of sign x.
+double extreme(const Followed& motion, double sign) {
+  double most = sign * motion.candidates[0].x;
+  for (const Candidate& candidate : motion.candidates) most = std::max(most, sign * candidate.x);
+  return sign * most;
+}
+
+/// The first candidate that cannot be told from the extremum; what two integrations disagree about is its
+/// error. Of motions that end differently nothing is certain.
+Candidate chosen(const Followed& motion, const Followed& other, double sign, Extremum& extremum) {
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
-  extremum.error = std::abs(*extremum.value - *other.value) + round_off * std::abs(*extremum.value);
-  if (same_ending) return;
-  extremum = {{}, 0, "Two integrations with different tolerances end differently."};
+  const double most = extreme(motion, sign);
+  const double error = std::abs(most - extreme(other, sign)) + round_off * std::abs(most);
+  const Candidate first =
+      *std::find_if(motion.candidates.begin(), motion.candidates.end(),
+                    [&](const Candidate& candidate) { return sign * (most - candidate.x) <= error; });
+  if (motion.ending.ending == other.ending.ending) {
+    extremum = {first.x, 2 * error, ""};
+  } else {
+    extremum.reason = "Two integrations with different tolerances end differently.";
+  }
+  return first;
 }
 
 }  // namespace
 
 TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request) {
-  TrajectoryExtrema result = Follower(dynamics, request).follow(fine);
-  const TrajectoryExtrema other = Follower(dynamics, request).follow(coarse);
-  const double x0 = request.y_start[request.coordinate];
-  if (*result.maximum.value == x0) {
-    result.initial = *result.minimum.value == x0 ? InitialPlace::equilibrium : InitialPlace::maximum;
-  } else if (*result.minimum.value == x0) {
+  const Followed motion = Follower(dynamics, request).follow(fine);
+  const Followed other = Follower(dynamics, request).follow(coarse);
+  TrajectoryExtrema result = motion.ending;
+  const Candidate top = chosen(motion, other, 1, result.maximum);
+  const Candidate bottom = chosen(motion, other, -1, result.minimum);
+  result.t_maximum = top.t;
+  result.t_minimum = bottom.t;
+  if (top.t == request.t_start) {
+    result.initial = bottom.t == request.t_start ? InitialPlace::equilibrium : InitialPlace::maximum;
+  } else if (bottom.t == request.t_start) {
     result.initial = InitialPlace::minimum;
   }
-  const bool same_ending = other.ending == result.ending;
-  estimate(result.maximum, other.maximum, same_ending);
-  estimate(result.minimum, other.minimum, same_ending);
   return result;
 }
 

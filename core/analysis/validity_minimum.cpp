@@ -105,7 +105,7 @@ std::vector<ValidityMinimum> validity_minima(const Dynamics& dynamics, const Red
   }
   for (std::size_t i = 0; i < result.size(); ++i) {
     double centre = phases[i];
-    for (double h = revolution / samples; h > finest_step; h /= 16) {  // to the vertex of a parabola
+    for (double h = revolution / samples; h > finest_step; h /= 4) {  // to the vertex of a parabola
       std::array<double, 3> w;
       for (int k = 0; k < 3; ++k) {
         evaluate_at(centre + (k - 1) * h);
