@@ -1,0 +1,20 @@
+#pragma once
+// POST and GET /v1/gait: periodic motions from impact to impact.
+
+#include <optional>
+
+#include "api/request_table.hpp"
+#include "api/system_choice.hpp"
+#include "core/analysis/gait.hpp"
+
+namespace qdot::api {
+
+struct GaitRequest {
+  SystemChoice system{};
+  std::optional<Gait::Kind> gait{};  ///< none: all that are found
+  std::optional<int> digits{};
+};
+
+[[nodiscard]] const RequestTable<GaitRequest>& gait_table();
+
+}  // namespace qdot::api
