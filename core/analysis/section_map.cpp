@@ -100,11 +100,18 @@ void SectionMap::set_parameters(std::span<const double> parameters) {
   jacobian_workspace_ = dynamics_.jacobian().bind(parameters);
   impact_workspace_ = impact_->bind(parameters);
   surface_workspace_ = surface_->bind(parameters);
-  SimulationRequest watched;
-  watched.parameters = parameters_;
-  watches_ = watches(dynamics_, watched);  // the impact is the last of them
+  watches_.clear();
   si_.resize(static_cast<std::size_t>(unit_.size()));
   block_.resize(si_.size() * si_.size());
+}
+
+const std::vector<Watch>& SectionMap::watched() {
+  if (watches_.empty()) {
+    SimulationRequest request;
+    request.parameters = parameters_;
+    watches_ = watches(dynamics_, request);
+  }
+  return watches_;
 }
 
 /// kg^a m^b s^c in the scene's scales.
@@ -203,7 +210,7 @@ Evaluation SectionMap::variational_rates(std::span<const double> y, std::span<do
 
 bool SectionMap::starts_validly(const VectorXd& after) {
   const std::vector<double> y = in_si(after);
-  return std::ranges::none_of(watches_, [&](const Watch& watch) {
+  return std::ranges::none_of(watched(), [&](const Watch& watch) {
     return watch.kind == Watch::Kind::validity && !(watch.value(0, y) >= 0);
   });
 }
@@ -243,7 +250,7 @@ SectionMap::Result SectionMap::stride(const VectorXd& u, double rtol) {
       {}};
   RunRequest run = request(start->after, rtol);
   run.t_end = longest_stride;
-  for (const Watch& watch : watches_) run.events.push_back(scaled(watch));
+  for (const Watch& watch : watched()) run.events.push_back(scaled(watch));
   EventFunction crossing = run.events.back();  // the impact's, wherever it happens
   crossing.terminal = false;
   crossing.condition = {};
@@ -259,14 +266,14 @@ SectionMap::Result SectionMap::stride(const VectorXd& u, double rtol) {
           Miss::none};
 }
 
-bool SectionMap::counts(const VectorXd& state) const {
-  const Watch& impact = watches_.back();
+bool SectionMap::counts(const VectorXd& state) {
+  const Watch& impact = watched().back();
   return !impact.condition || impact.condition(0, in_si(state));
 }
 
-bool SectionMap::is_impact(const Flow& flow) const {
+bool SectionMap::is_impact(const Flow& flow) {
   const double speed = flow.surface_slope.dot(flow.rate);
-  const Crossing direction = watches_.back().direction;
+  const Crossing direction = watched().back().direction;
   return counts(flow.state) && speed != 0 &&
          (direction == Crossing::either || (direction == Crossing::rising) == (speed > 0));
 }

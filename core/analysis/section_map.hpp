@@ -83,8 +83,8 @@ class SectionMap {
   /// The flow over the time T > 0; no value where the integration fails.
   [[nodiscard]] std::optional<Flow> flow(const Eigen::VectorXd& u, double duration, double rtol);
   /// Whether the event's condition holds at a state, and whether it is crossed in its direction there.
-  [[nodiscard]] bool counts(const Eigen::VectorXd& state) const;
-  [[nodiscard]] bool is_impact(const Flow& flow) const;
+  [[nodiscard]] bool counts(const Eigen::VectorXd& state);
+  [[nodiscard]] bool is_impact(const Flow& flow);
   /// dP/du of a flow that ends on the event's surface: size() x size().
   [[nodiscard]] Eigen::MatrixXd derivative(const Flow& flow) const;
 
@@ -98,12 +98,14 @@ class SectionMap {
   /// event's surface. Multipliers beyond it are 0.
   [[nodiscard]] Eigen::Index dimension(const Flow& flow);
 
+  [[nodiscard]] Eigen::VectorXd in_units(const Eigen::VectorXd& si) const { return si.cwiseQuotient(unit_); }
   [[nodiscard]] std::vector<double> in_si(const Eigen::VectorXd& state) const;
   [[nodiscard]] double time_unit() const { return time_unit_; }
 
  private:
   void compile();
   void set_units();
+  [[nodiscard]] const std::vector<Watch>& watched();
   [[nodiscard]] Evaluation rates(std::span<const double> y, std::span<double> out);
   [[nodiscard]] Evaluation variational_rates(std::span<const double> y, std::span<double> out);
   [[nodiscard]] bool starts_validly(const Eigen::VectorXd& after);
@@ -116,8 +118,8 @@ class SectionMap {
   std::vector<double> parameters_;
   std::shared_ptr<const CompiledFunction> impact_, surface_;
   Workspace accelerations_workspace_, jacobian_workspace_, impact_workspace_, surface_workspace_;
-  std::vector<Watch> watches_;
-  Eigen::VectorXd unit_;  ///< of each component of the state, SI
+  std::vector<Watch> watches_;  ///< the impact is the last; empty until asked for
+  Eigen::VectorXd unit_;        ///< of each component of the state, SI
   double time_unit_{1};
   std::vector<double> si_, block_;  ///< scratch
 };
