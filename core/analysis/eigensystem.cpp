@@ -9,8 +9,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_refinements = 4;
-/// Corrections as small as this leave nothing to improve in 106 bits.
-constexpr double converged = 0x1p-90;
+/// What a correction as small as this leaves is its square.
+constexpr double converged = 0x1p-50;
 
 template <class T>
 struct Extended;  // the number that Eigen works with

@@ -86,22 +86,45 @@ class Modes(Service):
         self.assertEqual([mode["kind"] for mode in found["modes"]], ["growth", "oscillation"])
         self.assertGreater(found["modes"][1]["error"], 1e-7*found["modes"][1]["omega"]/10)  # of six digits
 
-    def test_a_small_simulated_oscillation_has_the_frequency(self):
-        """Started along a shape with amplitude a, the period is off by some a^2, and by what the crossings are off."""
-        rng = random.Random(11)
-        for _ in range(6):
-            parameters = {"M": rng.uniform(0.2, 4), "m": rng.uniform(0.2, 4), "k": rng.uniform(1, 80),
-                          "l": rng.uniform(0.2, 2), "g": rng.uniform(2, 20)}
-            for mode in self.modes("cart_pendulum", parameters)["modes"]:
-                amplitude = 1e-5
-                largest = max(abs(component) for component in mode["shape"].values())
-                initial = {name: amplitude*component/largest for name, component in mode["shape"].items()}
-                initial |= {"x_dot": 0, "theta_dot": 0}
-                found = self.ask("simulate", {"system": "cart_pendulum", "parameters": parameters, "initial": initial,
-                                              "t_end": 3.3*mode["period"], "samples": 2, "rtol": 1e-13, "atol": 1e-16,
-                                              "method": "erk", "events": ["x_dot=0"]})
-                times = [event["t"] for event in found["events"] if event["t"] > mode["period"]/4]
-                self.assert_near(times[5], 3*mode["period"], 1e-8)
+    def simulated_period(self, request, found, mode, amplitude):
+        """From the equilibrium along Re(shape e^(i omega t)): the first coordinate that moves turns twice a period."""
+        state, omega = dict(found["equilibrium"]["state"]), mode["omega"]
+        components = {q: (c["re"], c["im"]) if isinstance(c, dict) else (c, 0) for q, c in mode["shape"].items()}
+        size = amplitude/max(math.hypot(*c) for c in components.values())
+        for q, (re, im) in components.items():
+            state[q] += size*re
+            state[q + "_dot"] -= size*omega*im
+        leader = next(q for q, c in components.items() if c != (0, 0))
+        motion = self.ask("simulate", request | {"initial": state, "t_end": 3.3*mode["period"], "samples": 2, "rtol": 1e-13,
+                                                 "atol": 1e-16, "method": "erk", "events": [f"{leader}_dot=0"],
+                                                 "on_invalid": "continue"})
+        return [event["t"] for event in motion["events"] if event["t"] > mode["period"]/4][5]/3
+
+    def check_simulated(self, system, parameters, initial, tolerance, amplitude=1e-6):
+        request = {"system": system, "parameters": parameters}
+        found = self.ask("modes", request | {"initial": initial})
+        oscillations = [mode for mode in found["modes"] if mode["kind"] == "oscillation"]
+        self.assertTrue(oscillations)
+        for mode in oscillations:
+            with self.subTest(system, parameters=parameters, mode=mode):
+                self.assert_near(self.simulated_period(request, found, mode, amplitude), mode["period"], tolerance)
+
+    def test_small_simulated_oscillations_have_the_frequencies(self):
+        """To the amplitude, by which quadratic terms mix modes; in symmetric systems to its square and round-off."""
+        draw = random.Random(11).uniform
+        for _ in range(5):
+            g, length, mass = draw(2, 20), draw(0.2, 2), draw(0.2, 4)
+            common = {"m": mass, "l": length, "g": g}
+            rate = math.sqrt(g/length)
+            self.check_simulated("cart_pendulum", common | {"M": draw(0.2, 4), "k": draw(1, 80)}, {}, 1e-8)
+            self.check_simulated("rod_pendulum", common, {}, 1e-8)
+            spring = {"k": draw(5, 200), "l0": draw(0.3, 2)}
+            self.check_simulated("rod_spring_pendulum", common | spring, {}, 1e-4)
+            self.check_simulated("spring_pendulum", {"m": mass, "g": g} | spring, {}, 1e-4)
+            self.check_simulated("whirling_pendulum", common | {"Omega": draw(1.1, 3)*rate}, {}, 1e-4)
+            self.check_simulated("rotating_l_bar", common | {"Omega": draw(0, 3)*rate}, {}, 1e-4)
+            self.check_simulated("orbiting_pendulum", {"m": mass, "l": length, "r": draw(0.2, 2), "omega0": draw(1, 5)}, {}, 1e-8)
+            self.check_simulated("free_spin_pendulum", common, {"psi_dot": draw(0.5, 4)*rate}, 1e-4)
 
     def test_whirling_and_spinning(self):
         found = self.modes("whirling_pendulum", {"Omega": 0.0}, equilibrium={"theta": math.pi})
