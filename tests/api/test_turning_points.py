@@ -1,0 +1,104 @@
+"""Turning points through HTTP: reference cases, what each motion is called, and requests that are not in order."""
+
+import math
+import pathlib
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, reference_cases, textbook_scene  # noqa: E402
+
+PLANE = textbook_scene("plane_pendulum")
+
+
+class TurningPoints(Service):
+    def within(self, answer, name, expected, relative=1e-13):
+        """Within its stated error, and that error small."""
+        self.assertLessEqual(abs(answer[name] - expected), answer["error"][name] + 2e-16*abs(expected), name)
+        self.assertLessEqual(answer["error"][name], relative*abs(expected), name)
+
+    def test_reference_cases(self):
+        count = 0
+        for case in reference_cases("turning_points"):
+            with self.subTest(case["id"]):
+                answer = self.ask("turning_points", {name: case[name] for name in ("system", "parameters", "initial")})
+                expected = case["expected"]
+                self.assertEqual((answer["method"], answer["motion"]), ("energy", "libration"))
+                for name in set(expected) & set(answer):
+                    self.within(answer, name, expected[name])
+                    count += 1
+                energy = expected.get("energy", expected.get("jacobi"))
+                self.assertAlmostEqual(answer["constants"].get("E", answer["constants"].get("h")), energy, delta=1e-13)
+                if "beta" in expected:
+                    self.assertAlmostEqual(answer["constants"]["p_psi"], expected["beta"], delta=1e-14)
+        self.assertGreaterEqual(count, 7)
+
+    def test_problem_8_is_the_sheets_equation(self):
+        answer = self.ask("turning_points", {"system": "free_spin_pendulum"})
+        self.assertEqual(answer["initial_is"], "min")
+        self.assertEqual(answer["theta_min"], 0)
+        self.within(answer, "theta_max", 0.962233337506167438619)
+        self.assertAlmostEqual(answer["theta_max_deg"], 55.131909145890694733, delta=1e-12)
+        self.assertEqual(answer["equation"]["text"], "p_psi^2/(2*m*l^2*(1/2 + sin(theta))^2) - m*l*g*cos(theta) = E")
+        self.assertIn("\\theta", answer["equation"]["latex"])
+        m, l, g = (answer["request"]["parameters"][name] for name in "mlg")
+        self.assertAlmostEqual(answer["constants"]["E"], -m*g*l/2, delta=1e-15)
+        self.assertEqual(answer["units"]["p_psi"], "kg*m^2/s")
+
+    def test_problem_7b_goes_to_60_degrees_and_the_string_stays_taut(self):
+        answer = self.ask("turning_points", {"system": "orbiting_pendulum"})
+        self.within(answer, "phi_max", math.pi/3)
+        self.assertAlmostEqual(answer["phi_max_deg"], 60, delta=1e-12)
+        tension = answer["validity"]["tension"]
+        p = answer["request"]["parameters"]
+        self.assertTrue(tension["holds"])
+        self.assertAlmostEqual(tension["min"], 5/6*p["m"]*p["l"]*p["omega0"]**2, delta=1e-12)
+        self.assertAlmostEqual(tension["at"]["phi_dot"], -2/3*p["omega0"], delta=1e-4)
+
+    def test_a_string_that_does_not_stay_taut(self):
+        answer = self.ask("turning_points", {"system": "orbiting_pendulum", "initial": {"phi": 2.5, "phi_dot": 0}})
+        self.assertEqual(answer["initial_is"], "max")
+        self.assertFalse(answer["validity"]["tension"]["holds"])
+        self.assertLess(answer["validity"]["tension"]["min"], 0)
+
+    def test_kinds_of_motion(self):
+        rate = 2*math.sqrt(9.81/0.8)
+        for initial, motion in (({"theta": 1}, "libration"), ({"theta": 0, "theta_dot": 1.1*rate}, "rotation"),
+                                ({"theta": 0, "theta_dot": rate}, "separatrix"), ({"theta": 0}, "equilibrium"),
+                                ({"theta": 0, "theta_dot": rate*(1 - 1e-12)}, "libration"),
+                                ({"theta": 0, "theta_dot": rate*(1 + 1e-12)}, "rotation")):
+            with self.subTest(initial):
+                answer = self.ask("turning_points", {"system": PLANE, "initial": initial})
+                self.assertEqual(answer["motion"], motion)
+                for name in ("theta_max", "theta_min", "period"):
+                    if answer[name] is None:
+                        self.assertIn(name, answer["reason"])
+
+    def test_a_motion_that_is_followed(self):
+        request = {"system": "cart_pendulum", "coordinate": "theta", "t_end": 5}
+        answer = self.ask("turning_points", request)
+        self.assertEqual((answer["method"], answer["status"]), ("trajectory", "complete"))
+        rows = self.ask("simulate", {"system": "cart_pendulum", "t_end": 5, "samples": 20001, "rtol": 1e-12})["trajectory"]
+        for name, sampled in (("theta_max", max(rows["theta"])), ("theta_min", min(rows["theta"]))):
+            self.assertAlmostEqual(answer[name], sampled, delta=1e-6)
+            self.assertLess(answer["error"][name], 1e-8)
+        self.assertIsNone(answer["motion"])
+        self.assertIn("more than one coordinate", answer["reason"]["motion"])
+
+    def test_what_a_request_lacks(self):
+        self.refused_at("turning_points", {"system": "cart_pendulum"}, "#/coordinate")
+        self.refused_at("turning_points", {"system": "cart_pendulum", "coordinate": "x"}, "#/t_end")
+        self.refused_at("turning_points", {"system": "rolling_disk_platform"}, "#/t_end")
+        self.refused_at("turning_points", {"system": "whirling_pendulum", "coordinate": "thet"}, "#/coordinate")
+        self.refused_at("turning_points", {"system": "whirling_pendulum", "t_end": 0}, "#/t_end")
+        self.refused_at("turning_points", {"system": "whirling_pendulum", "impacts": False}, "#/impacts")
+
+    def test_a_query_gives_the_bytes_that_the_body_gives(self):
+        posted = self.post("turning_points", {"system": "whirling_pendulum", "initial": {"theta": 0.4}, "digits": 12})
+        got = self.get("turning_points", {"system": "whirling_pendulum", "theta": 0.4, "digits": 12})
+        self.assertEqual((posted.status, got.status), (200, 200))
+        self.assertEqual(got.data, posted.data)
+
+
+if __name__ == "__main__":
+    unittest.main()
