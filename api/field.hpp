@@ -49,9 +49,14 @@ struct SystemKind {};
 
 /// What a request says of its system's own symbols. In a body an object, "parameters": {"k": 40}; in a query
 /// flattened, k=40.
-enum class SymbolRole { parameter, initial, input, equilibrium };
+enum class SymbolRole { parameter, initial, input, equilibrium, position };
 struct SymbolsKind {
   SymbolRole role{};
+};
+
+/// A number in the unit of the parameter that the text field `parameter` names.
+struct ParameterValueKind {
+  std::string parameter{};
 };
 
 /// A field of the contract that this version does not have.
@@ -60,7 +65,7 @@ struct LaterKind {
 };
 
 using Kind = std::variant<NumberKind, IntegerKind, BooleanKind, TextKind, ChoiceKind, ListKind, SystemKind,
-                          SymbolsKind, LaterKind>;
+                          SymbolsKind, ParameterValueKind, LaterKind>;
 
 enum class Need { optional, required };
 

@@ -167,6 +167,16 @@ class Reader {
     return read_symbols(kind.role, value, place, reading_.system, reading_.errors);
   }
 
+  std::optional<Json> resolve(const ParameterValueKind& kind, const FieldInfo& field, const Json& value,
+                              const Place& place) {
+    if (scene() == nullptr || !is_given(kind.parameter)) return std::nullopt;  // reported already
+    for (const Symbol& symbol : symbols(*scene(), SymbolRole::parameter)) {
+      if (fields_[kind.parameter] != symbol.name) continue;
+      return read_value(NumberKind{symbol.unit, symbol.domain}, field.name, value, place, reading_.errors);
+    }
+    return std::nullopt;
+  }
+
   std::optional<Json> resolve(const LaterKind& kind, const FieldInfo& field, const Json&,
                               const Place& place) {
     report(place.error("not_supported_yet",

@@ -203,6 +203,14 @@ RequestField<Request> symbols_field(SymbolRole role, std::string description,
                     .aliases = std::move(aliases)}};
 }
 
+/// `parameter` is the text field that names the parameter.
+template <class Request, class Member>
+RequestField<Request> parameter_value(std::string name, Member Request::*member, std::string parameter,
+                                      std::string description, FieldOptions options = {}) {
+  return detail::bound(member, detail::info(std::move(name), ParameterValueKind{std::move(parameter)},
+                                            std::move(description), std::move(options)));
+}
+
 template <class Request>
 RequestField<Request> parameters_field() {
   return symbols_field<Request>(SymbolRole::parameter,

@@ -7,6 +7,7 @@
 #include "api/endpoint.hpp"
 #include "api/energy.hpp"
 #include "api/equations.hpp"
+#include "api/equilibria.hpp"
 #include "api/gait.hpp"
 #include "api/http.hpp"
 #include "api/json_writer.hpp"
@@ -165,6 +166,9 @@ struct Service::Impl {
     add_endpoint<GaitRequest>(
         routes, "gait", gait_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_gait(resolved, call, models); });
+    add_endpoint<EquilibriaRequest>(
+        routes, "equilibria", equilibria_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_equilibria(resolved, call, models); });
     add_endpoint<TurningPointsRequest>(
         routes, "turning_points", turning_points_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_turning_points(resolved, call, models); });

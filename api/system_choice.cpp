@@ -25,6 +25,7 @@ std::string kind_name(SymbolRole role) {
     case SymbolRole::input:
       return "input";
     case SymbolRole::equilibrium:
+    case SymbolRole::position:
       return "coordinate";
   }
   return {};
@@ -62,6 +63,9 @@ void store(SymbolRole role, const std::string& name, const Json& value, SystemCh
     case SymbolRole::equilibrium:
       choice.equilibrium.emplace_back(name, value.get<double>());
       break;
+    case SymbolRole::position:
+      choice.position.emplace_back(name, value.get<double>());
+      break;
   }
 }
 
@@ -82,6 +86,7 @@ std::vector<Symbol> symbols(const Scene& scene, SymbolRole role) {
       for (const Input& input : scene.inputs) result.push_back({input.name, input.unit, {}});
       break;
     case SymbolRole::equilibrium:
+    case SymbolRole::position:
       for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain});
       break;
   }
@@ -98,6 +103,8 @@ std::string field_name(SymbolRole role) {
       return "inputs";
     case SymbolRole::equilibrium:
       return "equilibrium";
+    case SymbolRole::position:
+      return "at";
   }
   return {};
 }

@@ -21,6 +21,7 @@ struct SystemChoice {
   std::vector<std::pair<std::string, double>> initial{};      ///< coordinates and velocities, SI
   std::vector<std::pair<std::string, std::string>> inputs{};  ///< expressions in t and the parameters
   std::vector<std::pair<std::string, double>> equilibrium{};  ///< coordinates where it is meant, SI
+  std::vector<std::pair<std::string, double>> position{};     ///< coordinates, SI
 };
 
 /// Finds the system that a request's value names or is: a name, or a scene object. Without one it reports
@@ -38,7 +39,7 @@ struct Symbol {
 /// The symbols of one role: parameters; or each coordinate and its velocity; or inputs; or coordinates.
 [[nodiscard]] std::vector<Symbol> symbols(const Scene& scene, SymbolRole role);
 
-/// "parameters", "initial", "inputs", "equilibrium": the field that holds the symbols of a role.
+/// "parameters", "initial", "inputs", "equilibrium", "at": the field that holds the symbols of a role.
 [[nodiscard]] std::string field_name(SymbolRole role);
 
 /// The symbol's role, if the scene has it; a coordinate standing alone is an initial value.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/analysis/statics.hpp"
@@ -62,6 +63,18 @@ class Dynamics {
   /// Error(not_applicable) as derive_statics does.
   [[nodiscard]] std::shared_ptr<const Statics> statics(std::span<const double> parameters) const;
 
+  /// What `make` derives from the statics for one purpose, made once for each key and each set of vanishing
+  /// parameters, and kept. `make` asks nothing of this Dynamics.
+  template <class T, class Make>
+  [[nodiscard]] std::shared_ptr<const T> derived(const std::string& key, std::span<const double> parameters,
+                                                 const Make& make) const {
+    const std::shared_ptr<const Statics> from = statics(parameters);
+    const std::lock_guard lock(lazy_->mutex);
+    std::shared_ptr<const void>& slot = lazy_->derived[{key, from.get()}];
+    if (!slot) slot = std::make_shared<const T>(make(*from));
+    return std::static_pointer_cast<const T>(slot);
+  }
+
   /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the
   /// direction; or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
   [[nodiscard]] CompiledEvent event(const std::string& text) const;
@@ -76,6 +89,7 @@ class Dynamics {
     std::map<std::vector<NodeId>, std::shared_ptr<const CompiledFunction>> columns;
     std::map<std::vector<bool>, std::shared_ptr<const Conserved>> conserved;
     std::map<std::vector<bool>, std::shared_ptr<const Statics>> statics;
+    std::map<std::pair<std::string, const Statics*>, std::shared_ptr<const void>> derived;
   };
 
   /// The Lagrangian with vanishing parameters and the inputs replaced, in a graph of its own.
