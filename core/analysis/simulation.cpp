@@ -147,21 +147,31 @@ class Simulator {
     return impact && !result_.stop;
   }
 
-  /// The state after the impact; false when the motion is over there anyway.
+  /// Goes on from the state after the impact; false when the motion is over there anyway.
   bool apply_impact() {
-    if (result_.t >= request_.t_end) {
+    std::vector<double> after = after_impact();
+    const double begin = result_.strides.empty() ? request_.t_start : result_.strides.back().t;
+    result_.strides.push_back({result_.t, result_.t - begin, result_.y, after});
+    if (result_.t >= request_.t_end || result_.strides.size() == request_.strides) {
       result_.ending = Ending::reached_end;
       return false;
     }
-    std::vector<Column> after;
+    result_.y = std::move(after);
+    return true;
+  }
+
+  [[nodiscard]] std::vector<double> after_impact() const {
+    std::vector<Column> components;
     std::vector<std::size_t> places;
     for (const auto& [symbol, expression] : dynamics_.model().parsed.impact) {
-      after.push_back({"", "", expression});
+      components.push_back({"", "", expression});
       places.push_back(state_index(symbol));
     }
-    const std::vector<double> values = values_at(dynamics_, after, request_.parameters, result_.t, result_.y);
-    for (std::size_t i = 0; i < places.size(); ++i) result_.y[places[i]] = values[i];
-    return true;
+    const std::vector<double> values =
+        values_at(dynamics_, components, request_.parameters, result_.t, result_.y);
+    std::vector<double> after = result_.y;
+    for (std::size_t i = 0; i < places.size(); ++i) after[places[i]] = values[i];
+    return after;
   }
 
   [[nodiscard]] std::size_t state_index(const Expression& symbol) const {

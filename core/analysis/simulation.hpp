@@ -26,6 +26,7 @@ struct SimulationRequest {
   std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};
   Impacts impacts{Impacts::apply};
+  std::optional<std::size_t> strides{};  ///< the motion is complete after so many impacts, at least one
   Method method{Method::adams};
   Tolerances tolerances;
   Limits limits;
@@ -35,6 +36,13 @@ struct EventRecord {
   std::string name;
   double t{};
   std::vector<double> y;  ///< before the impact, where the event is one
+};
+
+/// From one impact to the next.
+struct StrideRecord {
+  double t{};                         ///< of the impact that ends it
+  double step_time{};                 ///< since the impact before, or since t_start
+  std::vector<double> before, after;  ///< the state just before that impact and just after it
 };
 
 /// Why a motion ended before t_end in the nature of the system.
@@ -57,11 +65,12 @@ struct Simulation {
   std::vector<double> states;   ///< rows x 2n, row-major
   std::vector<double> columns;  ///< rows x request.columns, row-major
   std::vector<EventRecord> events;
+  std::vector<StrideRecord> strides;  ///< the one that an impact at t_end itself ends included
   std::optional<Stop> stop;
   Ending ending{
       Ending::reached_end};  ///< `event` when stopped; anything but that and reached_end is a failure
   double t{};                ///< how far it came
-  std::vector<double> y;     ///< the state there
+  std::vector<double> y;     ///< the state there, before an impact that ends the motion
   std::vector<ConservedRecord> conserved;
   Method method{};  ///< the one used: erk for taylor where a force has a kink (abs, sign)
   std::uint64_t steps{};
