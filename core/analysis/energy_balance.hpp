@@ -10,22 +10,28 @@
 #include <vector>
 
 #include "core/analysis/statics.hpp"
+#include "core/compile/ball.hpp"
 #include "core/compile/divided_difference.hpp"
 #include "core/compile/tape_evaluator.hpp"
 
 namespace qdot {
 
+/// The doubles between which a ball lies.
+[[nodiscard]] Interval interval_of(const Ball& ball);
+
 class EnergyBalance {
  public:
   /// `statics` has one coordinate and a potential, and is quadratic in its velocity; it must outlive this.
   /// `constants`: the parameters and the momenta of the ignored coordinates. x0, x0' exact.
-  EnergyBalance(const Statics& statics, std::span<const Interval> constants, double x0, double x0_dot);
+  EnergyBalance(const Statics& statics, std::span<const Ball> constants, double x0, double x0_dot);
 
   [[nodiscard]] double x0() const { return x0_; }
   [[nodiscard]] const Interval& kinetic_energy() const { return kinetic_energy_; }  ///< T0
   [[nodiscard]] bool starts_at_rest() const { return at_rest_; }
 
   [[nodiscard]] Interval remaining(const Interval& x);  ///< F(x)
+  /// F(x) by arithmetic of twice the digits: dearer, and sharper where U(x) - U(x0) is not small.
+  [[nodiscard]] Interval remaining_sharply(double x);
   /// U[a, x], U'(a) where they meet.
   [[nodiscard]] Interval potential_slope(const Interval& a, const Interval& x);
   [[nodiscard]] Interval potential(const Interval& x);       ///< U(x) [J]
@@ -36,7 +42,8 @@ class EnergyBalance {
  private:
   TapeEvaluator<DividedDifference> potential_;
   TapeEvaluator<Interval> rate_, stiffness_, inertia_;
-  double x0_;
+  TapeEvaluator<Ball> sharp_potential_, sharp_inertia_;
+  double x0_, x0_dot_;
   bool at_rest_;
   Interval kinetic_energy_;
 };

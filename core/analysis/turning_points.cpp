@@ -45,29 +45,29 @@ bool is_periodic(const Expression& e, const Expression& x) {
 }
 
 /// The parameters and the momenta of the ignored coordinates, these with the rounding of their evaluation.
-std::vector<Interval> enclosed_constants(const Dynamics& dynamics, const Statics& statics,
-                                         std::span<const double> parameters, std::span<const double> y) {
-  std::vector<Interval> constants(parameters.begin(), parameters.end());
+std::vector<Ball> enclosed_constants(const Dynamics& dynamics, const Statics& statics,
+                                     std::span<const double> parameters, std::span<const double> y) {
+  std::vector<Ball> constants(parameters.begin(), parameters.end());
   if (statics.reduction.ignored.empty()) return constants;
   const std::vector<Column> all = momentum_columns(dynamics.model());
   std::vector<Column> columns;
   for (const std::size_t c : statics.reduction.ignored) columns.push_back(all[c]);
   const auto function = dynamics.columns(columns);
-  const std::vector<Interval> state(y.begin(), y.end());
-  std::vector<Interval> momenta(columns.size());
-  TapeEvaluator<Interval>(*function, constants)(state, momenta);
+  const std::vector<Ball> state(y.begin(), y.end());
+  std::vector<Ball> momenta(columns.size());
+  TapeEvaluator<Ball>(*function, constants)(state, momenta);
   constants.insert(constants.end(), momenta.begin(), momenta.end());
   return constants;
 }
 
 /// The same without the momenta that are exactly 0: nothing is divided by what they were multiplied with.
-Statics without_vanishing_momenta(const Statics& statics, std::span<const Interval> constants) {
+Statics without_vanishing_momenta(const Statics& statics, std::span<const Ball> constants) {
   Reduction own = statics.reduction;
   own.graph = std::make_shared<Graph>(*statics.reduction.graph);
   Graph& graph = *own.graph;
   std::vector<Replacement> zeros;
   for (std::size_t i = constants.size() - own.ignored.size(); i < constants.size(); ++i) {
-    if (constants[i].magnitude() == 0) zeros.emplace_back(graph.adopt(own.constants[i]), graph.number(0));
+    if (constants[i].is_zero()) zeros.emplace_back(graph.adopt(own.constants[i]), graph.number(0));
   }
   const auto reduced = [&](const Expression& e) { return simplify(substitute(graph.adopt(e), zeros)); };
   const Expression x = graph.adopt(own.x[0]);
@@ -91,8 +91,7 @@ Statics without_vanishing_momenta(const Statics& statics, std::span<const Interv
 class Question {
  public:
   Question(const Dynamics& dynamics, const Statics& statics, const Statics& original,
-           std::span<const Interval> constants, std::span<const double> parameters,
-           std::span<const double> y0)
+           std::span<const Ball> constants, std::span<const double> parameters, std::span<const double> y0)
       : dynamics_(dynamics),
         original_(original),
         parameters_(parameters),
@@ -108,7 +107,7 @@ class Question {
       range_.period = std::nextafter(2 * std::numbers::pi, infinity);
     }
     for (std::size_t i = parameters.size(); i < constants.size(); ++i)
-      answer_.momenta.push_back(constants[i].middle());
+      answer_.momenta.push_back(constants[i].value());
   }
 
   TurningPoints answer() {
@@ -196,7 +195,19 @@ class Question {
     find_validity(down.place, up.place);
   }
 
-  MotionBound search(Direction direction) { return TurningSearch(energy_, range_, direction).run(); }
+  MotionBound search(Direction direction) {
+    MotionBound bound = TurningSearch(energy_, range_, direction).run();
+    if (bound.kind == MotionBound::Kind::turning) sharpen(bound.place);
+    return bound;
+  }
+
+  /// One more step of Newton's with twice the digits.
+  void sharpen(Interval& place) {
+    const double m = place.middle();
+    const Interval slope = energy_.potential_rate(place);
+    const Interval next = intersection(Interval(m) + energy_.remaining_sharply(m) / slope, place);
+    if (!is_empty(next)) place = next;
+  }
 
   [[nodiscard]] Extremum extremum(const MotionBound& bound) const {
     const double place = bound.place.middle();
@@ -360,9 +371,9 @@ TurningPoints turning_points(const Dynamics& dynamics, std::span<const double> p
     throw Error(ErrorCode::not_applicable,
                 "There are no turning points without following the motion: " + why_not + ".");
   }
-  const std::vector<Interval> constants = enclosed_constants(dynamics, *statics, parameters, y0);
+  const std::vector<Ball> constants = enclosed_constants(dynamics, *statics, parameters, y0);
   const bool vanishing = std::any_of(constants.begin() + static_cast<std::ptrdiff_t>(parameters.size()),
-                                     constants.end(), [](const Interval& p) { return p.magnitude() == 0; });
+                                     constants.end(), [](const Ball& p) { return p.is_zero(); });
   if (!vanishing) return Question(dynamics, *statics, *statics, constants, parameters, y0).answer();
   const Statics reduced = without_vanishing_momenta(*statics, constants);
   return Question(dynamics, reduced, *statics, constants, parameters, y0).answer();

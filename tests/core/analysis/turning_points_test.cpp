@@ -294,9 +294,10 @@ TEST(TurningPoints, DoNotDependOnTheMass) {
 }
 
 TEST(TurningPoints, OfAnOrbitAreItsApsides) {
-  // r = 0.5, r theta' = sqrt(3): e = 1/2, a = 1 and period 2 pi for mu = 1.
+  // r = 0.5 and r theta' = sqrt(3), rounded, for mu = 1: e = r v^2 - 1 near 1/2, a near 1, period near 2 pi.
   const TurningPoints ellipse = points("kepler", {}, {});
-  expect_extremum(ellipse.maximum, 1.5, 2e-14);
+  const long double v = 0.5L * 3.4641016151377544, e = 0.5L * v * v - 1;
+  expect_extremum(ellipse.maximum, 0.5L * (1 + e) / (1 - e), 4e-16);
   EXPECT_EQ(*ellipse.minimum.value, 0.5);
   EXPECT_NEAR(*ellipse.period.value, 2 * pi, 1e-13);
   const TurningPoints hyperbola = points("kepler", {}, {{"theta_dot", 5}});
