@@ -13,7 +13,11 @@ using R = SimulateRequest;
 
 constexpr Domain instants{.lower = -limits::largest_time, .upper = limits::largest_time};
 
+/// Strides alone: the grid ends with the last of them, which the motion has to tell.
+bool has_open_end(const R& request) { return request.steps && !request.t_end && request.times.empty(); }
+
 void check_grid(R& request, Findings& findings) {
+  if (has_open_end(request)) return;
   if (findings.echo().contains("times") && request.times.empty()) {
     findings.report("times", "empty", "'times' needs at least one instant.");
     return;
@@ -52,6 +56,15 @@ void check(R& request, Findings& findings) {
   }
   if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
   if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  if (request.steps && (!scene->impact || !request.impacts)) {
+    findings.report(
+        "steps", "not_applicable",
+        scene->impact ? "Without impacts there are no strides." : scene->name + " does not walk.");
+  }
+  const bool has_goal = request.accuracy || request.max_error || request.max_evaluations;
+  if (!request.verify && has_goal) {
+    findings.report("verify", "exclusive", "An error that is wanted must be measured: leave 'verify' out.");
+  }
   if (!request.impacts && !scene->impact) {
     findings.report("impacts", "not_applicable", scene->name + " has no impacts to leave out.");
   }
@@ -91,7 +104,9 @@ RequestTable<R> make_table() {
       boolean("impacts", &R::impacts,
               "apply the system's impacts; false: the motion goes on as if there were none",
               {.default_value = true}),
-      later_field<R>("steps", "Give t_end."),
+      integer("steps", &R::steps, {1, limits::strides},
+              "strides of a walker after which the motion is complete; beside t_end or instead of it",
+              {.aliases = {"strides", "n_steps", "impacts_count"}}),
       choice("method", &R::method,
              {{"auto", MethodChoice::automatic},
               {"adams", MethodChoice::adams},
@@ -106,9 +121,16 @@ RequestTable<R> make_table() {
       number("atol", &R::atol, {"1", {.lower = 0, .upper = limits::largest_atol, .lower_open = true}},
              "absolute local tolerance, in each column's own unit",
              {.default_value = 1e-12, .aliases = {"abstol", "abs_tol", "absolute_tolerance"}}),
-      later_field<R>("accuracy", "Give rtol and atol."),
-      later_field<R>("max_error", "Give rtol and atol."),
-      later_field<R>("max_evaluations", "Give rtol and atol."),
+      choice("accuracy", &R::accuracy,
+             {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"accurate", Preset::accurate}},
+             "the error promised, over each column's largest magnitude: 1e-3, 1e-6 or 1e-9",
+             {.aliases = {"preset", "quality", "precision_goal"}}),
+      number("max_error", &R::max_error, {"1", {limits::least_error, 1}},
+             "the global error wanted, in each column's own unit, of coordinates and velocities in all rows",
+             {.aliases = {"max_abs_error", "error", "global_error"}}),
+      integer("max_evaluations", &R::max_evaluations, {1, limits::evaluations},
+              "the work allowed, in evaluations of the accelerations, that of measuring the error included",
+              {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),
       later_field<R>("h", "It is the step of method gauss."),
       boolean("verify", &R::verify, "estimate the error of the answer", {.default_value = true}),
       integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",

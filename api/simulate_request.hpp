@@ -19,6 +19,9 @@ enum class OnInvalid { stop, carry_on };
 /// `automatic` leaves the choice to the service.
 enum class MethodChoice { automatic, adams, bdf, erk, taylor };
 
+/// Each promises an error over a column's largest magnitude.
+enum class Preset { fast, balanced, accurate };
+
 enum class Format { json, csv, ndjson };
 
 struct SimulateRequest {
@@ -32,14 +35,19 @@ struct SimulateRequest {
   std::vector<std::string> events{};  ///< "theta=0+", not parsed yet
   OnInvalid on_invalid{OnInvalid::stop};
   bool impacts{true};
+  std::optional<std::int64_t> steps{};  ///< strides
   double rtol{};
   double atol{};
+  std::optional<Preset> accuracy{};
+  std::optional<double> max_error{};
+  std::optional<std::int64_t> max_evaluations{};
   MethodChoice method{MethodChoice::automatic};
   bool verify{true};
   std::optional<int> digits{};
   std::optional<Format> format{};  ///< none: what the Accept header says
 
-  /// The instants to answer at, from the fields above: never empty.
+  /// The instants to answer at, from the fields above; empty where the last of `steps` strides ends the
+  /// motion.
   std::vector<double> grid{};
 };
 

@@ -1,6 +1,11 @@
 #include "api/simulation.hpp"
 
-#include "core/analysis/simulation.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "api/limits.hpp"
+#include "api/time_grid.hpp"
+#include "core/analysis/ladder.hpp"
 
 namespace qdot::api {
 namespace {
@@ -35,6 +40,34 @@ const char* name_of(Method method) {
       break;
   }
   return "taylor";
+}
+
+constexpr double promised(Preset preset) {
+  switch (preset) {
+    case Preset::fast:
+      return 1e-3;
+    case Preset::balanced:
+      return 1e-6;
+    case Preset::accurate:
+      break;
+  }
+  return 1e-9;
+}
+
+AccuracyGoal goal_of(const SimulateRequest& request) {
+  AccuracyGoal goal;
+  goal.verify = request.verify;
+  if (request.accuracy) {
+    goal.kind = AccuracyGoal::Kind::relative;
+    goal.value = promised(*request.accuracy);
+  } else if (request.max_error) {
+    goal.kind = AccuracyGoal::Kind::absolute;
+    goal.value = *request.max_error;
+  } else if (request.max_evaluations) {
+    goal.kind = AccuracyGoal::Kind::work;
+    goal.evaluations = static_cast<std::uint64_t>(*request.max_evaluations);
+  }
+  return goal;
 }
 
 std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra>& include) {
@@ -127,16 +160,59 @@ class SimulationAnswer {
     core.parameters = state.parameters;
     core.y_start = state.y;
     core.t_start = request_.t_start;
-    core.t_end = *request_.t_end;
-    core.grid = request_.grid;
+    if (request_.steps) core.strides = static_cast<std::size_t>(*request_.steps);
+    core.t_end = request_.t_end ? *request_.t_end : core.t_start + patience(state.parameters);
+    core.grid = grid_ = request_.grid;
     core.columns = columns_ = columns_of(model(), request_.include);
     core.events = request_.events;
     core.on_invalid = request_.on_invalid == OnInvalid::stop ? qdot::OnInvalid::stop : qdot::OnInvalid::go_on;
     core.impacts = request_.impacts ? Impacts::apply : Impacts::ignore;
     core.method = method_of(request_.method);
-    core.tolerances = {request_.rtol, request_.atol};
+    if (request_.rtol > 0) core.tolerances = {request_.rtol, request_.atol};  // else a goal decides
     core.limits.interrupted = call_.request.interrupted;
-    result_ = simulate(dynamics_, core);
+    if (grid_.empty()) core.grid = grid_ = grid_of_strides(core);
+    measured_ = simulate_with_error(dynamics_, core, goal_of(request_));
+  }
+
+  /// Nothing that walks needs as long for its strides; what stands for ever must not walk for ever.
+  [[nodiscard]] double patience(std::span<const double> parameters) const {
+    constexpr double units_of_time_per_stride = 100;
+    double unit = 1;
+    if (const auto& scales = model().parsed.scales) {
+      std::vector<Assignment> values;
+      for (std::size_t i = 0; i < parameters.size(); ++i) {
+        values.emplace_back(model().parsed.symbols.parameters[i], parameters[i]);
+      }
+      unit = evaluate(scales->time, values);
+    }
+    if (!std::isfinite(unit)) unit = 1;
+    return units_of_time_per_stride * unit * static_cast<double>(*request_.steps);
+  }
+
+  /// Rows from the start to the last impact, or to the fall before it, as a first run finds it.
+  [[nodiscard]] std::vector<double> grid_of_strides(SimulationRequest core) const {
+    core.columns.clear();
+    core.events.clear();
+    core.grid = {core.t_start};
+    const Simulation first = simulate(dynamics_, core);
+    if (has_failed(first.ending)) return core.grid;  // the second run fails as this one
+    if (!first.stop && first.strides.size() < *core.strides) {
+      throw Error(ErrorCode::not_applicable, "Only " + std::to_string(first.strides.size()) +
+                                                 " strides happen within " + std::to_string(core.t_end) +
+                                                 " s: give t_end.");
+    }
+    if (!request_.dt) {
+      const auto grid = time_grid(
+          {.t_start = core.t_start, .t_end = first.t, .samples = request_.samples, .dt = {}, .times = {}});
+      return std::holds_alternative<GridError>(grid) ? core.grid : std::get<std::vector<double>>(grid);
+    }
+    std::vector<double> grid;
+    for (std::int64_t i = 0; i < limits::rows; ++i) {
+      const double t = core.t_start + static_cast<double>(i) * *request_.dt;
+      if (t > first.t) break;
+      grid.push_back(t);
+    }
+    return grid;
   }
 
   void add_column(const std::string& name, const std::string& unit, std::vector<double> values) {
@@ -157,7 +233,7 @@ class SimulationAnswer {
     const std::vector<Symbol> state = symbols(model().scene, SymbolRole::initial);
     values_.reserve(1 + state.size() + columns_.size());
     const auto rows = static_cast<std::ptrdiff_t>(result_.rows);
-    add_column("t", "s", {request_.grid.begin(), request_.grid.begin() + rows});
+    add_column("t", "s", {grid_.begin(), grid_.begin() + rows});
     for (std::size_t k = 0; k < state.size(); ++k) {
       add_column(state[k].name, state[k].unit, column(result_.states, state.size(), k));
     }
@@ -195,6 +271,7 @@ class SimulationAnswer {
     writer.columns(table_, digits());
     writer.member("units", units_);
     writer.member("events", events_json(), digits());
+    if (model().scene.impact && request_.impacts) writer.member("strides", strides_json(), digits());
     writer.member("accuracy", accuracy_json());
     writer.member("diagnostics", diagnostics_json());
     writer.end_object();
@@ -210,14 +287,59 @@ class SimulationAnswer {
     return array;
   }
 
+  [[nodiscard]] Json strides_json() const {
+    Json array = Json::array();
+    for (const StrideRecord& stride : result_.strides) {
+      array.push_back({{"t", stride.t},
+                       {"step_time", stride.step_time},
+                       {"pre_impact", state_json(model().scene, stride.before)},
+                       {"state", state_json(model().scene, stride.after)}});
+    }
+    return array;
+  }
+
   [[nodiscard]] Json accuracy_json() const {
-    return {{"method", name_of(result_.method)},
-            {"rtol", request_.rtol},
-            {"atol", request_.atol},
-            {"max_abs_error", nullptr},
-            {"horizon", nullptr},
-            {"reason",
-             "This version does not estimate the global error; rtol and atol bound each step's alone."}};
+    Json json{{"method", name_of(result_.method)},
+              {"rtol", measured_.tolerances.rtol},
+              {"atol", measured_.tolerances.atol},
+              {"max_abs_error", nullptr},
+              {"horizon", nullptr}};
+    std::string reason = measured_.reason;
+    if (measured_.max_abs_error.empty()) {
+      if (!request_.verify) reason = "The error was not measured, as 'verify' is false.";
+    } else {
+      json["max_abs_error"] = max_abs_errors();
+      if (measured_.horizon) json["horizon"] = *measured_.horizon;
+      json["verified_by"] = name_of(measured_.verified_by);
+    }
+    if (measured_.meets_request) {
+      const bool rounded_away =
+          *measured_.meets_request && request_.max_error && !within(*request_.max_error, json);
+      json["meets_request"] = *measured_.meets_request && !rounded_away;
+      if (rounded_away) reason = "The digits asked for round more away than the error wanted.";
+    }
+    if (!reason.empty()) json["reason"] = reason;
+    return json;
+  }
+
+  [[nodiscard]] static bool within(double wanted, const Json& accuracy) {
+    const Json& errors = accuracy["max_abs_error"];
+    return std::all_of(errors.begin(), errors.end(),
+                       [&](const Json& e) { return e.get<double>() <= wanted; });
+  }
+
+  /// What `digits` rounds away is an error of the answer too.
+  [[nodiscard]] Json max_abs_errors() const {
+    Json json = Json::object();
+    for (std::size_t k = 0; k < measured_.max_abs_error.size(); ++k) {
+      const Column& column = table_[1 + k];
+      double lost = 0;
+      for (std::size_t i = 0; digits() != shortest_digits && i < column.values.size(); ++i) {
+        lost = std::max(lost, std::abs(rounded(column.values[i], digits()) - column.values[i]));
+      }
+      json[column.name] = measured_.max_abs_error[k] + lost;
+    }
+    return json;
   }
 
   [[nodiscard]] Json diagnostics_json() const {
@@ -237,15 +359,18 @@ class SimulationAnswer {
     }
     return {{"conserved", std::move(conserved)},
             {"steps", result_.steps},
-            {"rhs_evaluations", result_.evaluations}};
+            {"rhs_evaluations", result_.evaluations},
+            {"total_evaluations", measured_.evaluations}};
   }
 
   const SimulateRequest& request_;
   Json echo_;
   Call& call_;
   const Dynamics& dynamics_;
+  std::vector<double> grid_;
   std::vector<qdot::Column> columns_;
-  Simulation result_;
+  MeasuredSimulation measured_;
+  const Simulation& result_{measured_.simulation};
   std::vector<std::vector<double>> values_;
   std::vector<Column> table_;
   Json units_ = Json::object();

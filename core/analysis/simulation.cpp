@@ -116,6 +116,7 @@ class Simulator {
     run.t_end = request_.t_end;
     run.grid = std::span(request_.grid).subspan(result_.rows);
     run.method = method_;
+    run.taylor_order = request_.taylor_order;
     run.tolerances = request_.tolerances;
     run.limits = request_.limits;
     run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);

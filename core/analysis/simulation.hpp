@@ -28,6 +28,7 @@ struct SimulationRequest {
   Impacts impacts{Impacts::apply};
   std::optional<std::size_t> strides{};  ///< the motion is complete after so many impacts, at least one
   Method method{Method::adams};
+  unsigned taylor_order{};  ///< 0: by the tolerance
   Tolerances tolerances;
   Limits limits;
 };

@@ -69,6 +69,7 @@ struct RunRequest {
   std::span<const double> grid{};
   std::vector<EventFunction> events{};
   Method method{Method::adams};
+  unsigned taylor_order{};  ///< 0: by the tolerance
   Tolerances tolerances{};
   Limits limits{};
 };

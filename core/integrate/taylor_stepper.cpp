@@ -25,12 +25,17 @@ double root_of(double w, double c, unsigned k) {
   return Sleef_cinz_exp2d1_u10purec(exponent / k);
 }
 
+unsigned order_for(const RunRequest& request) {
+  if (request.taylor_order > 0) return request.taylor_order;
+  return request.tolerances.rtol >= loose ? order_loose : order_tight;
+}
+
 class TaylorStepper final : public Stepper {
  public:
   TaylorStepper(const RightHandSide& system, const RunRequest& request)
       : system_(system),
         request_(request),
-        order_(request.tolerances.rtol >= loose ? order_loose : order_tight),
+        order_(order_for(request)),
         t_previous_(request.t_start),
         t_(request.t_start),
         y_previous_(request.y_start),

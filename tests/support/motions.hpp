@@ -12,7 +12,7 @@
 
 namespace qdot::test {
 
-inline constexpr std::array all_methods{Method::adams, Method::bdf, Method::erk};
+inline constexpr std::array all_methods{Method::adams, Method::bdf, Method::erk, Method::taylor};
 
 /// The method and tolerances that come nearest to the true motion on these systems.
 inline constexpr Method best_method = Method::erk;

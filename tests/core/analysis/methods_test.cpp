@@ -14,7 +14,10 @@ namespace {
 constexpr double run_over_step = 1e5;
 
 std::string name(Method method) {
-  return method == Method::adams ? "adams" : method == Method::bdf ? "bdf" : "erk";
+  return method == Method::adams ? "adams"
+         : method == Method::bdf ? "bdf"
+         : method == Method::erk ? "erk"
+                                 : "taylor";
 }
 
 class Methods : public test::SystemTest {

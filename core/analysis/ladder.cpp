@@ -1,0 +1,267 @@
+#include "core/analysis/ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/compile/taylor_expansion.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double tightest = 1e-15;  ///< rtol of a run that is returned
+constexpr double tightest_check = 1e-16;
+constexpr double loosest = 1e-2;
+constexpr double rung = 1e-2;  ///< a check's tolerance over that of the run it checks
+constexpr double check_of_others = 1e-3;
+constexpr unsigned order_of_checks = 24;
+constexpr unsigned order_of_loose_checks = 20;  ///< of runs that have order 14
+constexpr double loose = 1e-6;
+constexpr double safety = 2;
+constexpr std::size_t instants = 64;  ///< at least so many places are compared
+constexpr double useful = 1e-3;       ///< horizon: of a column's largest magnitude
+constexpr double aim = 0.2;           ///< of the wanted error, when the next tolerance is chosen
+constexpr int most_rungs = 8;
+
+bool ended_well(const Simulation& s) { return s.ending == Ending::reached_end || s.ending == Ending::event; }
+
+/// The grid with instants added until there are enough, and which of them were asked for.
+struct DenseGrid {
+  std::vector<double> t;
+  std::vector<bool> wanted;
+
+  explicit DenseGrid(const SimulationRequest& request) : t(request.grid) {
+    const double span = (request.grid.empty() ? request.t_end : request.grid.back()) - request.t_start;
+    for (std::size_t i = 1; t.size() < instants && i < instants; ++i) {
+      t.push_back(request.t_start + span * static_cast<double>(i) / instants);
+    }
+    std::sort(t.begin(), t.end());
+    t.erase(std::unique(t.begin(), t.end()), t.end());
+    for (const double instant : t) {
+      wanted.push_back(std::binary_search(request.grid.begin(), request.grid.end(), instant));
+    }
+  }
+};
+
+/// Only the rows that were asked for.
+void thin(std::vector<double>& rows, std::size_t count, std::size_t width, const std::vector<bool>& wanted) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!wanted[i]) continue;
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i * width), width,
+                rows.begin() + static_cast<std::ptrdiff_t>(kept++ * width));
+  }
+  rows.resize(kept * width);
+}
+
+class Ladder {
+ public:
+  Ladder(const Dynamics& dynamics, const SimulationRequest& request, const AccuracyGoal& goal)
+      : dynamics_(dynamics),
+        request_(request),
+        goal_(goal),
+        grid_(request),
+        has_series_(has_taylor_expansion(dynamics.accelerations())) {}
+
+  MeasuredSimulation climb() {
+    if (goal_.kind == AccuracyGoal::Kind::tolerances) {
+      take(request_.tolerances);
+      if (goal_.verify && ended_well(result_.simulation)) measure();
+      return finished();
+    }
+    Tolerances next = start();
+    for (int i = 0; i < most_rungs; ++i) {
+      take(next);
+      if (!ended_well(result_.simulation)) break;
+      measure();
+      if (keep_best() || result_.max_abs_error.empty() || next.rtol <= tightest) break;
+      const auto wanted = tighter(next);
+      if (!wanted) break;
+      next = *wanted;
+    }
+    if (best_) result_ = std::move(*best_);
+    return finished();
+  }
+
+ private:
+  using Kind = AccuracyGoal::Kind;
+
+  /// A tolerance that is likely to do: errors are ten to a thousand times the tolerance.
+  [[nodiscard]] Tolerances start() const {
+    const double rtol =
+        goal_.kind == Kind::work ? loosest : std::clamp(goal_.value * 1e-3, tightest, loosest);
+    return with_rtol(rtol);
+  }
+
+  [[nodiscard]] static Tolerances with_rtol(double rtol) { return {rtol, rtol * 1e-3}; }
+
+  [[nodiscard]] std::uint64_t left() const {
+    const std::uint64_t allowed =
+        goal_.kind == Kind::work ? goal_.evaluations : request_.limits.max_evaluations;
+    return allowed - std::min(allowed, spent_);
+  }
+
+  Simulation run(SimulationRequest request) {
+    request.grid = grid_.t;
+    request.limits.max_evaluations = std::min(request.limits.max_evaluations, left());
+    Simulation simulation = simulate(dynamics_, request);
+    spent_ += simulation.evaluations;
+    return simulation;
+  }
+
+  void take(const Tolerances& tolerances) {
+    SimulationRequest request = request_;
+    request.tolerances = tolerances;
+    result_ = {};
+    result_.tolerances = tolerances;
+    result_.simulation = run(std::move(request));
+  }
+
+  /// The second road: another order where the method is taylor, another method elsewhere.
+  [[nodiscard]] SimulationRequest check() const {
+    SimulationRequest request = request_;
+    request.columns.clear();
+    request.events.clear();
+    const Method first = result_.simulation.method;
+    const bool same = first == Method::taylor;
+    request.method = has_series_ ? Method::taylor : first == Method::erk ? Method::adams : Method::erk;
+    request.taylor_order = result_.tolerances.rtol >= loose ? order_of_loose_checks : order_of_checks;
+    const double least = has_series_ ? tightest_check : 1e-14;
+    const double factor = same ? rung : check_of_others;
+    const double rtol = std::max(least, result_.tolerances.rtol * factor);
+    request.tolerances = {rtol, std::max(result_.tolerances.atol * factor, least * 1e-3)};
+    if (rtol <= 10 * least) nudge(request.parameters);
+    return request;
+  }
+
+  /// Every parameter by one unit in the last place, up and down in turn.
+  static void nudge(std::vector<double>& parameters) {
+    double towards = std::numeric_limits<double>::infinity();
+    for (double& p : parameters) {
+      if (p != 0) p = std::nextafter(p, towards);
+      towards = -towards;
+    }
+  }
+
+  void measure() {
+    const SimulationRequest request = check();
+    result_.verified_by = request.method;
+    const Simulation second = run(request);
+    const Simulation& first = result_.simulation;
+    const std::size_t width = request_.y_start.size();
+    const std::size_t rows = std::min(first.rows, second.rows);
+    if (!ended_well(second) && second.rows < first.rows) {
+      result_.reason =
+          "The second computation, which would have measured the error, did not come to its end.";
+      return;
+    }
+    std::vector<double> error(width);
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t k = 0; k < width; ++k) {
+        const std::size_t place = i * width + k;
+        error[k] = std::max(error[k], safety * std::abs(first.states[place] - second.states[place]));
+      }
+      note_horizon(i, error);
+    }
+    result_.max_abs_error = std::move(error);
+  }
+
+  void note_horizon(std::size_t row, const std::vector<double>& error) {
+    if (result_.horizon || !grid_.wanted[row]) return;
+    const std::vector<double>& scale = largest_magnitudes();
+    for (std::size_t k = 0; k < error.size(); ++k) {
+      if (error[k] > useful * scale[k]) result_.horizon = grid_.t[row];
+    }
+  }
+
+  /// Of each column over the rows; computed once a run.
+  [[nodiscard]] const std::vector<double>& largest_magnitudes() {
+    if (scale_of_ == spent_) return scale_;
+    scale_of_ = spent_;
+    const std::size_t width = request_.y_start.size();
+    scale_.assign(width, 0.0);
+    const Simulation& first = result_.simulation;
+    for (std::size_t i = 0; i < first.rows * width; ++i) {
+      scale_[i % width] = std::max(scale_[i % width], std::abs(first.states[i]));
+    }
+    return scale_;
+  }
+
+  /// The largest error in units of what is wanted; 1 is met.
+  [[nodiscard]] double excess() {
+    const std::vector<double>& scale = largest_magnitudes();
+    double largest = 0;
+    for (std::size_t k = 0; k < result_.max_abs_error.size(); ++k) {
+      const double wanted = goal_.value * (goal_.kind == Kind::relative ? scale[k] : 1.0);
+      if (result_.max_abs_error[k] > 0) largest = std::max(largest, result_.max_abs_error[k] / wanted);
+    }
+    return largest;
+  }
+
+  /// True when the goal is met.
+  bool keep_best() {
+    if (result_.max_abs_error.empty()) return false;
+    if (goal_.kind == Kind::work) {
+      best_ = result_;
+      return false;
+    }
+    const double now = excess();
+    result_.meets_request = now <= 1;
+    excess_ = now;
+    if (!best_ || now < best_excess_) {
+      best_ = result_;
+      best_excess_ = now;
+    }
+    return now <= 1;
+  }
+
+  /// The next tolerance; none when there is no work left for it.
+  [[nodiscard]] std::optional<Tolerances> tighter(const Tolerances& now) const {
+    if (goal_.kind != Kind::work) {
+      const double factor = std::clamp(aim / excess_, 1e-6, 0.1);
+      return with_rtol(std::max(tightest, now.rtol * factor));
+    }
+    // A run and its check cost twice as much as now when the tolerance goes down by this factor.
+    const double cost = static_cast<double>(best_->simulation.evaluations) * 2.4;
+    const double growth = static_cast<double>(left()) / cost;
+    if (growth < 1) return std::nullopt;
+    const double factor = evaluate(Function::exp, -15 * evaluate(Function::log, growth));
+    return with_rtol(std::clamp(now.rtol * factor, tightest, now.rtol * 0.1));
+  }
+
+  MeasuredSimulation finished() {
+    Simulation& s = result_.simulation;
+    const std::size_t rows = s.rows;
+    thin(s.states, rows, request_.y_start.size(), grid_.wanted);
+    thin(s.columns, rows, request_.columns.size(), grid_.wanted);
+    s.rows = static_cast<std::size_t>(
+        std::count(grid_.wanted.begin(), grid_.wanted.begin() + static_cast<std::ptrdiff_t>(rows), true));
+    result_.evaluations = spent_;
+    if (result_.meets_request == false) {
+      result_.reason =
+          "The error wanted is out of reach for this motion in double precision; this is the best found.";
+    }
+    return std::move(result_);
+  }
+
+  const Dynamics& dynamics_;
+  const SimulationRequest& request_;
+  const AccuracyGoal& goal_;
+  DenseGrid grid_;
+  bool has_series_;
+  MeasuredSimulation result_;
+  std::optional<MeasuredSimulation> best_;
+  double best_excess_{}, excess_{};
+  std::uint64_t spent_{};
+  std::uint64_t scale_of_{std::numeric_limits<std::uint64_t>::max()};
+  std::vector<double> scale_;
+};
+
+}  // namespace
+
+MeasuredSimulation simulate_with_error(const Dynamics& dynamics, const SimulationRequest& request,
+                                       const AccuracyGoal& goal) {
+  return Ladder(dynamics, request, goal).climb();
+}
+
+}  // namespace qdot
