@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "api/bifurcations.hpp"
 #include "api/catalogue.hpp"
 #include "api/endpoint.hpp"
 #include "api/energy.hpp"
@@ -169,6 +170,9 @@ struct Service::Impl {
     add_endpoint<EquilibriaRequest>(
         routes, "equilibria", equilibria_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_equilibria(resolved, call, models); });
+    add_endpoint<BifurcationsRequest>(
+        routes, "bifurcations", bifurcations_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_bifurcations(resolved, call, models); });
     add_endpoint<TurningPointsRequest>(
         routes, "turning_points", turning_points_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_turning_points(resolved, call, models); });
