@@ -11,6 +11,7 @@ namespace {
 constexpr double golden_cut = 0.4876;  ///< not a half: zeros like to lie at the middle of a region
 constexpr double small_box = 1e-2;     ///< below it a box is looked at with Newton's method
 constexpr double least_box = 1e-14;
+constexpr double wide_enclosure = 1e-4;  ///< of a zero: Newton's iteration is quicker than contraction
 
 class Isolator {
  public:
@@ -135,9 +136,11 @@ class Isolator {
   /// `region` holds one zero, and `enclosure` holds it: contracted as far as it goes.
   void settle(const Box& region, Box enclosure) {
     for (;;) {
+      const bool wide = width(enclosure) > wide_enclosure;
+      if (auto narrow = wide ? narrowed(enclosure) : std::nullopt) enclosure = std::move(*narrow);
       Box next = krawczyk(enclosure);
       for (std::size_t i = 0; i < next.size(); ++i) next[i] = intersection(next[i], enclosure[i]);
-      const bool improves = width(next) < 0.9 * width(enclosure);
+      const bool improves = width(next) < (wide ? 0.999 : 0.9) * width(enclosure);
       enclosure = std::move(next);
       if (!improves) break;
     }
@@ -151,23 +154,46 @@ class Isolator {
     if (!known) zeros_.push_back({std::move(enclosure), true});
   }
 
-  /// A zero near a small box's edge: proves that it is alone in a larger box around it. True when that holds
-  /// all of this one.
-  bool settled_near(const Box& box) {
-    Box c = middle(box);
+  /// Newton's iteration from c.
+  [[nodiscard]] std::optional<Box> newton(Box c) const {
     for (int i = 0; i < 6; ++i) {
       const auto y = inverse_at(c);
-      if (!y) return false;
+      if (!y) return std::nullopt;
       const Box f = values(c);
       for (std::size_t r = 0; r < c.size(); ++r) {
         double step = 0;
         for (std::size_t k = 0; k < c.size(); ++k) {
           step += (*y)(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(k)) * f[k].middle();
         }
-        if (!std::isfinite(step)) return false;
+        if (!std::isfinite(step)) return std::nullopt;
         c[r] = Interval(c[r].middle() - step);
       }
     }
+    return c;
+  }
+
+  /// A smaller box of the zero that `enclosure` holds, where it is so wide that K(X) hardly contracts: around
+  /// where Newton's iteration ends.
+  [[nodiscard]] std::optional<Box> narrowed(const Box& enclosure) const {
+    std::optional<Box> box = newton(middle(enclosure));
+    if (!box) return std::nullopt;
+    for (std::size_t i = 0; i < box->size(); ++i) {
+      const double x = (*box)[i].middle();
+      const double reach = 1e-9 * (scales_[i] + std::abs(x));
+      (*box)[i] = Interval(x - reach, x + reach);
+      if (!enclosure[i].contains((*box)[i])) return std::nullopt;
+    }
+    Box contracted = krawczyk(*box);
+    if (!inside(contracted, *box)) return std::nullopt;
+    return contracted;
+  }
+
+  /// A zero near a small box's edge: proves that it is alone in a larger box around it. True when that holds
+  /// all of this one.
+  bool settled_near(const Box& box) {
+    const std::optional<Box> start = newton(middle(box));
+    if (!start) return false;
+    const Box& c = *start;
     Box wide;
     for (std::size_t i = 0; i < c.size(); ++i) {
       const double reach = 1.5 * box[i].width();

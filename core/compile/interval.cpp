@@ -32,6 +32,9 @@ Interval outward(double lower, double upper) {
 
 Interval outward(Interval x, int units) {
   if (std::isnan(x.lower) || std::isnan(x.upper)) return Interval::whole();
+  // SLEEF's exp, sinh and cosh become infinite a little before their values do: beyond 709.
+  x.lower = std::min(x.lower, 0x1p1020);
+  x.upper = std::max(x.upper, -0x1p1020);
   for (int i = 0; i < units; ++i) x = {below(x.lower), above(x.upper)};
   return x;
 }

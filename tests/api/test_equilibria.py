@@ -1,0 +1,177 @@
+"""Equilibria, the number that makes a position one, and critical values over HTTP: reference cases, theory, refusals."""
+
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, numbers_in, reference_cases  # noqa: E402
+
+PROMISED = 1e-12  # relative
+
+
+class Answers(Service):
+    def assert_near(self, actual, expected, relative=PROMISED):
+        self.assertLessEqual(abs(actual - expected), relative*max(abs(expected), 1e-3), (actual, expected))
+
+    def stability(self, stable):
+        return "stable" if stable else "unstable"
+
+
+class Equilibria(Answers):
+    def test_reference_cases(self):
+        count = 0
+        for case in reference_cases("equilibria"):
+            with self.subTest(case["id"]):
+                found = self.ask("equilibria", {"system": case["system"], "parameters": case["parameters"]})
+                self.assertIs(found["complete"], True)
+                expected = sorted(case["expected"]["equilibria"], key=lambda entry: entry["theta"])
+                self.assertEqual(len(found["equilibria"]), len(expected))
+                for actual, entry in zip(found["equilibria"], expected):
+                    count += 1
+                    self.assert_near(actual["state"]["theta"], entry["theta"])
+                    self.assertLess(actual["error"]["theta"], 1e-14)
+                    self.assertEqual(actual["stability"], self.stability(entry["stable"]))
+                    self.assert_near(actual["rate2"], entry["rate2"])
+        self.assertEqual(count, 8)
+
+    def test_angles_lie_in_one_turn_and_ascend(self):
+        for system in ("spring_pendulum", "cart_pendulum", "rod_pendulum", "compass_walker", "orbiting_pendulum"):
+            with self.subTest(system):
+                found = self.ask("equilibria", {"system": system})
+                for entry in found["equilibria"]:
+                    for name in entry["state"]:
+                        if found["units"][name] == "rad":
+                            self.assertTrue(-math.pi < entry["state"][name] <= math.pi)
+                first = [list(entry["state"].values()) for entry in found["equilibria"]]
+                self.assertEqual(first, sorted(first))
+                self.assertTrue(all(math.isfinite(number) for number in numbers_in(found)))
+
+    def test_a_string_is_taut_or_not(self):
+        found = self.ask("equilibria", {"system": "rod_pendulum"})
+        valid = {(entry["state"]["theta"], entry["state"]["phi"]): entry["valid"] for entry in found["equilibria"]}
+        self.assertEqual(valid, {(0, 0): True, (0, math.pi): False, (math.pi, 0): True, (math.pi, math.pi): False})
+
+    def test_at_the_critical_spin_linearization_does_not_decide(self):
+        found = self.ask("equilibria", {"system": "whirling_pendulum", "parameters": {"g": 9, "l": 1, "Omega": 3}})
+        bottom = found["equilibria"][0]
+        self.assertEqual((bottom["state"]["theta"], bottom["stability"]), (0, "neutral"))
+        self.assertIn("nonlinearly stable", bottom["nonlinear"])
+
+    def test_momenta_of_a_steady_motion_are_told(self):
+        found = self.ask("equilibria", {"system": "free_spin_pendulum"})
+        self.assertEqual(list(found["momenta"]), ["p_psi"])
+        self.assertEqual(found["units"]["p_psi"], "kg*m^2/s")
+
+    def test_time_in_the_equations_is_not_applicable(self):
+        problem = self.refused("equilibria", {"system": "rolling_disk_platform"})
+        self.assertEqual(problem["type"], "/errors/not-applicable")
+        found = self.ask("equilibria", {"system": "rolling_disk_platform", "parameters": {"g": 0}})
+        self.assertEqual([entry["stability"] for entry in found["equilibria"]], ["unstable"])
+
+
+class SolveFor(Answers):
+    def solve(self, system, unknown, at, parameters):
+        return self.ask("equilibria", {"system": system, "solve_for": unknown, "at": at, "parameters": parameters})
+
+    def test_reference_cases(self):
+        count = 0
+        for case in reference_cases("steady_spin"):
+            expected = case["expected"]
+            if "orientations" not in expected:
+                continue
+            for entry in expected["orientations"]:
+                with self.subTest(case["id"], theta=entry["theta0"]):
+                    count += 1
+                    found = self.solve(case["system"], "Omega", {"theta": entry["theta0"]}, case["parameters"])
+                    self.assertEqual(len(found["ranges"]), 3)
+                    if not entry["exists"]:
+                        self.assertIsNone(found["Omega"])
+                        self.assertIn("No real Omega", found["reason"])
+                        continue
+                    self.assert_near(found["Omega"], entry["Omega"])
+                    self.assertLessEqual(abs(found["Omega"] - entry["Omega"]), found["error"] + 2e-15*entry["Omega"])
+                    self.assert_near(found["rate2"], entry["rate2"])
+                    self.assertEqual(found["stability"], self.stability(entry["stable"]))
+        self.assertEqual(count, 8)
+
+    def test_the_steady_cone(self):
+        for case in reference_cases("steady_spin"):
+            expected = case["expected"]
+            if "psi_dot" in expected:
+                found = self.solve(case["system"], "psi_dot", {"theta": expected["theta0"]}, case["parameters"])
+                self.assert_near(found["psi_dot"], expected["psi_dot"])
+                self.assert_near(math.sqrt(found["rate2"]), expected["nutation_omega"])
+                self.assertEqual(found["stability"], "stable")
+                return
+        self.fail("no such case")
+
+    def test_omega_gives_the_equilibrium_back(self):
+        numbers = random.Random(1)
+        for _ in range(20):
+            parameters = {"l": numbers.uniform(0.2, 2), "g": numbers.uniform(1, 20)}
+            theta = numbers.uniform(0.1, 1.6)
+            omega = self.solve("rotating_l_bar", "Omega", {"theta": theta}, parameters)["Omega"]
+            found = self.ask("equilibria", {"system": "rotating_l_bar", "parameters": parameters | {"Omega": omega}})
+            self.assertLess(min(abs(entry["state"]["theta"] - theta) for entry in found["equilibria"]), 1e-12)
+
+    def test_a_query_says_the_position_as_initial_values(self):
+        body = self.solve("rotating_l_bar", "Omega", {"theta": 0.3}, {})
+        query = self.get("equilibria", {"system": "rotating_l_bar", "solve_for": "Omega", "theta": "0.3"})
+        self.assertEqual(query.status, 200)
+        self.assertIn(f'"Omega":{body["Omega"]},'.encode(), query.data)
+
+    def test_mistakes(self):
+        request = {"system": "spring_pendulum", "solve_for": "k"}
+        self.refused_at("equilibria", request | {"at": {"theta": 0}}, "#/at/l")
+        self.refused_at("equilibria", request, "#/at/l", "#/at/theta")
+        self.refused_at("equilibria", request | {"solve_for": "kk", "at": {"l": 1, "theta": 0}}, "#/solve_for")
+        self.refused_at("equilibria", request | {"solve_for": "l_dot", "at": {"l": 1, "theta": 0}}, "#/solve_for")
+        self.refused_at("equilibria", request | {"at": {"l": 1, "thetaa": 0}}, "#/at/thetaa")
+        self.refused_at("equilibria", {"system": "spring_pendulum", "at": {"l": 1}}, "#/at")
+
+
+class Bifurcations(Answers):
+    def critical(self, system, parameter, start, end, **parameters):
+        return self.ask("bifurcations", {"system": system, "parameter": parameter, "from": start, "to": end,
+                                         "parameters": parameters})
+
+    def test_the_pitchfork(self):
+        for case in reference_cases("equilibria"):
+            if "Omega_c" in case["expected"]:
+                with self.subTest(case["id"]):
+                    given = {name: number for name, number in case["parameters"].items() if name != "Omega"}
+                    found = self.critical(case["system"], "Omega", 0, 10, **given)
+                    self.assertEqual([c["kind"] for c in found["critical"]], ["pitchfork"])
+                    self.assert_near(found["critical"][0]["value"], case["expected"]["Omega_c"])
+                    self.assertEqual(found["critical"][0]["state"]["theta"], 0)
+
+    def test_the_saddle_node(self):
+        found = self.critical("rotating_l_bar", "Omega", 0, "2 rev/s", l=0.5, g=9.81)
+        self.assertEqual([c["kind"] for c in found["critical"]], ["saddle_node"])
+        self.assert_near(found["critical"][0]["value"], math.sqrt(0.46257442562035035824*9.81/0.5))
+        self.assert_near(found["critical"][0]["state"]["theta"], 0.33829126264813825728)
+        self.assertEqual(found["request"]["to"], 4*math.pi)
+        for branch in found["branches"]:
+            self.assertEqual(len({len(branch[name]) for name in ("Omega", "theta", "stability")}), 1)
+            self.assertEqual(branch["Omega"], sorted(branch["Omega"]))
+
+    def test_the_period_doubling_of_the_walker(self):
+        found = self.critical("compass_walker", "gamma", 0.01, 0.016, m=0)
+        self.assertEqual([c["kind"] for c in found["critical"]], ["period_doubling"])
+        self.assertLess(abs(found["critical"][0]["value"] - 0.0150884379411194636), 1e-12)
+
+    def test_mistakes(self):
+        request = {"system": "whirling_pendulum", "parameter": "Omega", "from": 0, "to": 10}
+        self.refused_at("bifurcations", request | {"parameter": "omega"}, "#/parameter")
+        self.refused_at("bifurcations", request | {"to": 0}, "#/to")
+        self.refused_at("bifurcations", request | {"to": "3 kg"}, "#/to")
+        self.refused_at("bifurcations", request | {"parameter": "l", "from": -1}, "#/from")
+        del request["from"]
+        self.refused_at("bifurcations", request, "#/from")
+
+
+if __name__ == "__main__":
+    unittest.main()
