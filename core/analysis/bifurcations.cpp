@@ -151,10 +151,17 @@ class Search {
     return false;
   }
 
-  /// Where a force vanishes everywhere, equilibria are no points of a curve.
+  /// Where a force vanishes everywhere, equilibria are no points of a curve; where not all can be found,
+  /// there are no curves from there on.
   [[nodiscard]] std::vector<SteadyState> column(double p) {
-    if (std::ranges::find(result_.degenerate, p) != result_.degenerate.end()) return {};
-    return at(p).states;
+    if (gave_up_ || std::ranges::find(result_.degenerate, p) != result_.degenerate.end()) return {};
+    Equilibria found = at(p);
+    if (!found.complete) {
+      gave_up_ = true;
+      result_.complete = false;
+      result_.reason = found.reason;
+    }
+    return std::move(found.states);
   }
 
   /// A meeting where one of the two folds is a pitchfork; a fold alone is a saddle-node.
@@ -245,6 +252,7 @@ class Search {
   SteadyProblem problem_;
   std::shared_ptr<const BifurcationSystems> systems_;
   std::vector<Found> found_;
+  bool gave_up_{};
   Bifurcations result_;
 };
 

@@ -13,6 +13,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Zeros like to lie at 0 and pi: the region's ends lie beside them.
 constexpr double offset = 0.03;
+/// Some hundred do for most scenes; past this number the answer says that it is not complete.
+constexpr std::size_t most_boxes = 20'000;
 
 Interval full_turn() { return {std::nextafter(2 * pi, 0), std::nextafter(2 * pi, 7)}; }
 
@@ -72,7 +74,8 @@ class Search {
       const double start = std::abs(y_[reduction_.kept[j]]);
       scales.push_back(forces().turns[j] || !(start > 0) || !std::isfinite(start) ? 1 : start);
     }
-    const Isolation isolation = isolate_zeros(system, search_region(dynamics_.model(), problem_), scales);
+    const Isolation isolation =
+        isolate_zeros(system, search_region(dynamics_.model(), problem_), scales, most_boxes);
     result_.complete = isolation.complete;
     if (!isolation.complete) {
       result_.reason =

@@ -83,6 +83,14 @@ TEST(AllEquilibria, OfTheLBarAreTwoBelowItsFoldAndFourAbove) {
   }
 }
 
+TEST(AllEquilibria, AreNarrowAlsoWhereTheProofComesFromABoxThatHardlyContracts) {
+  const Equilibria found = equilibria_of(
+      "rotating_l_bar", {{"l", 1.8225694237006704}, {"g", 1.581209677637517}, {"Omega", 0.6946041982463963}});
+  ASSERT_EQ(found.states.size(), 4U);
+  for (const SteadyState& state : found.states) EXPECT_LT(state.errors[0], 1e-14);
+  EXPECT_NEAR(found.states[2].y[0], 0.1381687914901912, 1e-13);
+}
+
 TEST(AllEquilibria, ResolveTheFoldToNineDigits) {
   const double g = 9.81, l = 0.5;
   const double fold = std::sqrt(0.46257442562035035824 * g / l);
