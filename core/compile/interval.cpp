@@ -72,7 +72,7 @@ bool reaches_quarter(const Interval& a, int phase) {
 Interval wave(Function function, const Interval& a, int top, int bottom) {
   if (!a.is_finite() || a.magnitude() > 1e6 || a.width() >= 2 * pi) return {-1, 1};
   const double left = evaluate(function, a.lower);
-  const double right = evaluate(function, a.upper);
+  const double right = a.width() == 0 ? left : evaluate(function, a.upper);
   Interval range = outward({std::min(left, right), std::max(left, right)}, units_of_functions);
   if (a.lower == 0 && a.upper == 0) return left;  // exact: 0 or 1
   if (a.width() == 0) return intersection(range, {-1, 1});
