@@ -62,11 +62,71 @@ class Search {
         result_.reason = "No equilibrium appears, vanishes or meets another in this range.";
       }
     }
-    result_.branches = branches([&](double p) { return column(p); }, from_, to_, result_.critical, turns());
+    trace();
+    if (!result_.complete && !gave_up_ && add_missed()) trace();
     return std::move(result_);
   }
 
  private:
+  void trace() {
+    result_.branches = branches([&](double p) { return column(p); }, from_, to_, result_.critical, turns());
+  }
+
+  /// Where a curve's stability changes and the search for critical points was given up: found by bisection.
+  bool add_missed() {
+    const std::size_t before = result_.critical.size();
+    for (const EquilibriumBranch& branch : result_.branches) {
+      for (std::size_t i = 0; i + 1 < branch.parameter.size(); ++i) {
+        const bool changes = branch.stability[i] != branch.stability[i + 1] &&
+                             branch.stability[i] != Stability::neutral &&
+                             branch.stability[i + 1] != Stability::neutral;
+        if (changes && !has_critical(branch.parameter[i], branch.parameter[i + 1])) add_between(branch, i);
+      }
+    }
+    std::ranges::sort(result_.critical, {}, &CriticalValue::value);
+    return result_.critical.size() > before;
+  }
+
+  [[nodiscard]] bool has_critical(double low, double high) const {
+    return std::ranges::any_of(result_.critical, [&](const CriticalValue& c) {
+      return c.value + c.error >= low && c.value - c.error <= high;
+    });
+  }
+
+  void add_between(const EquilibriumBranch& branch, std::size_t i) {
+    double low = branch.parameter[i];
+    double high = branch.parameter[i + 1];
+    std::vector<double> x = branch.x[i];
+    std::optional<SteadyState> last;
+    constexpr int most_halvings = 50;
+    for (int k = 0; k < most_halvings; ++k) {
+      const double middle = low + (high - low) / 2;
+      const auto state = nearest(x, middle);
+      if (!state || !state->simple || state->stability.stability == Stability::neutral) break;
+      (state->stability.stability == branch.stability[i] ? low : high) = middle;
+      x.assign(state->y.begin(), state->y.begin() + static_cast<std::ptrdiff_t>(x.size()));
+      last = state;
+    }
+    if (!last) return;
+    Found found{BifurcationSystem::Kind::meeting, {}, {low, high}, false};
+    for (const std::size_t j : unknowns()) found.x.push_back(last->enclosure[j]);
+    if (const auto kind = kind_seen(found)) add(*kind, found);
+  }
+
+  std::optional<SteadyState> nearest(const std::vector<double>& x, double p) {
+    std::optional<SteadyState> best;
+    double least = 0.2;
+    for (SteadyState& state : at(p).states) {
+      double distance = 0;
+      for (const std::size_t i : kept()) distance = std::max(distance, std::abs(state.y[i] - x[i]));
+      if (distance < least) {
+        least = distance;
+        best = std::move(state);
+      }
+    }
+    return best;
+  }
+
   [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return problem_.forces->unknowns; }
   [[nodiscard]] const std::vector<std::size_t>& kept() const { return problem_.statics->reduction.kept; }
 
@@ -129,12 +189,30 @@ class Search {
         if (problem_.forces->turns[unknowns()[k]]) found.x[k] = reduced_angle(found.x[k]);
       }
       if (is_degenerate(found) || is_outside(found)) continue;
+      if (!found.simple && joins_cluster(found)) continue;
       const bool known = std::any_of(found_.begin(), found_.end(), [&](const Found& other) {
         return other.kind == found.kind && overlap(other.x, found.x) &&
                !is_empty(intersection(other.p, found.p));
       });
       if (!known) found_.push_back(std::move(found));
     }
+  }
+
+  /// Unresolved boxes side by side are one multiple zero.
+  bool joins_cluster(const Found& found) {
+    constexpr double apart = 1e-3;
+    for (Found& other : found_) {
+      if (other.simple || other.kind != found.kind) continue;
+      bool close = std::abs(other.p.middle() - found.p.middle()) < apart * (to_ - from_);
+      for (std::size_t k = 0; k < found.x.size(); ++k) {
+        close = close && std::abs(other.x[k].middle() - found.x[k].middle()) < apart;
+      }
+      if (!close) continue;
+      for (std::size_t k = 0; k < found.x.size(); ++k) other.x[k] = hull(other.x[k], found.x[k]);
+      other.p = hull(other.p, found.p);
+      return true;
+    }
+    return false;
   }
 
   [[nodiscard]] bool is_degenerate(const Found& found) const {
@@ -166,6 +244,7 @@ class Search {
 
   /// A meeting where one of the two folds is a pitchfork; a fold alone is a saddle-node.
   void classify() {
+    if (!result_.complete) widen_clusters();
     for (const Found& here : found_) {
       const bool meets = std::any_of(found_.begin(), found_.end(), [&](const Found& other) {
         return other.kind != here.kind && overlap(other.x, here.x) &&
@@ -186,6 +265,21 @@ class Search {
               [](const CriticalValue& a, const CriticalValue& b) {
                 return a.value != b.value ? a.value < b.value : a.y < b.y;
               });
+  }
+
+  /// A search that was given up may have seen a part of a cluster only. Rounding hides a multiple zero within
+  /// the square root of 2^-53 in x, and its square in p.
+  void widen_clusters() {
+    constexpr double hidden = 1e-6;
+    for (Found& found : found_) {
+      if (found.simple) continue;
+      for (Interval& x : found.x) {
+        const double reach = hidden * (1 + x.magnitude());
+        x = Interval(x.lower - reach, x.upper + reach);
+      }
+      const double reach = hidden * hidden * found.p.magnitude();
+      found.p = Interval(found.p.lower - reach, found.p.upper + reach);
+    }
   }
 
   /// By how many equilibria are near on either side.

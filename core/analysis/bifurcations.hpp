@@ -1,7 +1,9 @@
 #pragma once
 // Critical values of one parameter: where equilibria appear, vanish or meet, all of them in a range
 // (core/analysis/bifurcation_systems.hpp, core/analysis/root_isolation.hpp), each with a proven bound of its
-// error; and the equilibria along the range as curves for a plot.
+// error; and the equilibria along the range as curves for a plot. Where forces have no factors but a symmetry
+// makes curves meet, as with several coordinates, that search is given up: `complete` is false then, and
+// critical values at which a curve changes its stability are found by bisection along it.
 //
 // Ignorable coordinates keep their momenta while the parameter moves.
 

@@ -68,6 +68,42 @@ TEST(CriticalValues, OfOtherParametersAreTheSameCurve) {
   expect_critical(length.critical[0], BifurcationKind::saddle_node, fold_square * 9.81 / 36, fold_angle);
 }
 
+/// Two equal pendula on one another in a plane that turns: by symmetry no force has factors, and hanging
+/// straight loses its stability at Omega^2 = (2 - sqrt 2) g/l.
+Scene rotating_double_pendulum() {
+  Scene scene = test::scene_of("whirling_pendulum");
+  std::erase_if(scene.parameters, [](const Parameter& p) { return p.name == "R"; });
+  Coordinate second = scene.coordinates[0];
+  second.name = "phi";
+  scene.coordinates.push_back(second);
+  const std::string reach = "(l*sin(theta) + l*sin(phi))";
+  const Position upper{"", {"l*sin(theta)*cos(Omega*t)", "l*sin(theta)*sin(Omega*t)", "-l*cos(theta)"}};
+  const Position lower{"", {reach + "*cos(Omega*t)", reach + "*sin(Omega*t)", "-l*cos(theta) - l*cos(phi)"}};
+  scene.points.clear();
+  scene.lines.clear();
+  scene.valid_while.clear();
+  scene.bodies = {Particle{"upper", "m", upper}, Particle{"lower", "m", lower}};
+  scene.gravity = {"0", "0", "-g"};
+  return scene;
+}
+
+TEST(CriticalValues, WhereNoForceHasFactorsAreFoundByTheChangeOfStabilityAndSaidToBeNotProven) {
+  const auto model = build_model(rotating_double_pendulum());
+  const Dynamics dynamics(model);
+  const std::vector<double> parameters = parameter_values(*model, {{"l", 1}, {"g", 9.81}});
+  const std::vector<double> y = initial_state(*model, parameters, {});
+  std::size_t index = 0;
+  while (model->scene.parameters[index].name != "Omega") ++index;
+  const Bifurcations found = bifurcations(dynamics, parameters, y, index, 0, 4);
+  EXPECT_FALSE(found.complete);
+  ASSERT_FALSE(found.critical.empty());
+  const CriticalValue& first = found.critical[0];
+  EXPECT_EQ(first.kind, BifurcationKind::pitchfork);
+  EXPECT_FALSE(first.proven);
+  EXPECT_LE(std::abs(first.value - std::sqrt((2 - std::sqrt(2.0)) * 9.81)), first.error);
+  EXPECT_LT(first.error, 1e-9);
+}
+
 TEST(CriticalValues, AtAnEndOfTheRangeCount) {
   const Values scene{{"g", 9}, {"l", 1}};
   for (const auto& [from, to] : {std::pair(3.0, 10.0), std::pair(0.0, 3.0)}) {
