@@ -82,10 +82,22 @@ TEST(SimulateRequest, CountsTheNumbersOfAnAnswer) {
 }
 
 TEST(SimulateRequest, SaysWhatThisVersionDoesNotHave) {
-  EXPECT_EQ(detail_of(simulate(R"("t_end": 1, "max_error": 1e-9)")),
-            "This version does not have 'max_error' yet. Give rtol and atol.");
-  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "taylor", "steps": 3)")),
-            "#/steps not_supported_yet | #/method not_supported_yet");
+  EXPECT_EQ(detail_of(simulate(R"("t_end": 1, "h": 0.01)")),
+            "This version does not have 'h' yet. It is the step of method gauss.");
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "gauss")")), "#/method not_supported_yet");
+}
+
+TEST(SimulateRequest, WantsTheErrorOrTheWorkOrTheTolerances) {
+  EXPECT_EQ(request(R"("t_end": 1, "max_error": 1e-9)").max_error, 1e-9);
+  EXPECT_EQ(request(R"("t_end": 1, "accuracy": "fast")").accuracy, Preset::fast);
+  EXPECT_EQ(request(R"("t_end": 1, "max_evaluations": 1000, "method": "adams")").max_evaluations, 1000);
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "max_error": 1e-15)")), "#/max_error out_of_range");
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "max_error": 1e-9, "verify": false)")), "#/verify exclusive");
+  EXPECT_NE(errors_of(simulate(R"("t_end": 1, "max_error": 1e-9, "rtol": 1e-9)")), "none");
+}
+
+TEST(SimulateRequest, CountsStridesOfWhatWalks) {
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "steps": 3)")), "#/steps not_applicable");
 }
 
 TEST(SimulateRequest, KnowsOtherProgramsWords) {

@@ -23,6 +23,8 @@ inline const char* name(Method method) {
       return "bdf";
     case Method::erk:
       return "erk";
+    case Method::taylor:
+      return "taylor";
   }
   return "";
 }
