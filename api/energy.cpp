@@ -32,6 +32,7 @@ class EnergyAnswer {
     body_.update(values(momentum_columns(model)));
     body_["accelerations"] = values(acceleration_columns(model));
     if (!model.scene.valid_while.empty()) body_["validity"] = values(validity_columns(model));
+    if (!model.scene.reports.empty()) body_["reports"] = values(report_columns(model));
     body_["conserved"] = conserved();
     body_["units"] = std::move(units_);
     return std::move(body_);

@@ -132,12 +132,29 @@ const Fields<ValidityCondition> condition_fields{
     required("message", &ValidityCondition::message, read_prose),
 };
 
-void read_condition(const Cursor& cursor, ValidityCondition& condition) {
-  read_fields(cursor, condition_fields, condition);
+const Fields<Report> report_fields{
+    required("name", &Report::name, read_name),
+    required("unit", &Report::unit, read_word),
+    optional("reaction", &Report::quantity, read_reaction),
+    optional("expression", &Report::quantity, read_quantity),
+    optional("meaning", &Report::meaning, read_prose),
+};
+
+void check_quantity(const Cursor& cursor, const std::string& what) {
   const Json& value = cursor.value();
   if (!value.is_object() || value.contains("reaction") != value.contains("expression")) return;
   cursor.report(value.contains("reaction") ? "conflict" : "missing",
-                "A condition has either a 'reaction' or an 'expression'.");
+                what + " has either a 'reaction' or an 'expression'.");
+}
+
+void read_condition(const Cursor& cursor, ValidityCondition& condition) {
+  read_fields(cursor, condition_fields, condition);
+  check_quantity(cursor, "A condition");
+}
+
+void read_report(const Cursor& cursor, Report& report) {
+  read_fields(cursor, report_fields, report);
+  check_quantity(cursor, "A report");
 }
 
 const Fields<Singularity> singularity_fields{
@@ -188,6 +205,7 @@ const Fields<Scene> scene_fields{
     optional("dissipation", &Scene::dissipation, read_expression),
     optional("lagrangian", &Scene::lagrangian, read_expression),
     optional("valid_while", &Scene::valid_while, array(read_condition, 0, most::conditions)),
+    optional("reports", &Scene::reports, array(read_report, 0, most::conditions)),
     optional("singular_where", &Scene::singular_where,
              array(object(singularity_fields), 0, most::conditions)),
     optional("events", &Scene::events, array(object(event_fields), 0, most::events)),

@@ -165,7 +165,7 @@ std::int64_t column_count(const Scene& scene, const std::vector<Extra>& include)
         count += coordinates;
         break;
       case Extra::validity:
-        count += scene.valid_while.size();
+        count += scene.valid_while.size() + scene.reports.size();
         break;
       case Extra::positions:
         for (const Point& point : scene.points) count += point.components.size();

@@ -3,129 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/limits.hpp"
-#include "api/time_grid.hpp"
-#include "core/analysis/ladder.hpp"
+#include "api/integration_failure.hpp"
+#include "api/simulation_terms.hpp"
 
 namespace qdot::api {
 namespace {
 
 constexpr const char* csv_type = "text/csv";
 constexpr const char* ndjson_type = "application/x-ndjson";
-
-Method method_of(MethodChoice choice) {
-  switch (choice) {
-    case MethodChoice::adams:
-      return Method::adams;
-    case MethodChoice::bdf:
-      return Method::bdf;
-    case MethodChoice::erk:
-      return Method::erk;
-    case MethodChoice::automatic:  // it reaches every accuracy with the least work
-    case MethodChoice::taylor:
-      break;
-  }
-  return Method::taylor;
-}
-
-const char* name_of(Method method) {
-  switch (method) {
-    case Method::adams:
-      return "adams";
-    case Method::bdf:
-      return "bdf";
-    case Method::erk:
-      return "erk";
-    case Method::taylor:
-      break;
-  }
-  return "taylor";
-}
-
-constexpr double promised(Preset preset) {
-  switch (preset) {
-    case Preset::fast:
-      return 1e-3;
-    case Preset::balanced:
-      return 1e-6;
-    case Preset::accurate:
-      break;
-  }
-  return 1e-9;
-}
-
-AccuracyGoal goal_of(const SimulateRequest& request) {
-  AccuracyGoal goal;
-  goal.verify = request.verify;
-  if (request.accuracy) {
-    goal.kind = AccuracyGoal::Kind::relative;
-    goal.value = promised(*request.accuracy);
-  } else if (request.max_error) {
-    goal.kind = AccuracyGoal::Kind::absolute;
-    goal.value = *request.max_error;
-  } else if (request.max_evaluations) {
-    goal.kind = AccuracyGoal::Kind::work;
-    goal.evaluations = static_cast<std::uint64_t>(*request.max_evaluations);
-  }
-  return goal;
-}
-
-std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra>& include) {
-  std::vector<qdot::Column> columns;
-  const auto append = [&](std::vector<qdot::Column> more) {
-    columns.insert(columns.end(), more.begin(), more.end());
-  };
-  for (const Extra extra : include) {
-    switch (extra) {
-      case Extra::energy:
-        columns.push_back(model.energy ? qdot::Column{"energy", "J", *model.energy}
-                                       : qdot::Column{"h", "J", model.jacobi});
-        break;
-      case Extra::momenta:
-        append(momentum_columns(model));
-        break;
-      case Extra::positions:
-        append(position_columns(model));
-        break;
-      case Extra::accelerations:
-        append(acceleration_columns(model));
-        break;
-      case Extra::validity:
-        append(validity_columns(model));
-        break;
-    }
-  }
-  return columns;
-}
-
-/// How a run that failed in its numbers is explained.
-struct Failure {
-  const char* reason;
-  const char* detail;
-};
-
-Failure failure_of(Ending ending) {
-  switch (ending) {
-    case Ending::step_limit:
-      return {"step-limit",
-              "The motion needs more steps than a request may take; ask for a shorter one, or for less "
-              "accuracy."};
-    case Ending::nonfinite:
-      return {"nonfinite", "The equations of motion became infinite or undefined."};
-    case Ending::singular_mass:
-      return {"singular-mass", "The mass matrix lost its inverse, so the accelerations are undetermined."};
-    case Ending::tolerance:
-      return {"tolerance",
-              "The tolerances ask for more than double precision holds; choose larger rtol and atol."};
-    case Ending::blow_up:
-      return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
-    case Ending::reached_end:
-    case Ending::event:
-    case Ending::interrupted:
-      break;
-  }
-  return {"interrupted", "The computation was given up."};
-}
 
 class SimulationAnswer {
  public:
@@ -156,63 +41,12 @@ class SimulationAnswer {
   }
 
   void run(const ResolvedState& state) {
-    SimulationRequest core;
-    core.parameters = state.parameters;
-    core.y_start = state.y;
-    core.t_start = request_.t_start;
-    if (request_.steps) core.strides = static_cast<std::size_t>(*request_.steps);
-    core.t_end = request_.t_end ? *request_.t_end : core.t_start + patience(state.parameters);
-    core.grid = grid_ = request_.grid;
-    core.columns = columns_ = columns_of(model(), request_.include);
-    core.events = request_.events;
-    core.on_invalid = request_.on_invalid == OnInvalid::stop ? qdot::OnInvalid::stop : qdot::OnInvalid::go_on;
-    core.impacts = request_.impacts ? Impacts::apply : Impacts::ignore;
-    core.method = method_of(request_.method);
-    if (request_.rtol > 0) core.tolerances = {request_.rtol, request_.atol};  // else a goal decides
+    SimulationRequest core = core_request(request_, dynamics_, state);
     core.limits.interrupted = call_.request.interrupted;
-    if (grid_.empty()) core.grid = grid_ = grid_of_strides(core);
+    columns_ = core.columns;
+    if (core.grid.empty()) core.grid = grid_of_strides(request_, dynamics_, core);
+    grid_ = core.grid;
     measured_ = simulate_with_error(dynamics_, core, goal_of(request_));
-  }
-
-  /// Nothing that walks needs as long for its strides; what stands for ever must not walk for ever.
-  [[nodiscard]] double patience(std::span<const double> parameters) const {
-    constexpr double units_of_time_per_stride = 100;
-    double unit = 1;
-    if (const auto& scales = model().parsed.scales) {
-      std::vector<Assignment> values;
-      for (std::size_t i = 0; i < parameters.size(); ++i) {
-        values.emplace_back(model().parsed.symbols.parameters[i], parameters[i]);
-      }
-      unit = evaluate(scales->time, values);
-    }
-    if (!std::isfinite(unit)) unit = 1;
-    return units_of_time_per_stride * unit * static_cast<double>(*request_.steps);
-  }
-
-  /// Rows from the start to the last impact, or to the fall before it, as a first run finds it.
-  [[nodiscard]] std::vector<double> grid_of_strides(SimulationRequest core) const {
-    core.columns.clear();
-    core.events.clear();
-    core.grid = {core.t_start};
-    const Simulation first = simulate(dynamics_, core);
-    if (has_failed(first.ending)) return core.grid;  // the second run fails as this one
-    if (!first.stop && first.strides.size() < *core.strides) {
-      throw Error(ErrorCode::not_applicable, "Only " + std::to_string(first.strides.size()) +
-                                                 " strides happen within " + std::to_string(core.t_end) +
-                                                 " s: give t_end.");
-    }
-    if (!request_.dt) {
-      const auto grid = time_grid(
-          {.t_start = core.t_start, .t_end = first.t, .samples = request_.samples, .dt = {}, .times = {}});
-      return std::holds_alternative<GridError>(grid) ? core.grid : std::get<std::vector<double>>(grid);
-    }
-    std::vector<double> grid;
-    for (std::int64_t i = 0; i < limits::rows; ++i) {
-      const double t = core.t_start + static_cast<double>(i) * *request_.dt;
-      if (t > first.t) break;
-      grid.push_back(t);
-    }
-    return grid;
   }
 
   void add_column(const std::string& name, const std::string& unit, std::vector<double> values) {
@@ -252,6 +86,11 @@ class SimulationAnswer {
                       .headers = {{"X-Qdot-Status", status()}},
                       .body = csv ? to_csv(table_, digits()) : to_ndjson(table_, digits())};
     if (result_.stop) response.headers["X-Qdot-Stop"] = result_.stop->reason;
+    if (!measured_.max_abs_error.empty()) {
+      std::string errors = to_text(max_abs_errors());
+      errors.pop_back();
+      response.headers["X-Qdot-Max-Abs-Error"] = errors;
+    }
     return response;
   }
 
@@ -377,26 +216,6 @@ class SimulationAnswer {
 };
 
 }  // namespace
-
-bool has_failed(Ending ending) { return ending != Ending::reached_end && ending != Ending::event; }
-
-Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
-                             std::span<const double> y) {
-  if (ending == Ending::interrupted) {
-    Response response =
-        to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
-                    call.target.path, call.layout);
-    response.headers["Retry-After"] = "1";
-    return response;
-  }
-  const Failure why = failure_of(ending);
-  Json members{{"reason", why.reason}, {"t_reached", t}, {"last_state", state_json(scene, y)}};
-  return to_response({.kind = ProblemKind::integration_failed,
-                      .detail = why.detail,
-                      .errors = {},
-                      .members = std::move(members)},
-                     call.target.path, call.layout);
-}
 
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
   return guarded(

@@ -80,6 +80,9 @@ Json system_description(const CatalogueEntry& entry) {
   json["validity"] = array_of(scene.valid_while, [](const ValidityCondition& c) {
     return Json{{"name", c.name}, {"unit", c.unit}, {"reason", c.reason}, {"message", c.message}};
   });
+  json["reports"] = array_of(scene.reports, [](const Report& r) {
+    return Json{{"name", r.name}, {"unit", r.unit}, {"meaning", r.meaning}};
+  });
   json["events"] = array_of(scene.events, [](const SceneEvent& e) {
     return Json{{"name", e.name}, {"meaning", e.meaning}};
   });

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "api/simulation.hpp"
+#include "api/integration_failure.hpp"
 #include "core/analysis/trajectory_extrema.hpp"
 #include "core/analysis/turning_points.hpp"
 #include "core/error.hpp"

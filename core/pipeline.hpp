@@ -17,11 +17,27 @@
 //     simulate             a motion with its columns and how it ended    core/analysis/simulation.hpp
 //   Simulation
 //
-// Beside the road: what is conserved and why (mechanics/conserved.hpp), momenta, Hamiltonian and Routhian
-// (mechanics/canonical.hpp), dimensionless form (mechanics/dimensionless.hpp), printing (expr/print.hpp).
+// Beside the road:
+//   what is conserved and why (mechanics/conserved.hpp), momenta, Hamiltonian and Routhian
+//   (mechanics/canonical.hpp), dimensionless form (mechanics/dimensionless.hpp), printing (expr/print.hpp)
+//   the error of a motion, measured                                    core/analysis/ladder.hpp
+//   questions that need no motion: without ignorable coordinates       core/mechanics/reduction.hpp
+//     compiled at rest                                                 core/analysis/statics.hpp
+//     in intervals, balls and divided differences                      core/compile/tape_evaluator.hpp
+//     equilibria and what holds them                                   core/analysis/equilibria.hpp
+//     small motions about them                                         core/analysis/modes.hpp
+//     where their number or stability changes                          core/analysis/bifurcations.hpp
+//     how far a motion of one coordinate goes                          core/analysis/turning_points.hpp
+//   motions with impacts that repeat                                   core/analysis/gait.hpp
 
+#include "core/analysis/bifurcations.hpp"
 #include "core/analysis/dynamics.hpp"
+#include "core/analysis/equilibria.hpp"
+#include "core/analysis/gait.hpp"
+#include "core/analysis/ladder.hpp"
+#include "core/analysis/modes.hpp"
 #include "core/analysis/simulation.hpp"
+#include "core/analysis/turning_points.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/conserved.hpp"
 #include "core/mechanics/dimensionless.hpp"

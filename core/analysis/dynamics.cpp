@@ -327,6 +327,14 @@ std::vector<Column> validity_columns(const Model& model) {
   return columns;
 }
 
+std::vector<Column> report_columns(const Model& model) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < model.reports.size(); ++i) {
+    columns.push_back({model.scene.reports[i].name, model.scene.reports[i].unit, model.reports[i]});
+  }
+  return columns;
+}
+
 std::vector<double> values_at(const Dynamics& dynamics, const std::vector<Column>& columns,
                               std::span<const double> parameters, double t, std::span<const double> y) {
   const auto function = dynamics.columns(columns);

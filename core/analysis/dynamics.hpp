@@ -110,6 +110,8 @@ class Dynamics {
 [[nodiscard]] std::vector<Column> position_columns(const Model& model);
 [[nodiscard]] std::vector<Column> acceleration_columns(const Model& model);
 [[nodiscard]] std::vector<Column> validity_columns(const Model& model);
+/// What the scene reports beside its conditions.
+[[nodiscard]] std::vector<Column> report_columns(const Model& model);
 
 /// The columns' values at one state. Throws Error(invalid_state) where one of them has none.
 [[nodiscard]] std::vector<double> values_at(const Dynamics& dynamics, const std::vector<Column>& columns,

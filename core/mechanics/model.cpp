@@ -69,6 +69,9 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   for (const ParsedCondition& condition : model->parsed.valid_while) {
     model->validity.push_back(quantity_of(model->lagrangian, condition));
   }
+  for (const ParsedCondition& report : model->parsed.reports) {
+    model->reports.push_back(quantity_of(model->lagrangian, report));
+  }
   return model;
 }
 

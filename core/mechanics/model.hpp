@@ -37,6 +37,7 @@ struct Model {
   std::vector<Expression> momenta;        ///< p_i = dL/dq_i'
   Expression jacobi;                      ///< h = sum p_i q_i' - L [J]
   std::vector<Expression> validity;       ///< the quantities of Scene::valid_while; may contain q''
+  std::vector<Expression> reports;        ///< those of Scene::reports
 
   [[nodiscard]] std::size_t degrees_of_freedom() const { return scene.coordinates.size(); }
 };

@@ -146,16 +146,11 @@ class SceneParser {
   void read_conditions() {
     each(scene_.valid_while, "/valid_while",
          [&](const ValidityCondition& condition, const std::string& place) {
-           const std::optional<Dimension> d = text_.unit(condition.unit, place);
-           parsed_.valid_while.push_back(
-               std::visit(overloaded{[&](const Reaction& reaction) -> ParsedCondition {
-                                       return read_reaction(reaction, place);
-                                     },
-                                     [&](const std::string& text) -> ParsedCondition {
-                                       return text_.read(text, Context::state, place + "/expression", d);
-                                     }},
-                          condition.quantity));
+           parsed_.valid_while.push_back(read_quantity(condition.quantity, condition.unit, place));
          });
+    each(scene_.reports, "/reports", [&](const Report& report, const std::string& place) {
+      parsed_.reports.push_back(read_quantity(report.quantity, report.unit, place));
+    });
     each(scene_.singular_where, "/singular_where",
          [&](const Singularity& singularity, const std::string& place) {
            parsed_.singular_where.push_back(text_.read(singularity.expression, Context::configuration,
@@ -167,6 +162,13 @@ class SceneParser {
            text_.read_optional(event.when, Context::state, place + "/when", std::nullopt)});
     });
     if (scene_.impact) read_impact(*scene_.impact);
+  }
+
+  ParsedCondition read_quantity(const std::variant<Reaction, std::string>& quantity, const std::string& unit,
+                                const std::string& place) {
+    const std::optional<Dimension> d = text_.unit(unit, place);
+    if (const auto* reaction = std::get_if<Reaction>(&quantity)) return read_reaction(*reaction, place);
+    return text_.read(std::get<std::string>(quantity), Context::state, place + "/expression", d);
   }
 
   ParsedReaction read_reaction(const Reaction& reaction, const std::string& place) {

@@ -82,6 +82,7 @@ struct ParsedScene {
   std::optional<Expression> potential, dissipation, lagrangian;
   std::vector<ParsedForce> forces;
   std::vector<ParsedCondition> valid_while;
+  std::vector<ParsedCondition> reports;
   std::vector<Expression> singular_where;
   std::vector<ParsedSceneEvent> events;
   std::vector<Replacement> impact;

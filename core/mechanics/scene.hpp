@@ -132,6 +132,14 @@ struct ValidityCondition {
   std::string message;                           ///< the sentence to print when it fails
 };
 
+/// A quantity to know beside the conditions, such as the friction that rolling asks for; it limits nothing.
+struct Report {
+  std::string name;
+  std::string unit;
+  std::variant<Reaction, std::string> quantity;
+  std::string meaning;
+};
+
 /// The coordinates describe no configuration where `expression` is 0: every motion ends there.
 struct Singularity {
   std::string name;
@@ -183,6 +191,7 @@ struct Scene {
   std::string dissipation;  ///< Rayleigh function D: Q_i = -dD/dq_i_dot, or empty
   std::string lagrangian;   ///< instead of bodies, gravity, springs and potential
   std::vector<ValidityCondition> valid_while;
+  std::vector<Report> reports;
   std::vector<Singularity> singular_where;
   std::vector<SceneEvent> events;
   std::optional<Impact> impact;

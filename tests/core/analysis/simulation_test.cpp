@@ -67,6 +67,18 @@ TEST(SlackString, AtTheStartIsTheOnlyRow) {
   EXPECT_EQ(motion.states, motion.y);
 }
 
+/// The friction turns the disk: f = -m q''/2.
+TEST(RollingDisk, ReportsTheFrictionThatRollingAsksFor) {
+  const auto model = test::model_of("rolling_disk_platform");
+  const double m = 2.5, W = -0.7, g = 9.81, q = 0.4, v = 1.2, t = 0.3;
+  const std::vector<double> parameters =
+      parameter_values(*model, {{"m", m}, {"r", 0.15}, {"Omega", W}, {"g", g}});
+  const std::vector<double> friction =
+      values_at(Dynamics(model), report_columns(*model), parameters, t, std::vector<double>{q, v});
+  ASSERT_EQ(friction.size(), 1u);
+  EXPECT_NEAR(friction[0], -m / 2 * 2.0 / 3 * (W * W * q - g * std::sin(W * t)), 1e-14);
+}
+
 /// N = m (g cos Omega t + 2 Omega q' - r Omega^2) with q from the closed form.
 TEST(RollingDisk, LiftsOffWhereTheNormalForceVanishes) {
   const double r = 0.15, W = 0.4, g = 9.81, q0 = 0.5, v0 = 2;

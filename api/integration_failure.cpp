@@ -1,0 +1,57 @@
+#include "api/integration_failure.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// How a run that failed in its numbers is explained.
+struct Failure {
+  const char* reason;
+  const char* detail;
+};
+
+Failure failure_of(Ending ending) {
+  switch (ending) {
+    case Ending::step_limit:
+      return {"step-limit",
+              "The motion needs more steps than a request may take; ask for a shorter one, or for less "
+              "accuracy."};
+    case Ending::nonfinite:
+      return {"nonfinite", "The equations of motion became infinite or undefined."};
+    case Ending::singular_mass:
+      return {"singular-mass", "The mass matrix lost its inverse, so the accelerations are undetermined."};
+    case Ending::tolerance:
+      return {"tolerance",
+              "The tolerances ask for more than double precision holds; choose larger rtol and atol."};
+    case Ending::blow_up:
+      return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
+    case Ending::reached_end:
+    case Ending::event:
+    case Ending::interrupted:
+      break;
+  }
+  return {"interrupted", "The computation was given up."};
+}
+
+}  // namespace
+
+bool has_failed(Ending ending) { return ending != Ending::reached_end && ending != Ending::event; }
+
+Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
+                             std::span<const double> y) {
+  if (ending == Ending::interrupted) {
+    Response response =
+        to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
+                    call.target.path, call.layout);
+    response.headers["Retry-After"] = "1";
+    return response;
+  }
+  const Failure why = failure_of(ending);
+  Json members{{"reason", why.reason}, {"t_reached", t}, {"last_state", state_json(scene, y)}};
+  return to_response({.kind = ProblemKind::integration_failed,
+                      .detail = why.detail,
+                      .errors = {},
+                      .members = std::move(members)},
+                     call.target.path, call.layout);
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,17 @@
+#pragma once
+// Runs that ended in their numbers, as problems.
+
+#include <span>
+
+#include "api/answers.hpp"
+#include "core/integrate/run.hpp"
+
+namespace qdot::api {
+
+/// Whether a run ended in its numbers and not in the nature of the system.
+[[nodiscard]] bool has_failed(Ending ending);
+/// The problem of such a run, which came as far as the state y at t.
+[[nodiscard]] Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
+                                           std::span<const double> y);
+
+}  // namespace qdot::api
