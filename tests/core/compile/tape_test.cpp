@@ -148,14 +148,17 @@ TEST_P(ModelsTape, GivesTheTreesValueOfEveryColumn) {
   const Dynamics dynamics(test::model_of(GetParam()),
                           std::vector<std::string>(model().scene.inputs.size(), "m*cos(3*t)"));
   std::vector<Column> columns = energy_columns(model());
-  for (const auto& group : {momentum_columns(model()), position_columns(model()), validity_columns(model())})
+  for (const auto& group : {momentum_columns(model()), position_columns(model()), validity_columns(model()),
+                            report_columns(model())})
     columns.insert(columns.end(), group.begin(), group.end());
   const auto function = dynamics.columns(columns);
   each_state([&](Values state) {
     const std::vector<double> accelerations = test::outputs_of(dynamics.accelerations(), model(), state);
     for (std::size_t i = 0; i < accelerations.size(); ++i)
       state[model().scene.coordinates[i].name + "_ddot"] = accelerations[i];
-    for (const HeldLength& held : model().scene.held_lengths) state[held.name] = state.at(held.value);
+    for (std::size_t i = 0; i < model().scene.held_lengths.size(); ++i) {
+      state[model().scene.held_lengths[i].name] = test::value_of(model().parsed.held_values[i], state);
+    }
     if (state.contains("F")) state["F"] = state.at("m") * std::cos(3 * state.at("t"));
     const std::vector<double> tape = test::outputs_of(*function, model(), state);
     for (std::size_t i = 0; i < columns.size(); ++i) {
