@@ -52,6 +52,18 @@ void write_head(JsonWriter& writer, const Scene& scene, const Json& echo) {
   writer.member("request", echo);
 }
 
+Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body, int digits) {
+  JsonWriter writer(call.layout);
+  writer.begin_object();
+  write_head(writer, scene, echo);
+  for (const auto& [name, value] : body.items()) writer.member(name, value, digits);
+  writer.end_object();
+  Response response{
+      .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
+  call.timing.lap("encode");
+  return response;
+}
+
 Road road_of(const Call& call) { return call.request.method == "POST" ? Road::body : Road::query; }
 
 Response guarded(Call& call, const std::function<Response()>& answer) {

@@ -31,6 +31,11 @@ void fill_echo(Json& echo, const Scene& scene, const ResolvedState& state);
 /// The beginning of every answer: system, versions and the resolved request.
 void write_head(JsonWriter& writer, const Scene& scene, const Json& echo);
 
+/// A whole answer: the head, then the members of `body`, its floating-point numbers to so many digits. Ends
+/// the part "encode" of the timing.
+[[nodiscard]] Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body,
+                                      int digits = shortest_digits);
+
 /// How the call's request came: errors of a body have pointers, those of a query parameters.
 [[nodiscard]] Road road_of(const Call& call);
 

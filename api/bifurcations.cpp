@@ -169,17 +169,8 @@ Response answer_bifurcations(const Resolved<BifurcationsRequest>& resolved, Call
     fill_echo(echo, dynamics->model().scene, state);
     const Json body = BifurcationsAnswer(*dynamics, state, request).body();
     call.timing.lap("solve");
-    JsonWriter writer(call.layout);
-    writer.begin_object();
-    write_head(writer, dynamics->model().scene, echo);
-    for (const auto& [name, value] : body.items()) {
-      writer.member(name, value, request.digits.value_or(shortest_digits));
-    }
-    writer.end_object();
-    Response response{
-        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
-    call.timing.lap("encode");
-    return response;
+    return written_answer(call, dynamics->model().scene, echo, body,
+                          request.digits.value_or(shortest_digits));
   });
 }
 

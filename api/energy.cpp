@@ -87,17 +87,8 @@ Response answer_energy(const Resolved<EnergyRequest>& resolved, Call& call, Mode
     fill_echo(echo, dynamics.model().scene, state);
     const Json body = EnergyAnswer(dynamics, state, resolved.request.t).body();
     call.timing.lap("solve");
-    JsonWriter writer(call.layout);
-    writer.begin_object();
-    write_head(writer, dynamics.model().scene, echo);
-    for (const auto& [name, value] : body.items()) {
-      writer.member(name, value, resolved.request.digits.value_or(shortest_digits));
-    }
-    writer.end_object();
-    Response response{
-        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
-    call.timing.lap("encode");
-    return response;
+    return written_answer(call, dynamics.model().scene, echo, body,
+                          resolved.request.digits.value_or(shortest_digits));
   });
 }
 

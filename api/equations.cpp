@@ -224,13 +224,7 @@ Response answer_equations(const Resolved<EquationsRequest>& resolved, Call& call
     const Json body = models.remembered(choice, "equations/" + std::to_string(static_cast<int>(form)),
                                         [&] { return Sheet(dynamics->model(), form).body(); });
     call.timing.lap("solve");
-    JsonWriter writer(call.layout);
-    writer.begin_object();
-    write_head(writer, dynamics->model().scene, resolved.echo);
-    for (const auto& [name, value] : body.items()) writer.member(name, value);
-    writer.end_object();
-    return Response{
-        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
+    return written_answer(call, dynamics->model().scene, resolved.echo, body);
   });
 }
 

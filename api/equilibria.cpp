@@ -252,15 +252,7 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
     const Json body = request.solve_for ? SolutionAnswer(dynamics, state, request, digits).body()
                                         : EquilibriaAnswer(dynamics, state, digits).body();
     call.timing.lap("solve");
-    JsonWriter writer(call.layout);
-    writer.begin_object();
-    write_head(writer, dynamics.model().scene, echo);
-    for (const auto& [name, value] : body.items()) writer.member(name, value, digits);
-    writer.end_object();
-    Response response{
-        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
-    call.timing.lap("encode");
-    return response;
+    return written_answer(call, dynamics.model().scene, echo, body, digits);
   });
 }
 

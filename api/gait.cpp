@@ -120,17 +120,10 @@ Response answer_gait(const Resolved<GaitRequest>& resolved, Call& call, Models& 
     const GaitAnswer answer(scene, digits);
     Json gaits = Json::array();
     for (const Gait& gait : found.gaits) gaits.push_back(answer.gait_json(gait));
-    JsonWriter writer(call.layout);
-    writer.begin_object();
-    write_head(writer, scene, echo);
-    writer.member("gaits", gaits, digits);
-    if (found.gaits.empty()) writer.member("reason", reason);
-    writer.member("units", answer.units());
-    writer.end_object();
-    Response response{
-        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
-    call.timing.lap("encode");
-    return response;
+    Json body{{"gaits", std::move(gaits)}};
+    if (found.gaits.empty()) body["reason"] = reason;
+    body["units"] = answer.units();
+    return written_answer(call, scene, echo, body, digits);
   });
 }
 

@@ -195,15 +195,7 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
     const int digits = resolved.request.digits.value_or(shortest_digits);
     const Json body = ModesAnswer(model, state.parameters, modes, digits).body();
     call.timing.lap("solve");
-    JsonWriter writer(call.layout);
-    writer.begin_object();
-    write_head(writer, model.scene, echo);
-    for (const auto& [name, value] : body.items()) writer.member(name, value, digits);
-    writer.end_object();
-    Response response{
-        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
-    call.timing.lap("encode");
-    return response;
+    return written_answer(call, model.scene, echo, body, digits);
   });
 }
 

@@ -238,17 +238,7 @@ class TurningPointsAnswer {
     body_["error"] = std::move(errors_);
     if (!reasons_.empty()) body_["reason"] = std::move(reasons_);
     body_["units"] = std::move(units_);
-    JsonWriter writer(call_.layout);
-    writer.begin_object();
-    write_head(writer, model().scene, echo_);
-    for (const auto& [name, value] : body_.items()) {
-      writer.member(name, value, request_.digits.value_or(shortest_digits));
-    }
-    writer.end_object();
-    Response response{
-        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
-    call_.timing.lap("encode");
-    return response;
+    return written_answer(call_, model().scene, echo_, body_, request_.digits.value_or(shortest_digits));
   }
 
   const TurningPointsRequest& request_;

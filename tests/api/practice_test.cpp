@@ -33,8 +33,10 @@ TEST(Practice, ListsTenProblemsWithTheirQuestions) {
 }
 
 TEST(Practice, EveryPartIsAnsweredByItsRequest) {
-  for (const Json& problem : get("/v1/problems")["problems"]) {
-    for (const Json& part : get(problem["href"].get<std::string>())["parts"]) {
+  const Json list = get("/v1/problems");
+  for (const Json& problem : list["problems"]) {
+    const Json answers = get(problem["href"].get<std::string>());
+    for (const Json& part : answers["parts"]) {
       EXPECT_EQ(part["status"], 200) << part["request"];
       const Json& request = part["request"];
       const Response again = service().handle({.method = "POST",
