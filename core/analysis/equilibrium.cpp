@@ -1,12 +1,11 @@
 #include "core/analysis/equilibrium.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "core/analysis/dense_matrix.hpp"
 #include "core/compile/tape_evaluator.hpp"
 
 namespace qdot {
@@ -104,7 +103,7 @@ class Search {
     for (Eigen::Index i = 0; i < x.size(); ++i) scale[i] = (*m)(i, i) > 0 ? 1 / std::sqrt((*m)(i, i)) : 1;
     const MatrixXd scaled = scale.asDiagonal() * *k * scale.asDiagonal();
     if (!scaled.allFinite()) return std::nullopt;
-    return scale.asDiagonal() * scaled.completeOrthogonalDecomposition().pseudoInverse() * scale.asDiagonal();
+    return scale.asDiagonal() * pseudo_inverse(scaled) * scale.asDiagonal();
   }
 
   /// A step's length in units of what each coordinate is.
@@ -171,14 +170,13 @@ class Search {
         if (i != j && stays) (*m)(i, j) = 0;
       }
     }
-    if (Eigen::LLT<MatrixXd>(*m).info() != Eigen::Success) return std::nullopt;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver((*k + k->transpose()) / 2, *m);
-    if (solver.info() != Eigen::Success) return std::nullopt;
+    const auto axes = principal_axes((*k + k->transpose()) / 2, *m);
+    if (!axes) return std::nullopt;
     VectorXd step = VectorXd::Zero(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const VectorXd v = solver.eigenvectors().col(i);
+      const VectorXd v = axes->vectors.col(i);
       const double force = v.dot(*g);
-      const double rate = std::abs(solver.eigenvalues()[i]);
+      const double rate = std::abs(axes->values[i]);
       VectorXd part = -force / std::max(rate, std::abs(force) * 1e-8) * v;
       if (force == 0) part.setZero();
       if (const double size = length(part); size > 0.5) part *= 0.5 / size;

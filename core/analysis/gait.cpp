@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <eigen3/Eigen/Eigenvalues>
-#include <eigen3/Eigen/LU>
 #include <limits>
+
+#include "core/analysis/dense_matrix.hpp"
 
 namespace qdot {
 namespace {
@@ -22,9 +22,7 @@ constexpr double nearby = 1e-4;  // of u: how the multipliers change with it is 
 constexpr double safety = 2;
 
 /// The correction of (u, T), and the bound of what rounding makes of it.
-VectorXd correction(const Shooting& shooting) {
-  return shooting.derivative.partialPivLu().solve(-shooting.residual);
-}
+VectorXd correction(const Shooting& shooting) { return solve(shooting.derivative, -shooting.residual); }
 
 VectorXd rounding(const Shooting& shooting, const VectorXd& u) {
   const Index k = u.size();
@@ -33,7 +31,7 @@ VectorXd rounding(const Shooting& shooting, const VectorXd& u) {
       shooting.flow.derivative.cwiseAbs() * u.cwiseAbs() + shooting.flow.state.cwiseAbs();
   residual.head(k) = u.cwiseAbs() + shooting.derivative.topLeftCorner(k, k).cwiseAbs() * u.cwiseAbs();
   residual[k] = shooting.flow.surface_slope.normalized().cwiseAbs().dot(carried);
-  return epsilon * (shooting.derivative.partialPivLu().inverse().cwiseAbs() * residual);
+  return epsilon * (inverse(shooting.derivative).cwiseAbs() * residual);
 }
 
 /// What the errors of (u, T) and the two computations' difference make of the state before the impact.
@@ -204,15 +202,14 @@ std::optional<PolishedGait> polished(SectionMap& map, const Recurrence& near) {
 /// right eigenvectors of length 1 (G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., section
 /// 7.2.2), but by no more than its square root when two meet.
 Multipliers multipliers(SectionMap& map, const PolishedGait& gait) {
-  const Eigen::EigenSolver<MatrixXd> solver(gait.section);
-  const Eigen::MatrixXcd right = solver.eigenvectors(), left = right.partialPivLu().inverse();
+  const auto [values, right, left] = eigen_decomposition(gait.section);
   const double size = gait.section.norm();
   const double moved = safety * (gait.section - map.derivative(gait.coarser)).norm() + epsilon * size +
                        safety * curvature(map, gait) * gait.error.head(map.size()).norm();
   std::vector<Index> order;
   for (Index i = 0; i < map.size(); ++i) order.push_back(i);
-  const auto& values = solver.eigenvalues();
-  std::ranges::stable_sort(order, std::ranges::greater{}, [&](Index i) { return std::abs(values[i]); });
+  std::ranges::stable_sort(order, std::ranges::greater{},
+                           [&values = values](Index i) { return std::abs(values[i]); });
   order.resize(static_cast<std::size_t>(std::min(map.dimension(gait.flow), map.size())));
   Multipliers result;
   for (const Index i : order) {

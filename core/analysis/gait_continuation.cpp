@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <eigen3/Eigen/Eigenvalues>
-#include <eigen3/Eigen/LU>
 #include <optional>
 
+#include "core/analysis/dense_matrix.hpp"
 #include "core/integrate/root.hpp"
 
 namespace qdot {
@@ -35,12 +34,10 @@ struct CurvePoint {
 
 using Test = double (*)(const MatrixXd&);
 
-double period_doubling(const MatrixXd& d) {
-  return (d + MatrixXd::Identity(d.rows(), d.cols())).determinant();
-}
-double fold(const MatrixXd& d) { return (d - MatrixXd::Identity(d.rows(), d.cols())).determinant(); }
+double period_doubling(const MatrixXd& d) { return determinant(d + MatrixXd::Identity(d.rows(), d.cols())); }
+double fold(const MatrixXd& d) { return determinant(d - MatrixXd::Identity(d.rows(), d.cols())); }
 double neimark_sacker(const MatrixXd& d) {
-  const Eigen::VectorXcd m = d.eigenvalues();
+  const Eigen::VectorXcd m = eigenvalues(d);
   std::complex<double> product = 1;
   for (Index i = 0; i < m.size(); ++i)
     for (Index j = 0; j < i; ++j) product *= m[i] * m[j] - 1.0;
@@ -53,8 +50,8 @@ constexpr std::array<std::pair<CriticalGait::Kind, Test>, 3> tests{
      {CriticalGait::Kind::neimark_sacker, neimark_sacker}}};
 
 /// Largest first.
-std::vector<std::complex<double>> eigenvalues(const MatrixXd& d) {
-  const Eigen::VectorXcd values = d.eigenvalues();
+std::vector<std::complex<double>> sorted_eigenvalues(const MatrixXd& d) {
+  const Eigen::VectorXcd values = eigenvalues(d);
   std::vector<std::complex<double>> result(values.begin(), values.end());
   std::ranges::stable_sort(result, std::ranges::greater{}, [](const auto& m) { return std::abs(m); });
   return result;
@@ -161,14 +158,13 @@ class GaitCurves {
       if (!found) return std::nullopt;
       MatrixXd bordered(k_ + 2, k_ + 2);
       bordered << found->derivative, direction.transpose();
-      const auto factors = bordered.partialPivLu();
       VectorXd right = VectorXd::Zero(k_ + 2);
       right.head(k_ + 1) = -found->residual;
-      const VectorXd step = factors.solve(right);
+      const VectorXd step = solve(bordered, right);
       const double length = step.norm();
       if (!(length < 1)) return std::nullopt;
       if (length < left_by_newton * rtol || (length < 1e-10 && length > 0.3 * last)) {
-        VectorXd tangent = factors.solve(VectorXd::Unit(k_ + 2, k_ + 1)).normalized();
+        VectorXd tangent = solve(bordered, VectorXd::Unit(k_ + 2, k_ + 1)).normalized();
         MatrixXd section = map_.derivative(found->shooting.flow);
         return CurvePoint{at, p, std::move(tangent), std::move(section), std::move(found->shooting.flow)};
       }
@@ -195,7 +191,7 @@ class GaitCurves {
     set(point.p);
     const auto jump = map_.jump(point.at.u);
     if (!jump) return;
-    auto multipliers = eigenvalues(point.section);
+    auto multipliers = sorted_eigenvalues(point.section);
     multipliers.resize(static_cast<std::size_t>(std::min(map_.dimension(point.flow), k_)));
     const bool stable = std::ranges::all_of(multipliers, [](const auto& m) { return std::abs(m) < 1; });
     result_.branches.back().points.push_back({point.p, map_.in_si(jump->after),
@@ -245,7 +241,7 @@ class GaitCurves {
                           {},
                           {},
                           {}};
-    critical.multipliers = eigenvalues(point->section);
+    critical.multipliers = sorted_eigenvalues(point->section);
     const bool on_circle = std::ranges::any_of(critical.multipliers, [](const auto& m) {
       return m.imag() != 0 && std::abs(std::abs(m) - 1) < 1e-6;
     });

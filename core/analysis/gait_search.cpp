@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <eigen3/Eigen/LU>
 
+#include "core/analysis/dense_matrix.hpp"
 #include "core/analysis/shooting.hpp"
 
 namespace qdot {
@@ -99,7 +99,7 @@ class GaitSearch {
     for (int i = 0; i < most_start_steps; ++i) {
       const auto equations = scaled(map_, at);
       if (!equations) return std::nullopt;
-      VectorXd step = equations->curve.leftCols(k_).partialPivLu().solve(-equations->residual);
+      VectorXd step = solve(equations->curve.leftCols(k_), -equations->residual);
       const double length = step.norm();
       if (!std::isfinite(length)) return std::nullopt;
       const double size = at.u.norm();
@@ -134,7 +134,7 @@ class GaitSearch {
     const Index k = equations.curve.rows();
     MatrixXd bordered(k + 1, k + 1);
     bordered << equations.curve, before.transpose();
-    return bordered.partialPivLu().solve(VectorXd::Unit(k + 1, k)).normalized();
+    return solve(bordered, VectorXd::Unit(k + 1, k)).normalized();
   }
 
   std::optional<CurvePoint> corrected(Recurrence at, const VectorXd& direction) {
@@ -145,7 +145,7 @@ class GaitSearch {
       bordered << equations->curve, direction.transpose();
       VectorXd right = VectorXd::Zero(k_ + 1);
       right.head(k_) = -equations->residual;
-      const VectorXd step = bordered.partialPivLu().solve(right);
+      const VectorXd step = solve(bordered, right);
       if (!(step.norm() < 1)) return std::nullopt;
       if (step.norm() < accuracy) {
         const VectorXd along = tangent(*equations, direction);

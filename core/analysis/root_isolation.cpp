@@ -1,9 +1,10 @@
 #include "core/analysis/root_isolation.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "core/analysis/dense_matrix.hpp"
 
 namespace qdot {
 namespace {
@@ -104,9 +105,9 @@ class Isolator {
       j(static_cast<Eigen::Index>(k) / n, static_cast<Eigen::Index>(k) % n) = jacobian[k].middle();
     }
     if (!j.allFinite()) return std::nullopt;
-    Eigen::MatrixXd inverse = j.partialPivLu().inverse();
-    if (!inverse.allFinite()) return std::nullopt;
-    return inverse;
+    Eigen::MatrixXd result = inverse(j);
+    if (!result.allFinite()) return std::nullopt;
+    return result;
   }
 
   /// K(X); the box itself where the middle's Jacobian has no inverse.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <eigen3/Eigen/SVD>
 #include <limits>
 
+#include "core/analysis/dense_matrix.hpp"
 #include "core/analysis/simulation.hpp"
 #include "core/mechanics/units.hpp"
 
@@ -316,9 +316,7 @@ Index SectionMap::dimension(const Flow& flow) {
   tangent(Eigen::all, components_) = map->derivative;
   const VectorXd normal = flow.surface_slope.normalized();
   tangent -= (tangent * normal) * normal.transpose();
-  Eigen::JacobiSVD<MatrixXd> decomposition(tangent);
-  decomposition.setThreshold(1e-12);
-  return decomposition.rank();
+  return rank(tangent, 1e-12);
 }
 
 }  // namespace qdot

@@ -1,7 +1,8 @@
 #include "core/analysis/shooting.hpp"
 
 #include <cmath>
-#include <eigen3/Eigen/LU>
+
+#include "core/analysis/dense_matrix.hpp"
 
 namespace qdot {
 namespace {
@@ -37,7 +38,7 @@ std::optional<Recurrence> solve_recurrence(SectionMap& map, Recurrence at, doubl
   for (int i = 0; i < most_newton_steps; ++i) {
     const auto shooting = shoot(map, at, rtol);
     if (!shooting) return std::nullopt;
-    const VectorXd step = shooting->derivative.partialPivLu().solve(-shooting->residual);
+    const VectorXd step = solve(shooting->derivative, -shooting->residual);
     if (!step.allFinite()) return std::nullopt;
     const double size = std::max(step.head(k).norm() / at.u.norm(), std::abs(step[k]) / at.duration);
     const double share = std::min(1.0, longest_newton_step / size);

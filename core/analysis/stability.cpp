@@ -1,9 +1,9 @@
 #include "core/analysis/stability.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/dense_matrix.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
@@ -38,11 +38,10 @@ std::vector<std::complex<double>> eigenvalues_of(const MatrixXd& m, const Matrix
   const auto scaled = [&](const MatrixXd& a) {
     return MatrixXd(scale.asDiagonal() * a * scale.asDiagonal());
   };
-  const Eigen::PartialPivLU<MatrixXd> mass(scaled(m));
+  const MatrixXd mass = scaled(m);
   std::vector<std::complex<double>> result;
   if (d.isZero(0)) {  // s^2 = -w: half the size, and s on the axes exactly
-    const Eigen::EigenSolver<MatrixXd> solver(mass.solve(scaled(k)), false);
-    for (const std::complex<double>& w : solver.eigenvalues()) {
+    for (const std::complex<double>& w : eigenvalues(solve_columns(mass, scaled(k)))) {
       const std::complex<double> s =
           w.imag() == 0 && w.real() >= 0 ? std::complex<double>(0, std::sqrt(w.real())) : std::sqrt(-w);
       result.push_back(s);
@@ -51,11 +50,10 @@ std::vector<std::complex<double>> eigenvalues_of(const MatrixXd& m, const Matrix
   } else {
     MatrixXd state = MatrixXd::Zero(2 * n, 2 * n);
     state.topRightCorner(n, n).setIdentity();
-    state.bottomLeftCorner(n, n) = -mass.solve(scaled(k));
-    state.bottomRightCorner(n, n) = -mass.solve(scaled(d));
+    state.bottomLeftCorner(n, n) = -solve_columns(mass, scaled(k));
+    state.bottomRightCorner(n, n) = -solve_columns(mass, scaled(d));
     if (!state.allFinite()) return {};
-    const Eigen::EigenSolver<MatrixXd> solver(state, false);
-    for (const std::complex<double>& s : solver.eigenvalues()) result.push_back(s);
+    for (const std::complex<double>& s : eigenvalues(state)) result.push_back(s);
   }
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
     return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
