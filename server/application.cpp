@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <random>
 #include <string_view>
 #include <utility>
@@ -17,34 +16,30 @@ using api::ProblemKind;
 
 std::string_view path_of(std::string_view target) { return target.substr(0, target.find('?')); }
 
-api::Response refused(const Refusal& refusal) {
-  return api::to_response({.kind = refusal.kind, .detail = refusal.detail}, path_of(refusal.target));
-}
-
-api::Response try_later(ProblemKind kind, std::string_view path) {
-  auto response =
-      api::to_response({.kind = kind, .detail = std::string(api::problem_type(kind).explanation)}, path);
-  response.headers.emplace("Retry-After", "1");
-  return response;
-}
-
 // Only the versioned paths compute; probes and documents never wait behind them.
 bool computes(std::string_view path) { return path.starts_with("/v1/"); }
 
 // A process that is going away is alive, but neither ready nor open for work.
 bool answered_while_draining(std::string_view path) { return !computes(path) && path != "/readyz"; }
 
-std::string fresh_id() {
+std::uint64_t fresh_number() {
   thread_local std::mt19937_64 random{std::random_device{}()};
+  return random();
+}
+
+std::string fresh_id() {
   std::string id(16, '0');
-  std::ranges::generate(id, [] { return "0123456789abcdef"[random() & 15]; });
+  auto number = fresh_number();
+  for (char& digit : id) {
+    digit = "0123456789abcdef"[number & 15];
+    number >>= 4;
+  }
   return id;
 }
 
 // The client's own id when it is harmless in a log and in a header.
-std::string request_id(const Incoming& incoming) {
-  const auto* request = std::get_if<api::Request>(&incoming);
-  if (!request) return fresh_id();
+std::string request_id(const api::Request* request) {
+  if (request == nullptr) return fresh_id();
   const auto sent = request->headers.find("x-request-id");
   if (sent == request->headers.end()) return fresh_id();
   const auto harmless = [](unsigned char c) {
@@ -56,70 +51,74 @@ std::string request_id(const Incoming& incoming) {
 
 }  // namespace
 
-Application::Application(const ApplicationOptions& options, Service service)
-    : options_(options), service_(std::move(service)) {}
+struct Application::Case {
+  explicit Case(std::shared_ptr<Exchange> exchange)
+      : exchange(std::move(exchange)),
+        request(std::get_if<api::Request>(&this->exchange->incoming)),
+        refusal(std::get_if<Refusal>(&this->exchange->incoming)) {}
 
-api::Response Application::respond(const Incoming& incoming) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto* refusal = std::get_if<Refusal>(&incoming);
-  const auto* request = std::get_if<api::Request>(&incoming);
-  auto response = refusal ? refused(*refusal) : admit(*request);
-  const auto id = request_id(incoming);
+  [[nodiscard]] std::string_view method() const { return refusal ? refusal->method : request->method; }
+  [[nodiscard]] std::string_view target() const { return refusal ? refusal->target : request->target; }
+  [[nodiscard]] std::string_view path() const { return path_of(target()); }
+  [[nodiscard]] api::Response problem(ProblemKind kind, std::string detail) const {
+    return api::to_response({.kind = kind, .detail = std::move(detail)}, path());
+  }
+  [[nodiscard]] api::Response problem(ProblemKind kind) const {
+    return problem(kind, std::string(api::problem_type(kind).explanation));
+  }
+
+  std::shared_ptr<Exchange> exchange;
+  api::Request* request;
+  const Refusal* refusal;
+};
+
+Application::Application(const ApplicationOptions& options, Service service)
+    : options_(options), service_(std::move(service)), lanes_(options.lanes) {}
+
+void Application::handle(const std::shared_ptr<Exchange>& exchange) {
+  Case it(exchange);
+  if (it.refusal != nullptr) return finish(it, it.problem(it.refusal->kind, it.refusal->detail));
+  const auto path = it.path();
+  if (draining_ && !answered_while_draining(path)) return finish(it, it.problem(ProblemKind::draining));
+  if (!computes(path)) return finish(it, service_(*it.request));
+  Lanes::Work work{.task = [this, it]() mutable { compute(it); }};
+  if (!lanes_.submit(Lane::light, std::move(work))) finish(it, it.problem(ProblemKind::overloaded));
+}
+
+void Application::compute(Case& it) {
+  const auto deadline = it.exchange->arrived + options_.deadline;
+  const auto over = [&exchange = *it.exchange, deadline] {
+    return exchange.abandoned() || Clock::now() > deadline;
+  };
+  try {
+    if (over()) return finish(it, it.problem(ProblemKind::deadline));
+    it.request->interrupted = over;
+    finish(it, service_(*it.request));
+  } catch (const std::exception&) {
+    // The exchange answers for itself when the last one lets go of it.
+  }
+}
+
+void Application::finish(Case& it, api::Response response) {
+  const auto id = request_id(it.request);
   response.headers["X-Request-Id"] = id;
   response.headers["X-Content-Type-Options"] = "nosniff";
-  if (options_.log) {
-    const std::chrono::duration<double, std::milli> duration = std::chrono::steady_clock::now() - start;
+  if (response.status == 503) response.headers["Retry-After"] = std::to_string(1 + fresh_number() % 5);
+  if (options_.log != nullptr) {
+    const std::chrono::duration<double, std::milli> duration = Clock::now() - it.exchange->arrived;
     log_request(options_.log, {.id = id,
-                               .method = refusal ? refusal->method : request->method,
-                               .target = refusal ? refusal->target : request->target,
+                               .method = it.method(),
+                               .target = it.target(),
                                .status = response.status,
                                .bytes = response.body.size(),
                                .milliseconds = duration.count()});
   }
-  return response;
-}
-
-api::Response Application::admit(const api::Request& request) {
-  const auto path = path_of(request.target);
-  std::unique_lock lock(mutex_);
-  if (draining_ && !answered_while_draining(path)) {
-    return try_later(ProblemKind::draining, path);
-  }
-  if (!computes(path)) {
-    lock.unlock();
-    return service_(request);
-  }
-  if (computing_ >= options_.threads) {
-    if (waiting_ >= options_.queue) {
-      return try_later(ProblemKind::overloaded, path);
-    }
-    ++waiting_;
-    changed_.wait(lock, [this] { return computing_ < options_.threads; });
-    --waiting_;
-  }
-  ++computing_;
-  lock.unlock();
-  return compute(request);
-}
-
-api::Response Application::compute(const api::Request& request) {
-  struct Place {
-    ~Place() {
-      {
-        const std::lock_guard lock(self.mutex_);
-        --self.computing_;
-      }
-      self.changed_.notify_all();
-    }
-    Application& self;
-  } place{*this};
-  return service_(request);
+  it.exchange->answer(std::move(response));
 }
 
 void Application::drain() {
-  std::unique_lock lock(mutex_);
   draining_ = true;
-  changed_.wait(lock, [this] { return computing_ == 0 && waiting_ == 0; });
+  lanes_.wait_until_idle();
 }
 
 }  // namespace qdot::server

@@ -1,22 +1,24 @@
 #pragma once
-// What stands between the sockets and api::Service: how many compute at a time, draining, the request id and
-// one log line a request. No sockets, so that it is tested by calling it.
+// What stands between the sockets and api::Service: who may ask, what is answered at once, what is computed
+// in which lane, deadlines, draining, the request id and one log line a request. No sockets, so that it is
+// tested by calling it.
 
-#include <condition_variable>
+#include <atomic>
 #include <cstdio>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <string>
 
 #include "api/service.hpp"
-#include "server/connection.hpp"
+#include "server/exchange.hpp"
+#include "server/lanes.hpp"
 
 namespace qdot::server {
 
 struct ApplicationOptions {
-  int threads{1};           ///< requests that compute at a time
-  int queue{48};            ///< requests that may wait for one of them; the next gets 503
-  std::FILE* log{nullptr};  ///< one JSON object a line; nullptr: no log
+  LanesOptions lanes{};
+  Clock::duration deadline{std::chrono::seconds(8)};  ///< from a request's last byte to its answer
+  std::FILE* log{nullptr};                            ///< one JSON object a line; nullptr: no log
 };
 
 class Application {
@@ -26,23 +28,22 @@ class Application {
 
   Application(const ApplicationOptions& options, Service service);
 
-  /// Thread-safe. Adds X-Request-Id and X-Content-Type-Options, and logs.
-  [[nodiscard]] api::Response respond(const Incoming& incoming);
+  /// Thread-safe, and never waits: answers at once or lets a lane do it. Adds X-Request-Id and
+  /// X-Content-Type-Options, and logs.
+  void handle(const std::shared_ptr<Exchange>& exchange);
 
   /// From now on work is refused and /readyz says 503; returns when nothing computes or waits to compute.
   void drain();
 
  private:
-  api::Response admit(const api::Request& request);
-  api::Response compute(const api::Request& request);
+  struct Case;  // one request with what is known of it
+  void compute(Case& it);
+  void finish(Case& it, api::Response response);
 
   ApplicationOptions options_;
   Service service_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  int computing_{0};
-  int waiting_{0};
-  bool draining_{false};
+  std::atomic<bool> draining_{false};
+  Lanes lanes_;
 };
 
 }  // namespace qdot::server

@@ -72,11 +72,10 @@ void serve(const ServeOptions& options) {
   const api::Service service({.scenes_directory = options.scenes});
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int threads = options.threads > 0 ? options.threads : cores;
-  Application application({.threads = threads, .log = stderr},
+  Application application({.lanes = {.threads = threads}, .log = stderr},
                           [&](const api::Request& request) { return service.handle(request); });
-  // Room for all that compute or wait to, and for probes and idle clients besides.
-  Transport transport({.host = options.host, .port = options.port, .connections = threads + 64},
-                      [&](const Incoming& incoming) { return application.respond(incoming); });
+  Transport transport({.host = options.host, .port = options.port},
+                      [&](const std::shared_ptr<Exchange>& exchange) { application.handle(exchange); });
   const Ending ending(application, transport);
   announce(options.host, transport.port());
   transport.run();

@@ -1,160 +1,381 @@
-// The library is Debian's cpp-httplib 0.11.4. It listens, accepts and hands out sockets. It does not read
-// requests here: its reader bounds neither lines nor header counts nor chunked bodies, and lets one request's
-// body become the next request (CVE-2025-53628, -52887, -46728, CVE-2026-34441). connection.cpp does that.
 #include "server/transport.hpp"
 
-#include <httplib.h>
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
-#include <chrono>
-#include <condition_variable>
 #include <cstring>
-#include <deque>
+#include <list>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "api/problem.hpp"
-
-// Without the flags of `pkg-config --cflags cpp-httplib` all this compiles and then corrupts memory.
-static_assert(sizeof(httplib::Request) == 608, "compile with the flags of pkg-config cpp-httplib 0.11.4");
+#include "server/listener.hpp"
 
 namespace qdot::server {
 namespace {
 
-constexpr int listen_backlog = 1024;  // the library's 5 makes a burst of clients wait for SYN retries
+using namespace std::chrono_literals;
+using State = Connection::State;
+using Id = std::uint64_t;
 
-/// The library's queue of accepted sockets, with the one thing that its own lacks: whether anybody waits.
-class Workers final : public httplib::TaskQueue {
- public:
-  Workers(int count, std::atomic<int>& waiting) : waiting_(waiting) {
-    for (int i = 0; i < count; ++i) threads_.emplace_back([this] { work(); });
+constexpr Id wake_id = 0;
+constexpr Id tcp_id = 1;
+constexpr Id unix_id = 2;
+constexpr Id first_connection = 3;
+constexpr std::size_t overflow = 128;         // connections beyond the bound that are told so
+constexpr std::size_t reserved_files = 24;    // descriptors that are not connections
+constexpr std::size_t all_bodies = 32 << 20;  // bytes of large bodies at a time
+constexpr auto sweep_interval = 100ms;
+constexpr auto leaving_interval = 20ms;
+
+/// As many connections as asked for, if the process may have so many descriptors.
+std::size_t possible_connections(std::size_t wanted) {
+  rlimit files{};
+  ::getrlimit(RLIMIT_NOFILE, &files);
+  const auto needed = static_cast<rlim_t>(wanted + overflow + reserved_files);
+  if (files.rlim_cur < needed) {
+    files.rlim_cur = std::min(files.rlim_max, needed);
+    ::setrlimit(RLIMIT_NOFILE, &files);
   }
+  const auto spare = static_cast<std::size_t>(std::max<rlim_t>(files.rlim_cur, reserved_files + 8));
+  return std::min(wanted, spare - reserved_files);
+}
 
-  void enqueue(std::function<void()> task) override {
-    ++waiting_;
-    {
-      const std::lock_guard lock(mutex_);
-      tasks_.push_back(std::move(task));
-    }
-    changed_.notify_one();
-  }
+Descriptor spare_descriptor() { return Descriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC)); }
 
-  void shutdown() override {
-    {
-      const std::lock_guard lock(mutex_);
-      closed_ = true;
-    }
-    changed_.notify_all();
-    threads_.clear();  // joins
-  }
-
- private:
-  void work() {
-    for (;;) {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return closed_ || !tasks_.empty(); });
-      if (tasks_.empty()) return;
-      const auto task = std::move(tasks_.front());
-      tasks_.pop_front();
-      lock.unlock();
-      --waiting_;
-      task();
-    }
-  }
-
-  std::atomic<int>& waiting_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<std::function<void()>> tasks_;
-  bool closed_{false};
-  std::vector<std::jthread> threads_;
-};
-
-void reuse_address_only(int socket) {
-  // The library's default, SO_REUSEPORT, lets two servers share one port without an error.
-  const int yes = 1;
-  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+Descriptor checked(int descriptor) {
+  if (descriptor < 0) throw std::runtime_error(std::strerror(errno));
+  return Descriptor(descriptor);
 }
 
 }  // namespace
 
-struct Transport::Impl final : httplib::Server {
-  Impl(const TransportOptions& options, server::Handler handler) : handler_(std::move(handler)) {
-    set_tcp_nodelay(true);
-    set_socket_options(reuse_address_only);
-    new_task_queue = [this, count = options.connections] { return new Workers(count, waiting_); };
-    errno = 0;
-    port_ = options.port == 0 ? bind_to_any_port(options.host)
-                              : (bind_to_port(options.host, options.port) ? options.port : -1);
-    if (port_ <= 0 || ::listen(svr_sock_, listen_backlog) != 0) {
-      throw std::runtime_error("cannot listen on " + options.host + ":" + std::to_string(options.port) +
-                               ": " + (errno ? std::strerror(errno) : "no such address"));
+struct Transport::Impl {
+  Impl(const TransportOptions& options, Handler handler)
+      : handler_(std::move(handler)),
+        patience_(options.patience),
+        most_connections_(possible_connections(options.connections)),
+        epoll_(checked(::epoll_create1(EPOLL_CLOEXEC))),
+        wake_(checked(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC))),
+        spare_(spare_descriptor()) {
+    posted_.reserve(most_connections_ + overflow);  // so that post() allocates nothing
+    taken_.reserve(most_connections_ + overflow);
+    watch(wake_, wake_id, EPOLLIN);
+    if (options.port) {
+      tcp_ = listen_on(options.host, *options.port);
+      port_ = port_of(tcp_);
+      watch(tcp_, tcp_id, EPOLLIN);
+    }
+    if (!options.unix_socket.empty()) {
+      unix_ = listen_on_unix(options.unix_socket);
+      unix_path_ = options.unix_socket;
+      watch(unix_, unix_id, EPOLLIN);
     }
   }
 
-  void stop_soon() {
+  ~Impl() { close_listeners(); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  void run() {
+    poller_ = std::this_thread::get_id();
+    std::array<epoll_event, 256> events;
+    while (!finished()) {
+      const int count = ::epoll_wait(epoll_.get(), events.data(), events.size(), wait_milliseconds());
+      now_ = Clock::now();
+      for (int i = 0; i < count; ++i) handle(events[static_cast<std::size_t>(i)]);
+      take_answers();
+      if (stopping_) release_idle();
+      sweep();
+    }
+  }
+
+  void stop() {
     stopping_ = true;
-    // The library forgets a stop() that comes before its loop runs.
-    while (!is_running() && !finished_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    stop();
+    wake();
   }
 
-  void serve() {
-    const bool ended_well = listen_after_bind();
-    finished_ = true;
-    if (!ended_well) throw std::runtime_error("the listening socket failed");
-  }
-
-  int port_{-1};
+  int port_{0};
+  std::atomic<std::size_t> connection_count_{0};
+  Budget unsent_{~std::size_t{0}};
 
  private:
-  // The library calls this on a worker thread for each accepted socket.
-  bool process_and_close_socket(socket_t socket) override {
-    Connection connection(socket);
-    try {
-      const auto give_way = [this] { return stopping_ || waiting_ > 0; };
-      do {
-        if (!connection.wait_for_request(give_way)) break;
-      } while (exchange(connection));
-    } catch (const std::exception&) {
-      // No memory even for an error: this client is cut off, the others go on.
+  struct Entry {
+    Connection connection;
+    std::list<Id>::iterator place{};  // among those that wait for a request
+    bool waits{false};
+    Budget::Share unsent{};
+  };
+  using Entries = std::unordered_map<Id, Entry>;
+
+  struct Posted {
+    Id id{};
+    Outgoing outgoing;
+    Budget::Share unsent;
+  };
+
+  void watch(const Descriptor& descriptor, Id id, std::uint32_t events) const {
+    epoll_event event{.events = events, .data = {.u64 = id}};
+    if (::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, descriptor.get(), &event) != 0)
+      throw std::runtime_error(std::strerror(errno));
+  }
+
+  void wake() const {
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const auto written = ::write(wake_.get(), &one, sizeof one);
+  }
+
+  [[nodiscard]] bool finished() const { return stopping_ && !tcp_ && !unix_ && entries_.empty(); }
+
+  [[nodiscard]] int wait_milliseconds() const {
+    if (entries_.empty() && !paused_) return -1;
+    return static_cast<int>((someone_leaves_ ? leaving_interval : sweep_interval) / 1ms);
+  }
+
+  void handle(const epoll_event& event) {
+    const Id id = event.data.u64;
+    if (id == wake_id) {
+      std::uint64_t count = 0;
+      [[maybe_unused]] const auto size = ::read(wake_.get(), &count, sizeof count);
+    } else if (id == tcp_id) {
+      accept_all(tcp_);
+    } else if (id == unix_id) {
+      accept_all(unix_);
+    } else if (const auto entry = entries_.find(id); entry != entries_.end()) {
+      entry->second.connection.note(event.events, now_);
+      drive(entry);
     }
+  }
+
+  // --- connections in -------------------------------------------------------------------------------------
+
+  void accept_all(const Descriptor& listener) {
+    for (int i = 0; i < 64; ++i) {
+      Descriptor socket(::accept4(listener.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+      if (socket) {
+        admit(std::move(socket));
+      } else if (errno == EMFILE || errno == ENFILE) {
+        if (!drop_one_waiting()) turn_away(listener);
+      } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+        return;
+      } else if (errno != EINTR && errno != ECONNABORTED) {
+        pause();
+        return;
+      }
+    }
+  }
+
+  void admit(Descriptor socket) {
+    const int yes = 1;
+    ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    const bool full = entries_.size() >= most_connections_ && !drop_one_waiting();
+    if (entries_.size() >= most_connections_ + overflow) return;
+    try {
+      const Id id = next_id_++;
+      watch(socket, id, EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET);
+      const auto entry =
+          entries_.try_emplace(id, Entry{Connection(std::move(socket), patience_, bodies_, now_)}).first;
+      ++connection_count_;
+      // Full of connections that are being answered: the newcomer hears so at once.
+      if (full) entry->second.connection.turn_away(now_);
+      drive(entry);
+    } catch (const std::exception&) {
+      // No memory for a connection: this client is cut off, the others go on.
+    }
+  }
+
+  /// Closes the connection that has waited longest for a request; false when none does.
+  bool drop_one_waiting() {
+    if (waiting_.empty()) return false;
+    const auto entry = entries_.find(waiting_.front());
+    entry->second.connection.close();
+    settle(entry);
     return true;
   }
 
-  bool exchange(Connection& connection) {
-    const auto incoming = connection.read_request();
-    if (!incoming) return false;
-    const auto response = answer(*incoming);
-    // When more connections are open than threads, each request waits its turn: none may keep its thread.
-    const bool last = !connection.reusable() || stopping_ || waiting_ > 0;
-    connection.write_response(response, last);
-    return !last && connection.reusable();
+  /// With no descriptor left: the spare one takes the client for as long as it takes to say so.
+  void turn_away(const Descriptor& listener) {
+    spare_.reset();
+    if (const Descriptor socket(::accept4(listener.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+        socket)
+      Outgoing::out_of_memory().send(socket.get());
+    spare_ = spare_descriptor();
   }
 
-  api::Response answer(const Incoming& incoming) const {
-    try {
-      return handler_(incoming);
-    } catch (...) {
-      return api::to_response({.detail = "An exception reached the transport."}, "");
+  /// The system has no memory for another connection: look again at the next sweep.
+  void pause() {
+    paused_ = true;
+    for (const auto* listener : {&tcp_, &unix_}) {
+      if (*listener) ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, listener->get(), nullptr);
     }
   }
 
-  server::Handler handler_;
-  std::atomic<int> waiting_{0};
+  void resume() {
+    paused_ = false;
+    if (tcp_) watch(tcp_, tcp_id, EPOLLIN);
+    if (unix_) watch(unix_, unix_id, EPOLLIN);
+  }
+
+  // --- requests and answers -------------------------------------------------------------------------------
+
+  void drive(Entries::iterator entry) {
+    Connection& connection = entry->second.connection;
+    try {
+      if (auto incoming = connection.advance(now_)) give(*entry, std::move(*incoming));
+    } catch (const std::exception&) {
+      if (connection.state() != State::answering) connection.close();
+    }
+    settle(entry);
+  }
+
+  void give(Entries::value_type& entry, Incoming incoming) {
+    Connection& connection = entry.second.connection;
+    // The socket stays open as long as its answer is awaited, so the answering thread may use it.
+    const auto deliver = [this, id = entry.first, socket = connection.socket(),
+                          body = connection.body_wanted(),
+                          reusable = connection.reusable()](api::Response response) noexcept {
+      Posted posted{.id = id, .outgoing = Outgoing::out_of_memory(), .unsent = {}};
+      try {
+        const bool last = !reusable || stopping_;
+        posted.outgoing = Outgoing(std::move(response), last ? Follow::close : Follow::keep_alive, body);
+        posted.outgoing.send(socket);
+      } catch (const std::exception&) {
+        // What was thrown here is bad_alloc; the answer that says so is there already.
+      }
+      posted.unsent = unsent_.count(posted.outgoing.size() - posted.outgoing.sent());
+      post(std::move(posted));
+    };
+    std::shared_ptr<Exchange> exchange;
+    try {
+      exchange = std::make_shared<Exchange>(std::move(incoming), deliver);
+    } catch (const std::exception&) {
+      deliver({.status = 503});
+      return;
+    }
+    connection.await(exchange);
+    handler_(exchange);  // what it throws destroys the exchange, which then answers for itself
+  }
+
+  void post(Posted posted) {
+    bool first = false;
+    {
+      const std::lock_guard lock(mutex_);
+      first = posted_.empty();
+      posted_.push_back(std::move(posted));
+    }
+    if (first && std::this_thread::get_id() != poller_) wake();
+  }
+
+  void take_answers() {
+    for (;;) {
+      {
+        const std::lock_guard lock(mutex_);
+        posted_.swap(taken_);
+      }
+      if (taken_.empty()) return;
+      for (Posted& posted : taken_) {
+        const auto entry = entries_.find(posted.id);
+        entry->second.unsent = std::move(posted.unsent);
+        entry->second.connection.deliver(std::move(posted.outgoing), now_);
+        drive(entry);
+      }
+      taken_.clear();
+    }
+  }
+
+  /// After a connection has moved: it is forgotten, or found again when the oldest one has to go.
+  void settle(Entries::iterator entry) {
+    Entry& it = entry->second;
+    const State state = it.connection.state();
+    if (state != State::answering && state != State::writing) it.unsent = {};
+    if (it.connection.leaving()) {
+      someone_leaves_ = true;
+      next_sweep_ = std::min(next_sweep_, now_ + leaving_interval);
+    }
+    const bool waits = state == State::waiting || state == State::reading || state == State::lingering;
+    if (it.waits && !waits) waiting_.erase(it.place);
+    if (!it.waits && waits) it.place = waiting_.insert(waiting_.end(), entry->first);
+    it.waits = waits;
+    if (state != State::closed) return;
+    entries_.erase(entry);
+    --connection_count_;
+  }
+
+  // --- time -----------------------------------------------------------------------------------------------
+
+  void sweep() {
+    if (now_ < next_sweep_) return;
+    someone_leaves_ = false;
+    for (auto entry = entries_.begin(); entry != entries_.end();) {
+      const auto here = entry++;
+      try {
+        if (auto incoming = here->second.connection.expire(now_)) give(*here, std::move(*incoming));
+      } catch (const std::exception&) {
+        if (here->second.connection.state() != State::answering) here->second.connection.close();
+      }
+      settle(here);
+    }
+    if (paused_) resume();
+    next_sweep_ = now_ + (someone_leaves_ ? leaving_interval : sweep_interval);
+  }
+
+  void close_listeners() {
+    tcp_.reset();
+    if (unix_) ::unlink(unix_path_.c_str());
+    unix_.reset();
+  }
+
+  /// At the end of the server's life only what is in flight keeps its connection.
+  void release_idle() {
+    close_listeners();
+    for (auto entry = entries_.begin(); entry != entries_.end();) {
+      const auto here = entry++;
+      const State state = here->second.connection.state();
+      if (state == State::waiting || state == State::reading) here->second.connection.close();
+      settle(here);
+    }
+  }
+
+  Handler handler_;
+  Patience patience_;
+  std::size_t most_connections_;
+  Budget bodies_{all_bodies};
+  Descriptor epoll_, wake_, spare_, tcp_, unix_;
+  std::string unix_path_;
+  Clock::time_point now_{Clock::now()};
+  Clock::time_point next_sweep_{};
+  Entries entries_;
+  std::list<Id> waiting_;
+  Id next_id_{first_connection};
+  std::thread::id poller_;
+  bool paused_{false};
+  bool someone_leaves_{false};
   std::atomic<bool> stopping_{false};
-  std::atomic<bool> finished_{false};
+  std::mutex mutex_;
+  std::vector<Posted> posted_;  // by the threads that answer, guarded by mutex_
+  std::vector<Posted> taken_;
 };
 
 Transport::Transport(const TransportOptions& options, Handler handler)
     : impl_(std::make_unique<Impl>(options, std::move(handler))) {}
 Transport::~Transport() = default;
 int Transport::port() const { return impl_->port_; }
-void Transport::run() { impl_->serve(); }
-void Transport::stop() { impl_->stop_soon(); }
+void Transport::run() { impl_->run(); }
+void Transport::stop() { impl_->stop(); }
+Transport::Gauges Transport::gauges() const {
+  return {.connections = impl_->connection_count_, .unsent_bytes = impl_->unsent_.used()};
+}
 
 }  // namespace qdot::server

@@ -1,0 +1,111 @@
+#include "server/lanes.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <utility>
+
+namespace qdot::server {
+namespace {
+
+constexpr double assumed_pace = 1e-3;  // seconds of a unit of cost, before anything was measured
+constexpr double assumed_cost = 20;    // for how much work that assumption counts
+constexpr double memory = 0.95;        // what is left of the past after each piece of work
+constexpr int heavy_niceness = 10;     // about a tenth of a core beside a light thread, all of it without
+
+}  // namespace
+
+double Lanes::State::expected_wait(int threads) const {
+  return (waiting_cost + running_cost) / threads * (recent_seconds / recent_cost);
+}
+
+Lanes::Lanes(const LanesOptions& options) : threads_(options.threads), heavy_bytes_(options.heavy_bytes) {
+  state(Lane::light).limits = options.light;
+  state(Lane::heavy).limits = options.heavy;
+  for (State& lane : states_) {
+    lane.recent_cost = assumed_cost;
+    lane.recent_seconds = assumed_cost * assumed_pace;
+  }
+  for (const Lane lane : all_lanes) {
+    for (int i = 0; i < threads_; ++i) workers_.emplace_back([this, lane] { work(lane); });
+  }
+}
+
+Lanes::~Lanes() {
+  {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+  }
+  for (State& lane : states_) lane.changed.notify_all();
+}
+
+bool Lanes::submit(Lane lane, Work work) {
+  State& it = state(lane);
+  {
+    const std::lock_guard lock(mutex_);
+    const bool free = it.queue.empty() && it.running < static_cast<std::size_t>(threads_);
+    if (!free &&
+        (it.queue.size() >= it.limits.waiting || it.expected_wait(threads_) > it.limits.longest_wait)) {
+      return false;
+    }
+    it.waiting_cost += work.cost;
+    it.queue.push_back(std::move(work));
+  }
+  it.changed.notify_one();
+  return true;
+}
+
+// Something may always begin: a bound on memory must not stop the only one that asks for it.
+bool Lanes::next_may_begin(Lane lane) const {
+  const State& it = state(lane);
+  if (it.queue.empty()) return false;
+  const std::size_t wanted = it.queue.front().bytes;
+  return wanted == 0 || bytes_ == 0 || bytes_ + wanted <= heavy_bytes_;
+}
+
+void Lanes::work(Lane lane) {
+  // Linux: the niceness of a thread of its own.
+  if (lane == Lane::heavy) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
+  State& it = state(lane);
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    it.changed.wait(lock, [&] { return next_may_begin(lane) || (closed_ && it.queue.empty()); });
+    if (it.queue.empty()) return;
+    Work work = std::move(it.queue.front());
+    it.queue.pop_front();
+    it.waiting_cost = it.queue.empty() ? 0 : it.waiting_cost - work.cost;
+    it.running_cost += work.cost;
+    ++it.running;
+    bytes_ += work.bytes;
+    lock.unlock();
+    const auto begin = std::chrono::steady_clock::now();
+    work.task();
+    work.task = nullptr;  // what it held is given back before the next one begins
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    lock.lock();
+    bytes_ -= work.bytes;
+    it.running_cost = --it.running == 0 ? 0 : it.running_cost - work.cost;
+    it.recent_seconds = memory * it.recent_seconds + took.count();
+    it.recent_cost = memory * it.recent_cost + work.cost;
+    if (work.bytes > 0) it.changed.notify_all();
+    if (it.queue.empty() && it.running == 0) idle_.notify_all();
+  }
+}
+
+void Lanes::wait_until_idle() {
+  std::unique_lock lock(mutex_);
+  idle_.wait(lock, [this] {
+    for (const State& lane : states_) {
+      if (!lane.queue.empty() || lane.running > 0) return false;
+    }
+    return true;
+  });
+}
+
+Lanes::Gauges Lanes::gauges(Lane lane) const {
+  const std::lock_guard lock(mutex_);
+  return {.waiting = state(lane).queue.size(), .running = state(lane).running};
+}
+
+}  // namespace qdot::server

@@ -1,0 +1,89 @@
+#pragma once
+// Who computes, and who waits to. Two lanes, light and heavy, each with its own threads and its own bounded
+// queue; the threads of the heavy one have a lower priority, so that heavy work uses what light work leaves.
+//
+// A queue is bounded by the time until its last entry would begin: sum of the costs ahead / threads, times
+// the measured seconds of a unit of cost. The costs are what the requests themselves tell; only the pace is
+// measured.
+
+#include <array>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace qdot::server {
+
+enum class Lane { light, heavy };
+inline constexpr std::array all_lanes{Lane::light, Lane::heavy};
+
+struct LaneLimits {
+  double longest_wait{};  ///< seconds that the last one of a queue may expect to wait
+  std::size_t waiting{};  ///< entries of the queue
+};
+
+struct LanesOptions {
+  int threads{1};  ///< of each lane
+  LaneLimits light{.longest_wait = 0.1, .waiting = 512};
+  LaneLimits heavy{.longest_wait = 1, .waiting = 64};
+  std::size_t heavy_bytes{std::size_t{96} << 20};  ///< that heavy work may hold at a time
+};
+
+class Lanes {
+ public:
+  using Task = std::function<void()>;
+  struct Work {
+    double cost{1};        ///< in milliseconds, roughly
+    std::size_t bytes{0};  ///< that it will hold
+    Task task;             ///< must not throw
+  };
+
+  explicit Lanes(const LanesOptions& options);
+  /// Finishes what was admitted.
+  ~Lanes();
+  Lanes(const Lanes&) = delete;
+  Lanes& operator=(const Lanes&) = delete;
+
+  /// False when the lane is full; never waits.
+  [[nodiscard]] bool submit(Lane lane, Work work);
+
+  /// Returns when nothing runs and nothing waits.
+  void wait_until_idle();
+
+  struct Gauges {
+    std::size_t waiting{};
+    std::size_t running{};
+  };
+  [[nodiscard]] Gauges gauges(Lane lane) const;
+
+ private:
+  struct State {
+    LaneLimits limits;
+    std::deque<Work> queue;
+    std::condition_variable changed;
+    std::size_t running{0};
+    double running_cost{0}, waiting_cost{0};
+    // Recent work, older work counting less: the pace is their quotient.
+    double recent_seconds{0}, recent_cost{0};
+    [[nodiscard]] double expected_wait(int threads) const;
+  };
+
+  void work(Lane lane);
+  [[nodiscard]] bool next_may_begin(Lane lane) const;
+  State& state(Lane lane) { return states_[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] const State& state(Lane lane) const { return states_[static_cast<std::size_t>(lane)]; }
+
+  const int threads_;
+  const std::size_t heavy_bytes_;
+  mutable std::mutex mutex_;
+  std::array<State, 2> states_;
+  std::condition_variable idle_;
+  std::size_t bytes_{0};  // held by what runs
+  bool closed_{false};
+  std::vector<std::jthread> workers_;
+};
+
+}  // namespace qdot::server
