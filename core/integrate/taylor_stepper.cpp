@@ -68,9 +68,8 @@ class TaylorStepper final : public Stepper {
     if (t == t_) {
       std::ranges::copy(y_, y_out.begin());
     } else {
-      for (std::size_t i = 0; i < y_out.size(); ++i) {
-        y_out[i] = y_previous_[i] + increment(coefficients_, i, t - t_previous_);
-      }
+      increments(coefficients_, t - t_previous_, y_out);
+      for (std::size_t i = 0; i < y_out.size(); ++i) y_out[i] = y_previous_[i] + y_out[i];
     }
     return std::nullopt;
   }
@@ -124,29 +123,40 @@ class TaylorStepper final : public Stepper {
       return true;
     };
     while (last > 1 && !is_finite(last)) --last;
+    const double h = step_by(last);
+    return last > 2 ? std::min(h, step_by(last - 1)) : h;
+  }
+
+  /// The least over the components of (w / |c_k|)^(1/k). One root, of the largest |c_k| / w, where that is a
+  /// number.
+  [[nodiscard]] double step_by(unsigned k) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      largest = std::max(largest, std::abs(coefficient(next_, i, k)) / weight(i));
+    }
+    if (std::isfinite(largest)) return root_of(1, largest, k);
     double h = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < y_.size(); ++i) {
-      const double w = weight(i);
-      for (unsigned k = last > 2 ? last - 1 : last; k <= last; ++k) {
-        h = std::min(h, root_of(w, coefficient(next_, i, k), k));
-      }
+      h = std::min(h, root_of(weight(i), coefficient(next_, i, k), k));
     }
     return h;
   }
 
-  /// sum_{k>=1} c_k s^k.
-  [[nodiscard]] double increment(const std::vector<double>& c, std::size_t i, double s) const {
-    const double* row = c.data() + i * (order_ + 1);
-    double sum = row[order_];
-    for (unsigned k = order_ - 1; k >= 1; --k) sum = sum * s + row[k];
-    return sum * s;
+  /// sum_{k>=1} c_k s^k of every component; side by side, as each alone would wait for its own sums.
+  void increments(const std::vector<double>& c, double s, std::span<double> sum) const {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = coefficient(c, i, order_);
+    for (unsigned k = order_ - 1; k >= 1; --k) {
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = sum[i] * s + coefficient(c, i, k);
+    }
+    for (double& value : sum) value *= s;
   }
 
-  [[nodiscard]] double slope(const std::vector<double>& c, std::size_t i, double s) const {
-    const double* row = c.data() + i * (order_ + 1);
-    double sum = order_ * row[order_];
-    for (unsigned k = order_ - 1; k >= 1; --k) sum = sum * s + k * row[k];
-    return sum;
+  /// sum_{k>=1} k c_k s^(k-1).
+  void slopes(const std::vector<double>& c, double s, std::span<double> sum) const {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = order_ * coefficient(c, i, order_);
+    for (unsigned k = order_ - 1; k >= 1; --k) {
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = sum[i] * s + k * coefficient(c, i, k);
+    }
   }
 
   /// To time t, if the polynomial holds until there.
@@ -155,16 +165,19 @@ class TaylorStepper final : public Stepper {
     std::vector<double>& y = attempt_;
     y.resize(y_.size());
     attempt_carried_ = carried;
+    increments(next_, h, rise_);
     for (std::size_t i = 0; i < y.size(); ++i) {
-      const double rise = increment(next_, i, h) + carried[i];
+      const double rise = rise_[i] + carried[i];
       y[i] = y_[i] + rise;
       const double taken = y[i] - y_[i];
       attempt_carried_[i] = (y_[i] - (y[i] - taken)) + (rise - taken);
     }
     if (expand(t, y, beyond_)) return false;
+    slopes(next_, h, slope_);
     for (std::size_t i = 0; i < y.size(); ++i) {
-      const double defect = slope(next_, i, h) - coefficient(beyond_, i, 1);
-      const double round_off = 1e-12 * (std::abs(slope(next_, i, h)) + std::abs(coefficient(beyond_, i, 1)));
+      const double rate = coefficient(beyond_, i, 1);
+      const double defect = slope_[i] - rate;
+      const double round_off = 1e-12 * (std::abs(slope_[i]) + std::abs(rate));
       if (!(h * std::abs(defect) <= largest_defect * weight(i) + h * round_off)) return false;
     }
     accept(t);
@@ -198,6 +211,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> coefficients_;               ///< at t_previous_: the dense output
   std::vector<double> next_;                       ///< at t_
   std::vector<double> beyond_ = std::vector<double>(coefficients_.size());
+  std::vector<double> rise_ = std::vector<double>(y_.size()), slope_ = rise_;
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
 };
