@@ -3,6 +3,7 @@
 #include <sleef.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -28,6 +29,18 @@ double root_of(double w, double c, unsigned k) {
 unsigned order_for(const RunRequest& request) {
   if (request.taylor_order > 0) return request.taylor_order;
   return request.tolerances.rtol >= loose ? order_loose : order_tight;
+}
+
+/// sum_{k=1}^{row-1} c_k s^k of so many rows of coefficients side by side, as each alone would wait for its
+/// own sums.
+template <std::size_t count>
+void sum_series(const double* c, std::size_t row, double s, double* sums) {
+  std::array<double, count> sum{};
+  for (std::size_t k = row - 1; k >= 1; --k) {
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < count; ++i) sum[i] = sum[i] * s + c[i * row + k];
+  }
+  for (std::size_t i = 0; i < count; ++i) sums[i] = sum[i] * s;
 }
 
 class TaylorStepper final : public Stepper {
@@ -142,13 +155,13 @@ class TaylorStepper final : public Stepper {
     return h;
   }
 
-  /// sum_{k>=1} c_k s^k of every component; side by side, as each alone would wait for its own sums.
+  /// sum_{k>=1} c_k s^k of every component.
   void increments(const std::vector<double>& c, double s, std::span<double> sum) const {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = coefficient(c, i, order_);
-    for (unsigned k = order_ - 1; k >= 1; --k) {
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = sum[i] * s + coefficient(c, i, k);
-    }
-    for (double& value : sum) value *= s;
+    const std::size_t n = sum.size(), row = order_ + 1;
+    std::size_t i = 0;
+    for (; i + 4 <= n; i += 4) sum_series<4>(c.data() + i * row, row, s, sum.data() + i);
+    for (; i + 2 <= n; i += 2) sum_series<2>(c.data() + i * row, row, s, sum.data() + i);
+    for (; i < n; ++i) sum_series<1>(c.data() + i * row, row, s, sum.data() + i);
   }
 
   /// sum_{k>=1} k c_k s^(k-1).
