@@ -24,6 +24,10 @@ Failure failure_of(Ending ending) {
               "The tolerances ask for more than double precision holds; choose larger rtol and atol."};
     case Ending::blow_up:
       return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
+    case Ending::no_convergence:
+      return {"no-convergence",
+              "Method gauss found no solution for the equations of its next step: the step h is too long at "
+              "this place, or the motion has a singularity there. A shorter h may do, or method taylor."};
     case Ending::reached_end:
     case Ending::event:
     case Ending::interrupted:

@@ -5,6 +5,7 @@
 #include "api/limits.hpp"
 #include "api/text_checks.hpp"
 #include "api/time_grid.hpp"
+#include "core/integrate/run.hpp"
 
 namespace qdot::api {
 namespace {
@@ -44,6 +45,27 @@ void check_grid(R& request, Findings& findings) {
   }
 }
 
+/// Method gauss has a step of a fixed length, the other methods choose theirs.
+void check_step(const R& request, Findings& findings) {
+  const bool is_gauss = request.method == MethodChoice::gauss;
+  if (is_gauss && !request.h && !findings.has_error_at({"h"})) {
+    findings.report(
+        "h", "missing",
+        "'h' is missing: method gauss steps by a fixed h, in place of tolerances or an error wanted.");
+  }
+  if (!request.h) return;
+  if (!is_gauss && !findings.has_error_at({"method"})) {
+    findings.report("h", "not_applicable",
+                    "'h' is the step of method gauss; other methods choose their own.");
+  }
+  const auto most = static_cast<double>(Limits{}.max_steps);
+  if (is_gauss && request.t_end && (*request.t_end - request.t_start) / *request.h > most) {
+    findings.report(
+        "h", "too_many",
+        "Steps of this length are too many: a motion may take " + std::to_string(Limits{}.max_steps) + ".");
+  }
+}
+
 /// The grid is checked only when its own fields could be read; the others do not matter to it.
 void check(R& request, Findings& findings) {
   const Scene* scene = request.system.scene.get();
@@ -56,6 +78,7 @@ void check(R& request, Findings& findings) {
   }
   if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
   if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  check_step(request, findings);
   if (request.steps && (!scene->impact || !request.impacts)) {
     findings.report(
         "steps", "not_applicable",
@@ -112,9 +135,13 @@ RequestTable<R> make_table() {
               {"adams", MethodChoice::adams},
               {"bdf", MethodChoice::bdf},
               {"erk", MethodChoice::erk},
-              {"taylor", MethodChoice::taylor}},
-             "the integrator", {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}},
-             {"gauss"}),
+              {"taylor", MethodChoice::taylor},
+              {"gauss", MethodChoice::gauss}},
+             "the integrator; gauss is symplectic and has a fixed step h",
+             {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}}),
+      number("h", &R::h, {"s", {.lower = 0, .lower_open = true}},
+             "step of method gauss, in place of tolerances; the last one ends at t_end and may be shorter",
+             {.aliases = {"fixed_step"}}),
       number("rtol", &R::rtol, {"1", {limits::least_rtol, limits::largest_rtol}}, "relative local tolerance",
              {.default_value = 1e-9,
               .aliases = {"reltol", "rel_tol", "tol", "tolerance", "relative_tolerance"}}),
@@ -131,7 +158,6 @@ RequestTable<R> make_table() {
       integer("max_evaluations", &R::max_evaluations, {1, limits::evaluations},
               "the work allowed, in evaluations of the accelerations, that of measuring the error included",
               {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),
-      later_field<R>("h", "It is the step of method gauss."),
       boolean("verify", &R::verify, "estimate the error of the answer", {.default_value = true}),
       integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
               {.aliases = {"precision", "significant_digits"}}),
@@ -139,7 +165,7 @@ RequestTable<R> make_table() {
              "form of the answer; without it, what the Accept header says"),
   };
   const OneOf grid{.ways = {{"samples"}, {"dt"}, {"times"}}};
-  const OneOf accuracy{.ways = {{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}}};
+  const OneOf accuracy{.ways = {{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}, {"h"}}};
   return RequestTable<R>(std::move(fields), {grid, accuracy}, check);
 }
 

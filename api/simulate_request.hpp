@@ -17,7 +17,7 @@ enum class Extra { energy, momenta, positions, accelerations, validity };
 enum class OnInvalid { stop, carry_on };
 
 /// `automatic` leaves the choice to the service.
-enum class MethodChoice { automatic, adams, bdf, erk, taylor };
+enum class MethodChoice { automatic, adams, bdf, erk, taylor, gauss };
 
 /// Each promises an error over a column's largest magnitude.
 enum class Preset { fast, balanced, accurate };
@@ -36,6 +36,7 @@ struct SimulateRequest {
   OnInvalid on_invalid{OnInvalid::stop};
   bool impacts{true};
   std::optional<std::int64_t> steps{};  ///< strides
+  std::optional<double> h{};            ///< step of gauss
   double rtol{};
   double atol{};
   std::optional<Preset> accuracy{};

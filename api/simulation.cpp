@@ -138,11 +138,16 @@ class SimulationAnswer {
   }
 
   [[nodiscard]] Json accuracy_json() const {
-    Json json{{"method", name_of(result_.method)},
-              {"rtol", measured_.tolerances.rtol},
-              {"atol", measured_.tolerances.atol},
-              {"max_abs_error", nullptr},
-              {"horizon", nullptr}};
+    Json json{{"method", name_of(result_.method)}};
+    if (request_.h) {
+      json["h"] = *request_.h;
+      json["symplectic"] = result_.symplectic;
+    } else {
+      json["rtol"] = measured_.tolerances.rtol;
+      json["atol"] = measured_.tolerances.atol;
+    }
+    json["max_abs_error"] = nullptr;
+    json["horizon"] = nullptr;
     std::string reason = measured_.reason;
     if (measured_.max_abs_error.empty()) {
       if (!request_.verify) reason = "The error was not measured, as 'verify' is false.";

@@ -17,6 +17,8 @@ Method method_of(MethodChoice choice) {
       return Method::bdf;
     case MethodChoice::erk:
       return Method::erk;
+    case MethodChoice::gauss:
+      return Method::gauss;
     case MethodChoice::automatic:  // it reaches every accuracy with the least work
     case MethodChoice::taylor:
       break;
@@ -90,6 +92,8 @@ const char* name_of(Method method) {
       return "bdf";
     case Method::erk:
       return "erk";
+    case Method::gauss:
+      return "gauss";
     case Method::taylor:
       break;
   }
@@ -127,6 +131,7 @@ SimulationRequest core_request(const SimulateRequest& request, const Dynamics& d
   core.on_invalid = request.on_invalid == OnInvalid::stop ? qdot::OnInvalid::stop : qdot::OnInvalid::go_on;
   core.impacts = request.impacts ? Impacts::apply : Impacts::ignore;
   core.method = method_of(request.method);
+  if (request.h) core.h = *request.h;
   if (request.rtol > 0) core.tolerances = {request.rtol, request.atol};  // else a goal decides
   return core;
 }

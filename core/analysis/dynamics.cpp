@@ -186,6 +186,12 @@ const CompiledFunction& Dynamics::jacobian() const {
   return *lazy_->jacobian;
 }
 
+const CanonicalFunctions* Dynamics::canonical() const {
+  const std::lock_guard lock(lazy_->mutex);
+  if (!lazy_->canonical) lazy_->canonical = canonical_functions(specialized({}));
+  return lazy_->canonical->get();
+}
+
 CompiledFunction Dynamics::compiled(const Graph& graph, std::span<const Expression> expressions) const {
   Builder builder(*model_, inputs_, graph);
   for (const Expression& of_graph : expressions) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/analysis/canonical_functions.hpp"
 #include "core/analysis/statics.hpp"
 #include "core/compile/compiled_function.hpp"
 #include "core/mechanics/conserved.hpp"
@@ -55,6 +56,9 @@ class Dynamics {
   /// d(q', q'')/d(q, q'), 2n x 2n by rows: the last n rows solve M dq''/dy = df/dy - dM/dy q''.
   [[nodiscard]] const CompiledFunction& jacobian() const;
 
+  /// The equations of first order in (q, p); null where L is not quadratic in the velocities.
+  [[nodiscard]] const CanonicalFunctions* canonical() const;
+
   /// The values of columns, which belong to the model's graph.
   [[nodiscard]] std::shared_ptr<const CompiledFunction> columns(const std::vector<Column>& columns) const;
   /// The conserved quantities; which there are depends on the parameters that are 0.
@@ -86,6 +90,7 @@ class Dynamics {
   struct Lazy {
     std::mutex mutex;
     std::unique_ptr<const CompiledFunction> accelerations, jacobian;
+    std::optional<std::unique_ptr<const CanonicalFunctions>> canonical;
     std::map<std::vector<NodeId>, std::shared_ptr<const CompiledFunction>> columns;
     std::map<std::vector<bool>, std::shared_ptr<const Conserved>> conserved;
     std::map<std::vector<bool>, std::shared_ptr<const Statics>> statics;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "core/compile/taylor_expansion.hpp"
 
@@ -125,9 +126,11 @@ class Ladder {
     const Method first = result_.simulation.method;
     const bool same = first == Method::taylor;
     request.method = has_series_ ? Method::taylor : first == Method::erk ? Method::adams : Method::erk;
-    request.taylor_order = result_.tolerances.rtol >= loose ? order_of_loose_checks : order_of_checks;
+    const bool is_loose = first != Method::gauss && result_.tolerances.rtol >= loose;
+    request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
     const double least = has_series_ ? tightest_check : 1e-14;
-    const double factor = same ? rung : check_of_others;
+    // What a fixed step comes to is not known before: its check is as tight as can be.
+    const double factor = first == Method::gauss ? 0 : same ? rung : check_of_others;
     const double rtol = std::max(least, result_.tolerances.rtol * factor);
     request.tolerances = {rtol, std::max(result_.tolerances.atol * factor, least * 1e-3)};
     if (rtol <= 10 * least) nudge(request.parameters);
@@ -261,6 +264,9 @@ class Ladder {
 
 MeasuredSimulation simulate_with_error(const Dynamics& dynamics, const SimulationRequest& request,
                                        const AccuracyGoal& goal) {
+  if (request.method == Method::gauss && goal.kind != AccuracyGoal::Kind::tolerances) {
+    throw std::invalid_argument("gauss has a step and no goal");
+  }
   return Ladder(dynamics, request, goal).climb();
 }
 

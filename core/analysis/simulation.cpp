@@ -12,13 +12,39 @@ namespace {
 
 constexpr std::size_t most_impacts = 10'000;
 
-/// q' and q'' from the compiled functions, each with a workspace of its own.
 /// A series knows no kinks: where a force has abs or sign, the Runge-Kutta method takes over.
 Method possible_method(const Dynamics& dynamics, Method wanted) {
   const bool possible = wanted != Method::taylor || has_taylor_expansion(dynamics.accelerations());
   return possible ? wanted : Method::erk;
 }
 
+/// The motion in (q, p); none where p does not determine q' in the initial state.
+std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynamics,
+                                                           const SimulationRequest& request) {
+  const CanonicalFunctions* functions = dynamics.canonical();
+  if (functions == nullptr) return std::nullopt;
+  const std::size_t n = dynamics.model().degrees_of_freedom();
+  RightHandSide::CanonicalForm form;
+  form.variables = [functions, n, workspace = functions->momenta().bind(request.parameters)](
+                       double t, std::span<const double> y, std::span<double> z) mutable {
+    std::copy_n(y.begin(), n, z.begin());
+    return functions->momenta().evaluate(t, y, workspace, z.subspan(n));
+  };
+  form.derivative = [functions, workspace = functions->derivative().bind(request.parameters)](
+                        double t, std::span<const double> z, std::span<double> derivative) mutable {
+    return functions->derivative().evaluate(t, z, workspace, derivative);
+  };
+  form.jacobian = [functions, workspace = functions->bind_jacobian(request.parameters)](
+                      double t, std::span<const double> z, std::span<double> jacobian) mutable {
+    return functions->jacobian(t, z, workspace, jacobian);
+  };
+  std::vector<double> z(2 * n), slope(2 * n);
+  if (form.variables(request.t_start, request.y_start, z) != Evaluation::ok) return std::nullopt;
+  if (form.derivative(request.t_start, z, slope) == Evaluation::singular_mass) return std::nullopt;
+  return form;
+}
+
+/// q' and q'' from the compiled functions, each with a workspace of its own.
 RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request, Method method) {
   const std::size_t n = dynamics.model().degrees_of_freedom();
   const CompiledFunction& accelerations = dynamics.accelerations();
@@ -29,7 +55,8 @@ RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest&
     std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, derivative.begin());
     return accelerations.evaluate(t, y, workspace, derivative.subspan(n));
   };
-  if (method == Method::bdf) {
+  if (method == Method::gauss) system.canonical = canonical_form(dynamics, request);
+  if (method == Method::bdf || (method == Method::gauss && !system.canonical)) {
     const CompiledFunction& jacobian = dynamics.jacobian();
     system.jacobian = [&jacobian, workspace = jacobian.bind(request.parameters)](
                           double t, std::span<const double> y, std::span<double> out) mutable {
@@ -56,6 +83,7 @@ class Simulator {
     result_.t = request.t_start;
     result_.y = request.y_start;
     result_.method = method_;
+    result_.symplectic = system_.canonical.has_value();
   }
 
   Simulation run() {
@@ -118,6 +146,7 @@ class Simulator {
     run.method = method_;
     run.taylor_order = request_.taylor_order;
     run.tolerances = request_.tolerances;
+    run.h = request_.h;
     run.limits = request_.limits;
     run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);
     run.limits.max_evaluations -= std::min(run.limits.max_evaluations, result_.evaluations);

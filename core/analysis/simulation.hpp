@@ -29,7 +29,8 @@ struct SimulationRequest {
   std::optional<std::size_t> strides{};  ///< the motion is complete after so many impacts, at least one
   Method method{Method::adams};
   unsigned taylor_order{};  ///< 0: by the tolerance
-  Tolerances tolerances;
+  Tolerances tolerances;    ///< not of gauss
+  double h{};               ///< step of gauss
   Limits limits;
 };
 
@@ -74,6 +75,10 @@ struct Simulation {
   std::vector<double> y;     ///< the state there, before an impact that ends the motion
   std::vector<ConservedRecord> conserved;
   Method method{};  ///< the one used: erk for taylor where a force has a kink (abs, sign)
+  /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an
+  /// L that is not quadratic in q', and where a coordinate has no inertia in the initial state (massless
+  /// parts).
+  bool symplectic{false};
   std::uint64_t steps{};
   std::uint64_t evaluations{};
 };

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,15 @@ struct RightHandSide {
   /// by Method::taylor only.
   std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
       expansion{};
+  /// The same motion in canonical variables z = (q, p), of the size of y = (q, q'): z at (t, y), and z' and
+  /// dz'/dz (row-major) at (t, z). Method::gauss steps in them; without them in y, where it is not
+  /// symplectic.
+  struct CanonicalForm {
+    std::function<Evaluation(double t, std::span<const double> y, std::span<double> z)> variables{};
+    std::function<Evaluation(double t, std::span<const double> z, std::span<double> derivative)> derivative{};
+    std::function<Evaluation(double t, std::span<const double> z, std::span<double> jacobian)> jacobian{};
+  };
+  std::optional<CanonicalForm> canonical{};
 };
 
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
@@ -44,7 +54,9 @@ struct EventFunction {
 /// systems; a row of the grid costs it 12 evaluations, and watching events about 10 a step.
 /// taylor: Taylor series of order 14 or 20; the fewest and longest steps, its polynomial for dense output,
 /// and round-off kept low.
-enum class Method { adams, bdf, erk, taylor };
+/// gauss: implicit Gauss collocation of order 6 with a fixed step; symplectic in canonical variables, so that
+/// energy errors stay bounded however long the motion.
+enum class Method { adams, bdf, erk, taylor, gauss };
 
 /// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and
 /// bdf by a hundred to ten thousand times, for erk by ten to a hundred.
@@ -70,7 +82,8 @@ struct RunRequest {
   std::vector<EventFunction> events{};
   Method method{Method::adams};
   unsigned taylor_order{};  ///< 0: by the tolerance
-  Tolerances tolerances{};
+  Tolerances tolerances{};  ///< not of gauss
+  double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
   Limits limits{};
 };
 
@@ -83,6 +96,7 @@ enum class Ending {
   singular_mass,  ///< the mass matrix lost its inverse
   tolerance,      ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
   blow_up,        ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
+  no_convergence,  ///< gauss: no solution found for the equations of a step; h is too long at this place
   interrupted
 };
 
@@ -105,8 +119,8 @@ struct Run {
 
 /// Integrates from t_start to t_end >= t_start. Rows and steps are the same bits whatever the grid and the
 /// non-terminal events, unless max_evaluations runs out. The same call gives the same bits, on any thread.
-/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian
-/// and for taylor without an expansion.
+/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian,
+/// for taylor without an expansion and for gauss with h <= 0.
 [[nodiscard]] Run integrate(const RightHandSide& system, const RunRequest& request);
 
 }  // namespace qdot

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "core/integrate/gauss_stepper.hpp"
 #include "core/integrate/sundials_steppers.hpp"
 #include "core/integrate/taylor_stepper.hpp"
 
@@ -21,6 +22,9 @@ std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequ
     case Method::taylor:
       if (!system.expansion) throw std::invalid_argument("taylor needs an expansion");
       return make_taylor_stepper(system, request);
+    case Method::gauss:
+      if (!(request.h > 0)) throw std::invalid_argument("gauss needs a step");
+      return make_gauss_stepper(system, request);
   }
   throw std::invalid_argument("unknown method");
 }

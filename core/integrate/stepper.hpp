@@ -11,8 +11,8 @@
 
 namespace qdot {
 
-/// Starts at (t_start, y_start). Steps depend on the right-hand side, t_end and the tolerances only, never on
-/// interpolate(), so that looking at a solution does not change it.
+/// Starts at (t_start, y_start). Steps depend on the right-hand side, t_end and the tolerances (gauss: h)
+/// only, never on interpolate(), so that looking at a solution does not change it.
 class Stepper {
  public:
   virtual ~Stepper() = default;
@@ -44,8 +44,8 @@ class Stepper {
 };
 
 /// The method that request.method names. Both arguments must outlive the stepper.
-/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian
-/// and for taylor without an expansion.
+/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian,
+/// for taylor without an expansion and for gauss with h <= 0.
 [[nodiscard]] std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequest& request);
 
 }  // namespace qdot

@@ -13,10 +13,9 @@ struct QuadraticForm {
   Expression rest;                 ///< L0
 };
 
-/// No value where L is not quadratic or A is singular.
+/// No value where L is not quadratic.
 std::optional<QuadraticForm> quadratic_form(const Lagrangian& lagrangian,
                                             const std::vector<std::size_t>& chosen) {
-  if (chosen.empty() || chosen.size() > largest_written_system) return std::nullopt;
   const std::vector<Expression>& rate = lagrangian.symbols.coordinates.rate;
   std::vector<Replacement> at_rest;
   for (const std::size_t i : chosen) at_rest.emplace_back(rate[i], lagrangian.graph->number(0));
@@ -30,7 +29,15 @@ std::optional<QuadraticForm> quadratic_form(const Lagrangian& lagrangian,
     }
     form.linear.push_back(substitute(momentum, at_rest));
   }
-  if (simplify(determinant(form.mass)).is_zero()) return std::nullopt;
+  return form;
+}
+
+/// The same where A has an inverse that can be written.
+std::optional<QuadraticForm> solvable_form(const Lagrangian& lagrangian,
+                                           const std::vector<std::size_t>& chosen) {
+  if (chosen.empty() || chosen.size() > largest_written_system) return std::nullopt;
+  auto form = quadratic_form(lagrangian, chosen);
+  if (form && simplify(determinant(form->mass)).is_zero()) form.reset();
   return form;
 }
 
@@ -69,9 +76,22 @@ std::vector<Expression> momentum_symbols(const Lagrangian& lagrangian) {
   return symbols;
 }
 
+std::optional<CanonicalEquations> canonical_equations(const Lagrangian& lagrangian) {
+  const auto form = quadratic_form(lagrangian, all_coordinates(lagrangian));
+  if (!form) return std::nullopt;
+  CanonicalEquations result{form->mass, {}, form->linear, {}};
+  if (form->mass.size() == 2) result.determinant = simplify(determinant(form->mass));
+  const std::vector<Expression>& q = lagrangian.symbols.coordinates.value;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const Expression slope = differentiate(lagrangian.lagrangian, q[i]);
+    result.forces.push_back(simplify(slope) + lagrangian.generalized_forces[i]);
+  }
+  return result;
+}
+
 std::optional<Expression> hamiltonian(const Lagrangian& lagrangian) {
   const std::vector<std::size_t> all = all_coordinates(lagrangian);
-  const auto form = quadratic_form(lagrangian, all);
+  const auto form = solvable_form(lagrangian, all);
   if (!form) return std::nullopt;
   return kinetic_in_momenta(kinetic_momenta(lagrangian, all, *form), *form) - simplify(form->rest);
 }
@@ -88,7 +108,7 @@ std::vector<std::size_t> ignorable_coordinates(const Lagrangian& lagrangian) {
 std::optional<Routhian> routhian(const Lagrangian& lagrangian) {
   const std::vector<std::size_t> ignored = ignorable_coordinates(lagrangian);
   if (ignored.size() == lagrangian.symbols.coordinates.value.size()) return std::nullopt;
-  const auto form = quadratic_form(lagrangian, ignored);
+  const auto form = solvable_form(lagrangian, ignored);
   if (!form) return std::nullopt;
   const std::vector<Expression> difference = kinetic_momenta(lagrangian, ignored, *form);
   const Expression rest = simplify_by_degree(form->rest, lagrangian.symbols);

@@ -1,14 +1,27 @@
 #pragma once
 // The canonical side of a Lagrangian that is quadratic in the velocities: L = q'.A q'/2 + a.q' + L0.
 
+#include <optional>
 #include <vector>
 
+#include "core/expr/linear.hpp"
 #include "core/mechanics/lagrangian.hpp"
 
 namespace qdot {
 
 /// The symbol p_<coordinate> for each coordinate.
 [[nodiscard]] std::vector<Expression> momentum_symbols(const Lagrangian& lagrangian);
+
+/// Lagrange's equations of first order in (q, p): A(q,t) q' = p - a(q,t), p_i' = dL/dq_i + Q_i.
+struct CanonicalEquations {
+  Matrix mass;  ///< A, symmetric
+  /// det A in short form for two degrees of freedom.
+  std::optional<Expression> determinant;
+  std::vector<Expression> linear;  ///< a
+  std::vector<Expression> forces;  ///< dL/dq_i + Q_i, in q, q' and t
+};
+/// No value for an L that is not quadratic in the velocities.
+[[nodiscard]] std::optional<CanonicalEquations> canonical_equations(const Lagrangian& lagrangian);
 
 /// H(q, p, t) = sum p_i q_i' - L with the velocities eliminated. No value for more than three degrees of
 /// freedom or an L that is not quadratic in the velocities.

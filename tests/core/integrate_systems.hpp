@@ -25,6 +25,8 @@ inline const char* name(Method method) {
       return "erk";
     case Method::taylor:
       return "taylor";
+    case Method::gauss:
+      return "gauss";
   }
   return "";
 }
