@@ -19,9 +19,10 @@ constexpr unsigned order_of_checks = 24;
 constexpr unsigned order_of_loose_checks = 20;  ///< of runs that have order 14
 constexpr double loose = 1e-6;
 constexpr double safety = 2;
-constexpr std::size_t instants = 64;  ///< at least so many places are compared
-constexpr double useful = 1e-3;       ///< horizon: of a column's largest magnitude
-constexpr double aim = 0.2;           ///< of the wanted error, when the next tolerance is chosen
+constexpr double round_off = 0x1p-52;  ///< of a row: a number is rounded when it is stored
+constexpr std::size_t instants = 64;   ///< at least so many places are compared
+constexpr double useful = 1e-3;        ///< horizon: of a column's largest magnitude
+constexpr double aim = 0.2;            ///< of the wanted error, when the next tolerance is chosen
 constexpr int most_rungs = 8;
 
 bool ended_well(const Simulation& s) { return s.ending == Ending::reached_end || s.ending == Ending::event; }
@@ -133,15 +134,18 @@ class Ladder {
     const double factor = first == Method::gauss ? 0 : same ? rung : check_of_others;
     const double rtol = std::max(least, result_.tolerances.rtol * factor);
     request.tolerances = {rtol, std::max(result_.tolerances.atol * factor, least * 1e-3)};
-    if (rtol <= 10 * least) nudge(request.parameters);
+    nudge(request.parameters);
+    nudge(request.y_start);
     return request;
   }
 
-  /// Every parameter by one unit in the last place, up and down in turn.
-  static void nudge(std::vector<double>& parameters) {
+  /// Every number by one unit in the last place, up and down in turn: what rounding does to the motion, the
+  /// rounding that both runs have in common included. It is nothing beside any other error.
+  static void nudge(std::vector<double>& numbers) {
     double towards = std::numeric_limits<double>::infinity();
-    for (double& p : parameters) {
-      if (p != 0) p = std::nextafter(p, towards);
+    for (double& x : numbers) {
+      if (x == 0) continue;
+      x = std::nextafter(x, towards);
       towards = -towards;
     }
   }
@@ -158,19 +162,22 @@ class Ladder {
           "The second computation, which would have measured the error, did not come to its end.";
       return;
     }
-    std::vector<double> error(width);
+    std::vector<double> error(width), so_far(width);
     for (std::size_t i = 0; i < rows; ++i) {
       for (std::size_t k = 0; k < width; ++k) {
-        const std::size_t place = i * width + k;
-        error[k] = std::max(error[k], safety * std::abs(first.states[place] - second.states[place]));
+        const double value = first.states[i * width + k];
+        const double difference = safety * std::abs(value - second.states[i * width + k]);
+        so_far[k] = std::max(so_far[k], difference + round_off * std::abs(value));
       }
+      if (!grid_.wanted[i]) continue;
+      error = so_far;
       note_horizon(i, error);
     }
     result_.max_abs_error = std::move(error);
   }
 
   void note_horizon(std::size_t row, const std::vector<double>& error) {
-    if (result_.horizon || !grid_.wanted[row]) return;
+    if (result_.horizon) return;
     const std::vector<double>& scale = largest_magnitudes();
     for (std::size_t k = 0; k < error.size(); ++k) {
       if (error[k] > useful * scale[k]) result_.horizon = grid_.t[row];

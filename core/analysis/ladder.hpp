@@ -5,10 +5,12 @@
 // motion, from ten to a million. So a motion is computed twice, the second time a hundred times tighter and
 // by another method or order; where the second is much more accurate, the difference of the two is the error
 // of the first. The returned motion is the first, and its error is twice the largest difference met up to
-// each instant (twice: the difference was measured between 0.85 and 1.2 times the error). The ladder's last
-// rung, where both are as tight as double precision allows, has parameters changed in their last bit: what
-// the difference then shows is what rounding does to the motion, the rounding that both runs have in common
-// included.
+// each instant (twice: the difference was measured between 0.85 and 1.2 times the error) and the round-off of
+// the number itself. The second has parameters and initial values changed in their last bit: where both are
+// as tight as double precision allows, what the difference shows is what rounding does to the motion, the
+// rounding that both runs have in common included.
+//
+// Method gauss has a step in place of tolerances: its check is the tightest there is, and it climbs nothing.
 //
 // A wanted error is reached by climbing: from the error at one tolerance follows the next, until the wanted
 // error is met, the allowed work is spent, or the last rung is reached.
@@ -37,7 +39,7 @@ struct AccuracyGoal {
 
 struct MeasuredSimulation {
   Simulation simulation;
-  Tolerances tolerances;  ///< of the run that is returned
+  Tolerances tolerances;  ///< of the run that is returned; not of gauss
   /// Of each coordinate and velocity, over the returned rows; empty when it could not be measured: `reason`.
   std::vector<double> max_abs_error;
   /// The first returned instant where the error passes 1e-3 of a column's largest magnitude.
@@ -49,7 +51,7 @@ struct MeasuredSimulation {
 };
 
 /// Method taylor may be replaced where a force has a kink (Simulation::method). For goals other than
-/// tolerances the request's tolerances are ignored.
+/// tolerances the request's tolerances are ignored. Throws std::invalid_argument for gauss with such a goal.
 [[nodiscard]] MeasuredSimulation simulate_with_error(const Dynamics& dynamics,
                                                      const SimulationRequest& request,
                                                      const AccuracyGoal& goal);

@@ -1,0 +1,21 @@
+// A slice of the calibration: the errors that answers state are the ones they have.
+
+#include <gtest/gtest.h>
+
+#include "tests/calibration/verdict.hpp"
+
+namespace qdot::test {
+namespace {
+
+TEST(Calibration, StatedErrorsAreTrue) {
+  Tally tally;
+  std::string remarks;
+  for (std::uint64_t i = 0; i < 140; ++i) {
+    const Asked asked = random_request(2, i);
+    remarks += tally.add(asked, outcome_of(asked, 600));
+  }
+  EXPECT_TRUE(tally.passes()) << remarks << tally.summary();
+}
+
+}  // namespace
+}  // namespace qdot::test

@@ -1,0 +1,94 @@
+#include "tests/calibration/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "tests/support/scenes.hpp"
+
+namespace qdot::test {
+namespace {
+
+/// The reference vouches for a number that its two orders agree on to 25 digits, or, where the motion
+/// amplifies every error, to a thousandth of the error that is judged by it.
+constexpr double digits_of_reference = 1e-25;
+constexpr double share_of_error = 1e-3;
+constexpr double horizon_at = 1e-3;
+
+double cpu_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::vector<ColumnOutcome> empty_columns(const Asked& asked, const MeasuredSimulation& measured) {
+  const Model& model = *model_of(asked.system);
+  const std::size_t n = model.degrees_of_freedom();
+  std::vector<ColumnOutcome> columns(2 * n);
+  for (std::size_t k = 0; k < 2 * n; ++k) {
+    columns[k].name = model.scene.coordinates[k % n].name + (k < n ? "" : "_dot");
+    if (!measured.max_abs_error.empty()) columns[k].stated = measured.max_abs_error[k];
+    for (std::size_t i = 0; i < measured.simulation.rows; ++i) {
+      columns[k].scale = std::max(columns[k].scale, std::abs(measured.simulation.states[i * 2 * n + k]));
+    }
+  }
+  return columns;
+}
+
+void compare(const Asked& asked, const QuadReference& reference, Outcome& outcome) {
+  const Simulation& motion = outcome.measured.simulation;
+  const std::size_t width = asked.request.y_start.size();
+  for (std::size_t i = 0; i < std::min(motion.rows, reference.motion.rows); ++i) {
+    std::vector<double> error(width);
+    for (std::size_t k = 0; k < width; ++k) {
+      const std::size_t place = i * width + k;
+      const Quad difference = reference.value(place) - Quad(motion.states[place]);
+      error[k] = std::abs(static_cast<double>(difference));
+      const double allowed =
+          std::max(digits_of_reference * outcome.columns[k].scale, share_of_error * error[k]);
+      if (!(reference.doubt[place] <= allowed)) return;
+    }
+    outcome.known_rows = i + 1;
+    for (std::size_t k = 0; k < width; ++k) {
+      ColumnOutcome& column = outcome.columns[k];
+      column.true_error = std::max(column.true_error, error[k]);
+      const double useful = horizon_at * column.scale, t = asked.request.grid[i];
+      if (!outcome.earliest_horizon && 3 * error[k] > useful) outcome.earliest_horizon = t;
+      if (!outcome.true_horizon && error[k] > useful) outcome.true_horizon = t;
+    }
+  }
+}
+
+}  // namespace
+
+bool Outcome::failed() const {
+  const Ending ending = measured.simulation.ending;
+  return !refusal.empty() || (ending != Ending::reached_end && ending != Ending::event);
+}
+
+std::string Outcome::status() const {
+  if (!refusal.empty()) return "refused: " + refusal;
+  constexpr const char* names[]{"complete",  "stopped", "step-limit",     "nonfinite",  "singular-mass",
+                                "tolerance", "blow-up", "no-convergence", "interrupted"};
+  const std::string name = names[static_cast<std::size_t>(measured.simulation.ending)];
+  return measured.simulation.stop ? "stopped: " + measured.simulation.stop->reason : name;
+}
+
+Outcome outcome_of(const Asked& asked, std::uint64_t reference_steps) {
+  Outcome outcome;
+  const double begin = cpu_time();
+  try {
+    outcome.measured =
+        simulate_with_error(Dynamics(model_of(asked.system), asked.inputs()), asked.request, asked.goal);
+  } catch (const Error& error) {
+    outcome.refusal = error.what();
+    return outcome;
+  }
+  const double middle = cpu_time();
+  outcome.cpu = middle - begin;
+  outcome.columns = empty_columns(asked, outcome.measured);
+  if (outcome.failed() || outcome.measured.simulation.rows == 0) return outcome;
+  QuadProblem problem = asked.problem();
+  problem.grid.resize(outcome.measured.simulation.rows);
+  compare(asked, quad_reference(problem, reference_steps), outcome);
+  outcome.reference_cpu = cpu_time() - middle;
+  return outcome;
+}
+
+}  // namespace qdot::test

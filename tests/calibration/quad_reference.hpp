@@ -1,0 +1,51 @@
+#pragma once
+// Motions to more digits than a double has: a Taylor method of order 38 on 113 bits, checked by a second one
+// of order 32 with other steps. What the two have in common is the equations (quad_systems.hpp) and the
+// arithmetic; the first is compared with tests/reference, the second is GCC's.
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/calibration/quad_systems.hpp"
+
+namespace qdot::test {
+
+/// What moves: the doubles that the program got.
+struct QuadProblem {
+  std::string system;
+  std::vector<std::pair<std::string, double>> parameters;
+  std::vector<double> y_start;  ///< q, then q'
+  double t_start{};
+  std::vector<double> grid;  ///< increasing, from t_start on
+  Forcing force{};
+  bool impacts{};  ///< the compass walker's heel strikes
+};
+
+struct QuadMotion {
+  std::size_t rows{};       ///< instants of the grid that were reached
+  std::vector<Quad> state;  ///< rows x 2n, row-major
+  std::vector<double> impacts;
+  std::uint64_t steps{};
+};
+
+struct QuadMethod {
+  unsigned order{38};
+  double tolerance{1e-30};  ///< of a step, relative to each component
+  std::uint64_t most_steps{std::numeric_limits<std::uint64_t>::max()};
+};
+
+[[nodiscard]] QuadMotion quad_motion(const QuadProblem& problem, const QuadMethod& method = {});
+
+/// The motion by the first method and, for each number, by how much the second one's differs.
+struct QuadReference {
+  QuadMotion motion;
+  std::vector<double> doubt;
+
+  [[nodiscard]] Quad value(std::size_t place) const { return motion.state[place]; }
+};
+
+[[nodiscard]] QuadReference quad_reference(const QuadProblem& problem, std::uint64_t most_steps);
+
+}  // namespace qdot::test

@@ -1,0 +1,34 @@
+#pragma once
+// The equations of motion of the practice problems, and of some textbook systems, solved for the
+// accelerations and written by hand on Series: the sheet's, corrected as in hand_written.hpp.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/calibration/quad_series.hpp"
+
+namespace qdot::test {
+
+using QuadValues = std::map<std::string, Quad>;
+
+/// A exp(-b t) cos(w t + p), or its absolute value; what a scene's input is.
+struct Forcing {
+  double amplitude{}, decay{}, frequency{}, phase{};
+  bool rectified{};  ///< |...|: a kink at every zero
+
+  /// As an expression for the program, every number with the digits that make it the same double.
+  [[nodiscard]] std::string text() const;
+};
+
+/// q'' from t, q, q'; `force` is the scene's input, where it has one.
+using Accelerations =
+    std::function<std::vector<Series>(const QuadValues& parameters, Series t, const std::vector<Series>& q,
+                                      const std::vector<Series>& v, Series force)>;
+
+/// Throws std::out_of_range for a system that is not written here.
+[[nodiscard]] const Accelerations& quad_accelerations(const std::string& system);
+[[nodiscard]] std::vector<std::string> quad_systems();
+
+}  // namespace qdot::test

@@ -1,0 +1,33 @@
+#pragma once
+// What is demanded of stated errors, and how often it is met.
+
+#include <map>
+
+#include "tests/calibration/outcome.hpp"
+
+namespace qdot::test {
+
+inline constexpr double understated = 3;          ///< true > 3 stated: in one column of a thousand at most
+inline constexpr double overstated = 100;         ///< stated > 100 true: in one of ten at most
+inline constexpr double round_off_level = 1e-14;  ///< of a column's size: below it nothing is overstated
+
+class Tally {
+ public:
+  /// Remarks on what is wrong with the outcome, a line each; empty where nothing is.
+  std::string add(const Asked& asked, const Outcome& outcome);
+  [[nodiscard]] std::string summary() const;
+  [[nodiscard]] bool passes() const;
+
+ private:
+  std::string judge(const ColumnOutcome& column);
+
+  std::uint64_t requests_{}, columns_{}, understated_{}, overstated_{}, broken_promises_{}, unmeasured_{},
+      unknown_{}, horizons_{}, wrong_horizons_{};
+  std::map<std::string, std::uint64_t> endings_;
+  double cpu_{}, reference_cpu_{};
+};
+
+/// Status, errors stated and true, work: one line.
+[[nodiscard]] std::string description(const Outcome& outcome);
+
+}  // namespace qdot::test
