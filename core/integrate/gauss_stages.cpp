@@ -15,10 +15,9 @@ constexpr std::array<double, stages> nodes_of_gauss{0.5 - 12 * r, 0.5, 0.5 + 12 
 constexpr std::array<double, stages> eighteen_b{5, 8, 5};
 constexpr std::array<std::array<double, stages>, stages> m{{{0, -8, -4}, {5, 0, -5}, {4, 8, 0}}};
 
-constexpr int most_iterations = 100;
-constexpr int most_newton_iterations = 40;
-constexpr int least_iterations = 3;
-constexpr int jacobian_lasts = 5;           // iterations of Newton's
+constexpr unsigned most_iterations = 40;
+constexpr unsigned most_newton_iterations = 40;
+constexpr unsigned jacobian_lasts = 5;      // iterations of Newton's
 constexpr double growth_of_the_lost = 1e3;  // of the changes, over the least of them
 // Changes that have stopped falling are round-off where they are below these shares of the component or, for
 // components that are round-off themselves, of the largest component.
@@ -138,7 +137,7 @@ void GaussStages::set_attempt(double h, std::span<const double> slopes) {
 void GaussStages::start_watching() {
   iterations_ = 0;
   least_change_ = std::numeric_limits<double>::infinity();
-  std::ranges::fill(components_, Component{least_change_, least_change_, false, false});
+  std::ranges::fill(components_, Component{.last = {least_change_, least_change_}});
 }
 
 GaussStages::State GaussStages::take_attempt(const Beginning& begin) {
@@ -156,9 +155,10 @@ GaussStages::State GaussStages::take_attempt(const Beginning& begin) {
   double change = 0;
   for (std::size_t i = 0; i < n_; ++i) change = std::max(change, watch(i, stage_[i], largest_size));
   if (change > growth_of_the_lost * least_change_) return State::lost;
-  least_change_ = std::min(least_change_, change);
-  const bool settled = std::ranges::all_of(components_, &Component::settled);
-  return settled && iterations_ >= least_iterations ? State::settled : State::going;
+  if (change > 0) least_change_ = std::min(least_change_, change);
+  const bool settled =
+      std::ranges::all_of(components_, [](const Component& c) { return c.ended[0] && c.ended[1]; });
+  return settled ? State::settled : State::going;
 }
 
 // In q' = p/m, p' = -dV/dq the errors of q and p pass into each other: each component shows two sequences of
@@ -166,11 +166,10 @@ GaussStages::State GaussStages::take_attempt(const Beginning& begin) {
 double GaussStages::watch(std::size_t i, double change, double largest_size) {
   Component& component = components_[i];
   const bool small = change <= std::max(round_off * sizes_[i], round_off_of_largest * largest_size);
-  const bool stalls = change == 0 || change >= component.before;
-  component.settled = small && (component.settled || (stalls && component.stalled));
-  component.stalled = stalls;
-  component.before = component.last;
-  component.last = change;
+  const std::size_t sequence = iterations_ % 2;
+  if (!small) component.ended = {};
+  if (small && (change == 0 || change >= component.last[sequence])) component.ended[sequence] = true;
+  component.last[sequence] = change;
   return small ? 0 : change / sizes_[i];
 }
 

@@ -45,11 +45,11 @@ class GaussStages {
 
  private:
   enum class State { going, settled, lost };
-  /// How the iteration of one component goes: its last two changes, whether the last did not fall below the
-  /// one two before it, and whether only round-off goes on.
+  /// How the iteration of one component goes: its last changes, those of even and of odd iterations apart,
+  /// and whether either has stopped falling because only round-off goes on.
   struct Component {
-    double last{}, before{};
-    bool stalled{}, settled{};
+    std::array<double, 2> last{};
+    std::array<bool, 2> ended{};
   };
 
   [[nodiscard]] Answer iterate_fixed_point(const Beginning& begin, double h, std::span<double> slopes);
@@ -73,7 +73,7 @@ class GaussStages {
   std::vector<double> increments_;  ///< Z_i - z
   std::vector<double> attempt_, stage_, sizes_;
   std::vector<Component> components_;
-  int iterations_{};
+  unsigned iterations_{};
   double least_change_{};
 };
 

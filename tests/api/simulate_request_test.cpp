@@ -81,10 +81,31 @@ TEST(SimulateRequest, CountsTheNumbersOfAnAnswer) {
             "100000 rows of 12 columns are 1200000 numbers; an answer has at most 1000000.");
 }
 
-TEST(SimulateRequest, SaysWhatThisVersionDoesNotHave) {
-  EXPECT_EQ(detail_of(simulate(R"("t_end": 1, "h": 0.01)")),
-            "This version does not have 'h' yet. It is the step of method gauss.");
-  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "gauss")")), "#/method not_supported_yet");
+TEST(SimulateRequest, GaussStepsByH) {
+  const SimulateRequest read = request(R"("t_end": 1, "method": "gauss", "h": "10 ms")");
+  EXPECT_EQ(read.method, MethodChoice::gauss);
+  EXPECT_EQ(read.h, 0.01);
+  EXPECT_EQ(read.rtol, 0);  // it has no tolerances, not even by default
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "gauss")")), "#/h missing");
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "gauss", "h": 0)")), "#/h out_of_range");
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "gauss", "h": "1 kg")")), "#/h wrong_dimension");
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "h": 0.01)")), "#/h not_applicable");
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "erk", "h": 0.01)")), "#/h not_applicable");
+}
+
+TEST(SimulateRequest, AFixedStepHasNoToleranceAndNoErrorWanted) {
+  for (const char* other : {R"("rtol": 1e-6)", R"("atol": 1e-6)", R"("max_error": 1e-6)",
+                            R"("accuracy": "fast")", R"("max_evaluations": 1000)"}) {
+    EXPECT_EQ(errors_of(simulate(R"("t_end": 1, "method": "gauss", "h": 0.01, )" + std::string(other))),
+              "#/h exclusive");
+  }
+}
+
+TEST(SimulateRequest, TooManyStepsAreToldAtTheDoor) {
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 250, "method": "gauss", "h": 1e-3)")), "none");
+  EXPECT_EQ(errors_of(simulate(R"("t_end": 251, "method": "gauss", "h": 1e-3)")), "#/h too_many");
+  EXPECT_EQ(detail_of(simulate(R"("t_end": 1, "method": "gauss", "h": 1e-300)")),
+            "Steps of this length are too many: a motion may take 250000.");
 }
 
 TEST(SimulateRequest, WantsTheErrorOrTheWorkOrTheTolerances) {
