@@ -108,8 +108,6 @@ class Readme(unittest.TestCase):
         for address in (*addresses, "/openapi.json", "/metrics"):
             with self.subTest(address=address):
                 self.assertEqual(self.server.request("GET", address).status, 404)
-        response = self.server.request("GET", "/v1/simulate?system=cart_pendulum&t_end=1&method=gauss")
-        self.assertEqual(json.loads(response.data)["errors"][0]["code"], "not_supported_yet")
 
     def get_json(self, target):
         response = self.server.request("GET", target)
