@@ -13,15 +13,17 @@ Failure failure_of(Ending ending) {
   switch (ending) {
     case Ending::step_limit:
       return {"step-limit",
-              "The motion needs more steps than a request may take; ask for a shorter one, or for less "
-              "accuracy."};
+              "The motion needs more steps than a request may take; ask for a shorter one, for less "
+              "accuracy, or with method gauss for a longer h."};
     case Ending::nonfinite:
       return {"nonfinite", "The equations of motion became infinite or undefined."};
     case Ending::singular_mass:
       return {"singular-mass", "The mass matrix lost its inverse, so the accelerations are undetermined."};
     case Ending::tolerance:
-      return {"tolerance",
-              "The tolerances ask for more than double precision holds; choose larger rtol and atol."};
+      return {
+          "tolerance",
+          "The tolerances, or the step h of method gauss, ask for more than double precision holds; choose "
+          "larger ones."};
     case Ending::blow_up:
       return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
     case Ending::no_convergence:
