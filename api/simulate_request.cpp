@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "api/limits.hpp"
+#include "api/motion_fields.hpp"
 #include "api/text_checks.hpp"
-#include "api/time_grid.hpp"
 #include "core/integrate/run.hpp"
 
 namespace qdot::api {
@@ -12,37 +11,12 @@ namespace {
 
 using R = SimulateRequest;
 
-constexpr Domain instants{.lower = -limits::largest_time, .upper = limits::largest_time};
-
 /// Strides alone: the grid ends with the last of them, which the motion has to tell.
 bool has_open_end(const R& request) { return request.steps && !request.t_end && request.times.empty(); }
 
 void check_grid(R& request, Findings& findings) {
   if (has_open_end(request)) return;
-  if (findings.echo().contains("times") && request.times.empty()) {
-    findings.report("times", "empty", "'times' needs at least one instant.");
-    return;
-  }
-  auto grid = time_grid({.t_start = request.t_start,
-                         .t_end = request.t_end,
-                         .samples = request.samples,
-                         .dt = request.dt,
-                         .times = request.times});
-  if (const auto* error = std::get_if<GridError>(&grid)) {
-    findings.report(error->field, error->code, error->detail);
-    return;
-  }
-  request.grid = std::get<std::vector<double>>(std::move(grid));
-  if (!request.t_end) request.t_end = request.grid.back();
-  findings.echo()["t_end"] = *request.t_end;
-  const auto rows = static_cast<std::int64_t>(request.grid.size());
-  const std::int64_t columns = column_count(*request.system.scene, request.include);
-  if (rows * columns > limits::numbers) {
-    findings.report("include", "too_many",
-                    std::to_string(rows) + " rows of " + std::to_string(columns) + " columns are " +
-                        std::to_string(rows * columns) + " numbers; an answer has at most " +
-                        std::to_string(limits::numbers) + ".");
-  }
+  read_grid(request, column_count(*request.system.scene, request.include), findings);
 }
 
 /// Method gauss has a step of a fixed length, the other methods choose theirs.
@@ -94,22 +68,10 @@ void check(R& request, Findings& findings) {
 }
 
 RequestTable<R> make_table() {
-  std::vector<RequestField<R>> fields{
-      system_field<R>(),
-      parameters_field<R>(),
-      initial_field<R>(),
-      inputs_field<R>(),
-      number("t_start", &R::t_start, {"s", instants}, "instant of the initial state",
-             {.default_value = 0.0, .aliases = {"t0", "tstart", "start"}}),
-      number("t_end", &R::t_end, {"s", instants}, "end of the motion; with `times` it may be left out",
-             {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration", "stop_time"}}),
-      integer("samples", &R::samples, {2, limits::rows}, "rows of the answer, both ends in",
-              {.default_value = 101, .aliases = {"n", "rows", "points", "num", "number_of_points"}}),
-      number("dt", &R::dt, {"s", {.lower = 0, .lower_open = true}},
-             "distance of the rows; divides the time span",
-             {.aliases = {"step", "dtmax", "delta_t", "timestep", "step_size"}}),
-      list("times", &R::times, NumberKind{"s", instants}, limits::rows,
-           "the instants of the rows, increasing", {.aliases = {"t_eval", "tspan", "saveat"}}),
+  std::vector<RequestField<R>> fields{system_field<R>(), parameters_field<R>(), initial_field<R>(),
+                                      inputs_field<R>()};
+  append_grid_fields(fields);
+  const std::vector<RequestField<R>> rest{
       choices("include", &R::include,
               {{"energy", Extra::energy},
                {"momenta", Extra::momenta},
@@ -164,9 +126,9 @@ RequestTable<R> make_table() {
       choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
              "form of the answer; without it, what the Accept header says"),
   };
-  const OneOf grid{.ways = {{"samples"}, {"dt"}, {"times"}}};
+  fields.insert(fields.end(), rest.begin(), rest.end());
   const OneOf accuracy{.ways = {{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}, {"h"}}};
-  return RequestTable<R>(std::move(fields), {grid, accuracy}, check);
+  return RequestTable<R>(std::move(fields), {ways_of_grid, accuracy}, check);
 }
 
 }  // namespace

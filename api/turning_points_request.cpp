@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "api/limits.hpp"
+#include "api/motion_fields.hpp"
 #include "api/text.hpp"
 #include "api/text_checks.hpp"
 
@@ -10,8 +10,6 @@ namespace qdot::api {
 namespace {
 
 using R = TurningPointsRequest;
-
-constexpr Domain instants{.lower = -limits::largest_time, .upper = limits::largest_time};
 
 void check_coordinate(const R& request, Findings& findings) {
   std::vector<std::string> names;

@@ -42,6 +42,7 @@ inline constexpr std::array commands{
     Command{"equilibria", "All equilibria, or the parameter that makes a position one"},
     Command{"bifurcations", "Critical values of a parameter"},
     Command{"gait", "Periodic gaits of a walker"},
+    Command{"accuracy", "The measured trade of error against work"},
     Command{"systems", "The systems there are, or one of them", Words::name},
     Command{"problems", "The practice sheet, or one of its problems with answers", Words::name},
 };

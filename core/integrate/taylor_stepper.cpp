@@ -60,6 +60,7 @@ class TaylorStepper final : public Stepper {
   std::optional<Ending> step() override {
     if (t_ != t_previous_) trouble_.reset();
     if (steps_ == 0) {
+      if (const auto spent = limit()) return spent;
       if (const auto failed = expand(t_, y_, next_)) return failed;
     }
     const double wanted = step_size();
