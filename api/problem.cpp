@@ -18,6 +18,8 @@ constexpr auto types = std::to_array<ProblemType>({
      "object."},
     {invalid_target, "invalid-target", 400, "The address cannot be read",
      "A % in a path or query is followed by two hexadecimal digits, and the result is UTF-8."},
+    {unauthorized, "unauthorized", 401, "A token is wanted",
+     "The service was started with a token. Send it: Authorization: Bearer <token>."},
     {forbidden_origin, "forbidden-origin", 403, "Requests from this origin are not allowed",
      "A page of another site asked a browser to send this request. Start the service with that origin "
      "allowed, or "

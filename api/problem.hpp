@@ -19,6 +19,7 @@ namespace qdot::api {
 enum class ProblemKind {
   invalid_json,
   invalid_target,
+  unauthorized,
   forbidden_origin,
   not_found,
   method_not_allowed,

@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "api/accuracy.hpp"
+#include "api/appraisal.hpp"
 #include "api/bifurcations.hpp"
 #include "api/catalogue.hpp"
 #include "api/endpoint.hpp"
@@ -36,8 +38,13 @@ Json limits_json() {
           {"rows", limits::rows},
           {"numbers", limits::numbers},
           {"events", limits::events},
+          {"strides", limits::strides},
+          {"integration_steps", Limits{}.max_steps},
+          {"evaluations", limits::evaluations},
+          {"time", {-limits::largest_time, limits::largest_time}},
           {"rtol", {limits::least_rtol, limits::largest_rtol}},
-          {"atol", {0, limits::largest_atol}}};
+          {"atol", {{"above", 0}, {"at_most", limits::largest_atol}}},
+          {"max_error", {limits::least_error, 1}}};
 }
 
 Json problem_type_json(const ProblemType& type) {
@@ -97,7 +104,7 @@ void add_entity_tag(const Request& request, Response& response) {
 std::string_view service_version() { return "0.1.0"; }
 
 struct Service::Impl {
-  explicit Impl(const ServiceOptions& options) : catalogue(Catalogue::built_in()) {
+  explicit Impl(const ServiceOptions& options) : metrics(options.metrics), catalogue(Catalogue::built_in()) {
     if (!options.scenes_directory.empty()) catalogue = catalogue.with_directory(options.scenes_directory);
     add_documents();
     add_systems();
@@ -117,6 +124,13 @@ struct Service::Impl {
     for (const char* probe : {"/healthz", "/livez", "/readyz"}) add_document(probe, {{"status", "ok"}});
     add_document("/version", {{"service_version", service_version()}});
     add_document("/v1/limits", limits_json());
+    if (metrics) {
+      routes.add({"GET", "/metrics",
+                  [this](Call& call) {
+                    return Response{.content_type = call.accepted + "; version=0.0.4", .body = metrics()};
+                  },
+                  {"text/plain"}});
+    }
     routes.add({"GET", "/errors/{name}", [](Call& call) {
                   if (const ProblemType* type = find_problem_type(call.captures[0])) {
                     return json_response(problem_type_json(*type), call.layout);
@@ -176,6 +190,9 @@ struct Service::Impl {
     add_endpoint<TurningPointsRequest>(
         routes, "turning_points", turning_points_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_turning_points(resolved, call, models); });
+    add_endpoint<AccuracyRequest>(
+        routes, "accuracy", accuracy_table(), find_system,
+        [this](const auto& resolved, Call& call) { return answer_accuracy(resolved, call, models); });
     add_endpoint<SimulateRequest>(
         routes, "simulate", simulate_table(), find_system,
         [this](const auto& resolved, Call& call) { return answer_simulate(resolved, call, models); },
@@ -231,6 +248,14 @@ struct Service::Impl {
     return response;
   }
 
+  [[nodiscard]] Appraisal appraise(const Request& request) const {
+    const std::optional<Target> target = parse_target(request.target);
+    if (!target) return {};
+    const Routes::Match match = routes.match(request.method, target->path);
+    return match.endpoint == nullptr ? Appraisal{} : api::appraise(match.endpoint->pattern, request);
+  }
+
+  std::function<std::string()> metrics;
   Catalogue catalogue;
   Models models;
   Routes routes;
@@ -255,8 +280,16 @@ Response Service::handle(const Request& request) const noexcept {
     }
   } catch (...) {
     Response bare;  // not even memory for a message
-    bare.status = 500;
+    bare.status = 503;
     return bare;
+  }
+}
+
+Appraisal Service::appraise(const Request& request) const noexcept {
+  try {
+    return impl_->appraise(request);
+  } catch (...) {
+    return {};
   }
 }
 

@@ -2,6 +2,8 @@
 // The contract without sockets: request value in, response value out. The server and the command line are
 // two thin callers of Service::handle.
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -25,10 +27,21 @@ struct Response {
   std::string content_type{};
   std::map<std::string, std::string> headers{};  ///< beside Content-Type: Allow, ETag, Server-Timing
   std::string body{};
+  std::uint64_t evaluations{0};  ///< of equations of motion, for those who count work
+};
+
+/// What a request will cost, roughly (api/appraisal.hpp).
+enum class Weight { light, heavy };
+struct Appraisal {
+  std::string_view route{"none"};  ///< the pattern of its address, "/v1/systems/{name}"; "none": no such address
+  double milliseconds{1};
+  std::size_t bytes{0};  ///< of memory while it is answered, where they are many
+  Weight weight{Weight::light};
 };
 
 struct ServiceOptions {
-  std::string scenes_directory;  ///< more scenes, one JSON file each; empty: the catalogue alone
+  std::string scenes_directory{};  ///< more scenes, one JSON file each; empty: the catalogue alone
+  std::function<std::string()> metrics{};  ///< what GET /metrics answers; without it there is no such address
 };
 
 /// Immutable after construction and shared by threads. The constructor throws std::runtime_error with every
@@ -38,6 +51,8 @@ class Service {
   explicit Service(const ServiceOptions& options = {});
   ~Service();
   [[nodiscard]] Response handle(const Request& request) const noexcept;
+  /// Takes microseconds, and less than two milliseconds for the worst request.
+  [[nodiscard]] Appraisal appraise(const Request& request) const noexcept;
 
  private:
   struct Impl;

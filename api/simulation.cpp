@@ -27,6 +27,7 @@ class SimulationAnswer {
     }
     make_table();
     Response answer = format() == Format::json ? json() : rows();
+    answer.evaluations = measured_.evaluations;
     call_.timing.lap("encode");
     return answer;
   }

@@ -1,26 +1,31 @@
 #include "server/application.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdio>
+#include <new>
 #include <random>
 #include <string_view>
 #include <utility>
 
 #include "api/problem.hpp"
-#include "server/request_log.hpp"
+#include "server/gzip.hpp"
 
 namespace qdot::server {
 namespace {
 
 using api::ProblemKind;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+constexpr std::size_t worth_compressing = 1024;
 
 std::string_view path_of(std::string_view target) { return target.substr(0, target.find('?')); }
 
-// Only the versioned paths compute; probes and documents never wait behind them.
-bool computes(std::string_view path) { return path.starts_with("/v1/"); }
-
-// A process that is going away is alive, but neither ready nor open for work.
-bool answered_while_draining(std::string_view path) { return !computes(path) && path != "/readyz"; }
+// On the poller's thread, whatever the load: these are the questions about the load.
+bool is_answered_at_once(std::string_view path) {
+  return is_probe(path) || path == "/metrics" || path == "/version" || path == "/v1/limits";
+}
 
 std::uint64_t fresh_number() {
   thread_local std::mt19937_64 random{std::random_device{}()};
@@ -37,25 +42,50 @@ std::string fresh_id() {
   return id;
 }
 
+std::string field(const api::Request* request, const std::string& name) {
+  if (request == nullptr) return {};
+  const auto found = request->headers.find(name);
+  return found == request->headers.end() ? std::string() : found->second;
+}
+
 // The client's own id when it is harmless in a log and in a header.
 std::string request_id(const api::Request* request) {
-  if (request == nullptr) return fresh_id();
-  const auto sent = request->headers.find("x-request-id");
-  if (sent == request->headers.end()) return fresh_id();
   const auto harmless = [](unsigned char c) {
     return (c < 128 && std::isalnum(c)) || c == '.' || c == '_' || c == '-';
   };
-  const auto& id = sent->second;
-  return !id.empty() && id.size() <= 64 && std::ranges::all_of(id, harmless) ? id : fresh_id();
+  const auto sent = field(request, "x-request-id");
+  return !sent.empty() && sent.size() <= 64 && std::ranges::all_of(sent, harmless) ? sent : fresh_id();
+}
+
+void append_to_list(std::string& list, std::string_view entry) {
+  list.append(list.empty() ? "" : ", ").append(entry);
+}
+
+void compress(const api::Request* request, api::Response& response) {
+  if (response.status != 200 && response.status != 304) return;
+  append_to_list(response.headers["Vary"], "Accept-Encoding");
+  if (response.body.size() < worth_compressing || !accepts_gzip(field(request, "accept-encoding"))) return;
+  response.body = gzipped(response.body);
+  response.headers["Content-Encoding"] = "gzip";
+  // The tag is that of the plain bytes; the same document, but not the same bytes.
+  if (const auto tag = response.headers.find("ETag"); tag != response.headers.end())
+    tag->second.insert(0, "W/");
+}
+
+void add_queue_time(double milliseconds, api::Response& response) {
+  std::array<char, 48> text;
+  std::snprintf(text.data(), text.size(), "queue;dur=%.3f", milliseconds);
+  auto& timing = response.headers["Server-Timing"];
+  timing = timing.empty() ? text.data() : text.data() + (", " + timing);
 }
 
 }  // namespace
 
 struct Application::Case {
-  explicit Case(std::shared_ptr<Exchange> exchange)
-      : exchange(std::move(exchange)),
-        request(std::get_if<api::Request>(&this->exchange->incoming)),
-        refusal(std::get_if<Refusal>(&this->exchange->incoming)) {}
+  explicit Case(std::shared_ptr<Exchange> its_exchange)
+      : exchange(std::move(its_exchange)),
+        request(std::get_if<api::Request>(&exchange->incoming)),
+        refusal(std::get_if<Refusal>(&exchange->incoming)) {}
 
   [[nodiscard]] std::string_view method() const { return refusal ? refusal->method : request->method; }
   [[nodiscard]] std::string_view target() const { return refusal ? refusal->target : request->target; }
@@ -70,30 +100,64 @@ struct Application::Case {
   std::shared_ptr<Exchange> exchange;
   api::Request* request;
   const Refusal* refusal;
+  api::Appraisal appraisal{};
+  double waited{0};  // milliseconds
 };
 
-Application::Application(const ApplicationOptions& options, Service service)
-    : options_(options), service_(std::move(service)), lanes_(options.lanes) {}
+Application::Application(const ApplicationOptions& options, ApplicationParts parts, RequestLog& log,
+                         Metrics& metrics)
+    : options_(options),
+      parts_(std::move(parts)),
+      access_(options.hosts, options.token),
+      log_(log),
+      metrics_(metrics),
+      lanes_(options.lanes) {}
 
 void Application::handle(const std::shared_ptr<Exchange>& exchange) {
+  try {
+    receive(exchange);
+  } catch (const std::bad_alloc&) {
+    exchange->answer_out_of_memory();
+  }
+}
+
+void Application::receive(const std::shared_ptr<Exchange>& exchange) {
   Case it(exchange);
   if (it.refusal != nullptr) return finish(it, it.problem(it.refusal->kind, it.refusal->detail));
+  if (const auto refused = access_.refusal(*it.request)) return finish(it, it.problem(*refused));
+  it.appraisal = parts_.appraise(*it.request);
   const auto path = it.path();
-  if (draining_ && !answered_while_draining(path)) return finish(it, it.problem(ProblemKind::draining));
-  if (!computes(path)) return finish(it, service_(*it.request));
-  Lanes::Work work{.task = [this, it]() mutable { compute(it); }};
-  if (!lanes_.submit(Lane::light, std::move(work))) finish(it, it.problem(ProblemKind::overloaded));
+  if (draining_ && path == "/readyz") return finish(it, it.problem(ProblemKind::draining));
+  if (is_answered_at_once(path)) return finish(it, parts_.answer(*it.request));
+  if (draining_) return finish(it, it.problem(ProblemKind::draining));
+  admit(it);
+}
+
+void Application::admit(Case& it) {
+  const auto lane = it.appraisal.weight == api::Weight::heavy ? Lane::heavy : Lane::light;
+  Lanes::Work work{.cost = it.appraisal.milliseconds,
+                   .bytes = lane == Lane::heavy ? it.appraisal.bytes : 0,
+                   .task = [this, it]() mutable { compute(it); }};
+  if (parts_.unsent_bytes() <= options_.unsent_bytes && lanes_.submit(lane, std::move(work))) return;
+  metrics_.count_shed();
+  finish(it, it.problem(ProblemKind::overloaded));
 }
 
 void Application::compute(Case& it) {
   const auto deadline = it.exchange->arrived + options_.deadline;
-  const auto over = [&exchange = *it.exchange, deadline] {
-    return exchange.abandoned() || Clock::now() > deadline;
+  const auto over = [this, &exchange = *it.exchange, deadline] {
+    const auto now = Clock::now();
+    return exchange.abandoned() || now > deadline || now.time_since_epoch().count() > drained_by_;
   };
   try {
+    it.waited = Milliseconds(Clock::now() - it.exchange->arrived).count();
     if (over()) return finish(it, it.problem(ProblemKind::deadline));
     it.request->interrupted = over;
-    finish(it, service_(*it.request));
+    auto response = parts_.answer(*it.request);
+    add_queue_time(it.waited, response);
+    finish(it, std::move(response));
+  } catch (const std::bad_alloc&) {
+    it.exchange->answer_out_of_memory();
   } catch (const std::exception&) {
     // The exchange answers for itself when the last one lets go of it.
   }
@@ -104,19 +168,32 @@ void Application::finish(Case& it, api::Response response) {
   response.headers["X-Request-Id"] = id;
   response.headers["X-Content-Type-Options"] = "nosniff";
   if (response.status == 503) response.headers["Retry-After"] = std::to_string(1 + fresh_number() % 5);
-  if (options_.log != nullptr) {
-    const std::chrono::duration<double, std::milli> duration = Clock::now() - it.exchange->arrived;
-    log_request(options_.log, {.id = id,
-                               .method = it.method(),
-                               .target = it.target(),
-                               .status = response.status,
-                               .bytes = response.body.size(),
-                               .milliseconds = duration.count()});
-  }
+  if (response.status == 401) response.headers["WWW-Authenticate"] = "Bearer";
+  compress(it.request, response);
+  record(it, response, id);
   it.exchange->answer(std::move(response));
 }
 
+void Application::record(const Case& it, const api::Response& response, const std::string& id) {
+  const Milliseconds duration = Clock::now() - it.exchange->arrived;
+  if (it.exchange->abandoned()) metrics_.count_abandoned();
+  metrics_.count({.method = it.method(),
+                  .route = it.appraisal.route,
+                  .status = response.status,
+                  .seconds = duration.count() / 1000,
+                  .evaluations = response.evaluations});
+  log_.write({.id = id,
+              .method = it.method(),
+              .target = it.target(),
+              .status = response.status,
+              .bytes = response.body.size(),
+              .milliseconds = duration.count(),
+              .waited = it.waited,
+              .abandoned = it.exchange->abandoned()});
+}
+
 void Application::drain() {
+  drained_by_ = (Clock::now() + options_.drain).time_since_epoch().count();
   draining_ = true;
   lanes_.wait_until_idle();
 }

@@ -1,48 +1,66 @@
 #pragma once
 // What stands between the sockets and api::Service: who may ask, what is answered at once, what is computed
-// in which lane, deadlines, draining, the request id and one log line a request. No sockets, so that it is
-// tested by calling it.
+// in which lane, deadlines, draining, the request id, compression, counting and one log line a request. No
+// sockets, so that it is tested by calling it.
 
 #include <atomic>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "api/service.hpp"
+#include "server/access.hpp"
 #include "server/exchange.hpp"
 #include "server/lanes.hpp"
+#include "server/metrics.hpp"
+#include "server/request_log.hpp"
 
 namespace qdot::server {
 
 struct ApplicationOptions {
   LanesOptions lanes{};
+  HostsOptions hosts{};
+  std::string token{};                                ///< empty: none is wanted
   Clock::duration deadline{std::chrono::seconds(8)};  ///< from a request's last byte to its answer
-  std::FILE* log{nullptr};                            ///< one JSON object a line; nullptr: no log
+  Clock::duration drain{std::chrono::seconds(10)};    ///< for what is in flight when the end is asked for
+  std::size_t unsent_bytes{std::size_t{64} << 20};    ///< of answers; with more no work is taken on
+};
+
+/// What it needs of the rest of the program; functions, so that tests can bring their own.
+struct ApplicationParts {
+  std::function<api::Response(const api::Request&)> answer;     ///< api::Service::handle
+  std::function<api::Appraisal(const api::Request&)> appraise;  ///< api::Service::appraise
+  std::function<std::size_t()> unsent_bytes{[] { return std::size_t{0}; }};
 };
 
 class Application {
  public:
-  /// `service` is api::Service::handle; another function in tests.
-  using Service = std::function<api::Response(const api::Request&)>;
+  Application(const ApplicationOptions& options, ApplicationParts parts, RequestLog& log, Metrics& metrics);
 
-  Application(const ApplicationOptions& options, Service service);
-
-  /// Thread-safe, and never waits: answers at once or lets a lane do it. Adds X-Request-Id and
-  /// X-Content-Type-Options, and logs.
+  /// Thread-safe, and never waits: answers at once or lets a lane do it.
   void handle(const std::shared_ptr<Exchange>& exchange);
 
   /// From now on work is refused and /readyz says 503; returns when nothing computes or waits to compute.
   void drain();
+  [[nodiscard]] bool draining() const { return draining_; }
+
+  [[nodiscard]] const Lanes& lanes() const { return lanes_; }
 
  private:
   struct Case;  // one request with what is known of it
+  void receive(const std::shared_ptr<Exchange>& exchange);
+  void admit(Case& it);
   void compute(Case& it);
   void finish(Case& it, api::Response response);
+  void record(const Case& it, const api::Response& response, const std::string& id);
 
   ApplicationOptions options_;
-  Service service_;
+  ApplicationParts parts_;
+  Access access_;
+  RequestLog& log_;
+  Metrics& metrics_;
   std::atomic<bool> draining_{false};
+  std::atomic<Clock::rep> drained_by_{Clock::time_point::max().time_since_epoch().count()};
   Lanes lanes_;
 };
 

@@ -31,6 +31,11 @@ class Exchange {
 
   /// The first answer counts.
   void answer(api::Response response);
+  /// Answers that there is no memory; needs none.
+  void answer_out_of_memory() { answer(out_of_memory()); }
+
+  /// The response that the transport says in its own words.
+  [[nodiscard]] static api::Response out_of_memory() { return {.status = 0}; }
 
   /// Nobody waits for the answer any more.
   void abandon() { abandoned_ = true; }

@@ -165,8 +165,8 @@ std::variant<Head, Refusal> read_head(std::string_view bytes) {
 }
 
 Refusal oversized_head(std::string_view bytes) {
-  if (bytes.find('\n') == bytes.npos) {
-    return {ProblemKind::target_too_long, "The request line is longer than 16384 bytes.", {}, {}};
+  if (bytes.substr(0, bytes.find('\n')).size() > max_target_bytes) {
+    return {ProblemKind::target_too_long, "The request line is longer than 8192 bytes.", {}, {}};
   }
   return {ProblemKind::headers_too_large, "The head is longer than 16384 bytes.", {}, {}};
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -27,23 +28,41 @@ void add_scenes(CLI::App& command, std::string& scenes) {
       ->envname("QDOT_SCENES");
 }
 
-void add_address(CLI::App& command, std::string& host, int& port, int lowest_port) {
+template <class Port>
+void add_address(CLI::App& command, std::string& host, Port& port, int lowest_port,
+                 std::string& unix_socket) {
   command.add_option("--host", host, "Address")->envname("QDOT_HOST")->capture_default_str();
-  command.add_option("--port", port, "Port")
+  command.add_option("--port", port, "Port (default: 8080)")
       ->envname("QDOT_PORT")
-      ->check(CLI::Range(lowest_port, max_port))
-      ->capture_default_str();
+      ->check(CLI::Range(lowest_port, max_port));
+  command.add_option("--unix-socket", unix_socket, "Unix socket instead of a port; with --port, beside it")
+      ->envname("QDOT_UNIX_SOCKET");
+}
+
+/// The environment alone: other users see the words of a command line.
+std::string token_of_environment() {
+  const char* token = std::getenv("QDOT_TOKEN");
+  return token == nullptr ? "" : token;
 }
 
 void add_serve(CLI::App& app, ServeOptions& options, Action& action) {
   auto& command = *app.add_subcommand("serve", "Serve HTTP until SIGTERM; port 0 picks a free one");
-  add_address(command, options.host, options.port, 0);
+  add_address(command, options.host, options.port, 0, options.unix_socket);
   command.add_option("--threads", options.threads, "Requests that compute at a time (default: cores)")
       ->envname("QDOT_THREADS")
       ->check(CLI::Range(1, max_threads));
+  command.add_option("--deadline", options.deadline, "Seconds after which an answer is given up")
+      ->envname("QDOT_DEADLINE")
+      ->check(CLI::Range(0.01, 3600.0))
+      ->capture_default_str();
+  command.add_option("--allowed-hosts", options.allowed_hosts, "More names that Host may have, with commas")
+      ->envname("QDOT_ALLOWED_HOSTS")
+      ->delimiter(',');
   add_scenes(command, options.scenes);
+  command.footer("QDOT_TOKEN in the environment: the bearer token that clients have to bring.");
   command.callback([&] {
     action = [&] {
+      options.token = token_of_environment();
       serve(options);
       return ExitCode::ok;
     };
@@ -70,11 +89,11 @@ ExitCode code_of(bool reached) { return reached ? ExitCode::ok : ExitCode::unrea
 
 void add_probes(CLI::App& app, ProbeOptions& options, double& patience, Action& action) {
   auto& health = *app.add_subcommand("health", "Exit 0 if a server answers, 6 if not");
-  add_address(health, options.host, options.port, 1);
+  add_address(health, options.host, options.port, 1, options.unix_socket);
   health.callback([&] { action = [&] { return code_of(healthy(options)); }; });
 
   auto& wait = *app.add_subcommand("wait", "Wait until a server answers; exit 6 if none does in time");
-  add_address(wait, options.host, options.port, 1);
+  add_address(wait, options.host, options.port, 1, options.unix_socket);
   wait.add_option("--timeout", patience, "Seconds")->check(CLI::Range(0.0, 86400.0))->capture_default_str();
   wait.callback([&] {
     action = [&] {

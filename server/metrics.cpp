@@ -101,7 +101,7 @@ void Metrics::count(const Served& served) {
   if (bucket < std::ssize(bounds)) ++histogram.buckets[static_cast<std::size_t>(bucket)];
 }
 
-std::string Metrics::text(const Gauges& gauges) const {
+std::string Metrics::text(const Gauges& gauges, std::uint64_t dropped_log_lines) const {
   std::string text;
   describe(text, "qdot_build_info", "gauge", "1, with the version as a label.");
   append(text, "qdot_build_info", "version=\"" + std::string(api::service_version()) + "\"", "1");
@@ -110,6 +110,8 @@ std::string Metrics::text(const Gauges& gauges) const {
              static_cast<double>(shed_));
   append_one(text, "qdot_abandoned_total", "counter", "Requests whose client left before the answer.",
              static_cast<double>(abandoned_));
+  append_one(text, "qdot_log_lines_dropped_total", "counter", "Log lines that stderr did not take.",
+             static_cast<double>(dropped_log_lines));
   append_process(text);
 
   const std::lock_guard lock(mutex_);

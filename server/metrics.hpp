@@ -35,7 +35,7 @@ class Metrics {
   void count_shed() { ++shed_; }
   void count_abandoned() { ++abandoned_; }
 
-  [[nodiscard]] std::string text(const Gauges& gauges) const;
+  [[nodiscard]] std::string text(const Gauges& gauges, std::uint64_t dropped_log_lines) const;
 
  private:
   /// Upper bounds in seconds; the last bucket, +Inf, is the count.

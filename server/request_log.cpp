@@ -1,16 +1,18 @@
 #include "server/request_log.hpp"
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <nlohmann/json.hpp>
-#include <string>
 
 namespace qdot::server {
 namespace {
 
 constexpr std::size_t max_target = 200;  // bytes of a target in a line
+constexpr std::size_t max_method = 16;
 
 std::string utc_now() {
   const auto now = std::chrono::system_clock::now();
@@ -25,18 +27,39 @@ std::string utc_now() {
   return std::string(text.data(), length) + "." + fraction + "Z";
 }
 
+double rounded(double milliseconds) { return std::round(milliseconds * 1000) / 1000; }
+
 }  // namespace
 
-void log_request(std::FILE* log, const LogEntry& entry) {
-  const nlohmann::ordered_json line{{"time", utc_now()},
-                                    {"id", entry.id},
-                                    {"method", entry.method.substr(0, 16)},
-                                    {"target", entry.target.substr(0, max_target)},
-                                    {"status", entry.status},
-                                    {"bytes", entry.bytes},
-                                    {"ms", std::round(entry.milliseconds * 1000) / 1000}};
-  const auto text = line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  std::fwrite(text.data(), 1, text.size(), log);
+void RequestLog::write(const LogEntry& entry) {
+  if (descriptor_ < 0) return;
+  api::Json line{{"time", utc_now()},
+                 {"id", entry.id},
+                 {"method", entry.method.substr(0, max_method)},
+                 {"target", entry.target.substr(0, max_target)},
+                 {"status", entry.status},
+                 {"bytes", entry.bytes},
+                 {"ms", rounded(entry.milliseconds)},
+                 {"waited_ms", rounded(entry.waited)}};
+  if (entry.abandoned) line["abandoned"] = true;
+  write_line(line);
+}
+
+void RequestLog::write_event(std::string_view event, const api::Json& members) {
+  if (descriptor_ < 0) return;
+  api::Json line{{"time", utc_now()}, {"event", event}};
+  line.update(members);
+  write_line(line);
+}
+
+// A pipe that is ready takes PIPE_BUF bytes in one piece, and a line is shorter.
+void RequestLog::write_line(const api::Json& line) {
+  const auto text = line.dump(-1, ' ', false, api::Json::error_handler_t::replace) + "\n";
+  const std::lock_guard lock(mutex_);
+  pollfd entry{descriptor_, POLLOUT, 0};
+  const bool ready = ::poll(&entry, 1, 0) == 1 && (entry.revents & POLLOUT) != 0;
+  if (!ready || ::write(descriptor_, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+    ++dropped_;
 }
 
 }  // namespace qdot::server

@@ -1,9 +1,15 @@
 #pragma once
-// The access log: one JSON object a line.
+// The log: one JSON object a line. It never holds up a request: a line that the other end does not take at
+// once, because it is full, closed or slow, is dropped and counted.
 
+#include <atomic>
 #include <cstddef>
-#include <cstdio>
+#include <cstdint>
+#include <mutex>
+#include <string>
 #include <string_view>
+
+#include "api/json.hpp"
 
 namespace qdot::server {
 
@@ -13,10 +19,28 @@ struct LogEntry {
   std::string_view target;
   int status{0};
   std::size_t bytes{0};
-  double milliseconds{0};
+  double milliseconds{0};  ///< from the last byte of the request to the answer
+  double waited{0};        ///< milliseconds of them in a queue
+  bool abandoned{false};   ///< the client left before
 };
 
-/// Writes the entry with the present time in one piece, so that lines of several threads do not mix.
-void log_request(std::FILE* log, const LogEntry& entry);
+class RequestLog {
+ public:
+  /// `descriptor` stays the caller's; negative: no log.
+  explicit RequestLog(int descriptor) : descriptor_(descriptor) {}
+
+  void write(const LogEntry& entry);
+  /// Something other than a request: {"time": ..., "event": ..., its members}.
+  void write_event(std::string_view event, const api::Json& members);
+
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  void write_line(const api::Json& line);
+
+  int descriptor_;
+  std::mutex mutex_;
+  std::atomic<std::uint64_t> dropped_{0};
+};
 
 }  // namespace qdot::server

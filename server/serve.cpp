@@ -1,12 +1,13 @@
 #include "server/serve.hpp"
 
+#include <fcntl.h>
+#include <malloc.h>
 #include <pthread.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "api/service.hpp"
@@ -15,6 +16,8 @@
 
 namespace qdot::server {
 namespace {
+
+constexpr int default_port = 8080;
 
 sigset_t ending_signals() {
   sigset_t signals;
@@ -54,31 +57,108 @@ class Ending {
   std::thread thread_;
 };
 
-void announce(const std::string& host, int port) {
+std::string address_of(const std::string& host, int port) {
   const auto name = host.find(':') == host.npos ? host : "[" + host + "]";
-  const nlohmann::ordered_json line{{"listening", "http://" + name + ":" + std::to_string(port)},
-                                    {"port", port}};
+  return "http://" + name + ":" + std::to_string(port);
+}
+
+void announce(const ServeOptions& options, int port) {
+  api::Json line = api::Json::object();
+  line["listening"] = options.port ? address_of(options.host, port) : "unix:" + options.unix_socket;
+  if (options.port) line["port"] = port;
+  if (!options.unix_socket.empty()) line["unix_socket"] = options.unix_socket;
   std::puts(line.dump().c_str());
   std::fflush(stdout);
 }
 
+/// What is in force, the defaults included; the token is nobody's business.
+void log_configuration(RequestLog& log, const ServeOptions& options, const TransportOptions& transport) {
+  log.write_event("start", {{"version", api::service_version()},
+                            {"host", options.host},
+                            {"port", options.port ? api::Json(*options.port) : api::Json(nullptr)},
+                            {"unix_socket", options.unix_socket},
+                            {"threads", options.threads},
+                            {"deadline", options.deadline},
+                            {"allowed_hosts", options.allowed_hosts},
+                            {"token", !options.token.empty()},
+                            {"scenes", options.scenes},
+                            {"connections", transport.connections}});
+}
+
+/// A client's socket must not get the number of a standard stream that was closed: the log would go there.
+void open_standard_streams() {
+  int descriptor = 0;
+  do descriptor = ::open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor > STDERR_FILENO) ::close(descriptor);
+}
+
+/// The allocator gives memory back after a large answer, and threads share what they freed.
+void keep_memory_small() {
+  ::mallopt(M_MMAP_THRESHOLD, 256 * 1024);
+  ::mallopt(M_TRIM_THRESHOLD, 1024 * 1024);
+  ::mallopt(M_ARENA_MAX, 4);
+}
+
+ServeOptions with_defaults(ServeOptions options) {
+  if (!options.port && options.unix_socket.empty()) options.port = default_port;
+  if (options.threads <= 0)
+    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return options;
+}
+
+Gauges gauges_of(const Application& application, const Transport& transport) {
+  const auto light = application.lanes().gauges(Lane::light);
+  const auto heavy = application.lanes().gauges(Lane::heavy);
+  const auto sockets = transport.gauges();
+  return {.light_waiting = light.waiting,
+          .light_running = light.running,
+          .heavy_waiting = heavy.waiting,
+          .heavy_running = heavy.running,
+          .connections = sockets.connections,
+          .unsent_bytes = sockets.unsent_bytes,
+          .draining = application.draining()};
+}
+
 }  // namespace
 
-void serve(const ServeOptions& options) {
+void serve(const ServeOptions& given) {
+  ServeOptions options = with_defaults(given);
   // Blocked here, and so in every thread that starts later: only wait_for_signal() takes them.
   const auto signals = ending_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+  open_standard_streams();
+  keep_memory_small();
 
-  const api::Service service({.scenes_directory = options.scenes});
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int threads = options.threads > 0 ? options.threads : cores;
-  Application application({.lanes = {.threads = threads}, .log = stderr},
-                          [&](const api::Request& request) { return service.handle(request); });
-  Transport transport({.host = options.host, .port = options.port},
-                      [&](const std::shared_ptr<Exchange>& exchange) { application.handle(exchange); });
-  const Ending ending(application, transport);
-  announce(options.host, transport.port());
+  RequestLog log(STDERR_FILENO);
+  Metrics metrics;
+  Application* application = nullptr;
+  const TransportOptions addresses{
+      .host = options.host, .port = options.port, .unix_socket = options.unix_socket};
+  // The port comes first: who may ask depends on it.
+  Transport transport(addresses,
+                      [&](const std::shared_ptr<Exchange>& exchange) { application->handle(exchange); });
+  if (options.port) options.port = transport.port();
+  const api::Service service({.scenes_directory = options.scenes, .metrics = [&] {
+                                return metrics.text(gauges_of(*application, transport), log.dropped());
+                              }});
+  Application it(
+      {.lanes = {.threads = options.threads},
+       .hosts = {.bound = options.host, .port = options.port.value_or(0), .allowed = options.allowed_hosts},
+       .token = options.token,
+       .deadline =
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.deadline))},
+      {.answer = [&](const api::Request& request) { return service.handle(request); },
+       .appraise = [&](const api::Request& request) { return service.appraise(request); },
+       .unsent_bytes = [&] { return transport.gauges().unsent_bytes; }},
+      log, metrics);
+  application = &it;
+  const Ending ending(it, transport);
+  log_configuration(log, options, addresses);
+  announce(options, transport.port());
   transport.run();
+  log.write_event("end", api::Json::object());
 }
 
 }  // namespace qdot::server

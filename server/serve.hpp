@@ -1,15 +1,21 @@
 #pragma once
 // `qdot serve`: the service behind a port until a signal ends it.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace qdot::server {
 
 struct ServeOptions {
   std::string host{"127.0.0.1"};
-  int port{8080};      ///< 0: any free one
-  int threads{0};      ///< requests that compute at a time; 0: the number of cores
-  std::string scenes;  ///< directory of more scenes; empty: none
+  std::optional<int> port{};                 ///< 0: any free one; none: 8080, or no TCP beside a Unix socket
+  std::string unix_socket{};                 ///< path; empty: none
+  int threads{0};                            ///< requests that compute at a time; 0: the number of cores
+  double deadline{8};                        ///< seconds from a request's last byte to its answer
+  std::vector<std::string> allowed_hosts{};  ///< more names that Host may have
+  std::string token{};                       ///< that clients have to bring; empty: none
+  std::string scenes{};                      ///< directory of more scenes; empty: none
 };
 
 /// Prints one JSON line {"listening", "port"} on stdout once clients can connect, then serves. SIGTERM or

@@ -114,7 +114,8 @@ struct Transport::Impl {
  private:
   struct Entry {
     Connection connection;
-    std::list<Id>::iterator place{};  // among those that wait for a request
+    std::list<Id> place;  // its one element is moved to waiting_ while it waits for a request
+    std::list<Id>::iterator in_waiting{};
     bool waits{false};
     Budget::Share unsent{};
   };
@@ -186,7 +187,8 @@ struct Transport::Impl {
       const Id id = next_id_++;
       watch(socket, id, EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET);
       const auto entry =
-          entries_.try_emplace(id, Entry{Connection(std::move(socket), patience_, bodies_, now_)}).first;
+          entries_.try_emplace(id, Entry{Connection(std::move(socket), patience_, bodies_, now_), {id}})
+              .first;
       ++connection_count_;
       // Full of connections that are being answered: the newcomer hears so at once.
       if (full) entry->second.connection.turn_away(now_);
@@ -248,12 +250,13 @@ struct Transport::Impl {
                           reusable = connection.reusable()](api::Response response) noexcept {
       Posted posted{.id = id, .outgoing = Outgoing::out_of_memory(), .unsent = {}};
       try {
-        const bool last = !reusable || stopping_;
-        posted.outgoing = Outgoing(std::move(response), last ? Follow::close : Follow::keep_alive, body);
-        posted.outgoing.send(socket);
+        const auto follow = reusable && !stopping_ ? Follow::keep_alive : Follow::close;
+        if (response.status != Exchange::out_of_memory().status)
+          posted.outgoing = Outgoing(std::move(response), follow, body);
       } catch (const std::exception&) {
         // What was thrown here is bad_alloc; the answer that says so is there already.
       }
+      posted.outgoing.send(socket);
       posted.unsent = unsent_.count(posted.outgoing.size() - posted.outgoing.sent());
       post(std::move(posted));
     };
@@ -261,7 +264,7 @@ struct Transport::Impl {
     try {
       exchange = std::make_shared<Exchange>(std::move(incoming), deliver);
     } catch (const std::exception&) {
-      deliver({.status = 503});
+      deliver(Exchange::out_of_memory());
       return;
     }
     connection.await(exchange);
@@ -305,8 +308,11 @@ struct Transport::Impl {
       next_sweep_ = std::min(next_sweep_, now_ + leaving_interval);
     }
     const bool waits = state == State::waiting || state == State::reading || state == State::lingering;
-    if (it.waits && !waits) waiting_.erase(it.place);
-    if (!it.waits && waits) it.place = waiting_.insert(waiting_.end(), entry->first);
+    if (it.waits && !waits) it.place.splice(it.place.end(), waiting_, it.in_waiting);
+    if (!it.waits && waits) {
+      it.in_waiting = it.place.begin();
+      waiting_.splice(waiting_.end(), it.place);
+    }
     it.waits = waits;
     if (state != State::closed) return;
     entries_.erase(entry);

@@ -1,13 +1,22 @@
 #include "server/application.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
+#include <atomic>
+#include <functional>
 #include <future>
 #include <latch>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+
+#include "server/descriptor.hpp"
 
 namespace qdot::server {
 namespace {
@@ -19,17 +28,28 @@ api::Request get(const std::string& target) { return {.method = "GET", .target =
 
 api::Response ok(const api::Request&) { return {.content_type = "application/json", .body = "{}\n"}; }
 
-/// What the application answers, now or later.
-std::future<api::Response> ask(Application& application, Incoming incoming) {
-  const auto answer = std::make_shared<std::promise<api::Response>>();
-  application.handle(std::make_shared<Exchange>(
-      std::move(incoming), [answer](api::Response response) { answer->set_value(std::move(response)); }));
-  return answer->get_future();
-}
+api::Appraisal light(const api::Request&) { return {.route = "/v1/{name}"}; }
 
-api::Response answer_of(Application& application, Incoming incoming) {
-  return ask(application, std::move(incoming)).get();
-}
+/// An application with its surroundings.
+struct Running {
+  explicit Running(std::function<api::Response(const api::Request&)> answer = ok,
+                   ApplicationOptions options = {}, int log_descriptor = -1)
+      : log(log_descriptor),
+        application(options, {.answer = std::move(answer), .appraise = light}, log, metrics) {}
+
+  /// What it answers, now or later.
+  std::future<api::Response> ask(Incoming incoming) {
+    const auto answer = std::make_shared<std::promise<api::Response>>();
+    application.handle(std::make_shared<Exchange>(
+        std::move(incoming), [answer](api::Response response) { answer->set_value(std::move(response)); }));
+    return answer->get_future();
+  }
+  api::Response operator()(Incoming incoming) { return ask(std::move(incoming)).get(); }
+
+  RequestLog log;
+  Metrics metrics;
+  Application application;
+};
 
 /// A service whose first computation waits until it is released.
 struct SlowService {
@@ -46,9 +66,9 @@ struct SlowService {
 };
 
 TEST(Application, ARefusalBecomesAProblem) {
-  Application application({}, ok);
-  const auto response = answer_of(
-      application, Refusal{api::ProblemKind::payload_too_large, "Too long.", "POST", "/v1/energy?a"});
+  Running application;
+  const auto response =
+      application(Refusal{api::ProblemKind::payload_too_large, "Too long.", "POST", "/v1/energy?a"});
   EXPECT_EQ(response.status, 413);
   EXPECT_EQ(response.content_type, "application/problem+json");
   const auto body = nlohmann::json::parse(response.body);
@@ -60,11 +80,11 @@ TEST(Application, ARefusalBecomesAProblem) {
 }
 
 TEST(Application, AHarmlessRequestIdComesBack) {
-  Application application({}, ok);
+  Running application;
   const auto id_for = [&](const std::string& sent) {
     auto request = get("/");
     request.headers["x-request-id"] = sent;
-    return answer_of(application, request).headers.at("X-Request-Id");
+    return application(request).headers.at("X-Request-Id");
   };
   EXPECT_EQ(id_for("job-7.a_B"), "job-7.a_B");
   for (const auto& bad : {std::string("a b"), std::string("a\"b"), std::string(65, 'a'), std::string()}) {
@@ -75,29 +95,28 @@ TEST(Application, AHarmlessRequestIdComesBack) {
 
 TEST(Application, WhatExceedsTheQueueIsTurnedAwayAndProbesAreNot) {
   SlowService slow;
-  Application application({.lanes = {.threads = 1, .light = {.longest_wait = 0, .waiting = 0}}},
-                          std::ref(slow));
-  auto first = ask(application, get("/v1/slow"));
+  Running application(std::ref(slow), {.lanes = {.threads = 1, .light = {.longest_wait = 0, .waiting = 0}}});
+  auto first = application.ask(get("/v1/slow"));
   slow.begun.wait();
-  const auto second = answer_of(application, get("/v1/energy"));
+  const auto second = application(get("/v1/energy"));
   EXPECT_EQ(second.status, 503);
   EXPECT_THAT(second.headers.at("Retry-After"), MatchesRegex("[1-5]"));
   EXPECT_THAT(second.body, HasSubstr("/errors/overloaded"));
-  EXPECT_EQ(answer_of(application, get("/healthz")).status, 200);
+  EXPECT_EQ(application(get("/healthz")).status, 200);
   slow.released.count_down();
   EXPECT_EQ(first.get().status, 200);
-  while (answer_of(application, get("/v1/energy")).status != 200) std::this_thread::yield();
+  while (application(get("/v1/energy")).status != 200) std::this_thread::yield();
 }
 
 TEST(Application, DrainingFinishesWhatComputesAndRefusesTheRest) {
   SlowService slow;
-  Application application({.lanes = {.threads = 2}}, std::ref(slow));
-  auto first = ask(application, get("/v1/slow"));
+  Running application(std::ref(slow), {.lanes = {.threads = 2}});
+  auto first = application.ask(get("/v1/slow"));
   slow.begun.wait();
-  auto drained = std::async(std::launch::async, [&] { application.drain(); });
-  while (answer_of(application, get("/readyz")).status == 200) std::this_thread::yield();
-  EXPECT_THAT(answer_of(application, get("/v1/energy")).body, HasSubstr("/errors/draining"));
-  EXPECT_EQ(answer_of(application, get("/healthz")).status, 200);
+  auto drained = std::async(std::launch::async, [&] { application.application.drain(); });
+  while (application(get("/readyz")).status == 200) std::this_thread::yield();
+  EXPECT_THAT(application(get("/v1/energy")).body, HasSubstr("/errors/draining"));
+  EXPECT_EQ(application(get("/healthz")).status, 200);
   slow.released.count_down();
   EXPECT_EQ(first.get().status, 200);
   drained.get();
@@ -105,9 +124,9 @@ TEST(Application, DrainingFinishesWhatComputesAndRefusesTheRest) {
 
 TEST(Application, LogsOneJsonLineARequest) {
   std::FILE* file = std::tmpfile();
-  Application application({.log = file}, ok);
-  (void)answer_of(application, get("/v1/x?" + std::string(1000, 'a') + "\xff"));
-  (void)answer_of(application, Refusal{api::ProblemKind::invalid_target, "No.", {}, {}});
+  Running application(ok, {}, ::fileno(file));
+  (void)application(get("/v1/x?" + std::string(1000, 'a') + "\xff"));
+  (void)application(Refusal{api::ProblemKind::invalid_target, "No.", {}, {}});
   std::rewind(file);
   std::string text(4096, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file));
@@ -119,6 +138,122 @@ TEST(Application, LogsOneJsonLineARequest) {
   EXPECT_EQ(first["target"].get<std::string>().size(), 200u);
   EXPECT_EQ(first["status"], 200);
   EXPECT_EQ(second["status"], 400);
+}
+
+TEST(Application, AFullOrClosedLogCostsLinesAndNoAnswer) {
+  for (const char* path : {"/dev/full", "/dev/null"}) {
+    const Descriptor device(::open(path, path == std::string_view("/dev/full") ? O_WRONLY : O_RDONLY));
+    Running application(ok, {}, device.get());
+    EXPECT_EQ(application(get("/v1/x")).status, 200);
+    EXPECT_EQ(application.log.dropped(), 1u) << path;
+  }
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const Descriptor reader(ends[0]);
+  const Descriptor writer(ends[1]);
+  Running application(ok, {}, writer.get());
+  while (application.log.dropped() < 3) EXPECT_EQ(application(get("/v1/x")).status, 200);
+}
+
+TEST(Application, StrangersAreRefused) {
+  Running application(ok, {.hosts = {.port = 8080}, .token = "secret"});
+  const auto status = [&](std::map<std::string, std::string> headers, const std::string& target = "/v1/x") {
+    return application(api::Request{.method = "GET", .target = target, .headers = std::move(headers)}).status;
+  };
+  const std::string token = "Bearer secret";
+  EXPECT_EQ(status({{"host", "localhost:8080"}, {"authorization", token}}), 200);
+  EXPECT_EQ(status({{"host", "localhost:8080"}, {"authorization", "bearer  secret "}}), 200);
+  EXPECT_EQ(status({{"host", "localhost:8080"}}), 401);
+  EXPECT_EQ(status({{"host", "localhost:8080"}, {"authorization", "Bearer secreT"}}), 401);
+  EXPECT_EQ(status({{"host", "localhost:8080"}, {"authorization", "Bearer secret2"}}), 401);
+  EXPECT_EQ(status({{"host", "localhost:8080"}, {"authorization", "Basic secret"}}), 401);
+  EXPECT_EQ(status({{"host", "localhost:8080"}}, "/healthz"), 200);
+  EXPECT_EQ(status({{"host", "localhost:8080"}}, "/healthz/x"), 401);
+  EXPECT_EQ(status({{"host", "evil.example:8080"}, {"authorization", token}}), 421);
+  EXPECT_EQ(status({{"host", "evil.example:8080"}}, "/healthz"), 421);
+  EXPECT_EQ(status({{"host", "localhost:8080"}, {"origin", "http://evil.example"}, {"authorization", token}}),
+            403);
+  EXPECT_EQ(
+      status({{"host", "localhost:8080"}, {"origin", "http://localhost:8080"}, {"authorization", token}}),
+      200);
+}
+
+TEST(Application, ARefusalForWantOfATokenSaysWhatIsWanted) {
+  Running application(ok, {.token = "secret"});
+  EXPECT_EQ(application(get("/v1/x")).headers.at("WWW-Authenticate"), "Bearer");
+}
+
+TEST(Application, CompressesWhatIsLargeForThoseWhoAsk) {
+  const std::string large(5000, 'x');
+  Running application([&](const api::Request& request) {
+    return api::Response{.headers = {{"ETag", "\"1\""}, {"Vary", "Accept"}},
+                         .body = request.target == "/v1/large" ? large : "small"};
+  });
+  const auto ask = [&](const std::string& target, const std::string& encoding) {
+    return application(
+        api::Request{.method = "GET", .target = target, .headers = {{"accept-encoding", encoding}}});
+  };
+  const auto compressed = ask("/v1/large", "br, gzip");
+  EXPECT_EQ(compressed.headers.at("Content-Encoding"), "gzip");
+  EXPECT_EQ(compressed.headers.at("Vary"), "Accept, Accept-Encoding");
+  EXPECT_EQ(compressed.headers.at("ETag"), "W/\"1\"");
+  EXPECT_LT(compressed.body.size(), 100u);
+  for (const auto& plain : {ask("/v1/large", "gzip;q=0"), ask("/v1/large", "br"), ask("/v1/large", "")}) {
+    EXPECT_EQ(plain.body, large);
+    EXPECT_FALSE(plain.headers.contains("Content-Encoding"));
+    EXPECT_EQ(plain.headers.at("Vary"), "Accept, Accept-Encoding");
+  }
+  EXPECT_FALSE(ask("/v1/small", "gzip").headers.contains("Content-Encoding"));
+}
+
+TEST(Application, WorkIsInterruptedAtTheDeadlineAndWhenItsClientLeaves) {
+  std::latch begun{2};
+  Running application(
+      [&](const api::Request& request) {
+        begun.count_down();
+        while (!request.interrupted()) std::this_thread::yield();
+        return api::Response{.status = 503};
+      },
+      {.lanes = {.threads = 2}, .deadline = std::chrono::milliseconds(200)});
+  auto late = application.ask(get("/v1/a"));
+  std::promise<void> given_up;
+  const auto exchange =
+      std::make_shared<Exchange>(get("/v1/b"), [&](const api::Response&) { given_up.set_value(); });
+  application.application.handle(exchange);
+  begun.wait();
+  exchange->abandon();
+  given_up.get_future().wait();
+  EXPECT_EQ(late.get().status, 503);
+}
+
+TEST(Application, WhoWaitedPastTheDeadlineIsNotComputed) {
+  SlowService slow;
+  std::atomic<int> computed{0};
+  Running application(
+      [&](const api::Request& request) {
+        ++computed;
+        return slow(request);
+      },
+      {.lanes = {.threads = 1}, .deadline = std::chrono::milliseconds(1)});
+  auto first = application.ask(get("/v1/slow"));
+  slow.begun.wait();
+  auto second = application.ask(get("/v1/energy"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  slow.released.count_down();
+  EXPECT_THAT(second.get().body, HasSubstr("/errors/deadline"));
+  EXPECT_EQ(first.get().status, 200);
+  EXPECT_EQ(computed, 1);
+}
+
+TEST(Application, CountsByRouteAndStatus) {
+  Running application;
+  (void)application(get("/v1/x"));
+  (void)application(get("/v1/y"));
+  (void)application(Refusal{api::ProblemKind::invalid_target, "No.", {}, {}});
+  const auto text = application.metrics.text({}, 0);
+  EXPECT_THAT(text, HasSubstr("http_requests_total{method=\"GET\",route=\"/v1/{name}\",code=\"200\"} 2\n"));
+  EXPECT_THAT(text, HasSubstr("http_requests_total{method=\"other\",route=\"none\",code=\"400\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("http_request_duration_seconds_count{route=\"/v1/{name}\"} 2\n"));
 }
 
 }  // namespace

@@ -16,12 +16,13 @@ ENVIRONMENT = {k: v for k, v in os.environ.items() if not k.startswith("QDOT_")}
 class RunningQdot:
     """`with RunningQdot() as server:` serves on a free port; leaving it sends SIGTERM to that process only."""
 
-    def __init__(self, *arguments, **environment):
+    def __init__(self, *arguments, port=0, **environment):
         self.log = tempfile.TemporaryFile(mode="w+")
-        self.process = subprocess.Popen([QDOT, "serve", "--port", "0", *arguments], stdout=subprocess.PIPE,
+        address = [] if port is None else ["--port", str(port)]
+        self.process = subprocess.Popen([QDOT, "serve", *address, *arguments], stdout=subprocess.PIPE,
                                         stderr=self.log, text=True, env={**ENVIRONMENT, **environment})
         self.start_line = self.process.stdout.readline()
-        self.port = json.loads(self.start_line)["port"] if self.start_line else None
+        self.port = json.loads(self.start_line).get("port") if self.start_line else None
 
     def __enter__(self):
         return self

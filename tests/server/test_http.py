@@ -1,10 +1,13 @@
 """The built server as a client sees it: start, requests, refusals, end."""
 
 import concurrent.futures
+import gzip
 import json
+import os
 import signal
 import socket
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -117,15 +120,59 @@ class Served(unittest.TestCase):
         self.assertEqual((head.status, head.data), (200, b""))
         self.assertEqual(head.getheader("Content-Length"), got.getheader("Content-Length"))
 
-    def test_range_and_accept_encoding_change_nothing(self):
+    def test_range_and_unknown_encodings_change_nothing(self):
         plain = self.server.request("GET", "/v1/systems")
-        asked = self.server.request("GET", "/v1/systems", headers={"Range": "bytes=0-3", "Accept-Encoding": "br, gzip"})
+        asked = self.server.request("GET", "/v1/systems", headers={"Range": "bytes=0-3", "Accept-Encoding": "br"})
         self.assertEqual((asked.status, asked.data), (200, plain.data))
+
+    def test_gzip_for_those_who_ask(self):
+        plain = self.server.request("GET", "/v1/systems")
+        asked = self.server.request("GET", "/v1/systems", headers={"Accept-Encoding": "br;q=1.0, gzip;q=0.8"})
+        self.assertEqual(asked.getheader("Content-Encoding"), "gzip")
+        self.assertLess(len(asked.data), len(plain.data))
+        self.assertEqual(gzip.decompress(asked.data), plain.data)
+        for response in (plain, asked):
+            self.assertIn("Accept-Encoding", response.getheader("Vary"))
+        refused = self.server.request("GET", "/v1/systems", headers={"Accept-Encoding": "gzip;q=0, *"})
+        self.assertEqual(refused.data, plain.data)
+
+    def test_an_unchanged_document_is_not_sent_again(self):
+        for encoding in ("identity", "gzip"):
+            first = self.server.request("GET", "/v1/systems", headers={"Accept-Encoding": encoding})
+            again = self.server.request("GET", "/v1/systems", headers={"If-None-Match": first.getheader("ETag")})
+            self.assertEqual((again.status, again.data), (304, b""))
+
+    def test_timing_stands_in_a_header(self):
+        timing = self.server.request("POST", "/v1/simulate", SIMULATE).getheader("Server-Timing")
+        self.assertRegex(timing, r"^queue;dur=[0-9.]+, parse;dur=[0-9.]+, solve;dur=[0-9.]+, encode;dur=[0-9.]+$")
+
+    def test_metrics(self):
+        def value(name):
+            lines = self.server.request("GET", "/metrics").data.decode().splitlines()
+            return sum(float(line.split()[-1]) for line in lines if line.startswith(name))
+
+        self.assertRegex(self.server.request("GET", "/metrics").getheader("Content-Type"), "^text/plain; version=0.0.4")
+        answered = 'http_requests_total{method="POST",route="/v1/simulate",code="200"}'
+        before = value(answered), value("qdot_evaluations_total"), value("http_request_duration_seconds_count")
+        self.server.request("POST", "/v1/simulate", SIMULATE)
+        self.assertEqual(value(answered), before[0] + 1)
+        self.assertGreater(value("qdot_evaluations_total"), before[1] + 10)
+        self.assertGreater(value("http_request_duration_seconds_count"), before[2])
+        self.assertGreater(value("process_resident_memory_bytes"), 1e6)
+        self.assertEqual(value("qdot_draining"), 0)
+        self.server.request("GET", "/v1/systems/" + "x" * 100)
+        self.assertNotIn(b"xxx", self.server.request("GET", "/metrics").data)
+
+    def test_limits_are_published(self):
+        limits = json.loads(self.server.request("GET", "/v1/limits").data)
+        for name in ("body_bytes", "rows", "numbers", "evaluations", "integration_steps", "strides"):
+            self.assertGreater(limits[name], 0)
+        self.assertEqual(limits["atol"], {"above": 0, "at_most": 1})
 
     def test_request_id(self):
         sent = self.server.request("GET", "/healthz", headers={"X-Request-Id": "grade-7.b_C"})
         self.assertEqual(sent.getheader("X-Request-Id"), "grade-7.b_C")
-        self.assertIn("grade-7.b_C", [line["id"] for line in self.server.log_lines()])
+        self.assertIn("grade-7.b_C", [line.get("id") for line in self.server.log_lines()])
         for bad in ("a b", "a" * 65, "<x>"):
             made = self.server.request("GET", "/healthz", headers={"X-Request-Id": bad})
             self.assertRegex(made.getheader("X-Request-Id"), r"^[0-9a-f]{16}$")
@@ -165,9 +212,57 @@ class Lifetime(unittest.TestCase):
             self.assertEqual(second.stdout, "")
 
     def test_flags_come_from_the_environment_too(self):
-        with RunningQdot(QDOT_HOST="0.0.0.0", QDOT_THREADS="1") as server:
+        with RunningQdot(QDOT_HOST="0.0.0.0", QDOT_THREADS="1", QDOT_ALLOWED_HOSTS="a.example,b.example:80",
+                         QDOT_DEADLINE="3.5") as server:
             self.assertEqual(json.loads(server.start_line)["listening"], f"http://0.0.0.0:{server.port}")
             self.assertEqual(server.request("GET", "/healthz").status, 200)
+            start = server.log_lines()[0]
+            self.assertEqual((start["event"], start["threads"], start["deadline"]), ("start", 1, 3.5))
+            self.assertEqual(start["allowed_hosts"], ["a.example", "b.example:80"])
+
+
+class Strangers(unittest.TestCase):
+    def test_names_and_origins(self):
+        with RunningQdot("--allowed-hosts", "grader.example") as server:
+            def status(**headers):
+                return server.request("GET", "/v1/limits", headers=headers).status
+
+            own = f"localhost:{server.port}"
+            self.assertEqual(status(), 200)
+            self.assertEqual(status(Host=own), 200)
+            self.assertEqual(status(Host=f"[::1]:{server.port}"), 200)
+            self.assertEqual(status(Host="grader.example"), 200)
+            self.assertEqual(status(Host="evil.example"), 421)
+            self.assertEqual(status(Host=f"localhost:{server.port + 1}"), 421)
+            self.assertEqual(status(Host=own, Origin=f"http://{own}"), 200)
+            self.assertEqual(status(Host=own, Origin="http://evil.example"), 403)
+            answered = server.request("GET", "/v1/limits", headers={"Host": own, "Origin": f"http://{own}"})
+            self.assertIsNone(answered.getheader("Access-Control-Allow-Origin"))
+
+    def test_a_token(self):
+        with RunningQdot(QDOT_TOKEN="open sesame") as server:
+            refused = server.request("GET", "/v1/limits")
+            self.assertEqual((refused.status, refused.getheader("WWW-Authenticate")), (401, "Bearer"))
+            token = {"Authorization": "Bearer open sesame"}
+            self.assertEqual(server.request("GET", "/v1/limits", headers=token).status, 200)
+            self.assertEqual(server.request("GET", "/readyz").status, 200)
+            self.assertEqual(server.request("GET", "/metrics").status, 401)
+            self.assertNotIn("sesame", json.dumps(server.log_lines()))
+
+    def test_a_unix_socket(self):
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "qdot.sock")
+            with RunningQdot(QDOT_UNIX_SOCKET=path, port=None) as server:
+                self.assertEqual(json.loads(server.start_line), {"listening": f"unix:{path}", "unix_socket": path})
+                self.assertEqual(os.stat(path).st_mode & 0o777, 0o600)
+                self.assertEqual(subprocess.run([QDOT, "health", "--unix-socket", path], env=ENVIRONMENT).returncode, 0)
+                server.process.kill()
+                server.process.wait()
+            self.assertEqual(subprocess.run([QDOT, "health", "--unix-socket", path], env=ENVIRONMENT).returncode, 6)
+            with RunningQdot("--unix-socket", path) as server:  # what the killed one left is replaced
+                self.assertEqual(server.request("GET", "/healthz").status, 200)
+                self.assertEqual(subprocess.run([QDOT, "wait", "--unix-socket", path], env=ENVIRONMENT).returncode, 0)
+            self.assertFalse(os.path.exists(path))
 
 
 if __name__ == "__main__":

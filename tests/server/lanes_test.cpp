@@ -1,0 +1,129 @@
+#include "server/lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <latch>
+#include <mutex>
+#include <semaphore>
+#include <thread>
+#include <vector>
+
+namespace qdot::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Occupies one thread of a lane until it is released.
+class Occupied {
+ public:
+  Occupied(Lanes& lanes, Lane lane, std::size_t bytes = 0) {
+    EXPECT_TRUE(lanes.submit(lane, {.bytes = bytes, .task = [this] {
+                                      begun_.count_down();
+                                      released_.wait();
+                                    }}));
+  }
+  void wait_until_begun() { begun_.wait(); }
+  bool has_begun() const { return begun_.try_wait(); }
+  void release() { released_.count_down(); }
+
+ private:
+  std::latch begun_{1};
+  std::latch released_{1};
+};
+
+TEST(Lanes, WhatWasAdmittedIsDoneInOrder) {
+  std::vector<int> done;
+  {
+    Lanes lanes({.threads = 1, .light = {.longest_wait = 1e9, .waiting = 100}});
+    for (int i = 0; i < 50; ++i)
+      EXPECT_TRUE(lanes.submit(Lane::light, {.task = [&done, i] { done.push_back(i); }}));
+  }
+  ASSERT_EQ(done.size(), 50u);
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(done[static_cast<std::size_t>(i)], i);
+}
+
+TEST(Lanes, AFullLaneTurnsAwayAndTheOtherDoesNot) {
+  Lanes lanes({.threads = 1, .light = {.longest_wait = 1e9, .waiting = 2}});
+  Occupied first(lanes, Lane::light);
+  first.wait_until_begun();
+  EXPECT_TRUE(lanes.submit(Lane::light, {.task = [] {}}));
+  EXPECT_TRUE(lanes.submit(Lane::light, {.task = [] {}}));
+  EXPECT_FALSE(lanes.submit(Lane::light, {.task = [] {}}));
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.task = [] {}}));
+  first.release();
+  lanes.wait_until_idle();
+  EXPECT_TRUE(lanes.submit(Lane::light, {.task = [] {}}));
+}
+
+TEST(Lanes, AQueueIsAsLongAsItsWaitAndNotAsItsEntries) {
+  Lanes lanes({.threads = 1, .light = {.longest_wait = 0.1, .waiting = 1000}});
+  Occupied first(lanes, Lane::light);
+  first.wait_until_begun();
+  // Nothing was measured yet: a unit of cost counts as a millisecond.
+  EXPECT_TRUE(lanes.submit(Lane::light, {.cost = 60, .task = [] {}}));
+  EXPECT_TRUE(lanes.submit(Lane::light, {.cost = 60, .task = [] {}}));
+  EXPECT_FALSE(lanes.submit(Lane::light, {.cost = 1, .task = [] {}}));
+  first.release();
+}
+
+TEST(Lanes, TheCostliestIsAdmittedWhereNobodyWaits) {
+  Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0, .waiting = 0}});
+  std::latch done{1};
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 1e12, .task = [&] { done.count_down(); }}));
+  done.wait();
+}
+
+TEST(Lanes, ThePaceIsMeasured) {
+  Lanes lanes({.threads = 1, .light = {.longest_wait = 0.1, .waiting = 1000}});
+  // Ten times slower than assumed: after a while ten times less may wait.
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(lanes.submit(Lane::light, {.cost = 1, .task = [] { std::this_thread::sleep_for(10ms); }}));
+    lanes.wait_until_idle();
+  }
+  Occupied first(lanes, Lane::light);
+  first.wait_until_begun();
+  int admitted = 0;
+  while (admitted < 100 && lanes.submit(Lane::light, {.cost = 1, .task = [] {}})) ++admitted;
+  EXPECT_GE(admitted, 1);
+  EXPECT_LT(admitted, 30);
+  first.release();
+}
+
+TEST(Lanes, HeavyWorkHoldsBoundedMemory) {
+  Lanes lanes({.threads = 2, .heavy_bytes = 100});
+  Occupied first(lanes, Lane::heavy, 80);
+  first.wait_until_begun();
+  Occupied second(lanes, Lane::heavy, 80);
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(second.has_begun());
+  Occupied light(lanes, Lane::light);
+  light.wait_until_begun();
+  first.release();
+  second.wait_until_begun();
+  second.release();
+  light.release();
+}
+
+TEST(Lanes, WorkOfManyThreadsIsDoneOnceEach) {
+  std::atomic<int> done{0};
+  std::atomic<int> admitted{0};
+  Lanes lanes({.threads = 3, .light = {.longest_wait = 1e9, .waiting = 8}});
+  std::vector<std::jthread> clients;
+  for (int k = 0; k < 4; ++k) {
+    clients.emplace_back([&, k] {
+      for (int i = 0; i < 500; ++i) {
+        if (lanes.submit(k % 2 == 0 ? Lane::light : Lane::heavy, {.bytes = 1, .task = [&] { ++done; }}))
+          ++admitted;
+      }
+    });
+  }
+  clients.clear();
+  lanes.wait_until_idle();
+  EXPECT_EQ(done, admitted);
+  EXPECT_EQ(lanes.gauges(Lane::light).running + lanes.gauges(Lane::heavy).waiting, 0u);
+}
+
+}  // namespace
+}  // namespace qdot::server
