@@ -3,18 +3,16 @@
 //
 // Every slot becomes a power series in the time since t, and every instruction the recurrence that gives its
 // coefficient k from coefficients up to k of its operands: Cauchy products for products, and for the others
-// what follows from f(u)' = f'(u) u'. A linear system M x = f needs only M_0 solved: M_0 x_k = f_k -
+// what follows from f(u)' = f'(u) u'. A linear system M x = f needs only M_0 inverted: M_0 x_k = f_k -
 // sum_{j>=1} M_j x_{k-j}. Sources: Jorba, Zou, A software package for the numerical integration of ODEs by
 // means of high-order Taylor methods, Experimental Mathematics 14 (2005) 99, section 2; Griewank, Walther,
 // Evaluating Derivatives, 2nd ed., 13.2.
 
-#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/compile/compiled_function.hpp"
-#include "core/compile/linear_system.hpp"
 #include "core/compile/taylor_kernels.hpp"
 
 namespace qdot {
@@ -32,6 +30,7 @@ class TaylorExpansion {
 
   TaylorExpansion(const CompiledFunction& accelerations, std::span<const double> parameters,
                   InstructionSet instruction_set = InstructionSet::automatic);
+  ~TaylorExpansion();
   TaylorExpansion(const TaylorExpansion&) = delete;
   TaylorExpansion& operator=(const TaylorExpansion&) = delete;
 
@@ -41,41 +40,13 @@ class TaylorExpansion {
                                   std::span<double> coefficients);
 
  private:
-  struct Factored {
-    std::size_t n{};
-    std::vector<double> matrix;
-    double determinant{};
-    RowOrder row{};
-    std::vector<std::uint32_t> matrix_slots;
-    std::uint32_t determinant_slot{};
-    bool has_determinant{};
-  };
-
-  [[nodiscard]] double* row(std::size_t slot) { return rows_.data() + slot * taylor::stride; }
-  [[nodiscard]] double* new_row();
-  [[nodiscard]] const double* const* pointers(std::vector<double*> list);
-  void translate(const Instruction& instruction);
-  void translate_call(const Instruction& instruction, taylor::Step& step);
-  void translate_solve(const Instruction& instruction, taylor::Step& step);
-  void add_square(double* u, double* out, double factor);
-  void start_rows();
-  void start_auxiliary(const taylor::Step& step);
-  [[nodiscard]] bool factor();
-  static void substitute(const void* factored, double* b);
+  class Translation;
 
   const CompiledFunction& tape_;
   taylor::Kernel kernel_;
   Workspace workspace_;
   std::vector<double> accelerations_;
-  std::vector<double> rows_;
-  std::size_t rows_used_{};
-  std::vector<bool> varies_;
-  std::vector<std::uint32_t> varying_slots_;
-  std::deque<std::vector<double*>> lists_;  ///< a deque: what the kernels point to must stay where it is
-  std::deque<Factored> factored_;
-  std::deque<taylor::Solve> solves_;
-  std::vector<taylor::Step> steps_;
-  taylor::Program program_{};
+  std::unique_ptr<Translation> translation_;
 };
 
 }  // namespace qdot

@@ -12,62 +12,93 @@
 namespace qdot::taylor {
 
 inline constexpr unsigned highest_order = 24;
-/// x_k at row[k], and again at row[reversed - k].
+/// x_k at row[k], and again at row[reversed - k]. A multiple of four.
 inline constexpr unsigned stride = 2 * (highest_order + 1) + 2;
 inline constexpr unsigned reversed = stride - 1;
 
 enum class Kind : std::uint8_t {
-  sum,          ///< operands: pairs (c, x), then triples (c, x, y); c is constant
-  quotient,     ///< x, y
-  power,        ///< x, exponent (constant)
-  root,         ///< x
-  sine_cosine,  ///< u; sine to out, cosine to out2; aux: k u_k
-  exponential,  ///< u; aux: k u_k
-  logarithm,    ///< u
-  tangent,      ///< u; aux: k u_k, aux2: 1 + z^2 (or 1 - z^2 for the hyperbolic tangent)
-  hyperbolic,   ///< u; cosh to out and sinh to out2, or the other way round; aux: k u_k
-  arc,          ///< asin, acos, atan by z' = sign u'/w; aux: k u_k, aux2: w
-  solve         ///< see Solve
+  sum,      ///< out = sum of factor x, and of factor x y
+  sum_1_0,  ///< the same with so many terms and products
+  sum_2_0,
+  sum_0_1,
+  sum_1_1,
+  sum_2_1,
+  sum_3_1,
+  sum_0_2,
+  sum_1_2,
+  sum_2_2,
+  rate,         ///< coefficient k - 1 of out: k x_k
+  rate_of_sum,  ///< coefficient k - 1 of out: sum of factor x_{k-1}, x the rates
+  quotient,     ///< x/y; aux: 1/y_0
+  power,        ///< x^constant
+  root,         ///< x; aux: 1/(2 sqrt(x_0))
+  sine_cosine,  ///< sine to out, cosine to out2; x: the argument's rate
+  exponential,  ///< x: the argument's rate
+  logarithm,    ///< x
+  tangent,      ///< x: the argument's rate; aux: 1 + z^2 (or 1 - z^2 for the hyperbolic tangent)
+  hyperbolic,   ///< cosh to out and sinh to out2, or the other way round; x: the argument's rate
+  arc,          ///< asin, acos, atan by z' = sign u'/w; x: the argument's rate, y: w
+  solve,        ///< see Solve
+  solve_2,      ///< the same with two unknowns
+  solve_3
+};
+
+struct Term {
+  double factor{};
+  const double* x{};
+};
+struct Product {
+  double factor{};
+  const double* x{};
+  const double* y{};
+  double x_0{};  ///< factor x_0
+  double y_0{};  ///< factor y_0
+};
+/// M_ij = factor m, but for a constant; m null where M_ij is constant in time.
+struct Entry {
+  double factor{};
+  const double* m{};
+  double x_0{};  ///< factor x_0, x the unknown that it belongs to
 };
 
 /// M x = f for n unknowns and one right-hand side.
 struct Solve {
-  std::uint32_t n;
-  const double* const* matrix;  ///< n x n rows of coefficients; null where M_ij is constant in time
-  const double* const* right;   ///< n rows
-  double* const* unknowns;      ///< n rows
-  /// x from f_k - sum_j M_j x_{k-j}, in place.
-  void (*substitute)(const void* factors, double* b);
-  const void* factors;
+  std::uint32_t n{};
+  const Entry* matrix{};         ///< n x n
+  const double* const* right{};  ///< n rows
+  double* const* unknowns{};     ///< n rows
+  const double* inverse{};       ///< of M_0, n x n
 };
 
 struct Step {
   Kind kind{};
-  std::uint16_t pairs{}, triples{};
+  std::uint16_t term_count{}, product_count{};
   double constant{};  ///< exponent; sign of an arc or a tangent
-  const double* const* operands{};
+  const Term* terms{};
+  const Product* products{};
+  const double* x{};
+  const double* y{};
   double* out{};
   double* out2{};
   double* aux{};
-  double* aux2{};
   const Solve* solve{};
 };
 
 /// y' = v for the first half of the state, y' = a for the second.
 struct State {
-  std::size_t n;
-  double* const* rows;                 ///< 2n rows, q then v
-  const double* const* accelerations;  ///< n rows
+  std::size_t n{};
+  double* rows{};                        ///< 2n rows, q then v, one after the other
+  const double* const* accelerations{};  ///< n rows
 };
 
 struct Program {
-  const Step* steps;
-  std::size_t count;
-  State state;
+  const Step* steps{};
+  std::size_t count{};
+  State state{};
 };
 
 /// Coefficients 1 .. order of every row; coefficient 0 is there. Rows of the state get one more than the
-/// others.
+/// others, rows of rates begin with what they get in the first pass.
 using Kernel = void (*)(const Program& program, unsigned order);
 
 namespace plain {

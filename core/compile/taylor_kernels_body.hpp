@@ -1,5 +1,7 @@
 // The kernels, included once for each instruction set inside a namespace of its own. Nothing here may call a
 // function of another file that is inline: the linker would keep one copy, maybe the one for AVX2.
+//
+// What the pass before has just computed is the last to be added: the rest of a sum does not wait for it.
 
 using Four [[gnu::vector_size(32)]] = double;
 
@@ -21,21 +23,21 @@ struct Inner {
 };
 
 template <unsigned K>
-[[gnu::always_inline]] inline void add_blocks(Four& sum, const double* x, const double* y, double c) {
-  if constexpr (Inner<K>::blocks > 0) {
-    const double* backwards = y + (reversed - K);
-    Four part = load(x + 1) * load(backwards + 1);
+[[gnu::always_inline]] inline Four blocks_of(const double* x, const double* y) {
+  const double* backwards = y + (reversed - K);
+  Four part = load(x + 1) * load(backwards + 1);
 #pragma GCC unroll 8
-    for (unsigned b = 1; b < Inner<K>::blocks; ++b) part += load(x + 1 + 4 * b) * load(backwards + 1 + 4 * b);
-    sum += c * part;
-  }
+  for (unsigned b = 1; b < Inner<K>::blocks; ++b) part += load(x + 1 + 4 * b) * load(backwards + 1 + 4 * b);
+  return part;
 }
 
 template <unsigned K>
 [[gnu::always_inline]] inline double rest_of(const double* x, const double* y) {
-  double sum = 0;
+  if constexpr (Inner<K>::rest == 0) return 0;
+  constexpr unsigned first = 1 + 4 * Inner<K>::blocks;
+  double sum = x[first] * y[K - first];
 #pragma GCC unroll 4
-  for (unsigned j = 1 + 4 * Inner<K>::blocks; j < K; ++j) sum += x[j] * y[K - j];
+  for (unsigned j = first + 1; j < K; ++j) sum += x[j] * y[K - j];
   return sum;
 }
 
@@ -44,9 +46,22 @@ template <unsigned K>
 /// sum_{j=1}^{K-1} x_j y_{K-j}
 template <unsigned K>
 [[gnu::always_inline]] inline double inner(const double* x, const double* y) {
-  Four sum{};
-  add_blocks<K>(sum, x, y, 1.0);
-  return joined(sum) + rest_of<K>(x, y);
+  if constexpr (Inner<K>::blocks > 0) {
+    const double sum = joined(blocks_of<K>(x, y));
+    return Inner<K>::rest > 0 ? sum + rest_of<K>(x, y) : sum;
+  } else {
+    return rest_of<K>(x, y);
+  }
+}
+
+/// sum_{j=0}^{K} x_j y_{K-j}
+template <unsigned K>
+[[gnu::always_inline]] inline double cauchy(const double* x, const double* y) {
+  if constexpr (K == 0) {
+    return x[0] * y[0];
+  } else {
+    return inner<K>(x, y) + (x[0] * y[K] + x[K] * y[0]);
+  }
 }
 
 template <unsigned K>
@@ -55,128 +70,153 @@ template <unsigned K>
   row[reversed - K] = value;
 }
 
+/// What of a product with a factor was there before this pass, without the blocks.
 template <unsigned K>
-[[gnu::always_inline]] inline void sum(const Step& step) {
-  const double* const* operand = step.operands;
-  double total = 0;
-  for (unsigned i = 0; i < step.pairs; ++i, operand += 2) total += operand[0][0] * operand[1][K];
-  if (step.triples > 0) {
-    Four lanes{};
-    for (unsigned i = 0; i < step.triples; ++i, operand += 3) {
-      const double c = operand[0][0];
-      const double* x = operand[1];
-      const double* y = operand[2];
-      add_blocks<K>(lanes, x, y, c);
-      total += c * (rest_of<K>(x, y) + (x[0] * y[K] + x[K] * y[0]));
-    }
-    if constexpr (Inner<K>::blocks > 0) total += joined(lanes);
+[[gnu::always_inline]] inline double old_of(const Product& p) {
+  return p.factor * rest_of<K>(p.x, p.y);
+}
+template <unsigned K>
+[[gnu::always_inline]] inline double young_of(const Product& p) {
+  return p.x_0 * p.y[K] + p.x[K] * p.y_0;
+}
+
+/// Products come last because their factors are often what the step before has computed.
+template <unsigned K>
+[[gnu::always_inline]] inline void sum(const Step& step, unsigned terms, unsigned products) {
+  double total = terms > 0 ? step.terms[0].factor * step.terms[0].x[K] : 0;
+#pragma GCC unroll 3
+  for (unsigned i = 1; i < terms; ++i) total += step.terms[i].factor * step.terms[i].x[K];
+  if (products == 0) return store<K>(step.out, total);
+  const Product* p = step.products;
+  if constexpr (Inner<K>::rest > 0) {
+    total = terms > 0 ? total + old_of<K>(*p) : old_of<K>(*p);
+#pragma GCC unroll 2
+    for (unsigned i = 1; i < products; ++i) total += old_of<K>(p[i]);
   }
+  if constexpr (Inner<K>::blocks > 0) {
+    Four lanes = p->factor * blocks_of<K>(p->x, p->y);
+#pragma GCC unroll 2
+    for (unsigned i = 1; i < products; ++i) lanes += p[i].factor * blocks_of<K>(p[i].x, p[i].y);
+    total = terms > 0 || Inner<K>::rest > 0 ? total + joined(lanes) : joined(lanes);
+  }
+#pragma GCC unroll 2
+  for (unsigned i = 0; i < products; ++i) total += young_of<K>(p[i]);
   store<K>(step.out, total);
 }
 
 template <unsigned K>
+[[gnu::always_inline]] inline void rate_of_sum(const Step& step) {
+  double total = 0;
+  for (unsigned i = 0; i < step.term_count; ++i) total += step.terms[i].factor * step.terms[i].x[K - 1];
+  store<K - 1>(step.out, total);
+}
+
+template <unsigned K>
 [[gnu::always_inline]] inline void quotient(const Step& step) {
-  const double* x = step.operands[0];
-  const double* y = step.operands[1];
-  store<K>(step.out, (x[K] - (inner<K>(y, step.out) + y[K] * step.out[0])) / y[0]);
+  const double old = inner<K>(step.y, step.out);
+  store<K>(step.out, (step.x[K] - (old + step.y[K] * step.out[0])) * step.aux[0]);
 }
 
 template <unsigned K>
 [[gnu::always_inline]] inline void root(const Step& step) {
-  store<K>(step.out, (step.operands[0][K] - inner<K>(step.out, step.out)) / (2 * step.out[0]));
+  store<K>(step.out, (step.x[K] - inner<K>(step.out, step.out)) * step.aux[0]);
 }
 
 /// z = x^c: x z' = c x' z.
 template <unsigned K>
 [[gnu::always_inline]] inline void power(const Step& step) {
-  const double* x = step.operands[0];
   double total = 0;
-  for (unsigned j = 0; j < K; ++j) total += (step.constant * (K - j) - j) * x[K - j] * step.out[j];
-  store<K>(step.out, total / (K * x[0]));
+  for (unsigned j = 0; j < K; ++j) total += (step.constant * (K - j) - j) * step.x[K - j] * step.out[j];
+  store<K>(step.out, total / (K * step.x[0]));
 }
 
-/// The row of k u_k, with which (f(u))' = f'(u) u' becomes a product.
+// f(u)' = f'(u) u': coefficient K - 1 of the product is K times the one wanted.
+
 template <unsigned K>
-[[gnu::always_inline]] inline void differentiate(const Step& step) {
-  store<K>(step.aux, K * step.operands[0][K]);
-}
+inline constexpr double reciprocal = 1.0 / K;
 
 template <unsigned K>
 [[gnu::always_inline]] inline void sine_cosine(const Step& step) {
-  differentiate<K>(step);
-  const double last = step.aux[K];
-  const double sine = inner<K>(step.aux, step.out2) + last * step.out2[0];
-  const double cosine = inner<K>(step.aux, step.out) + last * step.out[0];
-  store<K>(step.out, sine / K);
-  store<K>(step.out2, -(cosine / K));
+  const double sine = cauchy<K - 1>(step.x, step.out2);
+  const double cosine = cauchy<K - 1>(step.x, step.out);
+  store<K>(step.out, sine * reciprocal<K>);
+  store<K>(step.out2, -(cosine * reciprocal<K>));
 }
 
 template <unsigned K>
 [[gnu::always_inline]] inline void hyperbolic(const Step& step) {
-  differentiate<K>(step);
-  const double last = step.aux[K];
-  const double first = inner<K>(step.aux, step.out2) + last * step.out2[0];
-  const double second = inner<K>(step.aux, step.out) + last * step.out[0];
-  store<K>(step.out, first / K);
-  store<K>(step.out2, second / K);
+  const double first = cauchy<K - 1>(step.x, step.out2);
+  const double second = cauchy<K - 1>(step.x, step.out);
+  store<K>(step.out, first * reciprocal<K>);
+  store<K>(step.out2, second * reciprocal<K>);
 }
 
 template <unsigned K>
 [[gnu::always_inline]] inline void exponential(const Step& step) {
-  differentiate<K>(step);
-  store<K>(step.out, (inner<K>(step.aux, step.out) + step.aux[K] * step.out[0]) / K);
+  store<K>(step.out, cauchy<K - 1>(step.x, step.out) * reciprocal<K>);
 }
 
 /// z = log u: u z' = u'.
 template <unsigned K>
 [[gnu::always_inline]] inline void logarithm(const Step& step) {
-  const double* u = step.operands[0];
   double total = 0;
-  for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * u[K - j];
-  store<K>(step.out, (u[K] - total / K) / u[0]);
+  for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * step.x[K - j];
+  store<K>(step.out, (step.x[K] - total / K) / step.x[0]);
 }
 
 /// z' = w u' with w = 1 + constant z^2.
 template <unsigned K>
 [[gnu::always_inline]] inline void tangent(const Step& step) {
-  differentiate<K>(step);
   double* z = step.out;
-  store<K>(z, (inner<K>(step.aux, step.aux2) + step.aux[K] * step.aux2[0]) / K);
-  store<K>(step.aux2, step.constant * (inner<K>(z, z) + 2 * (z[0] * z[K])));
+  store<K>(z, cauchy<K - 1>(step.x, step.aux) * reciprocal<K>);
+  store<K>(step.aux, step.constant * (inner<K>(z, z) + 2 * (z[0] * z[K])));
 }
 
-/// w z' = constant u', w in the row that the instruction before has filled.
+/// w z' = constant u'.
 template <unsigned K>
 [[gnu::always_inline]] inline void arc(const Step& step) {
-  differentiate<K>(step);
-  const double* w = step.aux2;
   double total = 0;
-  for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * w[K - j];
-  store<K>(step.out, (step.constant * step.aux[K] - total) / (K * w[0]));
+  for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * step.y[K - j];
+  store<K>(step.out, (step.constant * step.x[K - 1] - total) / (K * step.y[0]));
 }
 
+/// M_0 x_K = f_K - sum_{j>=1} M_j x_{K-j}
 template <unsigned K>
-[[gnu::always_inline]] inline void solve(const Solve& system) {
+[[gnu::always_inline]] inline void solve(const Solve& system, unsigned n) {
   double b[16];
-  for (unsigned i = 0; i < system.n; ++i) {
-    double value = system.right[i][K];
-    for (unsigned j = 0; j < system.n; ++j) {
-      const double* m = system.matrix[i * system.n + j];
+#pragma GCC unroll 3
+  for (unsigned i = 0; i < n; ++i) {
+    double lagged = 0;
+    Four lanes{};
+#pragma GCC unroll 3
+    for (unsigned j = 0; j < n; ++j) {
+      const auto& [factor, m, m_factor_x] = system.matrix[i * n + j];
       if (m == nullptr) continue;
       const double* x = system.unknowns[j];
-      value -= inner<K>(m, x) + m[K] * x[0];
+      if constexpr (Inner<K>::blocks > 0) lanes += factor * blocks_of<K>(m, x);
+      if constexpr (Inner<K>::rest > 0) lagged += factor * rest_of<K>(m, x);
+      lagged += m[K] * m_factor_x;
     }
-    b[i] = value;
+    if constexpr (Inner<K>::blocks > 0) lagged += joined(lanes);
+    b[i] = system.right[i][K] - lagged;
   }
-  system.substitute(system.factors, b);
-  for (unsigned i = 0; i < system.n; ++i) store<K>(system.unknowns[i], b[i]);
+  const double* inverse = system.inverse;
+#pragma GCC unroll 3
+  for (unsigned i = 0; i < n; ++i) {
+    double value = 0;
+#pragma GCC unroll 3
+    for (unsigned j = 0; j < n; ++j) value += *inverse++ * b[j];
+    store<K>(system.unknowns[i], value);
+  }
 }
 
 template <unsigned K>
 [[gnu::always_inline]] inline void raise_state(const State& state) {
-  for (std::size_t i = 0; i < state.n; ++i) {
-    store<K>(state.rows[i], state.rows[state.n + i][K - 1] / K);
-    store<K>(state.rows[state.n + i], state.accelerations[i][K - 1] / K);
+  double* q = state.rows;
+  double* v = q + state.n * stride;
+  for (std::size_t i = 0; i < state.n; ++i, q += stride, v += stride) {
+    store<K>(q, v[K - 1] * reciprocal<K>);
+    store<K>(v, state.accelerations[i][K - 1] * reciprocal<K>);
   }
 }
 
@@ -186,7 +226,40 @@ template <unsigned K>
   for (const Step *step = program.steps, *end = step + program.count; step != end; ++step) {
     switch (step->kind) {
       case Kind::sum:
-        sum<K>(*step);
+        sum<K>(*step, step->term_count, step->product_count);
+        break;
+      case Kind::sum_1_0:
+        sum<K>(*step, 1, 0);
+        break;
+      case Kind::sum_2_0:
+        sum<K>(*step, 2, 0);
+        break;
+      case Kind::sum_0_1:
+        sum<K>(*step, 0, 1);
+        break;
+      case Kind::sum_1_1:
+        sum<K>(*step, 1, 1);
+        break;
+      case Kind::sum_2_1:
+        sum<K>(*step, 2, 1);
+        break;
+      case Kind::sum_3_1:
+        sum<K>(*step, 3, 1);
+        break;
+      case Kind::sum_0_2:
+        sum<K>(*step, 0, 2);
+        break;
+      case Kind::sum_1_2:
+        sum<K>(*step, 1, 2);
+        break;
+      case Kind::sum_2_2:
+        sum<K>(*step, 2, 2);
+        break;
+      case Kind::rate:
+        store<K - 1>(step->out, K * step->x[K]);
+        break;
+      case Kind::rate_of_sum:
+        rate_of_sum<K>(*step);
         break;
       case Kind::quotient:
         quotient<K>(*step);
@@ -216,7 +289,13 @@ template <unsigned K>
         arc<K>(*step);
         break;
       case Kind::solve:
-        solve<K>(*step->solve);
+        solve<K>(*step->solve, step->solve->n);
+        break;
+      case Kind::solve_2:
+        solve<K>(*step->solve, 2);
+        break;
+      case Kind::solve_3:
+        solve<K>(*step->solve, 3);
         break;
     }
   }

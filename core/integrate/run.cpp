@@ -24,6 +24,7 @@ class Integration {
       : request_(request), stepper_(make_stepper(system, request)), events_(request), progress_(request) {
     run_.t = request.t_start;
     run_.y = request.y_start;
+    run_.states.reserve(request.grid.size() * request.y_start.size());
   }
 
   Run run() && {

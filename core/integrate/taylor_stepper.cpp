@@ -1,10 +1,9 @@
 #include "core/integrate/taylor_stepper.hpp"
 
-#include <sleef.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -19,11 +18,28 @@ constexpr double loose = 1e-6;
 constexpr int attempts = 60;            ///< at one step, each half as long
 constexpr double largest_defect = 1e3;  ///< of the equation at the end of a step, in units of the tolerance
 
-/// w / |c|, to the power 1 / k; infinite for c = 0.
-double root_of(double w, double c, unsigned k) {
+/// log2 x to five digits, for x > 0: sum of s^(2i+1)/(2i+1) with s = (m - a)/(m + a), a^2 = 1/2.
+double rough_log2(double x) {
+  constexpr double a = 0.70710678118654752, two_over_ln2 = 2.8853900817779268;
+  int exponent{};
+  const double m = std::frexp(x, &exponent);
+  const double s = (m - a) / (m + a), s2 = s * s;
+  return exponent - 0.5 + two_over_ln2 * s * (1 + s2 * (1.0 / 3 + s2 * (1.0 / 5)));
+}
+
+/// 2^x to five digits.
+double rough_exp2(double x) {
+  constexpr double ln2 = 0.69314718055994531;
+  const int whole = static_cast<int>(x < 0 ? x - 0.5 : x + 0.5);  // |x| < 2200
+  const double f = (x - whole) * ln2;
+  const double sum = 1 + f * (1 + f * (1.0 / 2 + f * (1.0 / 6 + f * (1.0 / 24 + f * (1.0 / 120)))));
+  return std::ldexp(sum, whole);
+}
+
+/// log2 of (w / |c|)^(1/k); infinite for c = 0. A step need not be known to more than some digits.
+double log2_of_root(double w, double c, unsigned k) {
   if (c == 0) return std::numeric_limits<double>::infinity();
-  const double exponent = Sleef_cinz_log2d1_u10purec(w) - Sleef_cinz_log2d1_u10purec(std::abs(c));
-  return Sleef_cinz_exp2d1_u10purec(exponent / k);
+  return (rough_log2(w) - rough_log2(std::abs(c))) / k;
 }
 
 unsigned order_for(const RunRequest& request) {
@@ -31,16 +47,47 @@ unsigned order_for(const RunRequest& request) {
   return request.tolerances.rtol >= loose ? order_loose : order_tight;
 }
 
-/// sum_{k=1}^{row-1} c_k s^k of so many rows of coefficients side by side, as each alone would wait for its
-/// own sums.
-template <std::size_t count>
-void sum_series(const double* c, std::size_t row, double s, double* sums) {
-  std::array<double, count> sum{};
-  for (std::size_t k = row - 1; k >= 1; --k) {
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < count; ++i) sum[i] = sum[i] * s + c[i * row + k];
+using Two [[gnu::vector_size(16)]] = double;
+
+enum class Of { value, slope };
+
+/// sum_{k>=1} c_k s^k of so many rows of coefficients, or its derivative, side by side and even and odd
+/// powers apart, as each sum alone would wait for itself.
+template <Of of, std::size_t count>
+void sum_series(const double* c, std::size_t order, double s, double* sums) {
+  const auto row = [&](std::size_t i) { return c + i * (order + 1); };
+  const Two s2{s * s, s * s};
+  std::array<Two, count> sum{};
+  std::size_t k = order;
+  if (k % 2 == 1) {
+    const double factor = of == Of::slope ? static_cast<double>(k) : 1.0;
+    for (std::size_t i = 0; i < count; ++i) sum[i][0] = factor * row(i)[k];
+    --k;
   }
-  for (std::size_t i = 0; i < count; ++i) sums[i] = sum[i] * s;
+  Two powers{static_cast<double>(k) - 1, static_cast<double>(k)};
+  for (; k > 0; k -= 2, powers -= 2.0) {
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < count; ++i) {
+      Two pair;
+      std::memcpy(&pair, row(i) + k - 1, sizeof pair);
+      if (of == Of::slope) pair *= powers;
+      sum[i] = sum[i] * s2 + pair;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    sums[i] = sum[i][0] + sum[i][1] * s;
+    if (of == Of::value) sums[i] *= s;
+  }
+}
+
+/// The same for as many rows as there are sums.
+template <Of of>
+void sum_all_series(const double* c, std::size_t order, double s, std::span<double> sums) {
+  const std::size_t n = sums.size(), row = order + 1;
+  std::size_t i = 0;
+  for (; i + 4 <= n; i += 4) sum_series<of, 4>(c + i * row, order, s, sums.data() + i);
+  for (; i + 2 <= n; i += 2) sum_series<of, 2>(c + i * row, order, s, sums.data() + i);
+  for (; i < n; ++i) sum_series<of, 1>(c + i * row, order, s, sums.data() + i);
 }
 
 class TaylorStepper final : public Stepper {
@@ -64,13 +111,12 @@ class TaylorStepper final : public Stepper {
       if (const auto failed = expand(t_, y_, next_)) return failed;
     }
     const double wanted = step_size();
-    const std::vector<double> carried = carried_;
     double h = std::min(wanted, request_.t_end - t_);
     for (int i = 0; i < attempts; ++i, h /= 2) {
       const double t = h == request_.t_end - t_ ? request_.t_end : t_ + h;
       if (!(t > t_)) break;
       if (const auto spent = limit()) return spent;
-      if (try_step(t, carried)) {
+      if (try_step(t)) {
         last_step_ = h;
         return std::nullopt;
       }
@@ -82,7 +128,7 @@ class TaylorStepper final : public Stepper {
     if (t == t_) {
       std::ranges::copy(y_, y_out.begin());
     } else {
-      increments(coefficients_, t - t_previous_, y_out);
+      sum_all_series<Of::value>(coefficients_.data(), order_, t - t_previous_, y_out);
       for (std::size_t i = 0; i < y_out.size(); ++i) y_out[i] = y_previous_[i] + y_out[i];
     }
     return std::nullopt;
@@ -137,64 +183,55 @@ class TaylorStepper final : public Stepper {
       return true;
     };
     while (last > 1 && !is_finite(last)) --last;
-    const double h = step_by(last);
-    return last > 2 ? std::min(h, step_by(last - 1)) : h;
+    double exponent = log2_of_step_by(last);
+    if (last > 2) exponent = std::min(exponent, log2_of_step_by(last - 1));
+    return std::isfinite(exponent) ? rough_exp2(exponent) : exponent;
   }
 
-  /// The least over the components of (w / |c_k|)^(1/k). One root, of the largest |c_k| / w, where that is a
-  /// number.
-  [[nodiscard]] double step_by(unsigned k) const {
+  /// log2 of the least over the components of (w / |c_k|)^(1/k). One root, of the largest |c_k| / w, where
+  /// that is a number.
+  [[nodiscard]] double log2_of_step_by(unsigned k) const {
     double largest = 0;
     for (std::size_t i = 0; i < y_.size(); ++i) {
       largest = std::max(largest, std::abs(coefficient(next_, i, k)) / weight(i));
     }
-    if (std::isfinite(largest)) return root_of(1, largest, k);
-    double h = std::numeric_limits<double>::infinity();
+    if (std::isfinite(largest))
+      return largest > 0 ? -rough_log2(largest) / k : std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < y_.size(); ++i) {
-      h = std::min(h, root_of(weight(i), coefficient(next_, i, k), k));
+      least = std::min(least, log2_of_root(weight(i), coefficient(next_, i, k), k));
     }
-    return h;
-  }
-
-  /// sum_{k>=1} c_k s^k of every component.
-  void increments(const std::vector<double>& c, double s, std::span<double> sum) const {
-    const std::size_t n = sum.size(), row = order_ + 1;
-    std::size_t i = 0;
-    for (; i + 4 <= n; i += 4) sum_series<4>(c.data() + i * row, row, s, sum.data() + i);
-    for (; i + 2 <= n; i += 2) sum_series<2>(c.data() + i * row, row, s, sum.data() + i);
-    for (; i < n; ++i) sum_series<1>(c.data() + i * row, row, s, sum.data() + i);
-  }
-
-  /// sum_{k>=1} k c_k s^(k-1).
-  void slopes(const std::vector<double>& c, double s, std::span<double> sum) const {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = order_ * coefficient(c, i, order_);
-    for (unsigned k = order_ - 1; k >= 1; --k) {
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = sum[i] * s + k * coefficient(c, i, k);
-    }
+    return least;
   }
 
   /// To time t, if the polynomial holds until there.
-  bool try_step(double t, const std::vector<double>& carried) {
+  bool try_step(double t) {
     const double h = t - t_;
     std::vector<double>& y = attempt_;
     y.resize(y_.size());
-    attempt_carried_ = carried;
-    increments(next_, h, rise_);
+    attempt_carried_.resize(y.size());
+    sum_all_series<Of::value>(next_.data(), order_, h, rise_);
     for (std::size_t i = 0; i < y.size(); ++i) {
-      const double rise = rise_[i] + carried[i];
+      const double rise = rise_[i] + carried_[i];
       y[i] = y_[i] + rise;
       const double taken = y[i] - y_[i];
       attempt_carried_[i] = (y_[i] - (y[i] - taken)) + (rise - taken);
     }
     if (expand(t, y, beyond_)) return false;
-    slopes(next_, h, slope_);
-    for (std::size_t i = 0; i < y.size(); ++i) {
+    if (!holds_until(h)) return false;
+    accept(t);
+    return true;
+  }
+
+  /// Whether the polynomial obeys the equation at the end of the step.
+  bool holds_until(double h) {
+    sum_all_series<Of::slope>(next_.data(), order_, h, slope_);
+    for (std::size_t i = 0; i < y_.size(); ++i) {
       const double rate = coefficient(beyond_, i, 1);
       const double defect = slope_[i] - rate;
       const double round_off = 1e-12 * (std::abs(slope_[i]) + std::abs(rate));
       if (!(h * std::abs(defect) <= largest_defect * weight(i) + h * round_off)) return false;
     }
-    accept(t);
     return true;
   }
 

@@ -41,7 +41,8 @@ INSTANTIATE_TEST_SUITE_P(Formulas, Recurrence,
                                          "atan(q)", "sinh(q)", "cosh(q/2)", "tanh(q)", "exp(-q^2)",
                                          "log(2 + q)", "sqrt(1 + q^2)", "(1 + q^2)^(5/3)", "1/(2 + q)",
                                          "q^3 - q*q_dot/(1 + t)", "cos(3*t)*q",
-                                         "exp(sin(q))/sqrt(2 + cos(t))", "q^7", "0", "2", "t"));
+                                         "exp(sin(q))/sqrt(2 + cos(t))", "q^7", "(1 - 2*cos(q))*q_dot",
+                                         "sin(q - 2*t)*(3 + t)", "(q + q_dot/3)*sin(q)", "0", "2", "t"));
 
 TEST_P(Recurrence, SolvesTheEquation) {
   const CompiledFunction tape = one_acceleration(GetParam());

@@ -1,0 +1,135 @@
+// Work and precision of every contestant on every motion: one line a point, to standard output.
+//
+//     work_precision FOLDER [MOTION ...]
+//
+// FOLDER receives what other programs need to take part: motions.json, and MOTION.reference, the rows of the
+// reference as doubles. CPU time is the thread's clock; the contestants take turns, and a point's time is the
+// median of its turns.
+
+#include <ctime>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/bench/work_precision/motions.hpp"
+
+namespace qdot::bench {
+namespace {
+
+constexpr int turns = 7;
+constexpr double longest = 0.3;   ///< s; a point that takes longer is not measured again
+constexpr double too_long = 1.0;  ///< s; the method's tighter tolerances are left out
+constexpr double give_up = 1e3;   ///< an error this large is no answer
+
+double seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Point {
+  const Contestant* contestant;
+  double tolerance;
+  double error{};
+  std::uint64_t evaluations{}, steps{};
+  std::vector<double> times{};
+};
+
+double largest_error(const std::vector<double>& states, const std::vector<double>& reference) {
+  if (states.size() != reference.size()) return NAN;
+  double largest = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const double error = std::abs(states[i] - reference[i]);
+    if (!(error <= largest)) largest = error;
+  }
+  return largest;
+}
+
+double timed(Point& point, Outcome& outcome) {
+  const double start = seconds();
+  outcome = point.contestant->solve(point.tolerance);
+  point.times.push_back(seconds() - start);
+  return point.times.back();
+}
+
+/// First turn: errors, and which points there are.
+std::vector<Point> first_turn(const std::vector<Contestant>& contestants, const std::vector<double>& rows) {
+  std::vector<Point> points;
+  for (const Contestant& contestant : contestants) {
+    const bool series = contestant.method.starts_with("taylor");
+    for (int digits = series ? 2 : 3; digits <= (series ? 16 : 13); digits += series ? 1 : 2) {
+      Point point{&contestant, std::pow(10.0, -digits)};
+      Outcome outcome;
+      const double time = timed(point, outcome);
+      point.error = largest_error(outcome.states, rows);
+      point.evaluations = outcome.evaluations;
+      point.steps = outcome.steps;
+      if (point.error < give_up) points.push_back(point);
+      if (time > too_long) break;
+    }
+  }
+  return points;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+void write(const Problem& problem, const Point& point) {
+  std::printf("%s,%s,%s,%.0e,%.3g,%.5g,%llu,%llu,%zu\n", problem.motion.name.c_str(),
+              point.contestant->method.c_str(), point.contestant->equations.c_str(), point.tolerance,
+              point.error, 1e6 * median(point.times), static_cast<unsigned long long>(point.evaluations),
+              static_cast<unsigned long long>(point.steps), point.times.size());
+}
+
+void measure(const Problem& problem, const std::vector<double>& rows) {
+  std::vector<Contestant> contestants;
+  for (const auto& list :
+       {own_methods(problem), hand_written_taylor(problem), boost_methods(problem), gsl_methods(problem)}) {
+    contestants.insert(contestants.end(), list.begin(), list.end());
+  }
+  std::vector<Point> points = first_turn(contestants, rows);
+  for (int turn = 1; turn < turns; ++turn) {
+    for (Point& point : points) {
+      Outcome outcome;
+      if (point.times.front() < longest) timed(point, outcome);
+    }
+  }
+  for (const Point& point : points) write(problem, point);
+  std::fflush(stdout);
+}
+
+nlohmann::json description(const Problem& problem) {
+  nlohmann::json parameters;
+  const auto& named = problem.dynamics.model().scene.parameters;
+  for (std::size_t i = 0; i < named.size(); ++i) parameters[named[i].name] = problem.parameters[i];
+  return {{"name", problem.motion.name}, {"system", problem.motion.system}, {"inputs", problem.motion.inputs},
+          {"parameters", parameters},    {"initial", problem.y_start},      {"t_end", problem.motion.t_end}};
+}
+
+}  // namespace
+}  // namespace qdot::bench
+
+int main(int count, char** words) {
+  using namespace qdot::bench;
+  if (count < 2) return std::fprintf(stderr, "usage: work_precision FOLDER [MOTION ...]\n"), 2;
+  const std::string folder = words[1];
+  const std::vector<std::string> wanted(words + 2, words + count);
+  nlohmann::json descriptions = nlohmann::json::array();
+  std::printf("motion,method,equations,tolerance,error,cpu_us,evaluations,steps,repeats\n");
+  for (const Motion& motion : motions()) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), motion.name) == wanted.end()) continue;
+    const Problem problem(motion);
+    const std::vector<double> rows = reference(problem);
+    std::ofstream(folder + "/" + motion.name + ".reference", std::ios::binary)
+        .write(reinterpret_cast<const char*>(rows.data()),
+               static_cast<std::streamsize>(rows.size() * sizeof(double)));
+    descriptions.push_back(description(problem));
+    measure(problem, rows);
+  }
+  std::ofstream(folder + "/motions.json") << descriptions;
+}

@@ -1,0 +1,70 @@
+#include <algorithm>
+
+#include "core/compile/taylor_expansion.hpp"
+#include "core/integrate/run.hpp"
+#include "tests/bench/work_precision/motions.hpp"
+
+namespace qdot::bench {
+namespace {
+
+constexpr double atol_over_rtol = 1e-3;
+
+RightHandSide right_hand_side(const Problem& problem, Method method) {
+  const CompiledFunction& accelerations = problem.dynamics.accelerations();
+  const std::size_t n = accelerations.outputs();
+  RightHandSide system;
+  system.dimension = 2 * n;
+  system.derivative = [&accelerations, n, workspace = accelerations.bind(problem.parameters)](
+                          double t, std::span<const double> y, std::span<double> derivative) mutable {
+    std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, derivative.begin());
+    return accelerations.evaluate(t, y, workspace, derivative.subspan(n));
+  };
+  if (method == Method::bdf) {
+    const CompiledFunction& jacobian = problem.dynamics.jacobian();
+    system.jacobian = [&jacobian, workspace = jacobian.bind(problem.parameters)](
+                          double t, std::span<const double> y, std::span<double> out) mutable {
+      return jacobian.evaluate(t, y, workspace, out);
+    };
+  }
+  if (method == Method::taylor) {
+    const auto expansion = std::make_shared<TaylorExpansion>(accelerations, problem.parameters);
+    system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
+      return expansion->expand(t, y, order, c);
+    };
+  }
+  return system;
+}
+
+Outcome solve(const Problem& problem, Method method, double rtol, unsigned order) {
+  RunRequest request;
+  request.y_start = problem.y_start;
+  request.t_end = problem.grid.back();
+  request.grid = problem.grid;
+  request.method = method;
+  request.taylor_order = order;
+  request.tolerances = {rtol, rtol * atol_over_rtol};
+  const RightHandSide system = right_hand_side(problem, method);
+  Run run = integrate(system, request);
+  return {std::move(run.states), run.evaluations, run.steps};
+}
+
+}  // namespace
+
+std::vector<Contestant> own_methods(const Problem& problem) {
+  std::vector<Contestant> all;
+  const auto add = [&](const char* name, Method method) {
+    all.push_back({name, "tape",
+                   [&problem, method](double tolerance) { return solve(problem, method, tolerance, 0); }});
+  };
+  add("taylor", Method::taylor);
+  add("erk", Method::erk);
+  add("adams", Method::adams);
+  add("bdf", Method::bdf);
+  return all;
+}
+
+std::vector<double> tightest_motion(const Problem& problem) {
+  return solve(problem, Method::taylor, 1e-16, TaylorExpansion::highest_order).states;
+}
+
+}  // namespace qdot::bench
