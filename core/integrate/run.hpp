@@ -52,7 +52,7 @@ struct EventFunction {
 /// adams: CVODE, order 1 to 12, cheapest in evaluations when they are dear. bdf: CVODE, order 1 to 5, for
 /// stiff systems (strong damping). erk: ARKODE, order 8, the fastest of the three on small oscillating
 /// systems; a row of the grid costs it 12 evaluations, and watching events about 10 a step.
-/// taylor: Taylor series of order 14 or 20; the fewest and longest steps, its polynomial for dense output,
+/// taylor: Taylor series of order 16 or 20; the fewest and longest steps, its polynomial for dense output,
 /// and round-off kept low.
 /// gauss: implicit Gauss collocation of order 6 with a fixed step; symplectic in canonical variables, so that
 /// energy errors stay bounded however long the motion.

@@ -12,7 +12,7 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned order_loose = 14;  ///< cheaper per step; fewer digits need no more
+constexpr unsigned order_loose = 16;  ///< cheaper per step; fewer digits need no more
 constexpr unsigned order_tight = 20;
 constexpr double loose = 1e-6;
 constexpr int attempts = 60;            ///< at one step, each half as long
