@@ -5,25 +5,27 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/analysis/row_errors.hpp"
+#include "core/analysis/stiffness.hpp"
 #include "core/compile/taylor_expansion.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr double tightest = 1e-15;  ///< rtol of a run that is returned
-constexpr double tightest_check = 1e-16;
+constexpr double tightest_check = 1e-17;
+constexpr double round_off_wanted = 1e-14;  ///< rtol from which on round-off is all that is left
 constexpr double loosest = 1e-2;
 constexpr double rung = 1e-2;  ///< a check's tolerance over that of the run it checks
 constexpr double check_of_others = 1e-3;
-constexpr unsigned order_of_checks = 24;
-constexpr unsigned order_of_loose_checks = 20;  ///< of runs that have order 14
+constexpr unsigned order_of_checks = 22;
+constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
 constexpr double loose = 1e-6;
-constexpr double safety = 2;
-constexpr double round_off = 0x1p-52;  ///< of a row: a number is rounded when it is stored
-constexpr std::size_t instants = 64;   ///< at least so many places are compared
-constexpr double useful = 1e-3;        ///< horizon: of a column's largest magnitude
-constexpr double aim = 0.2;            ///< of the wanted error, when the next tolerance is chosen
+constexpr std::size_t instants = 64;  ///< at least so many places are compared
+constexpr double useful = 1e-3;       ///< horizon: of a column's largest magnitude
+constexpr double aim = 0.2;           ///< of the wanted error, when the next tolerance is chosen
 constexpr int most_rungs = 8;
+constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 bool ended_well(const Simulation& s) { return s.ending == Ending::reached_end || s.ending == Ending::event; }
 
@@ -63,7 +65,9 @@ class Ladder {
         request_(request),
         goal_(goal),
         grid_(request),
-        has_series_(has_taylor_expansion(dynamics.accelerations())) {}
+        is_stiff_(damping_times_span(dynamics, request.parameters, request.t_start, request.y_start,
+                                     request.t_end - request.t_start) > stiff),
+        has_series_(!is_stiff_ && has_taylor_expansion(dynamics.accelerations())) {}
 
   MeasuredSimulation climb() {
     if (goal_.kind == AccuracyGoal::Kind::tolerances) {
@@ -114,19 +118,21 @@ class Ladder {
   void take(const Tolerances& tolerances) {
     SimulationRequest request = request_;
     request.tolerances = tolerances;
+    if (is_stiff_ && request.method == Method::taylor) request.method = Method::bdf;
     result_ = {};
     result_.tolerances = tolerances;
     result_.simulation = run(std::move(request));
   }
 
-  /// The second road: another order where the method is taylor, another method elsewhere.
-  [[nodiscard]] SimulationRequest check() const {
+  /// The second road: another order where the method is taylor, another method elsewhere; from parameters and
+  /// initial values moved in their last bits, up (1) or down (-1).
+  [[nodiscard]] SimulationRequest check(double direction) const {
     SimulationRequest request = request_;
     request.columns.clear();
     request.events.clear();
     const Method first = result_.simulation.method;
     const bool same = first == Method::taylor;
-    request.method = has_series_ ? Method::taylor : first == Method::erk ? Method::adams : Method::erk;
+    request.method = second_method(first);
     const bool is_loose = first != Method::gauss && result_.tolerances.rtol >= loose;
     request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
     const double least = has_series_ ? tightest_check : 1e-14;
@@ -134,15 +140,29 @@ class Ladder {
     const double factor = first == Method::gauss ? 0 : same ? rung : check_of_others;
     const double rtol = std::max(least, result_.tolerances.rtol * factor);
     request.tolerances = {rtol, std::max(result_.tolerances.atol * factor, least * 1e-3)};
-    nudge(request.parameters);
-    nudge(request.y_start);
+    nudge(request.parameters, direction);
+    nudge(request.y_start, direction);
     return request;
   }
 
+  /// One check tells the error of truncation. Where round-off is as large, a single difference may be small
+  /// by chance; two checks that start on either side cannot both be.
+  [[nodiscard]] std::vector<double> directions() const {
+    const Method first = result_.simulation.method;
+    const bool at_round_off = first == Method::gauss || result_.tolerances.rtol <= round_off_wanted;
+    return at_round_off ? std::vector<double>{1, -1} : std::vector<double>{1};
+  }
+
+  [[nodiscard]] Method second_method(Method first) const {
+    if (is_stiff_) return Method::bdf;
+    if (has_series_) return Method::taylor;
+    return first == Method::erk ? Method::adams : Method::erk;
+  }
+
   /// Every number by one unit in the last place, up and down in turn: what rounding does to the motion, the
-  /// rounding that both runs have in common included. It is nothing beside any other error.
-  static void nudge(std::vector<double>& numbers) {
-    double towards = std::numeric_limits<double>::infinity();
+  /// rounding that all runs have in common included. It is nothing beside any other error.
+  static void nudge(std::vector<double>& numbers, double direction) {
+    double towards = direction * std::numeric_limits<double>::infinity();
     for (double& x : numbers) {
       if (x == 0) continue;
       x = std::nextafter(x, towards);
@@ -151,29 +171,60 @@ class Ladder {
   }
 
   void measure() {
-    const SimulationRequest request = check();
-    result_.verified_by = request.method;
-    const Simulation second = run(request);
+    const Simulation& first = result_.simulation;
+    std::vector<Simulation> others;
+    for (const double direction : directions()) {
+      const SimulationRequest request = check(direction);
+      result_.verified_by = request.method;
+      others.push_back(run(request));
+      if (const char* reason = not_comparable(others.back())) {
+        result_.reason = reason;
+        return;
+      }
+      if (first.stop && ended_well(others.back()) && !others.back().stop) {
+        result_.reason =
+            "The second computation went on beyond the end of this one: that it stops here is no more "
+            "certain than its error allows.";
+      }
+    }
+    compare(others);
+  }
+
+  void compare(const std::vector<Simulation>& others) {
     const Simulation& first = result_.simulation;
     const std::size_t width = request_.y_start.size();
-    const std::size_t rows = std::min(first.rows, second.rows);
-    if (!ended_well(second) && second.rows < first.rows) {
-      result_.reason =
-          "The second computation, which would have measured the error, did not come to its end.";
-      return;
-    }
-    std::vector<double> error(width), so_far(width);
+    std::size_t rows = first.rows;
+    for (const Simulation& other : others) rows = std::min(rows, other.rows);
+    RowErrors errors(largest_magnitudes());
+    result_.max_abs_error.assign(width, 0.0);
     for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t k = 0; k < width; ++k) {
-        const double value = first.states[i * width + k];
-        const double difference = safety * std::abs(value - second.states[i * width + k]);
-        so_far[k] = std::max(so_far[k], difference + round_off * std::abs(value));
-      }
+      std::vector<std::span<const double>> same_row;
+      for (const Simulation& other : others)
+        same_row.push_back(std::span(other.states).subspan(i * width, width));
+      errors.add(std::span(first.states).subspan(i * width, width), same_row);
       if (!grid_.wanted[i]) continue;
-      error = so_far;
-      note_horizon(i, error);
+      result_.max_abs_error = errors.so_far();
+      note_horizon(i, result_.max_abs_error);
     }
-    result_.max_abs_error = std::move(error);
+  }
+
+  /// Why the second run does not tell the error of the first.
+  [[nodiscard]] const char* not_comparable(const Simulation& second) const {
+    const auto begin = grid_.wanted.begin();
+    const auto from = static_cast<std::ptrdiff_t>(second.rows);
+    const auto to = static_cast<std::ptrdiff_t>(result_.simulation.rows);
+    if (from >= to || std::find(begin + from, begin + to, true) == begin + to) return nullptr;
+    if (ended_well(second)) {
+      return "The second computation stopped before this one: whether the motion goes so far is no more "
+             "certain "
+             "than its error allows, which could not be measured.";
+    }
+    if (left() == 0 || goal_.kind == Kind::work) {
+      return "The evaluations allowed were spent before the second computation, which would have measured "
+             "the "
+             "error, came to its end.";
+    }
+    return "The second computation, which would have measured the error, did not come to its end.";
   }
 
   void note_horizon(std::size_t row, const std::vector<double>& error) {
@@ -258,7 +309,8 @@ class Ladder {
   const SimulationRequest& request_;
   const AccuracyGoal& goal_;
   DenseGrid grid_;
-  bool has_series_;
+  bool is_stiff_;    ///< explicit methods are of no use
+  bool has_series_;  ///< and Taylor's is
   MeasuredSimulation result_;
   std::optional<MeasuredSimulation> best_;
   double best_excess_{}, excess_{};

@@ -5,10 +5,10 @@
 // motion, from ten to a million. So a motion is computed twice, the second time a hundred times tighter and
 // by another method or order; where the second is much more accurate, the difference of the two is the error
 // of the first. The returned motion is the first, and its error is twice the largest difference met up to
-// each instant (twice: the difference was measured between 0.85 and 1.2 times the error) and the round-off of
-// the number itself. The second has parameters and initial values changed in their last bit: where both are
-// as tight as double precision allows, what the difference shows is what rounding does to the motion, the
-// rounding that both runs have in common included.
+// each instant (row_errors.hpp). The second has parameters and initial values changed in their last bits:
+// where both are as tight as double precision allows, what the difference shows is what rounding does to the
+// motion, the rounding that both runs have in common included. There a third run starts on the other side, so
+// that the difference is not small by chance.
 //
 // Method gauss has a step in place of tolerances: its check is the tightest there is, and it climbs nothing.
 //
@@ -50,7 +50,8 @@ struct MeasuredSimulation {
   std::uint64_t evaluations{};  ///< of all runs
 };
 
-/// Method taylor may be replaced where a force has a kink (Simulation::method). For goals other than
+/// Method taylor is replaced where a force has a kink (erk) and where damping is strong (bdf):
+/// Simulation::method. For goals other than
 /// tolerances the request's tolerances are ignored. Throws std::invalid_argument for gauss with such a goal.
 [[nodiscard]] MeasuredSimulation simulate_with_error(const Dynamics& dynamics,
                                                      const SimulationRequest& request,

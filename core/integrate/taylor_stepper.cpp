@@ -15,6 +15,9 @@ namespace {
 constexpr unsigned order_loose = 16;  ///< cheaper per step; fewer digits need no more
 constexpr unsigned order_tight = 20;
 constexpr double loose = 1e-6;
+constexpr double round_off_wanted = 1e-14;  ///< rtol from which on truncation is kept below round-off
+constexpr double below_round_off = 1e-18;
+constexpr unsigned order_at_round_off = 24;
 constexpr int attempts = 60;            ///< at one step, each half as long
 constexpr double largest_defect = 1e3;  ///< of the equation at the end of a step, in units of the tolerance
 
@@ -42,8 +45,14 @@ double log2_of_root(double w, double c, unsigned k) {
   return (rough_log2(w) - rough_log2(std::abs(c))) / k;
 }
 
+double relative_tolerance(const RunRequest& request) {
+  const double rtol = request.tolerances.rtol;
+  return request.taylor_order == 0 && rtol <= round_off_wanted ? below_round_off : rtol;
+}
+
 unsigned order_for(const RunRequest& request) {
   if (request.taylor_order > 0) return request.taylor_order;
+  if (request.tolerances.rtol <= round_off_wanted) return order_at_round_off;
   return request.tolerances.rtol >= loose ? order_loose : order_tight;
 }
 
@@ -96,6 +105,7 @@ class TaylorStepper final : public Stepper {
       : system_(system),
         request_(request),
         order_(order_for(request)),
+        rtol_(relative_tolerance(request)),
         t_previous_(request.t_start),
         t_(request.t_start),
         y_previous_(request.y_start),
@@ -170,7 +180,7 @@ class TaylorStepper final : public Stepper {
 
   [[nodiscard]] double weight(std::size_t i) const {
     const double reach = std::abs(y_[i]) + last_step_ * std::abs(coefficient(next_, i, 1));
-    return request_.tolerances.atol + request_.tolerances.rtol * reach;
+    return request_.tolerances.atol + rtol_ * reach;
   }
 
   /// By the last two coefficients that are finite in all components.
@@ -255,6 +265,7 @@ class TaylorStepper final : public Stepper {
   const RightHandSide& system_;
   const RunRequest& request_;
   unsigned order_;
+  double rtol_;
   double t_previous_, t_;
   double last_step_{};
   std::vector<double> y_previous_, y_, attempt_;

@@ -19,7 +19,7 @@ namespace {
 using namespace qdot::test;
 
 struct Options {
-  std::uint64_t requests{2000}, seed{1}, first{0}, steps{20'000};
+  std::uint64_t requests{2000}, seed{1}, first{0}, steps{5'000};
   bool all{};
 };
 

@@ -68,7 +68,8 @@ TEST(QuadReference, MeetsTheFilesOfAnotherProgram) {
   constexpr double rounding_of_parameters = 4e-15;
   int cases = 0;
   for (const std::string& system : practice_systems()) {
-    for (const api::Json& json : json_file("tests/reference/" + system + ".json").at("cases")) {
+    const api::Json file = json_file("tests/reference/" + system + ".json");
+    for (const api::Json& json : file.at("cases")) {
       if (json.at("quantity") != "trajectory") continue;
       const QuadProblem problem = problem_in(json);
       const QuadReference reference = quad_reference(problem, 100'000);

@@ -109,6 +109,11 @@ Result damped_oscillator(P p, S, State q, State v, S F) {
   return {(1 / m) * F - (p.at("b") / m) * v[0] - (p.at("k") / m) * q[0]};
 }
 
+Result damped_pendulum(P p, S, State q, State v, S) {
+  const Quad m = p.at("m"), l = p.at("l");
+  return {(-p.at("g") / l) * sin(q[0]) - (p.at("b") / (m * l * l)) * v[0]};
+}
+
 const std::map<std::string, Accelerations>& table() {
   static const std::map<std::string, Accelerations> systems{
       {"spring_pendulum", spring_pendulum},
@@ -125,6 +130,7 @@ const std::map<std::string, Accelerations>& table() {
       {"plane_pendulum", plane_pendulum},
       {"driven_pivot", driven_pivot},
       {"damped_oscillator", damped_oscillator},
+      {"damped_pendulum", damped_pendulum},
   };
   return systems;
 }

@@ -277,7 +277,7 @@ const std::vector<std::pair<std::string, Maker>> makers{{"spring_pendulum", spri
                                                         {"driven_pivot", driven_pivot},
                                                         {"damped_oscillator", damped_oscillator}};
 
-/// Up to 100 periods of one of the rates, and of none more than 300.
+/// Up to 100 periods of one of the rates, and of none more than 100.
 double span_of(Draw& draw, const std::vector<double>& rates) {
   double fastest = 0;
   std::vector<double> moving;
@@ -287,7 +287,7 @@ double span_of(Draw& draw, const std::vector<double>& rates) {
   }
   if (moving.empty()) return draw.decades(-1, 2);
   const auto which = static_cast<std::size_t>(draw.uniform(0, static_cast<double>(moving.size())));
-  return std::min(2 * pi / moving[which] * draw.decades(-1.3, 2), 2 * pi / fastest * 300);
+  return std::min(2 * pi / moving[which] * draw.decades(-1.3, 2), 2 * pi / fastest * 100);
 }
 
 void choose_times(Draw& draw, double span, SimulationRequest& request) {
@@ -308,7 +308,7 @@ void choose_times(Draw& draw, double span, SimulationRequest& request) {
   request.grid.erase(std::unique(request.grid.begin(), request.grid.end()), request.grid.end());
 }
 
-void choose_goal(Draw& draw, Asked& asked) {
+void choose_goal(Draw& draw, double fastest, Asked& asked) {
   asked.request.method =
       draw.chance(0.4) ? Method::taylor : draw.one_of({Method::adams, Method::bdf, Method::erk});
   const double kind = draw.uniform(0, 1);
@@ -316,6 +316,12 @@ void choose_goal(Draw& draw, Asked& asked) {
     const double rtol = draw.decades(-14, -2);
     const double atol = draw.chance(0.4) ? 1e-12 : draw.chance(0.5) ? rtol * 1e-3 : draw.decades(-14, -2);
     asked.request.tolerances = draw.chance(0.3) ? Tolerances{1e-9, 1e-12} : Tolerances{rtol, atol};
+    if (draw.chance(0.15)) {
+      const double span = asked.request.t_end - asked.request.t_start;
+      const double time = fastest > 0 ? 2 * pi / fastest : span;
+      asked.request.method = Method::gauss;
+      asked.request.h = std::min(span / 2, time * draw.decades(-2.5, -0.8));
+    }
   } else if (kind < 0.6) {
     asked.goal = {AccuracyGoal::Kind::relative, draw.one_of({1e-3, 1e-6, 1e-9}), 0};
   } else if (kind < 0.85) {
@@ -362,6 +368,10 @@ std::string Asked::words() const {
       << " method=" << name_of(request.method);
   switch (goal.kind) {
     case AccuracyGoal::Kind::tolerances:
+      if (request.method == Method::gauss) {
+        out << " h=" << request.h;
+        break;
+      }
       out << " rtol=" << request.tolerances.rtol << " atol=" << request.tolerances.atol;
       break;
     case AccuracyGoal::Kind::absolute:
@@ -396,7 +406,7 @@ Asked random_request(std::uint64_t seed, std::uint64_t number) {
   Asked asked = asked_for(system, motion.given, 1, 2);
   asked.force = motion.force;
   choose_times(draw, span_of(draw, motion.rates), asked.request);
-  choose_goal(draw, asked);
+  choose_goal(draw, *std::ranges::max_element(motion.rates), asked);
   if (draw.chance(0.6)) asked.request.on_invalid = OnInvalid::go_on;
   if (draw.chance(0.3)) asked.request.impacts = Impacts::ignore;
   return asked;

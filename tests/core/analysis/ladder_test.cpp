@@ -74,7 +74,7 @@ TEST(Ladder, SaysWhatIsOutOfReach) {
 
 TEST(Ladder, KeepsToTheWorkAllowed) {
   const std::vector<double> grid = test::instants(50, 100);
-  double last = 1;
+  double last = std::numeric_limits<double>::infinity();
   for (const std::uint64_t allowed : {20'000ULL, 60'000ULL, 300'000ULL}) {
     const MeasuredSimulation m = measured(oscillator, grid, {.kind = Kind::work, .evaluations = allowed});
     ASSERT_FALSE(m.max_abs_error.empty()) << allowed;
@@ -107,6 +107,54 @@ TEST(Ladder, KnowsHowFarAChaoticMotionCanBeTrusted) {
   std::size_t first = 0;
   while (std::abs(test::row(best, first)[0] - test::row(m.simulation, first)[0]) < 1e-3 * 6) ++first;
   EXPECT_NEAR(*m.horizon, request.grid[first], 0.2 * request.grid[first]);
+}
+
+/// x'' = -(b/m) x' - (k/m) x from (0.2, 0): both rates real, their difference lost in x0 - x(t).
+TEST(Ladder, StrongDampingIsLeftToBdf) {
+  const double m = 0.5, b = 1e5, k = 8;
+  const auto model = test::model_of("damped_oscillator");
+  SimulationRequest request =
+      test::request_for(*model, {{"m", m}, {"b", b}, {"k", k}, {"x", 0.2}}, test::instants(2e4, 50));
+  request.method = Method::taylor;
+  const MeasuredSimulation found =
+      simulate_with_error(Dynamics(model), request, {.kind = Kind::relative, .value = 1e-6});
+  EXPECT_EQ(found.simulation.method, Method::bdf);
+  EXPECT_EQ(found.meets_request, true);
+  const double fast = b / m / 2 + std::sqrt(b * b / m / m / 4 - k / m), slow = k / m / fast;
+  for (std::size_t i = 0; i < found.simulation.rows; ++i) {
+    const double x = 0.2 *
+                     (fast * std::exp(-slow * request.grid[i]) - slow * std::exp(-fast * request.grid[i])) /
+                     (fast - slow);
+    EXPECT_NEAR(test::row(found.simulation, i)[0], x, found.max_abs_error[0]) << request.grid[i];
+  }
+}
+
+TEST(Ladder, WeakDampingIsNot) {
+  const auto model = test::model_of("damped_oscillator");
+  SimulationRequest request = test::request_for(*model, {{"b", 1}}, test::instants(50, 50));
+  request.method = Method::taylor;
+  EXPECT_EQ(simulate_with_error(Dynamics(model), request, {}).simulation.method, Method::taylor);
+}
+
+/// A growing motion, whose whole error is one number: a single difference would be small by chance sometimes.
+TEST(Ladder, RoundOffIsNotSmallByChance) {
+  const auto model = test::model_of("rolling_disk_platform");
+  const Dynamics dynamics(model);
+  for (int i = 0; i < 60; ++i) {
+    // Without gravity q = q0 cosh(s t), s = Omega sqrt(2/3).
+    const double Omega = 0.5 + 0.003 * i, s = Omega * std::sqrt(2.0 / 3);
+    SimulationRequest request = test::request_for(
+        *model, {{"Omega", Omega}, {"g", 0}, {"q", 0.3 + 0.01 * i}, {"q_dot", 0}}, test::instants(60, 7));
+    request.on_invalid = OnInvalid::go_on;
+    request.method = Method::taylor;
+    request.tolerances = {1e-14, 1e-17};
+    const MeasuredSimulation m = simulate_with_error(dynamics, request, {});
+    const long double rate = std::sqrt(2.0L / 3) * static_cast<long double>(Omega);
+    const double end =
+        static_cast<double>(static_cast<long double>(request.y_start[0]) * std::cosh(rate * 60));
+    EXPECT_NEAR(test::row(m.simulation, 7)[0], end, 3 * m.max_abs_error[0]) << i;
+    EXPECT_LT(m.max_abs_error[0], 1e-13 * end * (1 + 60 * s)) << i;
+  }
 }
 
 TEST(Ladder, SkipsTheMeasurementWhenAsked) {
