@@ -12,9 +12,10 @@
 namespace qdot::taylor {
 
 inline constexpr unsigned highest_order = 24;
-/// x_k at row[k], and again at row[reversed - k]. A multiple of four.
-inline constexpr unsigned stride = 2 * (highest_order + 1) + 2;
-inline constexpr unsigned reversed = stride - 1;
+/// x_k at row[k], and again at row[reversed - k]: near the pointer, so that the kernels' code is short.
+inline constexpr int reversed = -1;
+inline constexpr unsigned before_row = 28;
+inline constexpr unsigned stride = before_row + highest_order + 4;
 
 enum class Kind : std::uint8_t {
   sum,      ///< out = sum of factor x, and of factor x y

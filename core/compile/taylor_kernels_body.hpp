@@ -24,7 +24,7 @@ struct Inner {
 
 template <unsigned K>
 [[gnu::always_inline]] inline Four blocks_of(const double* x, const double* y) {
-  const double* backwards = y + (reversed - K);
+  const double* backwards = y + (reversed - static_cast<int>(K));
   Four part = load(x + 1) * load(backwards + 1);
 #pragma GCC unroll 8
   for (unsigned b = 1; b < Inner<K>::blocks; ++b) part += load(x + 1 + 4 * b) * load(backwards + 1 + 4 * b);
@@ -67,7 +67,7 @@ template <unsigned K>
 template <unsigned K>
 [[gnu::always_inline]] inline void store(double* row, double value) {
   row[K] = value;
-  row[reversed - K] = value;
+  row[reversed - static_cast<int>(K)] = value;
 }
 
 /// What of a product with a factor was there before this pass, without the blocks.
@@ -105,6 +105,11 @@ template <unsigned K>
 }
 
 template <unsigned K>
+[[gnu::noinline]] void sum_any(const Step& step) {
+  sum<K>(step, step.term_count, step.product_count);
+}
+
+template <unsigned K>
 [[gnu::always_inline]] inline void rate_of_sum(const Step& step) {
   double total = 0;
   for (unsigned i = 0; i < step.term_count; ++i) total += step.terms[i].factor * step.terms[i].x[K - 1];
@@ -118,13 +123,13 @@ template <unsigned K>
 }
 
 template <unsigned K>
-[[gnu::always_inline]] inline void root(const Step& step) {
+[[gnu::noinline]] void root(const Step& step) {
   store<K>(step.out, (step.x[K] - inner<K>(step.out, step.out)) * step.aux[0]);
 }
 
 /// z = x^c: x z' = c x' z.
 template <unsigned K>
-[[gnu::always_inline]] inline void power(const Step& step) {
+[[gnu::noinline]] void power(const Step& step) {
   double total = 0;
   for (unsigned j = 0; j < K; ++j) total += (step.constant * (K - j) - j) * step.x[K - j] * step.out[j];
   store<K>(step.out, total / (K * step.x[0]));
@@ -144,7 +149,7 @@ template <unsigned K>
 }
 
 template <unsigned K>
-[[gnu::always_inline]] inline void hyperbolic(const Step& step) {
+[[gnu::noinline]] void hyperbolic(const Step& step) {
   const double first = cauchy<K - 1>(step.x, step.out2);
   const double second = cauchy<K - 1>(step.x, step.out);
   store<K>(step.out, first * reciprocal<K>);
@@ -152,13 +157,13 @@ template <unsigned K>
 }
 
 template <unsigned K>
-[[gnu::always_inline]] inline void exponential(const Step& step) {
+[[gnu::noinline]] void exponential(const Step& step) {
   store<K>(step.out, cauchy<K - 1>(step.x, step.out) * reciprocal<K>);
 }
 
 /// z = log u: u z' = u'.
 template <unsigned K>
-[[gnu::always_inline]] inline void logarithm(const Step& step) {
+[[gnu::noinline]] void logarithm(const Step& step) {
   double total = 0;
   for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * step.x[K - j];
   store<K>(step.out, (step.x[K] - total / K) / step.x[0]);
@@ -166,7 +171,7 @@ template <unsigned K>
 
 /// z' = w u' with w = 1 + constant z^2.
 template <unsigned K>
-[[gnu::always_inline]] inline void tangent(const Step& step) {
+[[gnu::noinline]] void tangent(const Step& step) {
   double* z = step.out;
   store<K>(z, cauchy<K - 1>(step.x, step.aux) * reciprocal<K>);
   store<K>(step.aux, step.constant * (inner<K>(z, z) + 2 * (z[0] * z[K])));
@@ -174,7 +179,7 @@ template <unsigned K>
 
 /// w z' = constant u'.
 template <unsigned K>
-[[gnu::always_inline]] inline void arc(const Step& step) {
+[[gnu::noinline]] void arc(const Step& step) {
   double total = 0;
   for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * step.y[K - j];
   store<K>(step.out, (step.constant * step.x[K - 1] - total) / (K * step.y[0]));
@@ -211,6 +216,11 @@ template <unsigned K>
 }
 
 template <unsigned K>
+[[gnu::noinline]] void solve_any(const Solve& system) {
+  solve<K>(system, system.n);
+}
+
+template <unsigned K>
 [[gnu::always_inline]] inline void raise_state(const State& state) {
   double* q = state.rows;
   double* v = q + state.n * stride;
@@ -226,7 +236,7 @@ template <unsigned K>
   for (const Step *step = program.steps, *end = step + program.count; step != end; ++step) {
     switch (step->kind) {
       case Kind::sum:
-        sum<K>(*step, step->term_count, step->product_count);
+        sum_any<K>(*step);
         break;
       case Kind::sum_1_0:
         sum<K>(*step, 1, 0);
@@ -289,7 +299,7 @@ template <unsigned K>
         arc<K>(*step);
         break;
       case Kind::solve:
-        solve<K>(*step->solve, step->solve->n);
+        solve_any<K>(*step->solve);
         break;
       case Kind::solve_2:
         solve<K>(*step->solve, 2);

@@ -32,7 +32,7 @@ TaylorExpansion::Translation::Translation(const CompiledFunction& tape, const Wo
   const std::size_t rows = tape.slots_ + 1 + most_rows_of_its_own * tape.body_.size();
   rows_.assign((rows + 1) * taylor::stride, 0.0);
   const auto place = reinterpret_cast<std::uintptr_t>(rows_.data()) / sizeof(double);
-  first_ = (3 - place % 4) % 4;
+  first_ = taylor::before_row + (3 - place % 4) % 4;
   rows_used_ = tape.slots_;
   one_ = new_row();
   one_[0] = 1;
