@@ -46,9 +46,7 @@ class AccuracyAnswer {
       : scene_(scene), request_(request), study_(study) {}
 
   Json body() {
-    for (const Method method : request_.methods) {
-      for (const Trial& trial : study_.trials(method)) run(trial);
-    }
+    run_all();
     Json body = Json::object();
     body["reference"] = reference_json();
     body["points"] = points_json();
@@ -58,6 +56,16 @@ class AccuracyAnswer {
   }
 
  private:
+  /// A method is given up at its first run that was broken off.
+  void run_all() {
+    for (const Method method : request_.methods) {
+      for (const Trial& trial : study_.trials(method)) {
+        run(trial);
+        if (results_.back().ending == Ending::step_limit) break;
+      }
+    }
+  }
+
   void run(const Trial& trial) {
     results_.push_back(study_.run(trial));
     if (!request_.measure) {

@@ -9,7 +9,7 @@
 namespace qdot {
 namespace {
 
-constexpr std::uint64_t patience = 20;  ///< evaluations of a trial over those of the reference
+constexpr std::uint64_t patience = 5;  ///< evaluations of a trial over those of the reference
 constexpr double atol_over_rtol = 1e-3;
 /// The last is for taylor alone: the others ask for at least 1e-14.
 constexpr std::array<double, 13> rtols{1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,

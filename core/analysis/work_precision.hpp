@@ -46,7 +46,7 @@ class WorkPrecision {
   /// from four times the mean step of the reference down, each half as long.
   [[nodiscard]] std::vector<Trial> trials(Method method) const;
 
-  /// A run that needs more than twenty times the reference's evaluations is broken off (step_limit): nobody
+  /// A run that needs more than five times the reference's evaluations is broken off (step_limit): nobody
   /// would choose it.
   [[nodiscard]] TrialResult run(const Trial& trial);
 

@@ -66,6 +66,10 @@ TEST_F(OscillatorStudy, EveryPointsErrorHoldsAgainstTheClosedForm) {
   for (const Method method : test::all_methods) {
     for (const Trial& trial : study.trials(method)) {
       const TrialResult found = study.run(trial);
+      if (found.ending == Ending::step_limit) {
+        EXPECT_GE(found.evaluations, 4 * study.reference().simulation.evaluations);
+        continue;
+      }
       ASSERT_EQ(found.max_abs_error.size(), 4U);
       SimulationRequest again = request_;
       again.method = trial.method;
@@ -86,7 +90,8 @@ TEST_F(OscillatorStudy, ErrorFollowsToleranceOverEightDecades) {
   WorkPrecision study(dynamics_, request_);
   for (const Method method : test::all_methods) {
     const std::vector<Trial> trials = study.trials(method);
-    const TrialResult loose = study.run(trials[1]), tight = study.run(trials[9]);  // 1e-4 and 1e-12
+    const TrialResult loose = study.run(trials[0]), tight = study.run(trials[8]);  // 1e-3 and 1e-11
+    ASSERT_FALSE(tight.max_abs_error.empty()) << static_cast<int>(method);
     EXPECT_LT(tight.error, 1e-6 * loose.error) << static_cast<int>(method);
     EXPECT_GT(tight.evaluations, loose.evaluations);
   }
