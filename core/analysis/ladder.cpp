@@ -195,7 +195,8 @@ class Ladder {
     const std::size_t width = request_.y_start.size();
     std::size_t rows = first.rows;
     for (const Simulation& other : others) rows = std::min(rows, other.rows);
-    RowErrors errors(largest_magnitudes());
+    RowErrors errors(largest_magnitudes(Rows::all));
+    const std::vector<double> scale = largest_magnitudes(Rows::wanted);
     result_.max_abs_error.assign(width, 0.0);
     for (std::size_t i = 0; i < rows; ++i) {
       std::vector<std::span<const double>> same_row;
@@ -204,7 +205,7 @@ class Ladder {
       errors.add(std::span(first.states).subspan(i * width, width), same_row);
       if (!grid_.wanted[i]) continue;
       result_.max_abs_error = errors.so_far();
-      note_horizon(i, result_.max_abs_error);
+      note_horizon(i, result_.max_abs_error, scale);
     }
   }
 
@@ -227,30 +228,30 @@ class Ladder {
     return "The second computation, which would have measured the error, did not come to its end.";
   }
 
-  void note_horizon(std::size_t row, const std::vector<double>& error) {
+  void note_horizon(std::size_t row, const std::vector<double>& error, const std::vector<double>& scale) {
     if (result_.horizon) return;
-    const std::vector<double>& scale = largest_magnitudes();
     for (std::size_t k = 0; k < error.size(); ++k) {
       if (error[k] > useful * scale[k]) result_.horizon = grid_.t[row];
     }
   }
 
-  /// Of each column over the rows; computed once a run.
-  [[nodiscard]] const std::vector<double>& largest_magnitudes() {
-    if (scale_of_ == spent_) return scale_;
-    scale_of_ = spent_;
+  enum class Rows { all, wanted };
+
+  /// Of each column.
+  [[nodiscard]] std::vector<double> largest_magnitudes(Rows which) const {
     const std::size_t width = request_.y_start.size();
-    scale_.assign(width, 0.0);
     const Simulation& first = result_.simulation;
+    std::vector<double> largest(width);
     for (std::size_t i = 0; i < first.rows * width; ++i) {
-      scale_[i % width] = std::max(scale_[i % width], std::abs(first.states[i]));
+      if (which == Rows::wanted && !grid_.wanted[i / width]) continue;
+      largest[i % width] = std::max(largest[i % width], std::abs(first.states[i]));
     }
-    return scale_;
+    return largest;
   }
 
   /// The largest error in units of what is wanted; 1 is met.
-  [[nodiscard]] double excess() {
-    const std::vector<double>& scale = largest_magnitudes();
+  [[nodiscard]] double excess() const {
+    const std::vector<double> scale = largest_magnitudes(Rows::wanted);
     double largest = 0;
     for (std::size_t k = 0; k < result_.max_abs_error.size(); ++k) {
       const double wanted = goal_.value * (goal_.kind == Kind::relative ? scale[k] : 1.0);
@@ -315,8 +316,6 @@ class Ladder {
   std::optional<MeasuredSimulation> best_;
   double best_excess_{}, excess_{};
   std::uint64_t spent_{};
-  std::uint64_t scale_of_{std::numeric_limits<std::uint64_t>::max()};
-  std::vector<double> scale_;
 };
 
 }  // namespace
