@@ -2,11 +2,9 @@
 //
 //     work_precision FOLDER [MOTION ...]
 //
-// FOLDER receives what other programs need to take part: motions.json, and MOTION.reference, the rows of the
-// reference as doubles. CPU time is the thread's clock; the contestants take turns, and a point's time is the
-// median of its turns.
-
-#include <ctime>
+// FOLDER receives what the presets cost and give, what the ladder's second run costs, and what other programs
+// need to take part: motions.json, and MOTION.reference, the rows of the reference as doubles. CPU time is
+// the thread's clock; the contestants take turns, and a point's time is the median of its turns.
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +18,9 @@ namespace qdot::bench {
 namespace {
 
 constexpr int turns = 7;
-constexpr double longest = 0.3;   ///< s; a point that takes longer is not measured again
-constexpr double too_long = 1.0;  ///< s; the method's tighter tolerances are left out
+constexpr double longest = 0.1;   ///< s; a point that takes longer is not measured again
+constexpr double too_long = 0.3;  ///< s; the method's tighter tolerances are left out
 constexpr double give_up = 1e3;   ///< an error this large is no answer
-
-double seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Point {
   const Contestant* contestant;
@@ -38,16 +30,6 @@ struct Point {
   std::vector<double> times{};
 };
 
-double largest_error(const std::vector<double>& states, const std::vector<double>& reference) {
-  if (states.size() != reference.size()) return NAN;
-  double largest = 0;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const double error = std::abs(states[i] - reference[i]);
-    if (!(error <= largest)) largest = error;
-  }
-  return largest;
-}
-
 double timed(Point& point, Outcome& outcome) {
   const double start = seconds();
   outcome = point.contestant->solve(point.tolerance);
@@ -55,13 +37,23 @@ double timed(Point& point, Outcome& outcome) {
   return point.times.back();
 }
 
+/// Tolerances; steps of method gauss.
+std::vector<double> settings_of(const std::string& method) {
+  if (method == "gauss") return {0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
+  const bool is_series = method.starts_with("taylor");
+  std::vector<double> settings;
+  for (int digits = is_series ? 2 : 3; digits <= (is_series ? 16 : 13); digits += is_series ? 1 : 2) {
+    settings.push_back(std::pow(10.0, -digits));
+  }
+  return settings;
+}
+
 /// First turn: errors, and which points there are.
 std::vector<Point> first_turn(const std::vector<Contestant>& contestants, const std::vector<double>& rows) {
   std::vector<Point> points;
   for (const Contestant& contestant : contestants) {
-    const bool series = contestant.method.starts_with("taylor");
-    for (int digits = series ? 2 : 3; digits <= (series ? 16 : 13); digits += series ? 1 : 2) {
-      Point point{&contestant, std::pow(10.0, -digits)};
+    for (const double setting : settings_of(contestant.method)) {
+      Point point{&contestant, setting};
       Outcome outcome;
       const double time = timed(point, outcome);
       point.error = largest_error(outcome.states, rows);
@@ -74,13 +66,8 @@ std::vector<Point> first_turn(const std::vector<Contestant>& contestants, const 
   return points;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 void write(const Problem& problem, const Point& point) {
-  std::printf("%s,%s,%s,%.0e,%.3g,%.5g,%llu,%llu,%zu\n", problem.motion.name.c_str(),
+  std::printf("%s,%s,%s,%g,%.3g,%.5g,%llu,%llu,%zu\n", problem.motion.name.c_str(),
               point.contestant->method.c_str(), point.contestant->equations.c_str(), point.tolerance,
               point.error, 1e6 * median(point.times), static_cast<unsigned long long>(point.evaluations),
               static_cast<unsigned long long>(point.steps), point.times.size());
@@ -120,6 +107,9 @@ int main(int count, char** words) {
   const std::string folder = words[1];
   const std::vector<std::string> wanted(words + 2, words + count);
   nlohmann::json descriptions = nlohmann::json::array();
+  std::ofstream presets(folder + "/presets.csv"), ladder(folder + "/ladder.csv");
+  presets << "motion,preset,cpu_us,error,stated_error,meets_request,evaluations\n";
+  ladder << "motion,rtol,first_us,second_us\n";
   std::printf("motion,method,equations,tolerance,error,cpu_us,evaluations,steps,repeats\n");
   for (const Motion& motion : motions()) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), motion.name) == wanted.end()) continue;
@@ -130,6 +120,8 @@ int main(int count, char** words) {
                static_cast<std::streamsize>(rows.size() * sizeof(double)));
     descriptions.push_back(description(problem));
     measure(problem, rows);
+    write_presets(problem, rows, presets);
+    write_ladder(problem, ladder);
   }
   std::ofstream(folder + "/motions.json") << descriptions;
 }

@@ -1,6 +1,8 @@
 #include "tests/bench/work_precision/motions.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "tests/support/motions.hpp"
 
@@ -44,6 +46,39 @@ double Problem::parameter(const std::string& name) const {
   std::size_t i = 0;
   while (dynamics.model().scene.parameters[i].name != name) ++i;
   return parameters[i];
+}
+
+SimulationRequest Problem::request() const {
+  SimulationRequest request;
+  request.parameters = parameters;
+  request.y_start = y_start;
+  request.t_end = grid.back();
+  request.grid = grid;
+  request.on_invalid = OnInvalid::go_on;
+  request.impacts = Impacts::ignore;
+  request.method = Method::taylor;
+  return request;
+}
+
+double seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double largest_error(const std::vector<double>& states, const std::vector<double>& reference) {
+  if (states.size() != reference.size()) return std::nan("");
+  double largest = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const double error = std::abs(states[i] - reference[i]);
+    if (!(error <= largest)) largest = error;
+  }
+  return largest;
 }
 
 }  // namespace qdot::bench

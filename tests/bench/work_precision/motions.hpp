@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "core/analysis/dynamics.hpp"
+#include "core/analysis/simulation.hpp"
 #include "core/mechanics/model.hpp"
 
 namespace qdot::bench {
@@ -29,6 +31,8 @@ struct Problem {
   explicit Problem(const Motion& motion);
 
   [[nodiscard]] double parameter(const std::string& name) const;
+  /// Of the whole motion, whatever the conditions of the scene say.
+  [[nodiscard]] SimulationRequest request() const;
 
   const Motion& motion;
   Dynamics dynamics;
@@ -44,7 +48,7 @@ struct Outcome {
 struct Contestant {
   std::string method;
   std::string equations;  ///< "tape", or "hand" for equations written in C++ for this motion
-  std::function<Outcome(double tolerance)> solve;
+  std::function<Outcome(double tolerance)> solve;  ///< of method gauss: step
 };
 
 /// Methods of this project, through integrate() on the tape, as an answer to `simulate` uses them.
@@ -61,5 +65,15 @@ struct Contestant {
 /// Rows of the motion to twenty digits where there is a series written by hand (in arithmetic of 113 bits),
 /// else tightest_motion().
 [[nodiscard]] std::vector<double> reference(const Problem& problem);
+
+/// CPU seconds of this thread.
+[[nodiscard]] double seconds();
+[[nodiscard]] double median(std::vector<double> values);
+/// NaN where rows are missing.
+[[nodiscard]] double largest_error(const std::vector<double>& states, const std::vector<double>& reference);
+
+/// What the presets cost and give, one line each, and what the ladder's second run costs.
+void write_presets(const Problem& problem, const std::vector<double>& reference, std::ostream& out);
+void write_ladder(const Problem& problem, std::ostream& out);
 
 }  // namespace qdot::bench

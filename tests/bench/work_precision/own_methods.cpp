@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "core/analysis/simulation.hpp"
 #include "core/compile/taylor_expansion.hpp"
-#include "core/integrate/run.hpp"
 #include "tests/bench/work_precision/motions.hpp"
 
 namespace qdot::bench {
@@ -48,6 +48,15 @@ Outcome solve(const Problem& problem, Method method, double rtol, unsigned order
   return {std::move(run.states), run.evaluations, run.steps};
 }
 
+/// With all of simulate() around it, which is little beside the method itself.
+Outcome solve_by_gauss(const Problem& problem, double h) {
+  SimulationRequest request = problem.request();
+  request.method = Method::gauss;
+  request.h = h;
+  Simulation simulation = simulate(problem.dynamics, request);
+  return {std::move(simulation.states), simulation.evaluations, simulation.steps};
+}
+
 }  // namespace
 
 std::vector<Contestant> own_methods(const Problem& problem) {
@@ -60,6 +69,7 @@ std::vector<Contestant> own_methods(const Problem& problem) {
   add("erk", Method::erk);
   add("adams", Method::adams);
   add("bdf", Method::bdf);
+  all.push_back({"gauss", "tape", [&problem](double h) { return solve_by_gauss(problem, h); }});
   return all;
 }
 
