@@ -10,9 +10,9 @@ namespace {
 TEST(Calibration, StatedErrorsAreTrue) {
   Tally tally;
   std::string remarks;
-  for (std::uint64_t i = 0; i < 140; ++i) {
+  for (std::uint64_t i = 0; i < 84; ++i) {
     const Asked asked = random_request(2, i);
-    remarks += tally.add(asked, outcome_of(asked, 600));
+    remarks += tally.add(asked, outcome_of(asked, 400));
   }
   EXPECT_TRUE(tally.passes()) << remarks << tally.summary();
 }
