@@ -16,7 +16,7 @@
 namespace qdot::api {
 namespace {
 
-// Milliseconds of one core in 2024, the systems of the catalogue; tests/bench/appraisal.py measures them.
+// Milliseconds of one core, as measured with the systems of the catalogue.
 constexpr double overhead = 0.3;               // of any request
 constexpr double per_second_of_motion = 0.1;   // integrated twice, to measure the error
 constexpr double per_number = 4e-4;            // of a trajectory, computed and printed

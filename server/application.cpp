@@ -19,6 +19,7 @@ using api::ProblemKind;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 constexpr std::size_t worth_compressing = 1024;
+constexpr auto longest_light = std::chrono::milliseconds(50);  // what takes longer was appraised too low
 
 std::string_view path_of(std::string_view target) { return target.substr(0, target.find('?')); }
 
@@ -145,8 +146,10 @@ void Application::admit(Case& it) {
 
 void Application::compute(Case& it) {
   const auto deadline = it.exchange->arrived + options_.deadline;
-  const auto over = [this, &exchange = *it.exchange, deadline] {
+  const auto begun = Clock::now();
+  const auto over = [this, &exchange = *it.exchange, deadline, begun] {
     const auto now = Clock::now();
+    if (now > begun + longest_light) lanes_.step_aside();
     return exchange.abandoned() || now > deadline || now.time_since_epoch().count() > drained_by_;
   };
   try {

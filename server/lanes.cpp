@@ -14,6 +14,9 @@ constexpr double assumed_cost = 20;    // for how much work that assumption coun
 constexpr double memory = 0.95;        // what is left of the past after each piece of work
 constexpr int heavy_niceness = 10;     // about a tenth of a core beside a light thread, all of it without
 
+// Set while this thread runs a task of a light lane: whether the task has stepped aside.
+thread_local bool* stepped_aside = nullptr;
+
 }  // namespace
 
 double Lanes::State::expected_wait(int threads) const {
@@ -28,7 +31,9 @@ Lanes::Lanes(const LanesOptions& options) : threads_(options.threads), heavy_byt
     lane.recent_seconds = assumed_cost * assumed_pace;
   }
   for (const Lane lane : all_lanes) {
-    for (int i = 0; i < threads_; ++i) workers_.emplace_back([this, lane] { work(lane); });
+    // The light lane's other half works while tasks of it have stepped aside.
+    const int count = lane == Lane::light ? 2 * threads_ : threads_;
+    for (int i = 0; i < count; ++i) workers_.emplace_back([this, lane] { work(lane); });
   }
 }
 
@@ -44,7 +49,7 @@ bool Lanes::submit(Lane lane, Work work) {
   State& it = state(lane);
   {
     const std::lock_guard lock(mutex_);
-    const bool free = it.queue.empty() && it.running < static_cast<std::size_t>(threads_);
+    const bool free = it.queue.empty() && it.running - it.aside < static_cast<std::size_t>(threads_);
     if (!free &&
         (it.queue.size() >= it.limits.waiting || it.expected_wait(threads_) > it.limits.longest_wait)) {
       return false;
@@ -59,7 +64,7 @@ bool Lanes::submit(Lane lane, Work work) {
 // Something may always begin: a bound on memory must not stop the only one that asks for it.
 bool Lanes::next_may_begin(Lane lane) const {
   const State& it = state(lane);
-  if (it.queue.empty()) return false;
+  if (it.queue.empty() || it.running - it.aside >= static_cast<std::size_t>(threads_)) return false;
   const std::size_t wanted = it.queue.front().bytes;
   return wanted == 0 || bytes_ == 0 || bytes_ + wanted <= heavy_bytes_;
 }
@@ -71,26 +76,52 @@ void Lanes::work(Lane lane) {
   std::unique_lock lock(mutex_);
   for (;;) {
     it.changed.wait(lock, [&] { return next_may_begin(lane) || (closed_ && it.queue.empty()); });
-    if (it.queue.empty()) return;
-    Work work = std::move(it.queue.front());
-    it.queue.pop_front();
-    it.waiting_cost = it.queue.empty() ? 0 : it.waiting_cost - work.cost;
-    it.running_cost += work.cost;
-    ++it.running;
-    bytes_ += work.bytes;
-    lock.unlock();
-    const auto begin = std::chrono::steady_clock::now();
-    work.task();
-    work.task = nullptr;  // what it held is given back before the next one begins
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    lock.lock();
-    bytes_ -= work.bytes;
-    it.running_cost = --it.running == 0 ? 0 : it.running_cost - work.cost;
-    it.recent_seconds = memory * it.recent_seconds + took.count();
-    it.recent_cost = memory * it.recent_cost + work.cost;
-    if (work.bytes > 0) it.changed.notify_all();
+    if (it.queue.empty()) {
+      it.changed.notify_all();  // the others wait for this queue, too
+      return;
+    }
+    begin(lane, lock);
     if (it.queue.empty() && it.running == 0) idle_.notify_all();
   }
+}
+
+void Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
+  State& it = state(lane);
+  Work work = std::move(it.queue.front());
+  it.queue.pop_front();
+  it.waiting_cost = it.queue.empty() ? 0 : it.waiting_cost - work.cost;
+  it.running_cost += work.cost;
+  ++it.running;
+  bytes_ += work.bytes;
+  bool aside = false;
+  stepped_aside = lane == Lane::light ? &aside : nullptr;
+  lock.unlock();
+  const auto begun = std::chrono::steady_clock::now();
+  work.task();
+  work.task = nullptr;  // what it held is given back before the next one begins
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+  lock.lock();
+  bytes_ -= work.bytes;
+  it.running_cost = --it.running == 0 ? 0 : it.running_cost - work.cost;
+  if (aside) {
+    --it.aside;  // and says nothing about the pace of the others
+  } else {
+    it.recent_seconds = memory * it.recent_seconds + took.count();
+    it.recent_cost = memory * it.recent_cost + work.cost;
+  }
+  if (work.bytes > 0) it.changed.notify_all();  // memory came free
+}
+
+void Lanes::step_aside() {
+  if (stepped_aside == nullptr || *stepped_aside) return;
+  State& light = state(Lane::light);
+  {
+    const std::lock_guard lock(mutex_);
+    if (light.aside >= static_cast<std::size_t>(threads_)) return;
+    ++light.aside;
+    *stepped_aside = true;
+  }
+  light.changed.notify_one();
 }
 
 void Lanes::wait_until_idle() {

@@ -50,6 +50,10 @@ class Lanes {
   /// False when the lane is full; never waits.
   [[nodiscard]] bool submit(Lane lane, Work work);
 
+  /// For a task of the light lane that finds that it is not: from now on another may run beside it, so that
+  /// what is light goes on. For at most as many at a time as the lane has threads.
+  void step_aside();
+
   /// Returns when nothing runs and nothing waits.
   void wait_until_idle();
 
@@ -65,6 +69,7 @@ class Lanes {
     std::deque<Work> queue;
     std::condition_variable changed;
     std::size_t running{0};
+    std::size_t aside{0};  // of those that run, the ones that others need not wait for
     double running_cost{0}, waiting_cost{0};
     // Recent work, older work counting less: the pace is their quotient.
     double recent_seconds{0}, recent_cost{0};
@@ -72,6 +77,7 @@ class Lanes {
   };
 
   void work(Lane lane);
+  void begin(Lane lane, std::unique_lock<std::mutex>& lock);
   [[nodiscard]] bool next_may_begin(Lane lane) const;
   State& state(Lane lane) { return states_[static_cast<std::size_t>(lane)]; }
   [[nodiscard]] const State& state(Lane lane) const { return states_[static_cast<std::size_t>(lane)]; }

@@ -36,7 +36,7 @@ class RequestLog {
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
-  void write_line(const api::Json& line);
+  void write_line(const std::string& text);
 
   int descriptor_;
   std::mutex mutex_;

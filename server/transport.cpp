@@ -343,13 +343,17 @@ struct Transport::Impl {
     unix_.reset();
   }
 
-  /// At the end of the server's life only what is in flight keeps its connection.
+  /// At the end of the server's life only what is in flight keeps its connection, and readers for as long as
+  /// one slice of an answer may take.
   void release_idle() {
     close_listeners();
+    if (!last_moment_) last_moment_ = now_ + patience_.write;
+    const bool late = now_ > *last_moment_;
     for (auto entry = entries_.begin(); entry != entries_.end();) {
       const auto here = entry++;
       const State state = here->second.connection.state();
-      if (state == State::waiting || state == State::reading) here->second.connection.close();
+      if (state == State::waiting || state == State::reading || (late && state != State::answering))
+        here->second.connection.close();
       settle(here);
     }
   }
@@ -362,6 +366,8 @@ struct Transport::Impl {
   std::string unix_path_;
   Clock::time_point now_{Clock::now()};
   Clock::time_point next_sweep_{};
+  std::optional<Clock::time_point>
+      last_moment_;  // of answers that are still going out when the end was asked for
   Entries entries_;
   std::list<Id> waiting_;
   Id next_id_{first_connection};

@@ -58,7 +58,7 @@ TEST(Framing, TheFormForProxiesMeansTheSamePath) {
 TEST(Framing, KeepAliveFollowsVersionAndConnection) {
   EXPECT_FALSE(accepted("GET / HTTP/1.0\r\n\r\n").keep_alive);
   EXPECT_TRUE(accepted("GET / HTTP/1.0\r\nConnection: Keep-Alive\r\n\r\n").keep_alive);
-  EXPECT_FALSE(accepted(post("Connection: x, Close\r\n")).keep_alive);
+  EXPECT_FALSE(accepted(post("Content-Length: 0\r\nConnection: x, Close\r\n")).keep_alive);
 }
 
 TEST(Framing, RefusesWhatTwoReadersCouldUnderstandDifferently) {
@@ -80,6 +80,7 @@ TEST(Framing, RefusesRequestLinesThatAreNone) {
 }
 
 TEST(Framing, RefusesBodiesThatItWouldNotRead) {
+  EXPECT_EQ(refused(post("")), 411);
   EXPECT_EQ(refused(post("Transfer-Encoding: chunked\r\n")), 411);
   EXPECT_EQ(refused(post("Transfer-Encoding: xchunked\r\nContent-Length: 3\r\n")), 411);
   EXPECT_EQ(refused(post("Content-Encoding: gzip\r\n")), 415);

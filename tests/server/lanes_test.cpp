@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <latch>
+#include <memory>
 #include <mutex>
 #include <semaphore>
 #include <thread>
@@ -19,18 +20,21 @@ using namespace std::chrono_literals;
 class Occupied {
  public:
   Occupied(Lanes& lanes, Lane lane, std::size_t bytes = 0) {
-    EXPECT_TRUE(lanes.submit(lane, {.bytes = bytes, .task = [this] {
-                                      begun_.count_down();
-                                      released_.wait();
+    EXPECT_TRUE(lanes.submit(lane, {.bytes = bytes, .task = [latches = latches_] {
+                                      latches->begun.count_down();
+                                      latches->released.wait();
                                     }}));
   }
-  void wait_until_begun() { begun_.wait(); }
-  bool has_begun() const { return begun_.try_wait(); }
-  void release() { released_.count_down(); }
+  void wait_until_begun() { latches_->begun.wait(); }
+  bool has_begun() const { return latches_->begun.try_wait(); }
+  void release() { latches_->released.count_down(); }
 
  private:
-  std::latch begun_{1};
-  std::latch released_{1};
+  struct Latches {
+    std::latch begun{1};
+    std::latch released{1};
+  };
+  std::shared_ptr<Latches> latches_ = std::make_shared<Latches>();
 };
 
 TEST(Lanes, WhatWasAdmittedIsDoneInOrder) {
@@ -104,6 +108,29 @@ TEST(Lanes, HeavyWorkHoldsBoundedMemory) {
   second.wait_until_begun();
   second.release();
   light.release();
+}
+
+TEST(Lanes, WhatStepsAsideKeepsNobodyWaiting) {
+  Lanes lanes({.threads = 1, .light = {.longest_wait = 1e9, .waiting = 100}});
+  std::latch aside{2};
+  std::latch released{1};
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(lanes.submit(Lane::light, {.task = [&] {
+                               lanes.step_aside();
+                               lanes.step_aside();
+                               aside.count_down();
+                               released.wait();
+                             }}));
+  }
+  std::atomic<bool> third_began{false};
+  EXPECT_TRUE(lanes.submit(Lane::light, {.task = [&] { third_began = true; }}));
+  aside.wait();  // the second runs beside the first
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(third_began) << "one at a time may step aside where there is one thread";
+  released.count_down();
+  lanes.wait_until_idle();
+  EXPECT_TRUE(third_began);
+  EXPECT_EQ(lanes.gauges(Lane::light).running, 0u);
 }
 
 TEST(Lanes, WorkOfManyThreadsIsDoneOnceEach) {

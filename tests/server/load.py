@@ -19,7 +19,7 @@ import time
 import hostile_inputs
 from running_qdot import RunningQdot
 
-LIGHT = hostile_inputs.simulate(t_end=60, samples=2, digits=6)  # a few milliseconds
+LIGHT = hostile_inputs.simulate(t_end=90, samples=2, digits=6)  # a few milliseconds
 SMALL = hostile_inputs.get(b"/v1/modes?system=cart_pendulum")
 HEAVY = hostile_inputs.simulate(t_end=2000, samples=2, digits=6)  # a hundred times as much
 HEALTH = hostile_inputs.get(b"/healthz")

@@ -8,6 +8,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <functional>
 #include <latch>
 #include <memory>
@@ -108,6 +109,11 @@ class Client {
     for (ssize_t count = 0; (count = ::recv(socket_, part.data(), part.size(), 0)) > 0;)
       bytes.append(part.data(), static_cast<std::size_t>(count));
     return bytes;
+  }
+  std::size_t read_some(std::size_t size) const {
+    std::vector<char> part(size);
+    const auto count = ::recv(socket_, part.data(), part.size(), MSG_DONTWAIT);
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   void stop_sending() const { ::shutdown(socket_, SHUT_WR); }
 
@@ -234,29 +240,49 @@ TEST(Transport, AByteAtATimeIsTheSameRequest) {
   EXPECT_THAT(answer, EndsWith("GET /last \n"));
 }
 
+/// More than the kernel keeps for a client that does not read.
+const std::string large(std::size_t{12} << 20, 'x');
+
+api::Response large_answer(const Incoming&) { return {.status = 200, .body = large}; }
+
 TEST(Transport, ALargeAnswerReachesASlowReaderWhole) {
-  const std::string large(20 << 20, 'x');
-  RunningTransport server([&](const Incoming&) { return api::Response{.status = 200, .body = large}; });
+  RunningTransport server(large_answer, {.port = 0, .patience = {.write = 600s}});
   const Client slow(server.port());
   const Client quick(server.port());
   slow.send(close_after);
   while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
   EXPECT_GT(server.transport().gauges().unsent_bytes, std::size_t{1} << 20);
   quick.send(close_after);
-  EXPECT_THAT(quick.read_large(), EndsWith("\r\n\r\n" + large));
-  EXPECT_THAT(slow.read_large(), EndsWith("\r\n\r\n" + large));
+  EXPECT_TRUE(quick.read_large().ends_with("\r\n\r\n" + large));
+  EXPECT_TRUE(slow.read_large().ends_with("\r\n\r\n" + large));
   while (server.transport().gauges().unsent_bytes != 0) std::this_thread::yield();
 }
 
 TEST(Transport, AReaderThatStopsIsCutOff) {
-  RunningTransport server(
-      [&](const Incoming&) { return api::Response{.status = 200, .body = std::string(20 << 20, 'x')}; },
-      {.port = 0, .patience = {.write = 200ms}});
+  RunningTransport server(large_answer, {.port = 0, .patience = {.write = 200ms}});
   const Client client(server.port());
   client.send(close_after);
   while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
   while (server.transport().gauges().connections != 0) std::this_thread::sleep_for(1ms);
   EXPECT_EQ(server.transport().gauges().unsent_bytes, 0u);
+}
+
+TEST(Transport, AReaderThatIsSlowDoesNotHoldUpTheEnd) {
+  RunningTransport server(large_answer, {.port = 0, .patience = {.write = 300ms}});
+  const Client client(server.port());
+  client.send(close_after);
+  while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
+  std::atomic<bool> ended{false};
+  std::thread reader([&] {
+    while (!ended) {
+      (void)client.read_some(1 << 17);
+      std::this_thread::sleep_for(20ms);
+    }
+  });
+  server.stop();
+  ended = true;
+  reader.join();
+  EXPECT_EQ(server.transport().gauges().connections, 0u);
 }
 
 TEST(Transport, WhoeverWorksForAClientLearnsThatItLeft) {

@@ -1,0 +1,36 @@
+"""Overload, in short: what no noise of a busy machine can break. load.py measures."""
+
+import unittest
+
+import hostile_inputs
+import load
+import wire
+from running_qdot import RunningQdot
+
+
+class Overload(unittest.TestCase):
+    def test_more_than_it_can_do_is_answered_or_refused_at_once(self):
+        with RunningQdot("--threads", "1") as server:
+            found = list(load.overload(server.port, [5], 2))
+            saturation, overloaded = found
+            self.assertGreater(saturation["per_second"], 0)
+            self.assertEqual(overloaded["others"], 0)
+            self.assertGreater(overloaded["goodput"], 0.1)
+            self.assertIsNotNone(overloaded["shed_p99_ms"], "nothing was refused")
+            self.assertLess(overloaded["shed_p99_ms"], 2000)
+            self.assertEqual(wire.exchange(server.port, hostile_inputs.get(b"/healthz")).status, 200)
+            metrics = wire.exchange(server.port, hostile_inputs.get(b"/metrics")).body.decode()
+            shed = [line for line in metrics.splitlines() if line.startswith("qdot_shed_total ")]
+            self.assertGreater(float(shed[0].split()[1]), 0)
+
+    def test_light_requests_do_not_wait_for_heavy_ones(self):
+        with RunningQdot("--threads", "1") as server:
+            fairness = next(load.fairness(server.port, 1))
+            self.assertEqual(fairness["light_refused"], 0)
+            self.assertGreater(fairness["heavy_done"], 0)
+            # In one queue they would wait for heavy ones of a quarter of a second each.
+            self.assertLess(fairness["beside_heavy_p99_ms"], 500)
+
+
+if __name__ == "__main__":
+    unittest.main()
