@@ -87,11 +87,13 @@ void read_body(const Cursor& cursor, Body& body) {
   if (!value.is_object()) return cursor.report_type("an object with a kind");
   if (!value.contains("kind"))
     return cursor.report("missing", "The field 'kind' is missing: particle, rod or disk.");
-  const Json& kind = value.at("kind");
+  const Json& given = value.at("kind");
+  // As a text: comparing JSON with a literal takes memory, and may not fail.
+  const std::string_view kind = given.is_string() ? given.get_ref<const std::string&>() : std::string_view();
   if (kind == "particle") return read_fields(cursor, particle_fields, body.emplace<Particle>());
   if (kind == "rod") return read_fields(cursor, rod_fields, body.emplace<SlenderRod>());
   if (kind == "disk") return read_fields(cursor, disk_fields, body.emplace<Disk>());
-  const std::string nearest = kind.is_string() ? closest(kind.get_ref<const std::string&>(), kinds) : "";
+  const std::string nearest = kind.empty() ? "" : closest(kind, kinds);
   cursor.field("kind").report("bad_value", "The kind of a body must be \"particle\", \"rod\" or \"disk\"." +
                                                (nearest.empty() ? "" : " Did you mean '" + nearest + "'?"));
 }

@@ -131,8 +131,7 @@ void settle(Head& head) {
     if (!head.expects_continue)
       throw Refused(ProblemKind::expectation_failed, "Expect can only be 100-continue.");
   }
-  const bool brings_body = head.method == "POST" || head.method == "PUT" || head.method == "PATCH";
-  if (brings_body && !head.fields.contains("content-length"))
+  if (head.method == "POST" && !head.fields.contains("content-length"))
     throw Refused(ProblemKind::length_required, "Say how long the body is: Content-Length.");
   const auto connection = field(head, "connection");
   head.keep_alive = head.keep_alive ? !lists(connection, "close") : lists(connection, "keep-alive");
