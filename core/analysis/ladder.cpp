@@ -220,8 +220,9 @@ class Ladder {
              "certain "
              "than its error allows, which could not be measured.";
     }
-    if (left() == 0 || goal_.kind == Kind::work) {
-      return "The evaluations allowed were spent before the second computation, which would have measured "
+    if (second.ending == Ending::step_limit) {
+      return "The steps or evaluations allowed were spent before the second computation, which would have "
+             "measured "
              "the "
              "error, came to its end.";
     }
