@@ -46,7 +46,8 @@ void add_endpoint(Routes& routes, const std::string& name, const RequestTable<Re
                   FindSystem find_system, std::function<Response(const Resolved<Request>&, Call&)> answer,
                   std::vector<std::string> offers = {"application/json"}) {
   const Handler handler = answering(table, std::move(find_system), std::move(answer));
-  for (const char* method : {"GET", "POST"}) routes.add({method, "/v1/" + name, handler, offers});
+  for (const char* method : {"GET", "POST"})
+    routes.add({method, "/v1/" + name, handler, offers, &table.set()});
 }
 
 }  // namespace qdot::api

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/field.hpp"
 #include "api/http.hpp"
 #include "api/layout.hpp"
 #include "api/service.hpp"
@@ -46,6 +47,7 @@ struct Endpoint {
   std::string pattern;
   Handler handler;
   std::vector<std::string> offers{"application/json"};  ///< media types, the default first
+  const FieldSet* fields{nullptr};                      ///< what a request may say; nullptr: nothing
 };
 
 class Routes {

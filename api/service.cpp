@@ -1,5 +1,7 @@
 #include "api/service.hpp"
 
+#include <algorithm>
+#include <mutex>
 #include <new>
 #include <utility>
 
@@ -7,6 +9,7 @@
 #include "api/appraisal.hpp"
 #include "api/bifurcations.hpp"
 #include "api/catalogue.hpp"
+#include "api/documents.hpp"
 #include "api/endpoint.hpp"
 #include "api/energy.hpp"
 #include "api/equations.hpp"
@@ -14,8 +17,8 @@
 #include "api/gait.hpp"
 #include "api/http.hpp"
 #include "api/json_writer.hpp"
-#include "api/limits.hpp"
 #include "api/modes.hpp"
+#include "api/openapi.hpp"
 #include "api/practice.hpp"
 #include "api/problem.hpp"
 #include "api/routes.hpp"
@@ -27,45 +30,6 @@
 
 namespace qdot::api {
 namespace {
-
-Json limits_json() {
-  return {{"body_bytes", limits::body_bytes},
-          {"large_body_bytes", limits::large_body_bytes},
-          {"json_depth", limits::json_depth},
-          {"json_nodes", limits::json_nodes},
-          {"name_bytes", limits::name_bytes},
-          {"expression_bytes", limits::expression_bytes},
-          {"rows", limits::rows},
-          {"numbers", limits::numbers},
-          {"events", limits::events},
-          {"strides", limits::strides},
-          {"integration_steps", Limits{}.max_steps},
-          {"evaluations", limits::evaluations},
-          {"time", {-limits::largest_time, limits::largest_time}},
-          {"rtol", {limits::least_rtol, limits::largest_rtol}},
-          {"atol", {{"above", 0}, {"at_most", limits::largest_atol}}},
-          {"max_error", {limits::least_error, 1}}};
-}
-
-Json problem_type_json(const ProblemType& type) {
-  return {{"type", "/errors/" + std::string(type.name)},
-          {"status", type.status},
-          {"title", type.title},
-          {"explanation", type.explanation}};
-}
-
-/// The index: every address once, in the order of the routes.
-Json index_json(const Routes& routes) {
-  Json addresses = Json::object();
-  for (const Endpoint& endpoint : routes.endpoints()) addresses[endpoint.pattern].push_back(endpoint.method);
-  return {{"service", "qdot"},
-          {"service_version", service_version()},
-          {"endpoints", std::move(addresses)},
-          {"examples",
-           {"curl 'localhost:8080/v1/simulate?system=cart_pendulum&theta=30deg&t_end=10&pretty'",
-            R"(curl -d '{"system": "spring_pendulum", "initial": {"l": "50cm"}, "t_end": 10}' )"
-            "localhost:8080/v1/simulate"}}};
-}
 
 /// `pretty` is taken out of the query: it is said of every answer. "?pretty" and "?pretty=true" ask for it.
 Layout take_layout(Target& target) {
@@ -104,7 +68,8 @@ void add_entity_tag(const Request& request, Response& response) {
 std::string_view service_version() { return "0.1.0"; }
 
 struct Service::Impl {
-  explicit Impl(const ServiceOptions& options) : metrics(options.metrics), catalogue(Catalogue::built_in()) {
+  explicit Impl(const ServiceOptions& options)
+      : metrics(options.metrics), pages(options.pages), catalogue(Catalogue::built_in()) {
     if (!options.scenes_directory.empty()) catalogue = catalogue.with_directory(options.scenes_directory);
     add_documents();
     add_systems();
@@ -120,23 +85,62 @@ struct Service::Impl {
   }
 
   void add_documents() {
-    routes.add({"GET", "/", [this](Call& call) { return json_response(index_json(routes), call.layout); }});
+    add_index();
+    add_pages();
     for (const char* probe : {"/healthz", "/livez", "/readyz"}) add_document(probe, {{"status", "ok"}});
     add_document("/version", {{"service_version", service_version()}});
     add_document("/v1/limits", limits_json());
+    routes.add({"GET", "/openapi.json", [this](Call& call) {
+                  return Response{.content_type = "application/json", .body = openapi(call.layout)};
+                }});
     if (metrics) {
-      routes.add({"GET", "/metrics",
+      routes.add({"GET",
+                  "/metrics",
                   [this](Call& call) {
                     return Response{.content_type = call.accepted + "; version=0.0.4", .body = metrics()};
                   },
                   {"text/plain"}});
     }
-    routes.add({"GET", "/errors/{name}", [](Call& call) {
-                  if (const ProblemType* type = find_problem_type(call.captures[0])) {
-                    return json_response(problem_type_json(*type), call.layout);
-                  }
-                  return not_found(call);
-                }});
+    add_problem_types();
+  }
+
+  [[nodiscard]] const Page* page_at(std::string_view path) const {
+    const auto found = std::ranges::find(pages, path, &Page::path);
+    return found == pages.end() ? nullptr : &*found;
+  }
+
+  void add_index() {
+    const Page* page = page_at("/");
+    std::vector<std::string> offers{"application/json"};
+    if (page != nullptr) offers.emplace_back(page->content_type);
+    routes.add({"GET", "/",
+                [this, page](Call& call) {
+                  if (page != nullptr && call.accepted == page->content_type) return answer_page(*page);
+                  return json_response(index_json(routes), call.layout);
+                },
+                offers});
+  }
+
+  void add_pages() {
+    for (const Page& page : pages) {
+      if (page.path == "/") continue;
+      routes.add({"GET",
+                  std::string(page.path),
+                  [&page](Call&) { return answer_page(page); },
+                  {std::string(page.content_type)}});
+    }
+  }
+
+  void add_problem_types() {
+    routes.add({"GET",
+                "/errors/{name}",
+                [](Call& call) {
+                  const ProblemType* type = find_problem_type(call.captures[0]);
+                  if (type == nullptr) return not_found(call);
+                  if (call.accepted == "text/html") return problem_page(*type);
+                  return json_response(problem_type_json(*type), call.layout);
+                },
+                {"application/json", "text/html"}});
   }
 
   void add_systems() {
@@ -199,6 +203,16 @@ struct Service::Impl {
         {"application/json", "text/csv", "application/x-ndjson"});
   }
 
+  /// Made when it is first asked for: the command line seldom does.
+  const std::string& openapi(Layout layout) const {
+    std::call_once(openapi_is_made, [this] {
+      const Json document = openapi_document(routes, catalogue);
+      openapi_pretty = to_text(document, Layout::pretty);
+      openapi_compact = to_text(document, Layout::compact);
+    });
+    return layout == Layout::pretty ? openapi_pretty : openapi_compact;
+  }
+
   static Response not_found(const Call& call) {
     return to_response(
         {.kind = ProblemKind::not_found,
@@ -244,6 +258,7 @@ struct Service::Impl {
     call.accepted = *accepted;
     call.captures = std::move(match.captures);
     Response response = match.endpoint->handler(call);
+    restrict_page(response);
     if (match.endpoint->method == "GET" && response.status == 200) add_entity_tag(call.request, response);
     return response;
   }
@@ -256,9 +271,12 @@ struct Service::Impl {
   }
 
   std::function<std::string()> metrics;
+  std::vector<Page> pages;
   Catalogue catalogue;
   Models models;
   Routes routes;
+  mutable std::once_flag openapi_is_made;
+  mutable std::string openapi_pretty, openapi_compact;
 };
 
 Service::Service(const ServiceOptions& options) : impl_(std::make_unique<const Impl>(options)) {}

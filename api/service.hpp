@@ -33,15 +33,24 @@ struct Response {
 /// What a request will cost, roughly (api/appraisal.hpp).
 enum class Weight { light, heavy };
 struct Appraisal {
-  std::string_view route{"none"};  ///< the pattern of its address, "/v1/systems/{name}"; "none": no such address
+  /// The pattern of its address, "/v1/systems/{name}"; "none": no such address.
+  std::string_view route{"none"};
   double milliseconds{1};
   std::size_t bytes{0};  ///< of memory while it is answered, where they are many
   Weight weight{Weight::light};
 };
 
+/// A file for browsers.
+struct Page {
+  std::string_view path;          ///< "/", beside the index; "/docs"; "/docs/style.css"
+  std::string_view content_type;  ///< "text/html"
+  std::string_view text;
+};
+
 struct ServiceOptions {
-  std::string scenes_directory{};  ///< more scenes, one JSON file each; empty: the catalogue alone
+  std::string scenes_directory{};          ///< more scenes, one JSON file each; empty: the catalogue alone
   std::function<std::string()> metrics{};  ///< what GET /metrics answers; without it there is no such address
+  std::vector<Page> pages{};
 };
 
 /// Immutable after construction and shared by threads. The constructor throws std::runtime_error with every

@@ -1,19 +1,10 @@
 #include "api/systems.hpp"
 
-#include <cmath>
-
+#include "api/json_schema.hpp"
 #include "api/system_choice.hpp"
 
 namespace qdot::api {
 namespace {
-
-/// In the words of JSON Schema.
-Json domain_json(const Domain& domain) {
-  Json json = Json::object();
-  if (std::isfinite(domain.lower)) json[domain.lower_open ? "exclusiveMinimum" : "minimum"] = domain.lower;
-  if (std::isfinite(domain.upper)) json[domain.upper_open ? "exclusiveMaximum" : "maximum"] = domain.upper;
-  return json;
-}
 
 Json parameter_json(const Parameter& parameter) {
   Json json{{"name", parameter.name}, {"unit", parameter.unit}, {"default", parameter.default_value}};

@@ -59,12 +59,14 @@ std::string query_of(const std::vector<std::string>& words) {
   return query;
 }
 
+std::string path_of(const Command& command) {
+  const std::string name(command.name);
+  return command.words == Words::none ? "/" + name + ".json" : "/v1/" + name;
+}
+
 api::Request request_of(const Command& command, const Arguments& arguments) {
-  api::Request request{.method = "GET",
-                       .target = "/v1/" + std::string(command.name),
-                       .headers = {},
-                       .body = {},
-                       .interrupted = {}};
+  api::Request request{
+      .method = "GET", .target = path_of(command), .headers = {}, .body = {}, .interrupted = {}};
   std::string query;
   if (command.words == Words::name) {
     if (arguments.words.size() > 1) throw UsageError("give one name");
@@ -72,7 +74,7 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
   } else if (!arguments.words.empty()) {
     if (!arguments.request_file.empty()) throw UsageError("give key=value or --request, not both");
     query = query_of(arguments.words);
-  } else {
+  } else if (command.words == Words::request) {
     request.method = "POST";
     request.headers["content-type"] = "application/json";
     request.body = request_body(arguments.request_file);

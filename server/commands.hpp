@@ -23,7 +23,8 @@ enum class ExitCode {
 /// What the words after a command are.
 enum class Words {
   request,  ///< key=value; without any, the request is a JSON body
-  name      ///< at most one name, the last part of the path
+  name,     ///< at most one name, the last part of the path
+  none      ///< there are none
 };
 
 struct Command {
@@ -32,7 +33,7 @@ struct Command {
   Words words{Words::request};
 };
 
-/// Command `name` is the path /v1/{name}.
+/// Command `name` is the path /v1/{name}; one without words, /{name}.json.
 inline constexpr std::array commands{
     Command{"simulate", "The trajectory of a system"},
     Command{"equations", "Lagrangian, equations of motion and what is conserved"},
@@ -45,6 +46,7 @@ inline constexpr std::array commands{
     Command{"accuracy", "The measured trade of error against work"},
     Command{"systems", "The systems there are, or one of them", Words::name},
     Command{"problems", "The practice sheet, or one of its problems with answers", Words::name},
+    Command{"openapi", "The description of the service in OpenAPI 3.1", Words::none},
 };
 
 struct Arguments {

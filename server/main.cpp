@@ -72,10 +72,10 @@ void add_serve(CLI::App& app, ServeOptions& options, Action& action) {
 void add_computing(CLI::App& app, Arguments& arguments, Action& action) {
   for (const auto& entry : commands) {
     auto& command = *app.add_subcommand(std::string(entry.name), std::string(entry.help));
-    const bool named = entry.words == Words::name;
-    command.add_option(named ? "name" : "key=value", arguments.words,
-                       named ? "One of them" : "The request; without any, JSON from --request or stdin");
-    if (!named) {
+    if (entry.words == Words::name) command.add_option("name", arguments.words, "One of them");
+    if (entry.words == Words::request) {
+      command.add_option("key=value", arguments.words,
+                         "The request; without any, JSON from --request or stdin");
       command.add_option("--request", arguments.request_file, "File with the JSON request; - is stdin");
       command.add_option("--format", arguments.format, "Form of the answer: json, csv, ...");
     }

@@ -13,6 +13,7 @@
 #include "api/service.hpp"
 #include "server/application.hpp"
 #include "server/transport.hpp"
+#include "server/web/pages.hpp"
 
 namespace qdot::server {
 namespace {
@@ -140,9 +141,10 @@ void serve(const ServeOptions& given) {
   Transport transport(addresses,
                       [&](const std::shared_ptr<Exchange>& exchange) { application->handle(exchange); });
   if (options.port) options.port = transport.port();
-  const api::Service service({.scenes_directory = options.scenes, .metrics = [&] {
-                                return metrics.text(gauges_of(*application, transport), log.dropped());
-                              }});
+  const api::Service service(
+      {.scenes_directory = options.scenes,
+       .metrics = [&] { return metrics.text(gauges_of(*application, transport), log.dropped()); },
+       .pages = web::pages()});
   Application it(
       {.lanes = {.threads = options.threads},
        .hosts = {.bound = options.host, .port = options.port.value_or(0), .allowed = options.allowed_hosts},

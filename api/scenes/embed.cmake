@@ -1,8 +1,10 @@
-# Writes ${CMAKE_CURRENT_BINARY_DIR}/embedded_scenes.cpp: each *.json of this directory and the problem sheet as raw
-# strings. A new or changed file makes the next build configure again.
+# Writes ${CMAKE_CURRENT_BINARY_DIR}/embedded_scenes.cpp: each *.json of this directory, the problem sheet and
+# the parts of the OpenAPI document as raw strings. A new or changed file makes the next build configure again.
 file(GLOB scene_files CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.json)
 set(sheet_file ${CMAKE_CURRENT_LIST_DIR}/../problems.json)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${scene_files} ${sheet_file})
+set(openapi_directory ${CMAKE_CURRENT_LIST_DIR}/../openapi)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${scene_files} ${sheet_file}
+  ${openapi_directory}/addresses.json ${openapi_directory}/answers.json)
 
 set(embedded_scenes "")
 foreach(file IN LISTS scene_files)
@@ -16,4 +18,8 @@ foreach(file IN LISTS scene_files)
 endforeach()
 file(READ ${sheet_file} text)
 set(embedded_problems "R\"json(${text})json\"")
+foreach(part addresses answers)
+  file(READ ${openapi_directory}/${part}.json text)
+  set(embedded_${part} "R\"json(${text})json\"")
+endforeach()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/embedded.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/embedded_scenes.cpp @ONLY)

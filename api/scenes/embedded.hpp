@@ -1,5 +1,6 @@
 #pragma once
-// The files of this directory, and api/problems.json, inside the program. embed.cmake writes the definitions.
+// The files of this directory, api/problems.json and api/openapi/, inside the program. embed.cmake
+// writes the definitions.
 
 #include <span>
 #include <string_view>
@@ -19,5 +20,9 @@ struct File {
 
 /// problems.json.
 [[nodiscard]] std::string_view problems();
+
+/// openapi/addresses.json: what is said of each address; openapi/answers.json: JSON Schemas of answers.
+[[nodiscard]] std::string_view openapi_addresses();
+[[nodiscard]] std::string_view openapi_answers();
 
 }  // namespace qdot::api::embedded

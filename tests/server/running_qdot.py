@@ -1,16 +1,24 @@
 """A qdot server for the length of a test, and the command line as a function."""
 
+import atexit
+import gzip
 import http.client
 import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
+import threading
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 QDOT = os.environ.get("QDOT_BINARY", str(ROOT / "build" / "release" / "qdot"))
 # A developer's own settings must not reach the tests.
 ENVIRONMENT = {k: v for k, v in os.environ.items() if not k.startswith("QDOT_")}
+
+
+# A directory: what is asked and answered is written there, and tests/openapi holds it against the document.
+RECORDINGS = os.environ.get("QDOT_RECORDINGS")
 
 
 class RunningQdot:
@@ -54,7 +62,32 @@ def answer(connection, method, target, body=None, headers=None):
     connection.request(method, target, body, headers or {})
     response = connection.getresponse()
     response.data = response.read()
+    if RECORDINGS:
+        record(method, target, body, response)
     return response
+
+
+recording = threading.Lock()
+recorded = None
+
+
+def text_of(data):
+    return data.decode("utf-8", "replace") if isinstance(data, bytes) else data
+
+
+def record(method, target, body, response):
+    global recorded
+    packed = response.getheader("Content-Encoding") == "gzip" and response.data
+    exchange = {"method": method, "target": target, "request": text_of(body), "status": response.status,
+                "type": (response.getheader("Content-Type") or "").split(";")[0],
+                "answer": text_of(gzip.decompress(response.data) if packed else response.data)}
+    with recording:
+        if recorded is None:
+            os.makedirs(RECORDINGS, exist_ok=True)
+            name = pathlib.Path(sys.argv[0]).stem + ".ndjson"
+            recorded = open(os.path.join(RECORDINGS, name), "w", encoding="utf-8")
+            atexit.register(recorded.close)
+        recorded.write(json.dumps(exchange) + "\n")
 
 
 def qdot(*arguments, stdin="", **environment):
