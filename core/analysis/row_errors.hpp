@@ -4,9 +4,9 @@
 //   error = max over rows so far of ( 2 max_j |y - y_j| + eps |y| )
 //
 // This holds while errors are small against the motion, for then they grow alike in all computations. Where a
-// quarter of a column is in doubt the motion is lost: two computations that are both wrong may agree by chance,
-// and an angle that winds may go any way. From there on the error is no less than the range of values that
-// the computations go through.
+// quarter of a column is in doubt the motion is lost: two computations that are both wrong may agree by
+// chance, and an angle that winds may go any way. From there on the error is no less than the range of values
+// that the computations go through.
 
 #include <span>
 #include <vector>

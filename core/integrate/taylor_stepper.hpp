@@ -9,8 +9,8 @@
 // Jorba, Zou, Experimental Mathematics 14 (2005) 99, section 3 (with a scale for each component instead of
 // one norm, so that units do not matter).
 //
-// From rtol = 1e-14 on the last terms are far below round-off, 1e-18: otherwise what each step cuts off adds up
-// always the same way, where the roundings of many steps go to and fro.
+// From rtol = 1e-14 on the last terms are far below round-off, 1e-18: otherwise what each step cuts off adds
+// up always the same way, where the roundings of many steps go to and fro.
 //
 // Two things keep round-off down. The step is exactly the difference of the two times, h := (t + h) - t; and
 // what the sum y + dy rounds away is carried to the next step (Kahan). A step whose polynomial does not obey
