@@ -43,7 +43,10 @@ Connection::Connection(Descriptor socket, const Patience& patience, Budget& bodi
     : socket_(std::move(socket)), patience_(patience), bodies_(bodies), deadline_(now + patience.request) {}
 
 void Connection::note(std::uint32_t events, Clock::time_point now) {
-  if ((events & (EPOLLIN | EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) readable_ = true;
+  if ((events & (EPOLLIN | EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) {
+    readable_ = true;
+    *has_more_ = true;
+  }
   if ((events & (EPOLLHUP | EPOLLERR)) != 0) {
     gone_at_ = now;
   } else if ((events & EPOLLRDHUP) != 0 && !gone_at_) {
@@ -67,6 +70,8 @@ std::optional<Incoming> Connection::read(Clock::time_point now) {
     switch (receipt_of(count)) {
       case Receipt::bytes:
         reader_.append({bytes.data(), static_cast<std::size_t>(count)});
+        // Less than there was room for: that was all, and epoll will tell of more. It has told of the end.
+        readable_ = static_cast<std::size_t>(count) == bytes.size() || gone_at_.has_value();
         break;
       case Receipt::nothing_now:
         readable_ = false;
@@ -107,6 +112,7 @@ Incoming Connection::begin(Incoming incoming) {
   reusable_ = !refused_ && reader_.keep_alive();
   body_wanted_ = method == "HEAD" ? Body::leave_out : Body::send;
   fresh_ = false;
+  *has_more_ = readable_ || !reader_.idle();
   return incoming;
 }
 

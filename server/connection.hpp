@@ -2,6 +2,7 @@
 // One client's socket, as a state that moves on when there is something to read or to write and never waits.
 // All of it runs on the poller's thread.
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -56,6 +57,9 @@ class Connection {
   /// For the answer to the request that was returned last.
   [[nodiscard]] Body body_wanted() const { return body_wanted_; }
   [[nodiscard]] bool reusable() const { return reusable_; }
+  /// Set while something of the client is here that the next advance() would use. Outlives the connection,
+  /// for the thread that answers.
+  [[nodiscard]] const std::shared_ptr<std::atomic<bool>>& has_more() const { return has_more_; }
   /// Its answer, in part sent perhaps.
   void deliver(Outgoing outgoing, Clock::time_point now);
 
@@ -93,6 +97,7 @@ class Connection {
   bool reusable_{false};
   bool refused_{false};  // what follows cannot be framed
   bool readable_{true};
+  std::shared_ptr<std::atomic<bool>> has_more_{std::make_shared<std::atomic<bool>>(false)};
   bool head_seen_{false};
 };
 

@@ -125,6 +125,7 @@ struct Transport::Impl {
     Id id{};
     Outgoing outgoing;
     Budget::Share unsent;
+    [[nodiscard]] std::size_t unsent_bytes() const { return outgoing.size() - outgoing.sent(); }
   };
 
   void watch(const Descriptor& descriptor, Id id, std::uint32_t events) const {
@@ -246,8 +247,8 @@ struct Transport::Impl {
     Connection& connection = entry.second.connection;
     // The socket stays open as long as its answer is awaited, so the answering thread may use it.
     const auto deliver = [this, id = entry.first, socket = connection.socket(),
-                          body = connection.body_wanted(),
-                          reusable = connection.reusable()](api::Response response) noexcept {
+                          body = connection.body_wanted(), reusable = connection.reusable(),
+                          more = connection.has_more()](api::Response response) noexcept {
       Posted posted{.id = id, .outgoing = Outgoing::out_of_memory(), .unsent = {}};
       try {
         const auto follow = reusable && !stopping_ ? Follow::keep_alive : Follow::close;
@@ -257,8 +258,12 @@ struct Transport::Impl {
         // What was thrown here is bad_alloc; the answer that says so is there already.
       }
       posted.outgoing.send(socket);
-      posted.unsent = unsent_.count(posted.outgoing.size() - posted.outgoing.sent());
+      posted.unsent = unsent_.count(posted.unsent_bytes());
+      // A kept connection whose answer is out has nothing to do until its client sends more, and then the
+      // poller wakes anyway.
+      const bool done = posted.unsent_bytes() == 0 && posted.outgoing.follow() == Follow::keep_alive;
       post(std::move(posted));
+      if ((!done || *more || stopping_) && std::this_thread::get_id() != poller_) wake();
     };
     std::shared_ptr<Exchange> exchange;
     try {
@@ -272,13 +277,8 @@ struct Transport::Impl {
   }
 
   void post(Posted posted) {
-    bool first = false;
-    {
-      const std::lock_guard lock(mutex_);
-      first = posted_.empty();
-      posted_.push_back(std::move(posted));
-    }
-    if (first && std::this_thread::get_id() != poller_) wake();
+    const std::lock_guard lock(mutex_);
+    posted_.push_back(std::move(posted));
   }
 
   void take_answers() {
