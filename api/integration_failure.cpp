@@ -43,7 +43,7 @@ Failure failure_of(Ending ending) {
 bool has_failed(Ending ending) { return ending != Ending::reached_end && ending != Ending::event; }
 
 Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
-                             std::span<const double> y) {
+                             std::span<const double> y, const std::string& detail) {
   if (ending == Ending::interrupted) {
     Response response =
         to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
@@ -54,7 +54,7 @@ Response integration_failure(Call& call, const Scene& scene, Ending ending, doub
   const Failure why = failure_of(ending);
   Json members{{"reason", why.reason}, {"t_reached", t}, {"last_state", state_json(scene, y)}};
   return to_response({.kind = ProblemKind::integration_failed,
-                      .detail = why.detail,
+                      .detail = detail.empty() ? why.detail : detail,
                       .errors = {},
                       .members = std::move(members)},
                      call.target.path, call.layout);

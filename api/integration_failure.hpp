@@ -10,8 +10,9 @@ namespace qdot::api {
 
 /// Whether a run ended in its numbers and not in the nature of the system.
 [[nodiscard]] bool has_failed(Ending ending);
-/// The problem of such a run, which came as far as the state y at t.
+/// The problem of such a run, which came as far as the state y at t. `detail` says it better than the ending
+/// alone can.
 [[nodiscard]] Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
-                                           std::span<const double> y);
+                                           std::span<const double> y, const std::string& detail = "");
 
 }  // namespace qdot::api

@@ -30,7 +30,7 @@ inline constexpr double largest_time = 1e9;
 inline constexpr double least_rtol = 1e-14;
 inline constexpr double largest_rtol = 1e-2;
 inline constexpr double least_error = 1e-14;
-inline constexpr std::int64_t evaluations = 3'000'000;
+inline constexpr std::int64_t evaluations = 12'000'000;
 inline constexpr double largest_atol = 1;
 
 }  // namespace qdot::api::limits

@@ -23,7 +23,11 @@ class SimulationAnswer {
     run(state);
     call_.timing.lap("solve");
     if (has_failed(result_.ending)) {
-      return integration_failure(call_, model().scene, result_.ending, result_.t, result_.y);
+      const bool allowed_too_little = request_.max_evaluations && result_.ending == Ending::step_limit;
+      return integration_failure(call_, model().scene, result_.ending, result_.t, result_.y,
+                                 allowed_too_little ? "'max_evaluations' is not enough for this motion, even "
+                                                      "at the loosest tolerance."
+                                                    : "");
     }
     make_table();
     Response answer = format() == Format::json ? json() : rows();

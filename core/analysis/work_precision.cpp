@@ -9,7 +9,8 @@
 namespace qdot {
 namespace {
 
-constexpr std::uint64_t patience = 5;  ///< evaluations of a trial over those of the reference
+constexpr std::uint64_t patience = 5;                  ///< evaluations of a trial over those of the reference
+constexpr std::uint64_t most_evaluations = 3'000'000;  ///< of all trials together
 constexpr double atol_over_rtol = 1e-3;
 /// The last is for taylor alone: the others ask for at least 1e-14.
 constexpr std::array<double, 13> rtols{1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
@@ -29,7 +30,9 @@ bool succeeded(const TrialResult& trial) { return !trial.max_abs_error.empty(); 
 }  // namespace
 
 WorkPrecision::WorkPrecision(const Dynamics& dynamics, const SimulationRequest& request)
-    : dynamics_(dynamics), request_(request), left_(request.limits.max_evaluations) {
+    : dynamics_(dynamics),
+      request_(request),
+      left_(std::min(request.limits.max_evaluations, most_evaluations)) {
   request_.columns.clear();
   request_.events.clear();
   request_.taylor_order = 0;

@@ -68,7 +68,7 @@ struct Tolerances {
 /// Deterministic bounds on the work; `interrupted` is polled every 64 evaluations (deadline, client gone).
 struct Limits {
   std::uint64_t max_steps{250'000};
-  std::uint64_t max_evaluations{3'000'000};  ///< of f and of its Jacobian together
+  std::uint64_t max_evaluations{12'000'000};  ///< of f and of its Jacobian together
   double max_magnitude{1e150};
   std::function<bool()> interrupted{};
 };
