@@ -114,7 +114,7 @@ class Image(unittest.TestCase):
         cls.addClassCleanup(cls.remove_storage)
         bases = set(re.findall(r"^FROM (\S+)", (ROOT / "Dockerfile").read_text(), re.MULTILINE))
         assert len(bases) == 1, bases
-        base = "docker.io/library/" + bases.pop()
+        base = "localhost/" + bases.pop()
         make_base(base)
         started = time.monotonic()
         buildah("build", "--isolation", "chroot", "--pull-never", "--format", "docker", "--tag", "qdot", str(ROOT))
