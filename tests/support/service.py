@@ -4,6 +4,7 @@ import http.client
 import json
 import pathlib
 import sys
+import time
 import unittest
 import urllib.parse
 
@@ -81,6 +82,15 @@ class Service(unittest.TestCase):
         """The response to a request, sent as it is or written as JSON."""
         body = request if isinstance(request, (str, bytes)) else json.dumps(request)
         return self.raw("POST", f"/v1/{endpoint}", body, {"Content-Type": "application/json"})
+
+    def post_until_there_is_room(self, endpoint, request):
+        """As post, asking again where the server is too busy, as Retry-After tells a client to."""
+        for _ in range(PATIENCE):
+            response = self.post(endpoint, request)
+            if response.status != 503:
+                break
+            time.sleep(1)
+        return response
 
     def get(self, endpoint, query):
         return self.raw("GET", f"/v1/{endpoint}?{urllib.parse.urlencode(query)}")
