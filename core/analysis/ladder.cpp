@@ -27,6 +27,12 @@ constexpr double aim = 0.2;           ///< of the wanted error, when the next to
 constexpr int most_rungs = 8;
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
+constexpr const char* work_spent =
+    "The evaluations that a request may take were spent on the way to the error wanted; this is the best "
+    "found.";
+constexpr const char* out_of_reach =
+    "The error wanted is out of reach for this motion in double precision; this is the best found.";
+
 bool ended_well(const Simulation& s) { return s.ending == Ending::reached_end || s.ending == Ending::event; }
 
 /// The grid with instants added until there are enough, and which of them were asked for.
@@ -300,9 +306,13 @@ class Ladder {
     s.rows = static_cast<std::size_t>(
         std::count(grid_.wanted.begin(), grid_.wanted.begin() + static_cast<std::ptrdiff_t>(rows), true));
     result_.evaluations = spent_;
-    if (result_.meets_request == false) {
-      result_.reason =
-          "The error wanted is out of reach for this motion in double precision; this is the best found.";
+    const bool error_wanted = goal_.kind == Kind::absolute || goal_.kind == Kind::relative;
+    if (error_wanted && result_.max_abs_error.empty()) {
+      result_.meets_request = false;  // for the reason that there is already
+    } else if (result_.meets_request == false) {
+      const bool work_is_spent =
+          result_.tolerances.rtol > tightest && left() < result_.simulation.evaluations;
+      result_.reason = work_is_spent ? work_spent : out_of_reach;
     }
     return std::move(result_);
   }

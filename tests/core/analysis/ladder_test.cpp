@@ -2,6 +2,7 @@
 
 #include "core/analysis/ladder.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,6 +63,18 @@ TEST(Ladder, MeetsAWantedError) {
     EXPECT_LE(true_error(m, grid), wanted);
     for (const double e : m.max_abs_error) EXPECT_LE(e, wanted);
   }
+}
+
+TEST(Ladder, SaysThatTheWorkWasSpentBeforeTheErrorWasReached) {
+  const auto model = test::model_of("spring_pendulum");
+  SimulationRequest request = test::request_for(*model, oscillator, test::instants(50, 10));
+  request.method = Method::taylor;
+  const AccuracyGoal goal{.kind = Kind::absolute, .value = 1e-12};
+  const Dynamics dynamics(model);
+  request.limits.max_evaluations = simulate_with_error(dynamics, request, goal).evaluations - 1;
+  const MeasuredSimulation m = simulate_with_error(dynamics, request, goal);
+  EXPECT_EQ(m.meets_request, false);
+  EXPECT_THAT(m.reason, ::testing::HasSubstr("spent"));
 }
 
 TEST(Ladder, SaysWhatIsOutOfReach) {
