@@ -18,9 +18,7 @@ void check(R& request, Findings& findings) {
   if (findings.echo().contains("methods") && request.methods.empty()) {
     findings.report("methods", "empty", "'methods' needs at least one.");
   }
-  if (!request.impacts && !scene->impact) {
-    findings.report("impacts", "not_applicable", scene->name + " has no impacts to leave out.");
-  }
+  check_impacts(request, findings);
 }
 
 RequestTable<R> make_table() {
@@ -28,9 +26,7 @@ RequestTable<R> make_table() {
                                       inputs_field<R>()};
   append_grid_fields(fields);
   const std::vector<RequestField<R>> rest{
-      boolean("impacts", &R::impacts,
-              "apply the system's impacts; false: the motion goes on as if there were none",
-              {.default_value = true}),
+      impacts_field<R>(),
       choices(
           "methods", &R::methods,
           {{"taylor", Method::taylor},
@@ -47,8 +43,7 @@ RequestTable<R> make_table() {
               "measure the CPU time of each run too, and recommend by it; the answer then differs from time "
               "to time",
               {.default_value = false}),
-      integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-              {.aliases = {"precision", "significant_digits"}}),
+      digits_field<R>(),
   };
   fields.insert(fields.end(), rest.begin(), rest.end());
   return RequestTable<R>(std::move(fields), {ways_of_grid}, check);

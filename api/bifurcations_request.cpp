@@ -45,8 +45,7 @@ const RequestTable<BifurcationsRequest>& bifurcations_table() {
                           {.need = Need::required, .aliases = {"start", "min", "lower"}}),
           parameter_value("to", &R::to, "parameter", "where it ends",
                           {.need = Need::required, .aliases = {"end", "stop", "max", "upper"}}),
-          integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-                  {.aliases = {"precision", "significant_digits"}}),
+          digits_field<R>(),
       },
       {}, check);
   return table;

@@ -56,8 +56,7 @@ const RequestTable<EquilibriaRequest>& equilibria_table() {
            [](R& request, const Json& name) { request.solve_for = name.get<std::string>(); }},
           symbols_field<R>(SymbolRole::position, "the position that 'solve_for' is asked for",
                            {"position", "where", "equilibrium"}),
-          integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-                  {.aliases = {"precision", "significant_digits"}}),
+          digits_field<R>(),
       },
       {}, check);
   return table;

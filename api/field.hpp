@@ -32,10 +32,9 @@ struct TextKind {
   std::size_t most_bytes{};
 };
 
-/// One of some words. `later` are words of the contract that this version cannot answer yet.
+/// One of some words.
 struct ChoiceKind {
   std::vector<std::string> options{};
-  std::vector<std::string> later{};
 };
 
 /// An array; in a query, its elements with commas between them. A list of choices has each at most once.
@@ -59,13 +58,8 @@ struct ParameterValueKind {
   std::string parameter{};
 };
 
-/// A field of the contract that this version does not have.
-struct LaterKind {
-  std::string instead{};  ///< "Give rtol and atol."
-};
-
 using Kind = std::variant<NumberKind, IntegerKind, BooleanKind, TextKind, ChoiceKind, ListKind, SystemKind,
-                          SymbolsKind, ParameterValueKind, LaterKind>;
+                          SymbolsKind, ParameterValueKind>;
 
 enum class Need { optional, required };
 

@@ -141,11 +141,8 @@ std::optional<Json> read_value(const ChoiceKind& kind, const std::string& name, 
   if (!value.is_string()) return refuse_type(place, errors, name, enumerated(kind.options), value);
   const auto& word = value.get_ref<const std::string&>();
   if (std::ranges::find(kind.options, word) != kind.options.end()) return value;
-  const bool known = std::ranges::find(kind.later, word) != kind.later.end();
-  FieldError error = known
-                         ? place.error("not_supported_yet", "This version does not have '" + word + "' yet.")
-                         : place.error("not_allowed", "'" + name + "' cannot be " + in_quotes(word) + ".");
-  if (!known) error.did_you_mean = closest(word, kind.options);
+  FieldError error = place.error("not_allowed", "'" + name + "' cannot be " + in_quotes(word) + ".");
+  error.did_you_mean = closest(word, kind.options);
   error.allowed = kind.options;
   errors.push_back(std::move(error));
   return std::nullopt;

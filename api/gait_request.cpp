@@ -9,8 +9,7 @@ const RequestTable<GaitRequest>& gait_table() {
       parameters_field<R>(),
       choice("gait", &R::gait, {{"long", Gait::Kind::long_step}, {"short", Gait::Kind::short_step}},
              "which one of two gaits, by its step time; both without it", {.aliases = {"kind", "which"}}),
-      integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-              {.aliases = {"precision", "significant_digits"}}),
+      digits_field<R>(),
   });
   return table;
 }

@@ -68,20 +68,16 @@ struct SchemaOf {
     schema["x-unit-of"] = kind.parameter;
     return schema;
   }
-  Json operator()(const LaterKind&) const { return false; }
 };
 
 Json schema_of(const FieldInfo& field, Form form) {
   return described(std::visit(SchemaOf{form}, field.kind), field);
 }
 
-bool is_there(const FieldInfo& field) { return !std::holds_alternative<LaterKind>(field.kind); }
-
 Json object_schema(const FieldSet& set, Form form) {
   Json properties = Json::object();
   Json required = Json::array();
   for (const FieldInfo& field : set.fields) {
-    if (!is_there(field)) continue;
     properties[field.name] = schema_of(field, form);
     if (field.need == Need::required) required.push_back(field.name);
   }
@@ -180,7 +176,7 @@ Json body_schema(const FieldSet& set) {
 Json query_parameters(const FieldSet& set) {
   Json parameters = Json::array();
   for (const FieldInfo& field : set.fields) {
-    if (is_there(field)) parameters.push_back(query_parameter(field));
+    parameters.push_back(query_parameter(field));
   }
   return parameters;
 }

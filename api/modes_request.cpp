@@ -16,8 +16,7 @@ const RequestTable<ModesRequest>& modes_table() {
                            {"about", "at", "around", "position", "steady_state"}),
           initial_field<R>(),
           inputs_field<R>(),
-          integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-                  {.aliases = {"precision", "significant_digits"}}),
+          digits_field<R>(),
       },
       {}, [](R& request, Findings& findings) {
         if (request.system.scene && !findings.has_error_at({"inputs"}))

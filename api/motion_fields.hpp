@@ -1,6 +1,6 @@
 #pragma once
-// The fields that say which stretch of a motion is asked about, for every request that has one: a struct with
-// members t_start, t_end, samples, dt, times and grid.
+// The fields that say which motion is asked about and which stretch of it, for requests whose struct has the
+// members they name: t_start, t_end, samples, dt, times and grid; impacts.
 
 #include <vector>
 
@@ -30,6 +30,20 @@ void append_grid_fields(std::vector<RequestField<R>>& fields) {
                           {.aliases = {"step", "dtmax", "delta_t", "timestep", "step_size"}}));
   fields.push_back(list("times", &R::times, NumberKind{"s", instants}, limits::rows,
                         "the instants of the rows, increasing", {.aliases = {"t_eval", "tspan", "saveat"}}));
+}
+
+template <class R>
+RequestField<R> impacts_field() {
+  return boolean("impacts", &R::impacts,
+                 "apply the system's impacts; false: the motion goes on as if there were none",
+                 {.default_value = true});
+}
+
+template <class R>
+void check_impacts(const R& request, Findings& findings) {
+  const Scene& scene = *request.system.scene;
+  if (request.impacts || scene.impact) return;
+  findings.report("impacts", "not_applicable", scene.name + " has no impacts to leave out.");
 }
 
 /// Fills `grid`, and `t_end` where `times` stands for it. `columns` is how many numbers a row has.

@@ -21,7 +21,6 @@ const FieldInfo* field_of(const FieldSet& set, SymbolRole role) {
 std::vector<std::string> field_names(const FieldSet& set, const Scene* scene, Road road) {
   std::vector<std::string> names;
   for (const FieldInfo& field : set.fields) {
-    if (std::holds_alternative<LaterKind>(field.kind)) continue;
     if (road == Road::body || symbols_kind(field) == nullptr) {
       names.push_back(field.name);
     } else if (scene != nullptr) {
@@ -174,13 +173,6 @@ class Reader {
       if (fields_[kind.parameter] != symbol.name) continue;
       return read_value(NumberKind{symbol.unit, symbol.domain}, field.name, value, place, reading_.errors);
     }
-    return std::nullopt;
-  }
-
-  std::optional<Json> resolve(const LaterKind& kind, const FieldInfo& field, const Json&,
-                              const Place& place) {
-    report(place.error("not_supported_yet",
-                       "This version does not have '" + field.name + "' yet. " + kind.instead));
     return std::nullopt;
   }
 

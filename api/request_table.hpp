@@ -158,12 +158,12 @@ RequestField<Request> list(std::string name, std::vector<Element> Request::*memb
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
-/// One of some words. `later` are words of the contract that this version refuses.
+/// One of some words.
 template <class Request, class Member, class Value = typename detail::ValueOf<Member>::type>
 RequestField<Request> choice(std::string name, Member Request::*member,
                              std::type_identity_t<Words<Value>> words, std::string description,
-                             FieldOptions options = {}, std::vector<std::string> later = {}) {
-  ChoiceKind kind{.options = detail::first_of_each(words), .later = std::move(later)};
+                             FieldOptions options = {}) {
+  ChoiceKind kind{.options = detail::first_of_each(words)};
   return {
       detail::info(std::move(name), std::move(kind), std::move(description), std::move(options)),
       [member, value_of = std::map<std::string, Value>(words.begin(), words.end())](
@@ -232,10 +232,11 @@ RequestField<Request> inputs_field() {
                                 {"forces", "forcing", "input"});
 }
 
-/// A field of the contract that this version answers with not_supported_yet.
 template <class Request>
-RequestField<Request> later_field(std::string name, std::string instead) {
-  return {FieldInfo{.name = std::move(name), .kind = LaterKind{std::move(instead)}}};
+RequestField<Request> digits_field() {
+  return integer("digits", &Request::digits, {1, 17},
+                 "significant digits of the answer's numbers; all without it",
+                 {.aliases = {"precision", "significant_digits"}});
 }
 
 }  // namespace qdot::api

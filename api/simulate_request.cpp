@@ -62,9 +62,7 @@ void check(R& request, Findings& findings) {
   if (!request.verify && has_goal) {
     findings.report("verify", "exclusive", "An error that is wanted must be measured: leave 'verify' out.");
   }
-  if (!request.impacts && !scene->impact) {
-    findings.report("impacts", "not_applicable", scene->name + " has no impacts to leave out.");
-  }
+  check_impacts(request, findings);
 }
 
 RequestTable<R> make_table() {
@@ -86,9 +84,7 @@ RequestTable<R> make_table() {
       choice("on_invalid", &R::on_invalid, {{"stop", OnInvalid::stop}, {"continue", OnInvalid::carry_on}},
              "what to do where the model stops holding, such as at a slack string",
              {.default_value = "stop"}),
-      boolean("impacts", &R::impacts,
-              "apply the system's impacts; false: the motion goes on as if there were none",
-              {.default_value = true}),
+      impacts_field<R>(),
       integer("steps", &R::steps, {1, limits::strides},
               "strides of a walker after which the motion is complete; beside t_end or instead of it",
               {.aliases = {"strides", "n_steps", "impacts_count"}}),
@@ -121,8 +117,7 @@ RequestTable<R> make_table() {
               "the work allowed, in evaluations of the accelerations, that of measuring the error included",
               {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),
       boolean("verify", &R::verify, "estimate the error of the answer", {.default_value = true}),
-      integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-              {.aliases = {"precision", "significant_digits"}}),
+      digits_field<R>(),
       choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
              "form of the answer; without it, what the Accept header says"),
   };

@@ -15,8 +15,7 @@ const RequestTable<EnergyRequest>& energy_table() {
           inputs_field<R>(),
           number("t", &R::t, {"s", {-limits::largest_time, limits::largest_time}}, "instant of the state",
                  {.default_value = 0.0, .aliases = {"time", "t0", "t_start"}}),
-          integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-                  {.aliases = {"precision", "significant_digits"}}),
+          digits_field<R>(),
       },
       {}, [](R& request, Findings& findings) {
         if (request.system.scene && !findings.has_error_at({"inputs"}))

@@ -28,10 +28,7 @@ void check(R& request, Findings& findings) {
   if (!request.system.scene) return;
   if (!findings.has_error_at({"coordinate"})) check_coordinate(request, findings);
   if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
-  if (!request.impacts && !request.system.scene->impact) {
-    findings.report("impacts", "not_applicable",
-                    request.system.scene->name + " has no impacts to leave out.");
-  }
+  check_impacts(request, findings);
 }
 
 }  // namespace
@@ -56,10 +53,8 @@ const RequestTable<R>& turning_points_table() {
           choice("on_invalid", &R::on_invalid, {{"stop", OnInvalid::stop}, {"continue", OnInvalid::carry_on}},
                  "what a motion that is followed does where the model stops holding",
                  {.default_value = "stop"}),
-          boolean("impacts", &R::impacts, "apply the system's impacts to a motion that is followed",
-                  {.default_value = true}),
-          integer("digits", &R::digits, {1, 17}, "significant digits of the answer's numbers; all without it",
-                  {.aliases = {"precision", "significant_digits"}}),
+          impacts_field<R>(),
+          digits_field<R>(),
       },
       {}, check);
   return table;

@@ -142,9 +142,7 @@ TEST(JsonSchema, SaysWhatEachKindTakes) {
       {"integer", IntegerKind{1, 17}, {{"type", "integer"}, {"minimum", 1}, {"maximum", 17}}},
       {"boolean", BooleanKind{}, {{"type", "boolean"}}},
       {"text", TextKind{9}, {{"type", "string"}, {"minLength", 1}, {"maxLength", 9}}},
-      {"choice",
-       ChoiceKind{.options = {"a", "b"}, .later = {"c"}},
-       {{"type", "string"}, {"enum", {"a", "b"}}}},
+      {"choice", ChoiceKind{.options = {"a", "b"}}, {{"type", "string"}, {"enum", {"a", "b"}}}},
       {"set",
        ListKind{ChoiceKind{.options = {"a"}}, 1},
        {{"type", "array"},
@@ -157,11 +155,6 @@ TEST(JsonSchema, SaysWhatEachKindTakes) {
     schema.erase("description");
     EXPECT_EQ(schema, one.schema) << one.what;
   }
-}
-
-TEST(JsonSchema, LeavesOutWhatThereIsNotYet) {
-  const Json schema = body_schema({.fields = {{.name = "x", .kind = LaterKind{"Give y."}}}});
-  EXPECT_TRUE(schema["properties"].empty());
 }
 
 TEST(JsonSchema, ExcludesEveryPairOfTwoWays) {

@@ -33,10 +33,10 @@ const RequestTable<TestRequest>& table() {
        integer("count", &R::count, {1, 10}, "a number", {.default_value = 3, .aliases = {"rows"}}),
        boolean("flag", &R::flag, "a flag", {.default_value = true}),
        choice("colour", &R::colour, {{"red", Colour::red}, {"green", Colour::green}}, "a colour",
-              {.default_value = "red"}, {"violet"}),
+              {.default_value = "red"}),
        choices("colours", &R::colours, {{"red", Colour::red}, {"green", Colour::green}}, "colours"),
        list("times", &R::times, NumberKind{"s"}, 5, "instants"),
-       list("events", &R::events, TextKind{20}, 3, "events"), later_field<R>("later", "Wait.")},
+       list("events", &R::events, TextKind{20}, 3, "events")},
       {{{{"count"}, {"dt"}, {"times"}}}});
   return table;
 }
@@ -150,13 +150,6 @@ TEST(RequestReader, OneWayExcludesTheOthersAndTheirDefaults) {
   const auto outcome = body(R"({"system": "spring_pendulum", "dt": 1, "count": 2})");
   EXPECT_EQ(errors_of(outcome), "#/dt exclusive");
   EXPECT_EQ(detail_of(outcome), "'count' and 'dt' cannot stand together; give one of them.");
-}
-
-TEST(RequestReader, SaysWhatThisVersionDoesNotHave) {
-  EXPECT_EQ(detail_of(body(R"({"system": "spring_pendulum", "later": 1})")),
-            "This version does not have 'later' yet. Wait.");
-  EXPECT_EQ(errors_of(body(R"({"system": "spring_pendulum", "colour": "violet"})")),
-            "#/colour not_supported_yet");
 }
 
 TEST(RequestReader, RefusesValuesOfOtherTypes) {
