@@ -95,8 +95,9 @@ struct Transport::Impl {
     while (!finished()) {
       const int count = ::epoll_wait(epoll_.get(), events.data(), events.size(), wait_milliseconds());
       now_ = Clock::now();
+      take_answers();  // before anyone is let in: whoever was answered can give way
       for (int i = 0; i < count; ++i) handle(events[static_cast<std::size_t>(i)]);
-      take_answers();
+      take_answers();  // of the requests that were answered here
       if (stopping_) release_idle();
       sweep();
     }

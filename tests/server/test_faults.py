@@ -263,7 +263,7 @@ class Draining(unittest.TestCase):
             server.process.send_signal(signal.SIGTERM)
             time.sleep(0.2)
             server.process.send_signal(signal.SIGTERM)
-            server.process.wait(timeout=20)
+            self.assertEqual(server.process.wait(timeout=20), 128 + signal.SIGTERM)
             self.assertLess(time.monotonic() - started, 1)
             busy.close()
 
