@@ -28,7 +28,7 @@ std::string written(double value) {
   return text;
 }
 
-SimulationRequest motion(const AccuracyRequest& request, const ResolvedState& state, const Call& call) {
+SimulationRequest motion(const AccuracyRequest& request, const ResolvedState& state) {
   SimulationRequest core;
   core.parameters = state.parameters;
   core.y_start = state.y;
@@ -36,7 +36,6 @@ SimulationRequest motion(const AccuracyRequest& request, const ResolvedState& st
   core.t_end = *request.t_end;
   core.grid = request.grid;
   core.impacts = request.impacts ? Impacts::apply : Impacts::ignore;
-  core.limits.interrupted = call.request.interrupted;
   return core;
 }
 
@@ -188,7 +187,7 @@ Response answer_accuracy(const Resolved<AccuracyRequest>& resolved, Call& call, 
     const ResolvedState state = resolved_state(dynamics->model(), request.system);
     Json echo = resolved.echo;
     fill_echo(echo, scene, state);
-    WorkPrecision study(*dynamics, motion(request, state, call));
+    WorkPrecision study(*dynamics, motion(request, state));
     const Simulation& reference = study.reference().simulation;
     if (has_failed(reference.ending)) {
       return integration_failure(call, scene, reference.ending, reference.t, reference.y);

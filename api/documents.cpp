@@ -30,6 +30,7 @@ Json limits_json() {
           {"json_nodes", limits::json_nodes},
           {"name_bytes", limits::name_bytes},
           {"expression_bytes", limits::expression_bytes},
+          {"algebra", limits::algebra},
           {"rows", limits::rows},
           {"numbers", limits::numbers},
           {"events", limits::events},

@@ -32,10 +32,9 @@ Failure failure_of(Ending ending) {
               "this place, or the motion has a singularity there. A shorter h may do, or method taylor."};
     case Ending::reached_end:
     case Ending::event:
-    case Ending::interrupted:
       break;
   }
-  return {"interrupted", "The computation was given up."};
+  return {};
 }
 
 }  // namespace
@@ -44,13 +43,6 @@ bool has_failed(Ending ending) { return ending != Ending::reached_end && ending 
 
 Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
                              std::span<const double> y, const std::string& detail) {
-  if (ending == Ending::interrupted) {
-    Response response =
-        to_response({.kind = ProblemKind::deadline, .detail = "The computation was given up."},
-                    call.target.path, call.layout);
-    response.headers["Retry-After"] = "1";
-    return response;
-  }
   const Failure why = failure_of(ending);
   Json members{{"reason", why.reason}, {"t_reached", t}, {"last_state", state_json(scene, y)}};
   return to_response({.kind = ProblemKind::integration_failed,

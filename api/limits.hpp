@@ -19,6 +19,9 @@ inline constexpr std::size_t expression_bytes = 4 * 1024;
 inline constexpr std::size_t quantity_bytes = 100;
 inline constexpr std::size_t listed_errors = 50;
 
+// Equations derived, and searches in them: products of terms, operations on intervals.
+inline constexpr std::uint64_t algebra = 10'000'000;
+
 // Trajectories.
 inline constexpr std::int64_t rows = 100'000;
 inline constexpr std::int64_t numbers = 1'000'000;  ///< rows times columns

@@ -17,6 +17,7 @@
 #include "api/gait.hpp"
 #include "api/http.hpp"
 #include "api/json_writer.hpp"
+#include "api/limits.hpp"
 #include "api/modes.hpp"
 #include "api/openapi.hpp"
 #include "api/practice.hpp"
@@ -27,6 +28,7 @@
 #include "api/systems.hpp"
 #include "api/text.hpp"
 #include "api/turning_points.hpp"
+#include "core/work.hpp"
 
 namespace qdot::api {
 namespace {
@@ -285,7 +287,13 @@ Service::~Service() = default;
 Response Service::handle(const Request& request) const noexcept {
   try {
     try {
+      const WorkScope scope(limits::algebra, request.interrupted);
       return impl_->answer(request);
+    } catch (const Interrupted&) {
+      Response response = to_response(
+          {.kind = ProblemKind::deadline, .detail = "The computation was given up."}, request.target);
+      response.headers["Retry-After"] = "1";
+      return response;
     } catch (const std::bad_alloc&) {
       Response response =
           to_response({.kind = ProblemKind::overloaded, .detail = "There is no memory left."}, "");

@@ -47,7 +47,6 @@ class SimulationAnswer {
 
   void run(const ResolvedState& state) {
     SimulationRequest core = core_request(request_, dynamics_, state);
-    core.limits.interrupted = call_.request.interrupted;
     columns_ = core.columns;
     if (core.grid.empty()) core.grid = grid_of_strides(request_, dynamics_, core);
     grid_ = core.grid;

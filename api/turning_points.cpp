@@ -214,7 +214,6 @@ class TurningPointsAnswer {
     core.t_end = *request_.t_end;
     core.on_invalid = request_.on_invalid == OnInvalid::stop ? qdot::OnInvalid::stop : qdot::OnInvalid::go_on;
     core.impacts = request_.impacts ? Impacts::apply : Impacts::ignore;
-    core.limits.interrupted = call_.request.interrupted;
     const TrajectoryExtrema found = trajectory_extrema(*dynamics_, core);
     if (has_failed(found.ending)) {
       return integration_failure(call_, model().scene, found.ending, found.t, found.y);

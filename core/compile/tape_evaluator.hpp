@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/compile/compiled_function.hpp"
+#include "core/work.hpp"
 
 namespace qdot {
 
@@ -39,6 +40,7 @@ class TapeEvaluator {
 
  private:
   void run(std::span<const Instruction> instructions) {
+    spend_work(instructions.size());
     for (const Instruction& i : instructions) {
       const Slot* operand = function_.operands_.data() + i.first;
       const T& x = slots_[operand[0]];

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/work.hpp"
 
 namespace qdot {
 namespace {
@@ -92,6 +93,7 @@ Expression Graph::intern(Node node) {
   for (auto it = first; it != last; ++it) {
     if (nodes_[it->second] == node) return {*this, it->second};
   }
+  spend_work();
   if (nodes_.size() >= max_nodes) throw Error(ErrorCode::too_large, "the expressions grow too large");
   const auto id = static_cast<NodeId>(nodes_.size());
   lengths_.push_back(length_of(*this, node));

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/work.hpp"
 
 namespace qdot {
 namespace {
@@ -198,12 +199,14 @@ void add(Polynomial& sum, const Monomial& monomial, const Number& coefficient) {
 }
 
 void add(Polynomial& sum, const Polynomial& other, const Number& factor) {
+  spend_work(other.size());
   for (const auto& [monomial, coefficient] : other) add(sum, monomial, coefficient * factor);
 }
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.size() * b.size() > largest_polynomial)
     throw Error(ErrorCode::too_large, "an expression grows too large");
+  spend_work(a.size() * b.size());
   Polynomial product;
   for (const auto& [x, c] : a) {
     for (const auto& [y, d] : b) add(product, x * y, c * d);
@@ -212,6 +215,7 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 }
 
 Polynomial scaled(const Polynomial& a, const Monomial& monomial, const Number& coefficient) {
+  spend_work(a.size());
   Polynomial result;
   for (const auto& [x, c] : a) result.emplace_hint(result.end(), x * monomial, c * coefficient);
   return result;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/work.hpp"
+
 namespace qdot {
 namespace {
 
-constexpr std::uint64_t poll_interval = 64;  // evaluations between two looks at Limits::interrupted
+constexpr std::uint64_t poll_interval = 64;  // evaluations between two looks whether the answer is awaited
 
 bool finite(std::span<const double> values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
@@ -38,7 +40,7 @@ Answer Evaluator::evaluate(const Function& function, double t, std::span<const d
     return refuse(answer_stop, Ending::nonfinite);
   } catch (...) {
     exception_ = std::current_exception();
-    return refuse(answer_stop, Ending::interrupted);
+    return refuse(answer_stop, Ending::nonfinite);  // rethrow() says more
   }
 }
 
@@ -49,10 +51,7 @@ bool Evaluator::limits_allow_another() {
     return false;
   }
   ++evaluations_;
-  if (evaluations_ % poll_interval == 0 && limits_.interrupted && limits_.interrupted()) {
-    refuse(answer_stop, Ending::interrupted);
-    return false;
-  }
+  if (evaluations_ % poll_interval == 0) check_interruption();
   return true;
 }
 

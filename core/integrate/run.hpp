@@ -65,12 +65,12 @@ struct Tolerances {
   double atol{1e-12};
 };
 
-/// Deterministic bounds on the work; `interrupted` is polled every 64 evaluations (deadline, client gone).
+/// Deterministic bounds on the work. Whether the answer is still awaited (core/work.hpp) is looked at every
+/// 64 evaluations.
 struct Limits {
   std::uint64_t max_steps{250'000};
   std::uint64_t max_evaluations{12'000'000};  ///< of f and of its Jacobian together
   double max_magnitude{1e150};
-  std::function<bool()> interrupted{};
 };
 
 struct RunRequest {
@@ -96,8 +96,7 @@ enum class Ending {
   singular_mass,  ///< the mass matrix lost its inverse
   tolerance,      ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
   blow_up,        ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
-  no_convergence,  ///< gauss: no solution found for the equations of a step; h is too long at this place
-  interrupted
+  no_convergence  ///< gauss: no solution found for the equations of a step; h is too long at this place
 };
 
 struct EventOccurrence {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/integrate/evaluator.hpp"
+#include "core/work.hpp"
 
 namespace qdot {
 namespace {
@@ -155,7 +156,7 @@ class TaylorStepper final : public Stepper {
   std::optional<Ending> limit() const {
     const Limits& limits = request_.limits;
     if (evaluations_ + order_ > limits.max_evaluations) return Ending::step_limit;
-    if (limits.interrupted && steps_ % 4 == 0 && limits.interrupted()) return Ending::interrupted;
+    if (steps_ % 4 == 0) check_interruption();
     return std::nullopt;
   }
 
