@@ -146,6 +146,7 @@ class Reader {
           root_.below(field.name).error("missing", "'" + field.name + "' is missing: " + field.description));
     } else if (!field.default_value.is_null() && !another_way_is_given(field.name)) {
       reading_.resolved[field.name] = field.default_value;
+      reading_.defaulted.push_back(field.name);
     }
   }
 

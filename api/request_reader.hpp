@@ -14,7 +14,8 @@
 namespace qdot::api {
 
 struct Reading {
-  Json resolved = Json::object();  ///< the echo that an answer carries as `request`
+  Json resolved = Json::object();        ///< the echo that an answer carries as `request`
+  std::vector<std::string> defaulted{};  ///< fields that were left out and have a default
   SystemChoice system{};
   Errors errors{};
 };

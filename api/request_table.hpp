@@ -74,7 +74,7 @@ class RequestTable {
       if (field.store && value != reading.resolved.end()) field.store(result.request, *value);
     }
     result.echo = std::move(reading.resolved);
-    Findings findings(submission.road, result.echo, reading.errors);
+    Findings findings(submission.road, result.echo, reading.errors, reading.defaulted);
     if (check_) check_(result.request, findings);
     if (!reading.errors.empty()) return invalid_request(std::move(reading.errors));
     return result;

@@ -40,6 +40,13 @@ void check_step(const R& request, Findings& findings) {
   }
 }
 
+/// What goes with an rtol that is asked for to the last digits must not undo it.
+void complete_tolerances(R& request, Findings& findings) {
+  if (!findings.is_defaulted("atol")) return;
+  request.atol = std::min(request.atol, 1e-3 * request.rtol);
+  findings.echo()["atol"] = request.atol;
+}
+
 /// The grid is checked only when its own fields could be read; the others do not matter to it.
 void check(R& request, Findings& findings) {
   const Scene* scene = request.system.scene.get();
@@ -53,6 +60,7 @@ void check(R& request, Findings& findings) {
   if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
   if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
   check_step(request, findings);
+  complete_tolerances(request, findings);
   if (request.steps && (!scene->impact || !request.impacts)) {
     findings.report(
         "steps", "not_applicable",
@@ -104,7 +112,7 @@ RequestTable<R> make_table() {
              {.default_value = 1e-9,
               .aliases = {"reltol", "rel_tol", "tol", "tolerance", "relative_tolerance"}}),
       number("atol", &R::atol, {"1", {.lower = 0, .upper = limits::largest_atol, .lower_open = true}},
-             "absolute local tolerance, in each column's own unit",
+             "absolute local tolerance, in each column's own unit; 1e-12, or rtol/1000 where that is less",
              {.default_value = 1e-12, .aliases = {"abstol", "abs_tol", "absolute_tolerance"}}),
       choice("accuracy", &R::accuracy,
              {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"accurate", Preset::accurate}},

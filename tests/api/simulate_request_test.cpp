@@ -33,6 +33,12 @@ TEST(SimulateRequest, HasTheContractsDefaults) {
       R"("rtol":1e-09,"atol":1e-12,"verify":true})");
 }
 
+TEST(SimulateRequest, DigitsAskedForAreNotUndoneByTheOtherTolerance) {
+  EXPECT_EQ(request(R"("t_end": 1, "rtol": 1e-14)").atol, 1e-17);
+  EXPECT_EQ(request(R"("t_end": 1, "rtol": 1e-3)").atol, 1e-12);
+  EXPECT_EQ(request(R"("t_end": 1, "rtol": 1e-14, "atol": 1e-12)").atol, 1e-12);
+}
+
 TEST(SimulateRequest, ReadsTheContractsExample) {
   const SimulateRequest read =
       request(R"("parameters": {"m": 0.5, "k": 40}, "initial": {"l": "50cm", "theta": "30deg"},

@@ -1,4 +1,4 @@
-// Ten thousand periods: what round-off does to the energy.
+// Thousands of periods: what round-off does to the energy.
 
 #include <gtest/gtest.h>
 
@@ -17,13 +17,13 @@ struct Drift {
 };
 
 Drift drift_of(const Tolerances& tolerances, double periods) {
-  constexpr int motions = 8, parts = 16, rows = 1600;
+  constexpr int motions = 24, parts = 16, rows = 1600;
   const auto model = test::model_of("plane_pendulum");
   const Dynamics dynamics(model);
   const double period = 2 * std::numbers::pi / std::sqrt(9.81);
   Drift drift;
   for (int i = 0; i < motions; ++i) {
-    SimulationRequest request = test::request_for(*model, {{"m", 1}, {"l", 1}, {"theta", 0.4 + 0.14 * i}},
+    SimulationRequest request = test::request_for(*model, {{"m", 1}, {"l", 1}, {"theta", 0.4 + 0.1 * i}},
                                                   test::instants(periods * period, rows));
     request.method = Method::taylor;
     request.tolerances = tolerances;
@@ -42,16 +42,15 @@ Drift drift_of(const Tolerances& tolerances, double periods) {
   return drift;
 }
 
-/// A random walk's mean square grows like the time, 16 times here; that of a steady drift 256 times. What was
-/// measured lies between, 70: besides the walk each of the 160,000 steps adds a thousandth of a rounding.
-TEST(LongMotion, EnergyOfTaylorStaysAtRoundOffAndDoesNotDriftSteadily) {
-  const Drift drift = drift_of({1e-14, 1e-17}, 10'000);
+/// A random walk's mean square grows like the time, 16 times here; that of a steady drift 256 times.
+TEST(LongMotion, EnergyOfTaylorWalksAtRoundOff) {
+  const Drift drift = drift_of({1e-14, 1e-17}, 4'000);
   EXPECT_LT(std::sqrt(drift.whole), 4e-14);
-  EXPECT_LT(drift.whole, 128 * drift.part);
+  EXPECT_LT(drift.whole, 48 * drift.part);
 }
 
 TEST(LongMotion, TruncationDriftsSteadily) {
-  const Drift drift = drift_of({1e-10, 1e-13}, 1'000);
+  const Drift drift = drift_of({1e-10, 1e-13}, 500);
   EXPECT_GT(drift.whole, 200 * drift.part);
 }
 
