@@ -17,6 +17,7 @@ using api::Json;
 /// A motion's error is what is made on the way times what the system makes of it: `amplification` in the
 /// files, max |dx_i(t)/dx_j(0)|. Promised is 1e-8; the best method makes 1e-11 in these times.
 constexpr double made_on_the_way = 1e-10;
+constexpr double made_by_round_off = 2e-15;
 constexpr double conserved_drift = 1e-8;
 /// Of the sizes of T and V at one state: a few roundings.
 constexpr double at_one_state = 1e-14;
@@ -74,25 +75,44 @@ std::vector<std::string> inputs_in(const Json& json) {
 class ReferenceMotion : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Files, ReferenceMotion, testing::ValuesIn(cases_about({"trajectory"})), case_name);
 
-TEST_P(ReferenceMotion, IsFollowed) {
-  const Json& json = GetParam().json;
+/// The motion that a file is about, asked for at the file's instants.
+Simulation reference_motion(const Json& json, Method method, const Tolerances& tolerances) {
   const auto model = test::model_of(json.at("system"));
   std::vector<double> grid{0};
   for (const Json& t : json.at("times")) grid.push_back(t);
   SimulationRequest request = test::request_for(*model, given_in(json), grid);
   request.on_invalid = OnInvalid::go_on;  // some files follow the ideal constraint on purpose
   request.impacts = Impacts::ignore;
-  const Simulation motion = simulate(Dynamics(model, inputs_in(json)), request);
-  ASSERT_EQ(motion.rows, grid.size());
+  request.method = method;
+  request.tolerances = tolerances;
+  return simulate(Dynamics(model, inputs_in(json)), request);
+}
+
+/// Errors made on the way grow by the file's amplification.
+void expect_followed(const Json& json, const Simulation& motion, double error) {
+  const auto model = test::model_of(json.at("system"));
   const std::size_t n = model->degrees_of_freedom();
-  for (std::size_t i = 1; i < grid.size(); ++i) {
-    const double tolerance = made_on_the_way * std::max(1.0, json.at("amplification")[i - 1].get<double>());
+  ASSERT_EQ(motion.rows, json.at("times").size() + 1);
+  for (std::size_t i = 1; i < motion.rows; ++i) {
+    const double tolerance = error * std::max(1.0, json.at("amplification")[i - 1].get<double>());
     for (std::size_t k = 0; k < n; ++k) {
       const std::string q = model->scene.coordinates[k].name;
-      EXPECT_NEAR(test::row(motion, i)[k], json.at("expected").at(q)[i - 1], tolerance) << q << grid[i];
-      EXPECT_NEAR(test::row(motion, i)[n + k], json.at("expected").at(q + "_dot")[i - 1], tolerance) << q;
+      EXPECT_NEAR(test::row(motion, i)[k], json.at("expected").at(q)[i - 1], tolerance) << q << i;
+      EXPECT_NEAR(test::row(motion, i)[n + k], json.at("expected").at(q + "_dot")[i - 1], tolerance)
+          << q << i;
     }
   }
+}
+
+TEST_P(ReferenceMotion, IsFollowedByTaylorToRoundOff) {
+  const Json& json = GetParam().json;
+  expect_followed(json, reference_motion(json, Method::taylor, {1e-14, 1e-17}), made_by_round_off);
+}
+
+TEST_P(ReferenceMotion, IsFollowed) {
+  const Json& json = GetParam().json;
+  const Simulation motion = reference_motion(json, test::best_method, test::best_tolerances);
+  expect_followed(json, motion, made_on_the_way);
   for (const ConservedRecord& record : motion.conserved)
     EXPECT_LE(record.max_abs_drift, conserved_drift * std::max(1.0, std::abs(record.initial))) << record.name;
 }
