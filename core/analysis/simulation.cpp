@@ -151,9 +151,13 @@ class Simulator {
     run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);
     run.limits.max_evaluations -= std::min(run.limits.max_evaluations, result_.evaluations);
     for (const Watch& watch : watches_) run.events.push_back(watch.event());
-    const Run done = integrate(system_, run);
+    Run done = integrate(system_, run);
     result_.rows += done.rows;
-    result_.states.insert(result_.states.end(), done.states.begin(), done.states.end());
+    if (result_.states.empty()) {
+      result_.states = std::move(done.states);
+    } else {
+      result_.states.insert(result_.states.end(), done.states.begin(), done.states.end());
+    }
     result_.steps += done.steps;
     result_.evaluations += done.evaluations;
     result_.ending = done.ending;
