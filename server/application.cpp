@@ -174,6 +174,7 @@ void Application::finish(Case& it, api::Response response) {
   if (response.status == 401) response.headers["WWW-Authenticate"] = "Bearer";
   compress(it.request, response);
   record(it, response, id);
+  lanes_.make_way();
   it.exchange->answer(std::move(response));
 }
 

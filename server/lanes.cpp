@@ -14,10 +14,17 @@ constexpr double assumed_cost = 20;    // for how much work that assumption coun
 constexpr double memory = 0.95;        // what is left of the past after each piece of work
 constexpr int heavy_niceness = 10;     // about a tenth of a core beside a light thread, all of it without
 
-// Set while this thread runs a task of a light lane: whether the task has stepped aside.
-thread_local bool* stepped_aside = nullptr;
-
 }  // namespace
+
+struct Lanes::Running {
+  Lane lane;
+  double cost;
+  std::chrono::steady_clock::time_point begun{std::chrono::steady_clock::now()};
+  bool aside{false};
+  bool done{false};
+};
+
+thread_local Lanes::Running* Lanes::current_ = nullptr;
 
 double Lanes::State::expected_wait(int threads) const {
   return (waiting_cost + running_cost) / threads * (recent_seconds / recent_cost);
@@ -93,33 +100,45 @@ void Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   it.running_cost += work.cost;
   ++it.running;
   bytes_ += work.bytes;
-  bool aside = false;
-  stepped_aside = lane == Lane::light ? &aside : nullptr;
   lock.unlock();
-  const auto begun = std::chrono::steady_clock::now();
+  Running running{.lane = lane, .cost = work.cost};
+  current_ = &running;
   work.task();
   work.task = nullptr;  // what it held is given back before the next one begins
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+  current_ = nullptr;
   lock.lock();
   bytes_ -= work.bytes;
-  it.running_cost = --it.running == 0 ? 0 : it.running_cost - work.cost;
-  if (aside) {
-    --it.aside;  // and says nothing about the pace of the others
-  } else {
-    it.recent_seconds = memory * it.recent_seconds + took.count();
-    it.recent_cost = memory * it.recent_cost + work.cost;
-  }
+  count_done(running);
+  --it.aside;
+  if (--it.running == 0) it.running_cost = 0;
   if (work.bytes > 0) it.changed.notify_all();  // memory came free
 }
 
+void Lanes::count_done(Running& task) {
+  if (std::exchange(task.done, true)) return;
+  State& it = state(task.lane);
+  it.running_cost -= task.cost;
+  if (task.aside) return;  // it says nothing about the pace of the others
+  ++it.aside;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - task.begun;
+  it.recent_seconds = memory * it.recent_seconds + took.count();
+  it.recent_cost = memory * it.recent_cost + task.cost;
+}
+
+void Lanes::make_way() {
+  if (current_ == nullptr) return;
+  const std::lock_guard lock(mutex_);
+  count_done(*current_);
+}
+
 void Lanes::step_aside() {
-  if (stepped_aside == nullptr || *stepped_aside) return;
+  if (current_ == nullptr || current_->lane == Lane::heavy || current_->aside || current_->done) return;
   State& light = state(Lane::light);
   {
     const std::lock_guard lock(mutex_);
     if (light.aside >= static_cast<std::size_t>(threads_)) return;
     ++light.aside;
-    *stepped_aside = true;
+    current_->aside = true;
   }
   light.changed.notify_one();
 }

@@ -54,6 +54,10 @@ class Lanes {
   /// what is light goes on. For at most as many at a time as the lane has threads.
   void step_aside();
 
+  /// For a task whose answer is about to go out: nobody waits for it any more, least of all the next request
+  /// of the same client, which may come before this thread runs again.
+  void make_way();
+
   /// Returns when nothing runs and nothing waits.
   void wait_until_idle();
 
@@ -64,6 +68,7 @@ class Lanes {
   [[nodiscard]] Gauges gauges(Lane lane) const;
 
  private:
+  struct Running;
   struct State {
     LaneLimits limits;
     std::deque<Work> queue;
@@ -78,10 +83,12 @@ class Lanes {
 
   void work(Lane lane);
   void begin(Lane lane, std::unique_lock<std::mutex>& lock);
+  void count_done(Running& task);
   [[nodiscard]] bool next_may_begin(Lane lane) const;
   State& state(Lane lane) { return states_[static_cast<std::size_t>(lane)]; }
   [[nodiscard]] const State& state(Lane lane) const { return states_[static_cast<std::size_t>(lane)]; }
 
+  static thread_local Running* current_;  // the task of this thread
   const int threads_;
   const std::size_t heavy_bytes_;
   mutable std::mutex mutex_;

@@ -110,6 +110,25 @@ TEST(Lanes, HeavyWorkHoldsBoundedMemory) {
   light.release();
 }
 
+TEST(Lanes, WhatIsAboutToAnswerKeepsNobodyOut) {
+  Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0, .waiting = 0}});
+  std::latch answering{1};
+  std::latch released{1};
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 1000, .task = [&] {
+                                           lanes.make_way();
+                                           answering.count_down();
+                                           released.wait();
+                                         }}));
+  answering.wait();
+  std::atomic<bool> next_began{false};
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 1000, .task = [&] { next_began = true; }}));
+  EXPECT_FALSE(lanes.submit(Lane::heavy, {.cost = 1000, .task = [] {}})) << "one waits already";
+  released.count_down();
+  lanes.wait_until_idle();
+  EXPECT_TRUE(next_began);
+  EXPECT_EQ(lanes.gauges(Lane::heavy).running, 0u);
+}
+
 TEST(Lanes, WhatStepsAsideKeepsNobodyWaiting) {
   Lanes lanes({.threads = 1, .light = {.longest_wait = 1e9, .waiting = 100}});
   std::latch aside{2};
