@@ -221,7 +221,7 @@ Response answer_equations(const Resolved<EquationsRequest>& resolved, Call& call
     const SystemChoice& choice = resolved.request.system;
     const std::shared_ptr<const Dynamics> dynamics = models.of(choice);
     const Form form = form_of(resolved.request.form);
-    const Json body = models.remembered(choice, "equations/" + std::to_string(static_cast<int>(form)),
+    const Json body = models.remembered(*choice.scene, "equations/" + std::to_string(static_cast<int>(form)),
                                         [&] { return Sheet(dynamics->model(), form).body(); });
     call.timing.lap("solve");
     return written_answer(call, dynamics->model().scene, resolved.echo, body);

@@ -26,14 +26,14 @@ std::vector<std::string> inputs_in_order(const SystemChoice& choice) {
 
 }  // namespace
 
-Models::Kept* Models::find(const SystemChoice& choice) {
-  const auto found = kept_.find(choice.scene.get());
+Models::Kept* Models::find(const Scene& scene) {
+  const auto found = kept_.find(&scene);
   return found == kept_.end() ? nullptr : &found->second;
 }
 
 std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
   const std::vector<std::string> inputs = inputs_in_order(choice);
-  Kept* kept = find(choice);
+  Kept* kept = find(*choice.scene);
   if (kept == nullptr) return std::make_shared<const Dynamics>(build_model(*choice.scene), inputs);
   const std::lock_guard lock(kept->mutex);
   if (!kept->dynamics) kept->dynamics = std::make_shared<const Dynamics>(build_model(*choice.scene));
@@ -41,9 +41,8 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
   return std::make_shared<const Dynamics>(kept->dynamics->shared_model(), inputs);
 }
 
-Json Models::remembered(const SystemChoice& choice, const std::string& name,
-                        const std::function<Json()>& make) {
-  Kept* kept = find(choice);
+Json Models::remembered(const Scene& scene, const std::string& name, const std::function<Json()>& make) {
+  Kept* kept = find(scene);
   if (kept == nullptr) return make();
   {
     const std::lock_guard lock(kept->mutex);

@@ -23,7 +23,7 @@ class Models {
   [[nodiscard]] std::shared_ptr<const Dynamics> of(const SystemChoice& choice);
 
   /// A document about one of the catalogue's systems, made once.
-  [[nodiscard]] Json remembered(const SystemChoice& choice, const std::string& name,
+  [[nodiscard]] Json remembered(const Scene& scene, const std::string& name,
                                 const std::function<Json()>& make);
 
  private:
@@ -32,7 +32,7 @@ class Models {
     std::shared_ptr<const Dynamics> dynamics;
     std::map<std::string, Json> documents;
   };
-  [[nodiscard]] Kept* find(const SystemChoice& choice);
+  [[nodiscard]] Kept* find(const Scene& scene);
 
   std::map<const Scene*, Kept> kept_;
 };

@@ -8,6 +8,7 @@
 #include "api/accuracy.hpp"
 #include "api/appraisal.hpp"
 #include "api/bifurcations.hpp"
+#include "api/capabilities.hpp"
 #include "api/catalogue.hpp"
 #include "api/documents.hpp"
 #include "api/endpoint.hpp"
@@ -149,13 +150,19 @@ struct Service::Impl {
     add_document("/v1/systems", system_list(catalogue));
     routes.add({"GET", "/v1/systems/{name}", [this](Call& call) {
                   if (const CatalogueEntry* entry = catalogue.find(call.captures[0])) {
-                    return json_response(system_description(*entry), call.layout);
+                    return json_response(system_description(*entry, capabilities(*entry)), call.layout);
                   }
                   return to_response({.kind = ProblemKind::not_found,
                                       .detail = "There is no system " + in_quotes(call.captures[0]) +
                                                 "; /v1/systems lists them."},
                                      call.target.path, call.layout);
                 }});
+  }
+
+  Json capabilities(const CatalogueEntry& entry) {
+    return models.remembered(entry.scene, "capabilities", [&] {
+      return capabilities_json(entry, [this](const Request& request) { return answer(request); });
+    });
   }
 
   void add_problems() {

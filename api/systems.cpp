@@ -61,7 +61,7 @@ Json system_list(const Catalogue& catalogue) {
       {"systems", array_of(catalogue.entries(), [](const CatalogueEntry& e) { return summary(e.scene); })}};
 }
 
-Json system_description(const CatalogueEntry& entry) {
+Json system_description(const CatalogueEntry& entry, const Json& capabilities) {
   const Scene& scene = entry.scene;
   Json json = summary(scene);
   json["description"] = scene.description;
@@ -78,6 +78,7 @@ Json system_description(const CatalogueEntry& entry) {
     return Json{{"name", e.name}, {"meaning", e.meaning}};
   });
   json["has_impacts"] = scene.impact.has_value();
+  json.update(capabilities);
   json["scene"] = entry.json;
   return json;
 }

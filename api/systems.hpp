@@ -9,8 +9,9 @@ namespace qdot::api {
 /// Name, title and problem of each, in the catalogue's order.
 [[nodiscard]] Json system_list(const Catalogue& catalogue);
 
-/// One whole: symbols with unit, default, domain and meaning; events; endings; and the scene itself, which a
-/// request may carry changed. Defaults are expressions of the parameters, as in the scene.
-[[nodiscard]] Json system_description(const CatalogueEntry& entry);
+/// One whole: symbols with unit, default, domain and meaning; events; endings; what it can be asked
+/// (api/capabilities.hpp); and the scene itself, which a request may carry changed. Defaults are expressions of
+/// the parameters, as in the scene.
+[[nodiscard]] Json system_description(const CatalogueEntry& entry, const Json& capabilities);
 
 }  // namespace qdot::api

@@ -172,7 +172,7 @@ class TurningPointsAnswer {
     const std::string energy = is_energy ? "E" : "h";
     std::string key = "turning_points";
     for (const double p : state_.parameters) key += p == 0 ? '0' : '1';
-    body_["equation"] = models_.remembered(request_.system, key,
+    body_["equation"] = models_.remembered(*request_.system.scene, key,
                                            [&] { return equation_json(model().scene, reduction, energy); });
     Json constants{{energy, *found.energy.value}};
     units_[energy] = "J";
