@@ -195,8 +195,7 @@ class ModeSearch {
     all = echelon_form(std::move(all));
     for (std::size_t k = 0; k < modes.size(); ++k) {
       modes[k].shape.clear();
-      for (const ComplexBall& entry : all[k])
-        modes[k].shape.emplace_back(entry.re.value(), entry.im.value());
+      for (const ComplexBall& entry : all[k]) modes[k].shape.emplace_back(entry.re.value(), entry.im.value());
     }
   }
 
