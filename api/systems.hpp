@@ -10,8 +10,8 @@ namespace qdot::api {
 [[nodiscard]] Json system_list(const Catalogue& catalogue);
 
 /// One whole: symbols with unit, default, domain and meaning; events; endings; what it can be asked
-/// (api/capabilities.hpp); and the scene itself, which a request may carry changed. Defaults are expressions of
-/// the parameters, as in the scene.
+/// (api/capabilities.hpp); and the scene itself, which a request may carry changed. Defaults are expressions
+/// of the parameters, as in the scene.
 [[nodiscard]] Json system_description(const CatalogueEntry& entry, const Json& capabilities);
 
 }  // namespace qdot::api
