@@ -1,6 +1,7 @@
 #include "api/documents.hpp"
 
 #include "api/limits.hpp"
+#include "core/integrate/events.hpp"
 #include "core/integrate/run.hpp"
 
 namespace qdot::api {
@@ -34,6 +35,7 @@ Json limits_json() {
           {"rows", limits::rows},
           {"numbers", limits::numbers},
           {"events", limits::events},
+          {"event_occurrences", most_occurrences},
           {"strides", limits::strides},
           {"integration_steps", Limits{}.max_steps},
           {"evaluations", limits::evaluations},

@@ -113,7 +113,7 @@ class SimulationAnswer {
     writer.key("trajectory");
     writer.columns(table_, digits());
     writer.member("units", units_);
-    writer.member("events", events_json(), digits());
+    write_events(writer);
     if (model().scene.impact && request_.impacts) writer.member("strides", strides_json(), digits());
     writer.member("accuracy", accuracy_json());
     writer.member("diagnostics", diagnostics_json());
@@ -122,12 +122,15 @@ class SimulationAnswer {
         .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
   }
 
-  [[nodiscard]] Json events_json() const {
-    Json array = Json::array();
+  /// One after the other: all of them as one value would take many times the memory of their text.
+  void write_events(JsonWriter& writer) const {
+    writer.key("events");
+    writer.begin_array();
     for (const EventRecord& event : result_.events) {
-      array.push_back({{"name", event.name}, {"t", event.t}, {"state", state_json(model().scene, event.y)}});
+      writer.value({{"name", event.name}, {"t", event.t}, {"state", state_json(model().scene, event.y)}},
+                   digits());
     }
-    return array;
+    writer.end_array();
   }
 
   [[nodiscard]] Json strides_json() const {

@@ -6,6 +6,7 @@
 
 #include "core/analysis/watch.hpp"
 #include "core/compile/taylor_expansion.hpp"
+#include "core/integrate/events.hpp"
 
 namespace qdot {
 namespace {
@@ -173,6 +174,8 @@ class Simulator {
       const bool last = done.ending == Ending::event && occurrence.t == done.t;
       if (watch.kind == Watch::Kind::event || watch.kind == Watch::Kind::impact) {
         result_.events.push_back({watch.name, occurrence.t, occurrence.y});
+        if (result_.events.size() > most_occurrences)
+          throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
         impact = impact || watch.kind == Watch::Kind::impact;
       } else if (last && !result_.stop) {
         result_.stop = Stop{watch.reason, occurrence.t, watch.message};

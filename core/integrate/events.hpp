@@ -20,6 +20,9 @@
 
 namespace qdot {
 
+/// That one run reports; one more is an Error(too_large).
+inline constexpr std::size_t most_occurrences = 50'000;
+
 class EventSearch {
  public:
   static constexpr int pieces = 5;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/progress.hpp"
@@ -61,6 +62,8 @@ class Integration {
     else
       run_.y.assign(stepper_->y().begin(), stepper_->y().end());
     run_.events.insert(run_.events.end(), found.events.begin(), found.events.end());
+    if (run_.events.size() > most_occurrences)
+      throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
     if (found.terminal) return Ending::event;
     return run_.t < request_.t_end ? progress_.check(*stepper_) : std::nullopt;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/integrate/run.hpp"
 #include "tests/core/integrate_systems.hpp"
 
@@ -219,6 +220,19 @@ TEST(IntegrateEvents, OscillatorCrossesZeroAtOddQuarterPeriods) {
       EXPECT_NEAR(run.events[i].y[0], 0, 1e-14) << name(method);  // round-off of t times the speed
     }
   }
+}
+
+/// Twenty levels, each crossed twice in a period of the oscillator.
+RunRequest crossing_levels(double periods) {
+  RunRequest request{.y_start = {1, 0}, .t_end = periods * 2 * pi, .method = Method::erk};
+  for (int k = 0; k < 20; ++k)
+    request.events.push_back({.value = [level = 0.02 * k + 0.01](double, auto y) { return y[0] - level; }});
+  return request;
+}
+
+TEST(IntegrateEvents, MoreThanAnAnswerHoldsAreRefused) {
+  EXPECT_EQ(integrate(oscillator(), crossing_levels(1249)).events.size(), 1249 * 40u);
+  EXPECT_THROW((void)integrate(oscillator(), crossing_levels(1251)), Error);
 }
 
 TEST(IntegrateEvents, PendulumTurnsAndPassesTheVerticalByEllipticIntegrals) {
