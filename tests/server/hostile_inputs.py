@@ -4,6 +4,7 @@ Bytes as they go over the wire. `None` among the statuses: the server may also j
 """
 
 import json
+import random
 
 LOCAL = b"Host: localhost\r\n"
 GOOD_BODY = b'{"system": "spring_pendulum", "t_end": 1, "samples": 3}'
@@ -195,6 +196,46 @@ def expressions():
         yield f"scene with {str(change)[:30]}", post(json.dumps({"system": scene | change, "t_end": 1}).encode()), {200, 400, 422}
     cyclic = scene | {"parameters": [{"name": "a", "unit": "kg", "default": "m"}, {"name": "m", "unit": "kg", "default": "a"}]}
     yield "parameters of each other", post(json.dumps({"system": cyclic, "t_end": 1}).encode()), {422}
+
+
+def ask(path, **fields):
+    return post(json.dumps(fields).encode(), target=path.encode())
+
+
+def eight_angles(lagrangian):
+    return {"name": "own", "coordinates": [{"name": name, "unit": "rad", "initial": 0.1, "initial_rate": 0.01} for name in "abcdefgh"],
+            "parameters": [{"name": "K", "unit": "J", "default": 1}, {"name": "J", "unit": "kg*m^2", "default": 1}],
+            "lagrangian": lagrangian}
+
+
+def coupled_rotors():
+    """Its mass matrix is full, and every product in it is of sums of other sines."""
+    names = "abcdefgh"
+
+    def square(k):
+        terms = (f"sin({names[(3 * i + k) % 8]}*{names[(i * k + 5) % 8]}+{k})*{name}_dot" for i, name in enumerate(names))
+        return "(" + "+".join(terms) + ")^2"
+
+    return eight_angles("J/2*(" + "+".join([square(k) for k in range(1, 13)] + [f"{name}_dot^2" for name in names]) + ")")
+
+
+def rough_landscape():
+    """Quick to derive; but in 8 dimensions there is no end to where its equilibria might be."""
+    names = "abcdefgh"
+    dice = random.Random(1)
+    hills = (f"sin({'+'.join(dice.choices(names, k=8))})^6" for _ in range(60))
+    return eight_angles("J/2*(" + "+".join(f"{name}_dot^2" for name in names) + ") - K*(" + "+".join(hills) + ")")
+
+
+def endless():
+    """Each would take hours: its end is a limit or the deadline. Not of all_inputs(): each takes seconds of a thread."""
+    refused = {422, 503}
+    for path, fields in (("simulate", {"t_end": 1}), ("equations", {}), ("gait", {})):
+        yield f"{path} of coupled rotors", ask(f"/v1/{path}", system=coupled_rotors(), **fields), refused
+    yield "equilibria of a rough landscape", ask("/v1/equilibria", system=rough_landscape()), refused
+    yield "a long motion", simulate(t_end=1e6, rtol=1e-13, method="adams"), refused
+    curves = ["+".join(f"sin({k}*theta)" for k in range(1, 100)) + f"={k / 100}" for k in range(10)]
+    yield "events of many harmonics", simulate(t_end=5000, events=curves), refused
 
 
 GROUPS = (framing, lengths, sizes, encodings, json_texts, numbers, expressions)

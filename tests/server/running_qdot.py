@@ -13,6 +13,7 @@ import threading
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 QDOT = os.environ.get("QDOT_BINARY", str(ROOT / "build" / "release" / "qdot"))
+SANITIZED = "asan" in QDOT or "tsan" in QDOT  # their memory is not ours, and they are ten times slower
 # A developer's own settings must not reach the tests.
 ENVIRONMENT = {k: v for k, v in os.environ.items() if not k.startswith("QDOT_")}
 

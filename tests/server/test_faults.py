@@ -8,6 +8,7 @@ import random
 import resource
 import signal
 import socket
+import statistics
 import subprocess
 import threading
 import time
@@ -15,12 +16,11 @@ import unittest
 
 import hostile_inputs
 import wire
-from running_qdot import ENVIRONMENT, QDOT, RunningQdot, answer
+from running_qdot import ENVIRONMENT, QDOT, SANITIZED, RunningQdot, answer
 
 GOOD = hostile_inputs.post(hostile_inputs.GOOD_BODY)
 # How many requests the soak sends: QDOT_SOAK=1000000 is the long version.
 SOAK = int(os.environ.get("QDOT_SOAK", "100000"))
-SANITIZED = "asan" in QDOT or "tsan" in QDOT  # their memory is not ours, and they are ten times slower
 
 
 def resident(server):
@@ -177,20 +177,23 @@ class Faults(unittest.TestCase):
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
-        slowest = 0
+        took = []
         for _ in range(20):
+            started = time.monotonic()
             process = subprocess.Popen([QDOT, "serve", "--port", str(port)], stdout=subprocess.PIPE,
                                        stderr=subprocess.DEVNULL, env=ENVIRONMENT)
-            started = time.monotonic()
             self.assertTrue(process.stdout.readline())
             self.assertEqual(wire.exchange(port, GOOD).status, 200)
-            slowest = max(slowest, time.monotonic() - started)
+            took.append(time.monotonic() - started)
             with wire.connect(port) as busy:
                 busy.sendall(GOOD)
                 process.kill()
                 process.wait()
             process.stdout.close()
-        self.assertLess(slowest, 10 if SANITIZED else 2)  # half a second on a machine that has nothing else to do
+        print(f"killed, the first right answer after {statistics.median(took):.3f} s, at most {max(took):.3f} s")
+        # A machine that is busy elsewhere may be late now and then.
+        self.assertLess(statistics.median(took), 5 if SANITIZED else 0.5)
+        self.assertLess(max(took), 10 if SANITIZED else 2)
 
     def test_without_descriptors(self):
         with RunningQdot() as server:
