@@ -6,6 +6,8 @@ Bytes as they go over the wire. `None` among the statuses: the server may also j
 import json
 import random
 
+import json_cases
+
 LOCAL = b"Host: localhost\r\n"
 GOOD_BODY = b'{"system": "spring_pendulum", "t_end": 1, "samples": 3}'
 
@@ -129,21 +131,17 @@ def encodings():
 
 
 def json_texts():
-    broken = ["", " ", "{", "}", "[", "[1", '{"a"}', '{"a":}', '{"a":1,}', "{'a':1}", "{a:1}", '{"a":1}}', '{"a":1} x', "nul", "True",
-              "NaN", "Infinity", "-", "+1", "01", "1.", ".5", "1e", "0x10", '"', '"\\x"', '"\\u12"', '"\\ud800"', '"\t"', "\u00a0{}",
-              "// c\n{}", "/* */{}", '{"a":1 "b":2}', "1e999", "-1e999", "[" * 100000, '{"a":' * 50000, "{}\0", "\0", '"\x7f']
-    for text in broken:
-        yield f"JSON {text[:20]!r}", post(text.encode("utf-8", "surrogatepass")), {400, 413, 422}
-    for raw in (b"\xff\xfe{\x00}\x00", b'{"\xff": 1}', b'{"a": "\xc0\xaf"}', b'{"a": "\xed\xa0\x80"}', b"\xef\xbb\xbf\xef\xbb\xbf{}",
-                b"\x1f\x8b\x08\x00" + b"\x00" * 20):
-        yield f"JSON bytes {raw[:12]}", post(raw), {400}
-    for text in ("1", "[]", '"x"', "null", "true", "{}", '{"":1}'):
-        yield f"JSON {text}", post(text.encode()), {400, 422}
-    yield "deep", post(b'{"system":' + b"[" * 17 + b"]" * 17 + b"}"), {400, 422}
+    for name, text in (json_cases.BROKEN | json_cases.REFUSED).items():
+        yield name, post(text), {400}
+    for name, text in json_cases.ACCEPTED.items():
+        yield name, post(text), {422}
+    for name, text in (("brackets", b"[" * 60000), ("braces", b'{"":' * 15000)):
+        yield f"endless {name}", post(text), {422}
+    yield "seventeen deep", post(b"[" * 17 + b"]" * 17), {422}
     yield "many nodes", post(b'{"times":[' + b"0," * 11000 + b"0]}"), {422}
     yield "duplicate keys", post(b'{"system":"spring_pendulum","t_end":1,"t_end":2}'), {422}
     yield "duplicate keys written differently", post(b'{"system":"spring_pendulum","t_end":1,"t\\u005fend":2}'), {422}
-    yield "NUL in a key", post(b'{"a\\u0000b":1}'), {400, 422}
+    yield "NUL in a key", post(b'{"a\\u0000b":1}'), {422}
     yield "a number of a megabyte", post(b'{"t_end":' + b"1" * 60000 + b"}"), {400, 422}
     yield "2000 unknown fields", post(json.dumps({f"f{i}": i for i in range(2000)}).encode()), {422}
     yield "an unknown field of 30 kB", post(json.dumps({"x" * 30000: 1}).encode()), {422}
