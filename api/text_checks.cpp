@@ -60,7 +60,7 @@ void check_events(const Scene& scene, const std::vector<std::string>& events, Fi
 void check_inputs(const SystemChoice& choice, Findings& findings) {
   const std::vector<std::string> allowed = input_symbols(*choice.scene);
   for (const auto& [name, text] : choice.inputs) {
-    check_text(findings.root().below("inputs").below(name), allowed, findings, [&] {
+    check_text(findings.root().below("inputs").below(name), allowed, findings, [&, &text = text] {
       Graph graph;
       (void)parse(text, graph, allowed);
     });
