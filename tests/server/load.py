@@ -1,6 +1,6 @@
 """An overload client: offers more than the server can do, and measures what comes of it.
 
-    python3 tests/server/load.py [--seconds 20] [--rounds 2,5,10]
+    python3 tests/server/load.py [--seconds 60] [--rounds 2,5,10]
 
 Open loop: requests leave at their appointed times, whether or not answers come. The server gets one core and the
 clients the others. QDOT_BINARY names the program. Prints one JSON line a measurement and exits 1 where a promise of
@@ -174,7 +174,7 @@ def broken_promises(found):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--seconds", type=float, default=20)
+    parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--rounds", default="2,5,10")
     options = parser.parse_args()
     cores = sorted(os.sched_getaffinity(0))

@@ -1,4 +1,8 @@
-"""The server when the world around it fails, and after it has worked for long."""
+"""The server when the world around it fails, and after it has worked for long.
+
+The long soak, a million requests (QDOT_BINARY names the program):
+    QDOT_SOAK=1000000 python3 tests/server/test_faults.py Faults.test_long_work_leaves_nothing_behind
+"""
 
 import concurrent.futures
 import hashlib
@@ -19,8 +23,7 @@ import wire
 from running_qdot import ENVIRONMENT, QDOT, SANITIZED, RunningQdot, answer
 
 GOOD = hostile_inputs.post(hostile_inputs.GOOD_BODY)
-# How many requests the soak sends: QDOT_SOAK=1000000 is the long version.
-SOAK = int(os.environ.get("QDOT_SOAK", "100000"))
+SOAK = int(os.environ.get("QDOT_SOAK", "100000"))  # requests
 
 
 def resident(server):
