@@ -46,7 +46,7 @@ class Readme(unittest.TestCase):
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "w") as file:
                 file.write(content)
-        cls.server = RunningQdot()
+        cls.server = RunningQdot("--deadline", "60")
 
     @classmethod
     def tearDownClass(cls):
@@ -101,7 +101,7 @@ class Readme(unittest.TestCase):
                 self.assertTrue((ROOT / path).exists())
 
     def test_the_new_problem_is_served(self):
-        with RunningQdot("--scenes", os.path.join(self.directory.name, "scenes")) as server:
+        with RunningQdot("--deadline", "60", "--scenes", os.path.join(self.directory.name, "scenes")) as server:
             self.assertEqual(server.request("GET", "/v1/simulate?system=bead_on_hoop&t_end=1").status, 200)
 
     def test_what_is_not_there_yet_is_not_there(self):

@@ -64,7 +64,7 @@ class Service(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.server = RunningQdot(*cls.arguments)
+        cls.server = RunningQdot("--deadline", "60", *cls.arguments)  # what it says matters here, not how soon
 
     @classmethod
     def tearDownClass(cls):
