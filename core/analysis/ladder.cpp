@@ -155,12 +155,19 @@ class Ladder {
   /// by chance; two checks that start on either side cannot both be.
   [[nodiscard]] bool one_is_enough(const Simulation& other) const {
     if (result_.simulation.method == Method::gauss || result_.tolerances.rtol <= near_round_off) return false;
-    const std::vector<double> scale = largest_magnitudes(Rows::all);
-    const std::vector<double>&a = result_.simulation.states, &b = other.states;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-      if (std::abs(a[i] - b[i]) > near_round_off * scale[i % scale.size()]) return true;
+    const std::size_t width = request_.y_start.size();
+    for (std::size_t k = 0; k < width; ++k) {
+      double difference = 0, size = 0;
+      bool varies = false;
+      for (std::size_t i = k; i < std::min(result_.simulation.states.size(), other.states.size());
+           i += width) {
+        difference = std::max(difference, std::abs(result_.simulation.states[i] - other.states[i]));
+        size = std::max(size, std::abs(result_.simulation.states[i]));
+        varies = varies || result_.simulation.states[i] != result_.simulation.states[k];
+      }
+      if (varies && difference <= near_round_off * size) return false;
     }
-    return false;
+    return true;
   }
 
   [[nodiscard]] Method second_method(Method first) const {
@@ -169,13 +176,16 @@ class Ladder {
     return first == Method::erk ? Method::adams : Method::erk;
   }
 
-  /// Every number by one unit in the last place, up and down in turn: what rounding does to the motion, the
-  /// rounding that all runs have in common included. It is nothing beside any other error.
+  /// Every number by one or two units in the last place, up and down in turn, so that the ratio of any two
+  /// near each other moves as well: what rounding does to the motion, the rounding that all runs have in
+  /// common included. It is nothing beside any other error.
   static void nudge(std::vector<double>& numbers, double direction) {
     double towards = direction * std::numeric_limits<double>::infinity();
+    std::size_t moved = 0;
     for (double& x : numbers) {
       if (x == 0) continue;
       x = std::nextafter(x, towards);
+      if (moved++ % 4 >= 2) x = std::nextafter(x, towards);
       towards = -towards;
     }
   }
