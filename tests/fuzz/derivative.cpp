@@ -12,6 +12,7 @@
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/work.hpp"
 #include "tests/fuzz/law.hpp"
 
 namespace {
@@ -64,6 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::vector<std::string> names{"m", "g", "l", "theta", "phi", "theta_dot"};
   if (size > 400) return 0;  // derivatives of derivatives grow
   try {
+    const WorkScope work(fuzz::algebra);
     Graph graph;
     const ParseResult result = parse_all(fuzz::text_of(data, size), graph, names);
     if (!result.expression) return 0;

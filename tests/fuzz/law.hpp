@@ -9,6 +9,9 @@
 
 namespace qdot::fuzz {
 
+/// What one input may cost, as what a request may: a second or so under the sanitizers.
+inline constexpr std::uint64_t algebra = 300'000;
+
 inline void require(bool holds, const char* law) {
   if (holds) return;
   std::fprintf(stderr, "broken: %s\n", law);

@@ -3,6 +3,7 @@
 #include "api/json_reader.hpp"
 #include "api/scene_reader.hpp"
 #include "core/mechanics/model.hpp"
+#include "core/work.hpp"
 #include "tests/fuzz/law.hpp"
 
 namespace {
@@ -27,6 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(reading.diagnostics);
   if (!reading.diagnostics.empty()) return 0;
   try {
+    const WorkScope work(fuzz::algebra);
     const auto model = build_model(reading.scene);
     fuzz::require(model->degrees_of_freedom() > 0, "a model moves");
   } catch (const SceneError& error) {
