@@ -18,20 +18,18 @@ class Element {
 }
 
 const byId = { about: new Element("p"), operations: new Element("main") };
-const sent = [];
 const context = {
   document: { createElement: (name) => new Element(name), getElementById: (id) => byId[id] },
   location: { origin, hash: "" },
-  fetch: (target, options) => {
-    const answer = fetch(new URL(target, origin), options);
-    sent.push(answer.catch(() => {}));
-    return answer;
-  },
+  fetch: (target, options) => fetch(new URL(target, origin), options),
 };
 
-async function settled() {
-  await Promise.all(sent.splice(0));
-  await setTimeout(20);
+async function until(done) {
+  const deadline = Date.now() + 20000;
+  while (!done()) {
+    if (Date.now() > deadline) throw new Error("The page waits for something that does not come.");
+    await setTimeout(2);
+  }
 }
 
 // What a reader would write where the form begins empty.
@@ -53,13 +51,12 @@ async function send(view) {
     else if (/^get[A-Z]/.test(id)) input.value = queries[id] ?? "system=cart_pendulum";
   }
   view.all("form")[0].listeners.submit({ preventDefault() {} });
-  await settled();
-  await settled();
+  await until(() => view.all("pre").length > 0);
   const [status] = view.all("strong").map((element) => element.text);
   console.log(JSON.stringify({ operation: id, status, shell: view.all("pre").at(-1).text }));
 }
 
 vm.runInNewContext(await (await fetch(`${origin}/docs/docs.js`)).text(), context);
-await settled();
+await until(() => byId.operations.children.length > 0);
 console.log(JSON.stringify({ about: byId.about.text }));
 for (const view of byId.operations.all("details")) await send(view);
