@@ -5,8 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/work.hpp"
+
 namespace qdot::api {
 namespace {
+
+constexpr std::size_t rows_between_looks = 256;  // whether the answer is still awaited
 
 // -1.7976931348623157e+308 has 24 characters, -0.0001 with 17 digits 23.
 constexpr std::size_t longest_number = 32;
@@ -144,6 +148,7 @@ void JsonWriter::numbers(std::span<const double> values, int digits) {
 void JsonWriter::columns(std::span<const Column> table, int digits) {
   begin_object();
   for (const Column& column : table) {
+    check_interruption();
     key(column.name);
     numbers(column.values, digits);
   }
@@ -191,6 +196,7 @@ std::string to_csv(std::span<const Column> table, int digits) {
     out += i + 1 < table.size() ? ',' : '\n';
   }
   for (std::size_t row = 0; row < rows; ++row) {
+    if (row % rows_between_looks == 0) check_interruption();
     for (std::size_t i = 0; i < table.size(); ++i) {
       append_number(out, table[i].values[row], digits);
       out += i + 1 < table.size() ? ',' : '\n';
@@ -202,11 +208,16 @@ std::string to_csv(std::span<const Column> table, int digits) {
 std::string to_ndjson(std::span<const Column> table, int digits) {
   std::string out;
   const std::size_t rows = table.empty() ? 0 : table[0].values.size();
+  std::vector<std::string> keys;
+  for (const Column& column : table) {
+    keys.emplace_back(keys.empty() ? "{" : ",");
+    append_string(keys.back(), column.name);
+    keys.back() += ':';
+  }
   for (std::size_t row = 0; row < rows; ++row) {
+    if (row % rows_between_looks == 0) check_interruption();
     for (std::size_t i = 0; i < table.size(); ++i) {
-      out += i == 0 ? '{' : ',';
-      append_string(out, table[i].name);
-      out += ':';
+      out += keys[i];
       append_number(out, table[i].values[row], digits);
     }
     out += "}\n";

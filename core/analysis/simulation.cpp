@@ -7,6 +7,7 @@
 #include "core/analysis/watch.hpp"
 #include "core/compile/taylor_expansion.hpp"
 #include "core/integrate/events.hpp"
+#include "core/work.hpp"
 
 namespace qdot {
 namespace {
@@ -230,6 +231,7 @@ class Simulator {
     const std::size_t width = request_.columns.size();
     result_.columns.resize(result_.rows * width);
     for (std::size_t i = 0; i < result_.rows; ++i) {
+      if (i % 256 == 0) check_interruption();
       const std::span<double> out = std::span(result_.columns).subspan(i * width, width);
       if (function->evaluate(request_.grid[i], row(i), workspace, out) == Evaluation::ok) continue;
       throw Error(ErrorCode::invalid_state, "One of the columns has no finite value along this motion.");
@@ -249,6 +251,7 @@ class Simulator {
     std::vector<double> initial(count);
     if (!evaluate(request_.t_start, request_.y_start, initial)) return;
     for (std::size_t i = 0, next = 0; i < result_.rows; ++i) {
+      if (i % 256 == 0) check_interruption();
       for (; next < segments_.size() && segments_[next].first_row <= i; ++next) {
         if (!evaluate(segments_[next].t, segments_[next].y, reference)) return;
       }

@@ -10,8 +10,19 @@ namespace {
 constexpr std::size_t worthwhile_saving = 3;
 /// Up to so many terms alternatives are compared; beyond, the first choice is taken.
 constexpr std::size_t most_compared = 24;
+/// Brackets within brackets in which alternatives are compared: each multiplies the work by two to four.
+constexpr int compared_levels = 4;
 
-Expression grouped(Graph& graph, const Polynomial& polynomial);
+/// Where the factors are looked for, and in how many levels of brackets from here on alternatives are
+/// compared.
+struct Place {
+  Graph& graph;
+  int levels{compared_levels};
+  [[nodiscard]] Place inside() const { return {graph, std::max(levels - 1, 0)}; }
+};
+
+Expression factored(Place place, const Polynomial& polynomial);
+Expression grouped(Place place, const Polynomial& polynomial);
 
 Number size_of(const Number& number) { return number.is_negative() ? -number : number; }
 
@@ -51,6 +62,11 @@ std::vector<Number> numeric_factors(const Polynomial& polynomial) {
   return factors;
 }
 
+std::vector<Number> numbers_in_front(Place place, const Polynomial& polynomial) {
+  if (place.levels > 0) return numeric_factors(polynomial);
+  return {common_coefficient(polynomial).value_or(Number(1))};
+}
+
 /// A power of one symbol or bracket that many terms share, and how many.
 struct Shared {
   Atom atom{};
@@ -79,23 +95,23 @@ std::vector<Shared> most_shared(const Polynomial& polynomial) {
 }
 
 /// The polynomial without its common monomial and number.
-Expression primitive(Graph& graph, const Polynomial& polynomial) {
+Expression primitive(Place place, const Polynomial& polynomial) {
   if (polynomial.size() > 2) {
-    if (const auto root = exact_root(polynomial)) return pow(factored(graph, *root), Number(2));
+    if (const auto root = exact_root(polynomial)) return pow(factored(place, *root), Number(2));
   }
-  return grouped(graph, polynomial);
+  return grouped(place, polynomial);
 }
 
 /// polynomial = common (rest), with the number in front that makes the whole shortest.
-Expression with_common_factor(Graph& graph, const Polynomial& polynomial, const Monomial& common) {
+Expression with_common_factor(Place place, const Polynomial& polynomial, const Monomial& common) {
   const Number sign(all_negative(polynomial) ? -1 : 1);
   const Polynomial rest = scaled(polynomial, inverse(common), sign);
-  const Expression front = to_expression(graph, common);
+  const Expression front = to_expression(place.graph, common);
   Expression best;
   std::size_t least = static_cast<std::size_t>(-1);
-  for (const Number& number : numeric_factors(rest)) {
+  for (const Number& number : numbers_in_front(place, rest)) {
     const Polynomial bracket = scaled(rest, {}, Number(1) / number);
-    const Expression candidate = (sign * number) * front * primitive(graph, bracket);
+    const Expression candidate = (sign * number) * front * primitive(place.inside(), bracket);
     const std::size_t cost = written_length(candidate);
     if (cost < least) {
       least = cost;
@@ -116,41 +132,44 @@ Polynomial terms_with(const Polynomial& polynomial, const Atom& atom) {
 }
 
 /// The terms that share the atom in a bracket of their own, the others beside it.
-Expression grouped_by(Graph& graph, const Polynomial& polynomial, const Atom& atom) {
+Expression grouped_by(Place place, const Polynomial& polynomial, const Atom& atom) {
   const Polynomial group = terms_with(polynomial, atom);
   Polynomial others = polynomial;
   add(others, group, Number(-1));
-  if (others.empty()) return with_common_factor(graph, polynomial, Monomial{atom});
+  if (others.empty()) return with_common_factor(place, polynomial, Monomial{atom});
   const Monomial front = common_monomial(group);
   const Polynomial bracket = scaled(group, inverse(front), 1);
   if (const auto quotient = exact_quotient(others, bracket)) {
     Polynomial cofactor = *quotient;
     add(cofactor, front, 1);
-    return factored(graph, cofactor) * factored(graph, bracket);
+    return factored(place, cofactor) * factored(place, bracket);
   }
-  return with_common_factor(graph, group, front) + factored(graph, others);
+  return with_common_factor(place, group, front) + factored(place, others);
 }
 
-Expression grouped(Graph& graph, const Polynomial& polynomial) {
+Expression grouped(Place place, const Polynomial& polynomial) {
   const std::vector<Shared> shared = most_shared(polynomial);
-  if (shared.empty()) return to_expression(graph, polynomial);
-  const Expression last = grouped_by(graph, polynomial, shared.back().atom);  // parameters come last
-  if (shared.size() == 1 || polynomial.size() > most_compared) return last;
-  const Expression first = grouped_by(graph, polynomial, shared.front().atom);
+  if (shared.empty()) return to_expression(place.graph, polynomial);
+  const bool one = shared.size() == 1 || polynomial.size() > most_compared || place.levels == 0;
+  if (one) return grouped_by(place, polynomial, shared.back().atom);  // parameters come last
+  const Expression last = grouped_by(place.inside(), polynomial, shared.back().atom);
+  const Expression first = grouped_by(place.inside(), polynomial, shared.front().atom);
   return written_length(first) < written_length(last) ? first : last;
+}
+
+Expression factored(Place place, const Polynomial& polynomial) {
+  if (polynomial.size() < 2) return to_expression(place.graph, polynomial);
+  const Monomial common = common_monomial(polynomial);
+  const bool worthwhile = common.size() * (polynomial.size() - 1) >= worthwhile_saving;
+  if (common.empty() || worthwhile || common_coefficient(polynomial)) {
+    return with_common_factor(place, polynomial, common);
+  }
+  return to_expression(place.graph, polynomial);
 }
 
 }  // namespace
 
-Expression factored(Graph& graph, const Polynomial& polynomial) {
-  if (polynomial.size() < 2) return to_expression(graph, polynomial);
-  const Monomial common = common_monomial(polynomial);
-  const bool worthwhile = common.size() * (polynomial.size() - 1) >= worthwhile_saving;
-  if (common.empty() || worthwhile || common_coefficient(polynomial)) {
-    return with_common_factor(graph, polynomial, common);
-  }
-  return to_expression(graph, polynomial);
-}
+Expression factored(Graph& graph, const Polynomial& polynomial) { return factored(Place{graph}, polynomial); }
 
 Expression collected(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {
   const auto is_chosen = [&](const Atom& atom) {
