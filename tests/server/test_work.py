@@ -63,7 +63,8 @@ class Work(unittest.TestCase):
     def test_who_asks_one_after_another_is_never_refused(self):
         for _ in range(4):  # each of more than a second, the longest that one may wait for another
             reply = wire.exchange(self.server.port, hostile_inputs.simulate(t_end=1e6, rtol=1e-13, method="adams"))
-            self.assertEqual(json.loads(reply.body)["type"], "/errors/integration-failed")
+            # At its limit of steps; on a slow machine at the deadline.
+            self.assertIn(json.loads(reply.body)["type"], ("/errors/integration-failed", "/errors/deadline"))
 
 
 if __name__ == "__main__":
