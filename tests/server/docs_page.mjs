@@ -25,7 +25,7 @@ const context = {
 };
 
 async function until(done) {
-  const deadline = Date.now() + 20000;
+  const deadline = Date.now() + 60000;
   while (!done()) {
     if (Date.now() > deadline) throw new Error("The page waits for something that does not come.");
     await setTimeout(2);

@@ -29,7 +29,7 @@ class Links(html.parser.HTMLParser):
 class Pages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.server = RunningQdot("--threads", "2")
+        cls.server = RunningQdot("--threads", "2", "--deadline", "60")
         cls.pages = {path: cls.get(path).data.decode() for path in PAGES}
 
     @classmethod
