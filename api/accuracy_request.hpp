@@ -7,7 +7,7 @@
 
 #include "api/request_table.hpp"
 #include "api/system_choice.hpp"
-#include "core/analysis/work_precision.hpp"
+#include "core/motion/work_precision.hpp"
 
 namespace qdot::api {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "api/steady_json.hpp"
-#include "core/analysis/bifurcations.hpp"
-#include "core/analysis/gait_continuation.hpp"
+#include "core/gait/gait_continuation.hpp"
+#include "core/steady/bifurcations.hpp"
 
 namespace qdot::api {
 namespace {

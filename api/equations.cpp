@@ -1,6 +1,6 @@
 #include "api/equations.hpp"
 
-#include "core/expr/print.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/conserved.hpp"

@@ -5,8 +5,8 @@
 
 #include "api/steady_json.hpp"
 #include "api/text.hpp"
-#include "core/analysis/equilibria.hpp"
-#include "core/analysis/solve_for.hpp"
+#include "core/steady/equilibria.hpp"
+#include "core/steady/solve_for.hpp"
 
 namespace qdot::api {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "api/request_table.hpp"
 #include "api/system_choice.hpp"
-#include "core/analysis/gait.hpp"
+#include "core/gait/gait.hpp"
 
 namespace qdot::api {
 

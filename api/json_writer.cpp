@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/work.hpp"
+#include "core/base/work.hpp"
 
 namespace qdot::api {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "api/problem.hpp"
 #include "api/system_choice.hpp"
-#include "core/analysis/dynamics.hpp"
+#include "core/dynamics/dynamics.hpp"
 
 namespace qdot::api {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/analysis/modes.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/mechanics/units.hpp"
+#include "core/steady/modes.hpp"
 
 namespace qdot::api {
 namespace {

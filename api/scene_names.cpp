@@ -4,7 +4,7 @@
 
 #include "api/limits.hpp"
 #include "api/scene_reader.hpp"
-#include "core/expr/function.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot::api {
 namespace {

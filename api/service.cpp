@@ -29,7 +29,7 @@
 #include "api/systems.hpp"
 #include "api/text.hpp"
 #include "api/turning_points.hpp"
-#include "core/work.hpp"
+#include "core/base/work.hpp"
 
 namespace qdot::api {
 namespace {

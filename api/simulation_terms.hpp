@@ -5,7 +5,7 @@
 
 #include "api/answers.hpp"
 #include "api/simulate_request.hpp"
-#include "core/analysis/ladder.hpp"
+#include "core/motion/ladder.hpp"
 
 namespace qdot::api {
 

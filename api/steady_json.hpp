@@ -2,7 +2,7 @@
 // Equilibria as JSON, for the endpoints that speak of them.
 
 #include "api/json.hpp"
-#include "core/analysis/equilibria.hpp"
+#include "core/steady/equilibria.hpp"
 
 namespace qdot::api {
 

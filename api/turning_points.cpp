@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "api/integration_failure.hpp"
-#include "core/analysis/trajectory_extrema.hpp"
-#include "core/analysis/turning_points.hpp"
-#include "core/error.hpp"
-#include "core/expr/print.hpp"
+#include "core/base/error.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/notation.hpp"
+#include "core/motion/trajectory_extrema.hpp"
+#include "core/turning/turning_points.hpp"
 
 namespace qdot::api {
 namespace {
@@ -127,7 +127,7 @@ class TurningPointsAnswer {
     units_[name] = unit;
   }
 
-  void put_extremum(const std::string& suffix, const Extremum& extremum) {
+  void put_extremum(const std::string& suffix, const Finding& extremum) {
     const std::string name = coordinate().name + suffix;
     put(name, extremum.value, coordinate().unit);
     if (coordinate().unit == "rad") {
@@ -138,7 +138,7 @@ class TurningPointsAnswer {
     if (!extremum.reason.empty()) reasons_[name] = extremum.reason;
   }
 
-  void put_extrema(const Extremum& maximum, const Extremum& minimum, InitialPlace initial) {
+  void put_extrema(const Finding& maximum, const Finding& minimum, InitialPlace initial) {
     put_extremum("_max", maximum);
     put_extremum("_min", minimum);
     body_["initial_is"] = name_of(initial);

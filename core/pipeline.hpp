@@ -10,35 +10,35 @@
 //   EquationsOfMotion
 //     build_model          the four above in one call                    core/mechanics/model.hpp
 //   Model
-//     Dynamics             tapes for q'', Jacobian, columns, events      core/analysis/dynamics.hpp
+//     Dynamics             tapes for q'', Jacobian, columns, events      core/dynamics/dynamics.hpp
 //   CompiledFunction                                                     core/compile/compiled_function.hpp
 //     integrate            stepping, events, sampling                    core/integrate/run.hpp
 //   Run
-//     simulate             a motion with its columns and how it ended    core/analysis/simulation.hpp
+//     simulate             a motion with its columns and how it ended    core/motion/simulation.hpp
 //   Simulation
 //
 // Beside the road:
 //   what is conserved and why (mechanics/conserved.hpp), momenta, Hamiltonian and Routhian
 //   (mechanics/canonical.hpp), dimensionless form (mechanics/dimensionless.hpp), printing (expr/print.hpp)
-//   the error of a motion, measured                                    core/analysis/ladder.hpp
+//   the error of a motion, measured                                    core/motion/ladder.hpp
 //   questions that need no motion: without ignorable coordinates       core/mechanics/reduction.hpp
-//     compiled at rest                                                 core/analysis/statics.hpp
+//     compiled at rest                                                 core/dynamics/statics.hpp
 //     in intervals, balls and divided differences                      core/compile/tape_evaluator.hpp
-//     equilibria and what holds them                                   core/analysis/equilibria.hpp
-//     small motions about them                                         core/analysis/modes.hpp
-//     where their number or stability changes                          core/analysis/bifurcations.hpp
-//     how far a motion of one coordinate goes                          core/analysis/turning_points.hpp
-//   motions with impacts that repeat                                   core/analysis/gait.hpp
+//     equilibria and what holds them                                   core/steady/equilibria.hpp
+//     small motions about them                                         core/steady/modes.hpp
+//     where their number or stability changes                          core/steady/bifurcations.hpp
+//     how far a motion of one coordinate goes                          core/turning/turning_points.hpp
+//   motions with impacts that repeat                                   core/gait/gait.hpp
 
-#include "core/analysis/bifurcations.hpp"
-#include "core/analysis/dynamics.hpp"
-#include "core/analysis/equilibria.hpp"
-#include "core/analysis/gait.hpp"
-#include "core/analysis/ladder.hpp"
-#include "core/analysis/modes.hpp"
-#include "core/analysis/simulation.hpp"
-#include "core/analysis/turning_points.hpp"
+#include "core/dynamics/dynamics.hpp"
+#include "core/gait/gait.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/conserved.hpp"
 #include "core/mechanics/dimensionless.hpp"
 #include "core/mechanics/model.hpp"
+#include "core/motion/ladder.hpp"
+#include "core/motion/simulation.hpp"
+#include "core/steady/bifurcations.hpp"
+#include "core/steady/equilibria.hpp"
+#include "core/steady/modes.hpp"
+#include "core/turning/turning_points.hpp"

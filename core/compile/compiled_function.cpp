@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/compile/linear_system.hpp"
+#include "core/numerics/linear_system.hpp"
 
 namespace qdot {
 namespace {

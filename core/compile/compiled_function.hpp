@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/expr/function.hpp"
-#include "core/integrate/run.hpp"
+#include "core/numerics/evaluation.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot {
 

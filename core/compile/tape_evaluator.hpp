@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/work.hpp"
 #include "core/compile/compiled_function.hpp"
-#include "core/work.hpp"
 
 namespace qdot {
 

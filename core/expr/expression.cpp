@@ -4,8 +4,8 @@
 #include <functional>
 #include <map>
 
-#include "core/error.hpp"
-#include "core/work.hpp"
+#include "core/base/error.hpp"
+#include "core/base/work.hpp"
 
 namespace qdot {
 namespace {

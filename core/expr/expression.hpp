@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "core/expr/count.hpp"
-#include "core/expr/function.hpp"
 #include "core/expr/number.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/error.hpp"
-#include "core/work.hpp"
+#include "core/base/error.hpp"
+#include "core/base/work.hpp"
 
 namespace qdot {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "core/error.hpp"
+#include "core/base/error.hpp"
 #include "core/expr/factor.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/trigonometry.hpp"

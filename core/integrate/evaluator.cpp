@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/work.hpp"
+#include "core/base/work.hpp"
 
 namespace qdot {
 namespace {

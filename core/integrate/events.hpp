@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/integrate/root.hpp"
 #include "core/integrate/run.hpp"
 #include "core/integrate/stepper.hpp"
+#include "core/numerics/root.hpp"
 
 namespace qdot {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/base/error.hpp"
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/progress.hpp"

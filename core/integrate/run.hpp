@@ -9,12 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "core/expr/crossing.hpp"
+#include "core/numerics/crossing.hpp"
+#include "core/numerics/evaluation.hpp"
 
 namespace qdot {
-
-/// What one evaluation of a compiled function came to.
-enum class Evaluation { ok, nonfinite, singular_mass };
 
 /// y' = f(t, y). A place where f has no value is reported by the answer; it is tried again nearer. What a
 /// function throws ends the run and reaches the caller of integrate(). Values that are not finite count as
@@ -65,8 +63,8 @@ struct Tolerances {
   double atol{1e-12};
 };
 
-/// Deterministic bounds on the work. Whether the answer is still awaited (core/work.hpp) is looked at every
-/// 64 evaluations.
+/// Deterministic bounds on the work. Whether the answer is still awaited (core/base/work.hpp) is looked at
+/// every 64 evaluations.
 struct Limits {
   std::uint64_t max_steps{250'000};
   std::uint64_t max_evaluations{12'000'000};  ///< of f and of its Jacobian together

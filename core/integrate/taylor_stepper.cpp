@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/work.hpp"
 #include "core/integrate/evaluator.hpp"
-#include "core/work.hpp"
 
 namespace qdot {
 namespace {

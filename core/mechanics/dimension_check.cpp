@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "core/expr/print.hpp"
+#include "core/expr/print/print.hpp"
 
 namespace qdot {
 namespace {

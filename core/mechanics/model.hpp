@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/base/error.hpp"
 #include "core/mechanics/equations_of_motion.hpp"
 #include "core/mechanics/lagrangian.hpp"
 #include "core/mechanics/parsed_scene.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // How a scene's symbols are written.
 
-#include "core/expr/notation.hpp"
+#include "core/expr/print/notation.hpp"
 #include "core/mechanics/scene.hpp"
 
 namespace qdot {

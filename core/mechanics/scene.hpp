@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/expr/crossing.hpp"
+#include "core/numerics/crossing.hpp"
 
 namespace qdot {
 

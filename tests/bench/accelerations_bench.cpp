@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "core/analysis/dynamics.hpp"
+#include "core/dynamics/dynamics.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot {

@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/analysis/bifurcations.hpp"
-#include "core/analysis/solve_for.hpp"
+#include "core/steady/bifurcations.hpp"
+#include "core/steady/solve_for.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot {

@@ -4,7 +4,7 @@
 
 #include "api/catalogue.hpp"
 #include "api/scene_reader.hpp"
-#include "core/analysis/dynamics.hpp"
+#include "core/dynamics/dynamics.hpp"
 
 namespace qdot {
 namespace {

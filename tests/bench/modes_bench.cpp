@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/analysis/modes.hpp"
+#include "core/steady/modes.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot {

@@ -8,7 +8,7 @@
 #include <charconv>
 
 #include "api/service.hpp"
-#include "core/compile/taylor_expansion.hpp"
+#include "core/compile/taylor/expansion.hpp"
 #include "tests/support/motions.hpp"
 
 namespace qdot {

@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/analysis/turning_points.hpp"
+#include "core/turning/turning_points.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot {

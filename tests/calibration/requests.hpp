@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/ladder.hpp"
+#include "core/motion/ladder.hpp"
 #include "tests/calibration/quad_reference.hpp"
 #include "tests/support/random.hpp"
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/compile/interval.hpp"
+#include "core/base/work.hpp"
 #include "core/compile/tape_builder.hpp"
 #include "core/compile/tape_evaluator.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/simplify.hpp"
-#include "core/work.hpp"
+#include "core/numerics/interval.hpp"
 #include "tests/fuzz/law.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/expr/parse.hpp"
-#include "core/expr/print.hpp"
+#include "core/expr/print/print.hpp"
 #include "tests/fuzz/law.hpp"
 
 namespace {

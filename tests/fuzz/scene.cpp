@@ -2,8 +2,8 @@
 
 #include "api/json_reader.hpp"
 #include "api/scene_reader.hpp"
+#include "core/base/work.hpp"
 #include "core/mechanics/model.hpp"
-#include "core/work.hpp"
 #include "tests/fuzz/law.hpp"
 
 namespace {

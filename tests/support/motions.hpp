@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/simulation.hpp"
+#include "core/motion/simulation.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot::test {

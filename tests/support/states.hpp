@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/analysis/dynamics.hpp"
+#include "core/dynamics/dynamics.hpp"
 #include "core/mechanics/model.hpp"
 #include "tests/support/random.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/dynamics.hpp"
-#include "core/analysis/simulation.hpp"
+#include "core/dynamics/dynamics.hpp"
 #include "core/mechanics/model.hpp"
+#include "core/motion/simulation.hpp"
 
 namespace qdot::bench {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "core/analysis/simulation.hpp"
-#include "core/compile/taylor_expansion.hpp"
+#include "core/compile/taylor/expansion.hpp"
+#include "core/motion/simulation.hpp"
 #include "tests/bench/work_precision/motions.hpp"
 
 namespace qdot::bench {

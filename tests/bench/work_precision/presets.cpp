@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "core/analysis/ladder.hpp"
+#include "core/motion/ladder.hpp"
 #include "tests/bench/work_precision/motions.hpp"
 
 namespace qdot::bench {

@@ -1,6 +1,6 @@
 #pragma once
 // Taylor coefficients of the same equations, recurrences written by hand. T is double, or __float128 for
-// references. Sources as in core/compile/taylor_expansion.hpp.
+// references. Sources as in core/compile/taylor/expansion.hpp.
 
 #include <quadmath.h>
 

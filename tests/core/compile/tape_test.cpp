@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/compile/tape_builder.hpp"
-#include "core/expr/print.hpp"
+#include "core/expr/print/print.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_polynomial.hpp"

@@ -2,7 +2,7 @@
 
 #include "core/mechanics/canonical.hpp"
 
-#include "core/expr/print.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/mechanics/notation.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/system_test.hpp"

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/expr/print.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/mechanics/dimension_check.hpp"
 #include "core/mechanics/notation.hpp"
 #include "tests/support/agreement.hpp"

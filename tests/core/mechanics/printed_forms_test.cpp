@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/expr/parse_tokens.hpp"
-#include "core/expr/print.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/dimensionless.hpp"
 #include "core/mechanics/notation.hpp"

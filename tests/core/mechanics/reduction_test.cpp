@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/analysis/dynamics.hpp"
+#include "core/dynamics/dynamics.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/scenes.hpp"
 

@@ -1,0 +1,39 @@
+#include "core/base/work.hpp"
+
+#include <utility>
+
+#include "core/base/error.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::uint64_t poll_interval = 4096;
+
+thread_local WorkScope* innermost = nullptr;
+
+}  // namespace
+
+WorkScope::WorkScope(std::uint64_t units, std::function<bool()> interrupted)
+    : left_(units), interrupted_(std::move(interrupted)), outer_(innermost) {
+  innermost = this;
+}
+
+WorkScope::~WorkScope() { innermost = outer_; }
+
+void spend_work(std::uint64_t units) {
+  WorkScope* const scope = innermost;
+  if (scope == nullptr) return;
+  if (units > scope->left_) throw Error(ErrorCode::too_large, "the algebra of this question grows too large");
+  scope->left_ -= units;
+  scope->unpolled_ += units;
+  if (scope->unpolled_ < poll_interval) return;
+  scope->unpolled_ = 0;
+  check_interruption();
+}
+
+void check_interruption() {
+  const WorkScope* const scope = innermost;
+  if (scope != nullptr && scope->interrupted_ && scope->interrupted_()) throw Interrupted{};
+}
+
+}  // namespace qdot

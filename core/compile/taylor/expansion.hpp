@@ -1,0 +1,52 @@
+#pragma once
+// Taylor coefficients of a motion on the tape of its accelerations: y' = (v, a(t, q, v)) for y = (q, v).
+//
+// Every slot becomes a power series in the time since t, and every instruction the recurrence that gives its
+// coefficient k from coefficients up to k of its operands: Cauchy products for products, and for the others
+// what follows from f(u)' = f'(u) u'. A linear system M x = f needs only M_0 inverted: M_0 x_k = f_k -
+// sum_{j>=1} M_j x_{k-j}. Sources: Jorba, Zou, A software package for the numerical integration of ODEs by
+// means of high-order Taylor methods, Experimental Mathematics 14 (2005) 99, section 2; Griewank, Walther,
+// Evaluating Derivatives, 2nd ed., 13.2.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/compile/compiled_function.hpp"
+#include "core/compile/taylor/kernels.hpp"
+
+namespace qdot {
+
+/// Which kernels run. Both give the same bits; `automatic` takes the fastest that the processor has.
+enum class InstructionSet { automatic, plain };
+
+/// Whether every instruction has a recurrence: all but abs and sign do.
+[[nodiscard]] bool has_taylor_expansion(const CompiledFunction& accelerations);
+
+/// The workspace of one thread. Keeps a reference to the tape.
+class TaylorExpansion {
+ public:
+  static constexpr unsigned highest_order = taylor::highest_order;
+
+  TaylorExpansion(const CompiledFunction& accelerations, std::span<const double> parameters,
+                  InstructionSet instruction_set = InstructionSet::automatic);
+  ~TaylorExpansion();
+  TaylorExpansion(const TaylorExpansion&) = delete;
+  TaylorExpansion& operator=(const TaylorExpansion&) = delete;
+
+  /// y_i(t + s) = sum_k coefficients[i (order + 1) + k] s^k, order <= highest_order. Coefficients of a high
+  /// order may overflow; what is not ok is the state itself.
+  [[nodiscard]] Evaluation expand(double t, std::span<const double> y, unsigned order,
+                                  std::span<double> coefficients);
+
+ private:
+  class Translation;
+
+  const CompiledFunction& tape_;
+  taylor::Kernel kernel_;
+  Workspace workspace_;
+  std::vector<double> accelerations_;
+  std::unique_ptr<Translation> translation_;
+};
+
+}  // namespace qdot

@@ -1,0 +1,7 @@
+#include "core/compile/taylor/kernels.hpp"
+
+namespace qdot::taylor::avx2 {
+
+#include "core/compile/taylor/kernels_body.hpp"
+
+}  // namespace qdot::taylor::avx2

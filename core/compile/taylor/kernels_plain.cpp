@@ -1,0 +1,7 @@
+#include "core/compile/taylor/kernels.hpp"
+
+namespace qdot::taylor::plain {
+
+#include "core/compile/taylor/kernels_body.hpp"
+
+}  // namespace qdot::taylor::plain

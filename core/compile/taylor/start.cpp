@@ -1,0 +1,88 @@
+// Coefficients 0 of the rows, and what the kernels multiply by instead of dividing.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/compile/taylor/translation.hpp"
+
+namespace qdot {
+
+using taylor::Kind;
+using taylor::Step;
+
+bool TaylorExpansion::Translation::invert(System& system, const Workspace& slots) {
+  std::vector<double>& m = system.matrix;
+  for (std::size_t i = 0; i < m.size(); ++i) m[i] = slots[system.matrix_slots[i]];
+  if (system.has_determinant) {
+    const double determinant = slots[system.determinant_slot];
+    const double signs[4]{m[3], -m[1], -m[2], m[0]};
+    for (std::size_t i = 0; i < 4; ++i) system.inverse[i] = signs[i] / determinant;
+    return true;
+  }
+  RowOrder order{};
+  if (!factor_linear(system.n, m, order)) return false;
+  for (std::size_t j = 0; j < system.n; ++j) {
+    std::fill(system.column.begin(), system.column.end(), 0.0);
+    system.column[j] = 1;
+    substitute_linear(system.n, m, order, system.column);
+    for (std::size_t i = 0; i < system.n; ++i) system.inverse[i * system.n + j] = system.column[i];
+  }
+  return true;
+}
+
+/// Rows that are no slots, and reciprocals of what a step divides by.
+void TaylorExpansion::Translation::start_own_rows(const Step& step) {
+  switch (step.kind) {
+    case Kind::sum_0_1:  // 1 + u^2 or 1 - u^2, where it is a row of our own
+      if (!is_row_of_slot(step.out)) {
+        step.out[0] = 1 + step.products[0].factor * step.products[0].x[0] * step.products[0].y[0];
+      }
+      break;
+    case Kind::quotient:
+      step.aux[0] = 1 / step.y[0];
+      break;
+    case Kind::root:
+      if (!is_row_of_slot(step.out)) step.out[0] = std::sqrt(step.x[0]);
+      step.aux[0] = 1 / (2 * step.out[0]);
+      break;
+    case Kind::tangent:
+      step.aux[0] = 1 + step.constant * step.out[0] * step.out[0];
+      break;
+    default:
+      break;
+  }
+}
+
+bool TaylorExpansion::Translation::start(const Workspace& slots) {
+  for (System& system : systems_) {
+    if (!invert(system, slots)) return false;
+  }
+  for (const Slot slot : started_) {
+    row(slot)[0] = slots[slot];
+  }
+  double* t = row(tape_.parameters_);
+  t[1] = t[taylor::reversed - 1] = 1;
+  for (std::vector<taylor::Product>& products : products_) {
+    for (taylor::Product& p : products) {
+      p.x_0 = p.factor * p.x[0];
+      p.y_0 = p.factor * p.y[0];
+    }
+  }
+  auto entries = entries_.begin();
+  for (const taylor::Solve& solve : solves_) {
+    for (std::size_t i = 0; i < entries->size(); ++i) {
+      (*entries)[i].x_0 = (*entries)[i].factor * solve.unknowns[i % solve.n][0];
+    }
+    ++entries;
+  }
+  auto partner = partners_.begin();
+  for (const Step& step : steps_) {
+    start_own_rows(step);
+    if (step.kind != Kind::hyperbolic) continue;
+    step.out2[0] = evaluate(partner->first, slots[partner->second]);
+    ++partner;
+  }
+  return true;
+}
+
+}  // namespace qdot

@@ -1,0 +1,116 @@
+#pragma once
+// From a tape to what the Taylor kernels work on.
+//
+// At orders above 0 constants vanish, so that a sum keeps only what varies, its factors as numbers. A sum
+// that is needed once, as a term of another, becomes part of it; so does a + b x that is needed once, as a
+// factor. The rate of an argument u of sin, cos and
+// others is the row of velocities where u is a coordinate, a sum of those where u is a sum of coordinates:
+// then nothing waits for u itself.
+
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "core/compile/taylor/expansion.hpp"
+#include "core/numerics/linear_system.hpp"
+
+namespace qdot {
+
+class TaylorExpansion::Translation {
+ public:
+  Translation(const CompiledFunction& tape, const Workspace& constants);
+
+  /// Coefficients 0, from the slots of an evaluation. False where a mass matrix has no inverse.
+  [[nodiscard]] bool start(const Workspace& slots);
+  [[nodiscard]] const taylor::Program& program() const { return program_; }
+
+ private:
+  /// A sum of what varies.
+  struct Form {
+    struct Term {
+      double factor;
+      Slot x;
+    };
+    struct Product {
+      double factor;
+      Slot x, y;
+    };
+    double constant{};
+    std::vector<Term> terms;
+    std::vector<Product> products;
+  };
+
+  struct Uses {
+    unsigned as_term{};    ///< of a sum
+    unsigned as_factor{};  ///< of a product in a sum, with another factor
+    unsigned otherwise{};
+
+    [[nodiscard]] unsigned all() const { return as_term + as_factor + otherwise; }
+  };
+
+  struct System {
+    std::size_t n{};
+    std::vector<Slot> matrix_slots;
+    Slot determinant_slot{};
+    bool has_determinant{};
+    std::vector<double> matrix, column, inverse;
+  };
+
+  void find_forms();
+  [[nodiscard]] Form form_of(const Instruction& instruction) const;
+  void count_uses();
+  void count_uses_of(const Instruction& instruction);
+  [[nodiscard]] bool is_needed(const Instruction& instruction) const;
+  [[nodiscard]] bool is_sum(const Instruction& instruction) const;
+  [[nodiscard]] bool is_inlined(Slot slot) const;
+  [[nodiscard]] bool is_coordinate(Slot slot) const;
+  [[nodiscard]] bool has_rate_of_its_own(Slot slot) const;
+  [[nodiscard]] Form::Term entry(Slot slot) const;
+  void inline_into(Form& form, double factor, Slot slot) const;
+  void multiply_into(Form& form, double factor, Slot x, Slot y) const;
+
+  void translate(const Instruction& instruction);
+  void translate_call(const Instruction& instruction, taylor::Step& step);
+  void translate_arc(const Instruction& instruction, taylor::Step& step);
+  void translate_solve(const Instruction& instruction);
+  void add_sum(const Form& form, double* out);
+  [[nodiscard]] const double* rate_row(Slot argument);
+  [[nodiscard]] const double* rate_row_of(Slot coordinate_or_time);
+
+  [[nodiscard]] double* row(std::size_t index);
+  [[nodiscard]] double* new_row() { return row(rows_used_++); }
+  [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
+  void start_own_rows(const taylor::Step& step);
+  [[nodiscard]] static bool invert(System& system, const Workspace& slots);
+
+  template <class T>
+  [[nodiscard]] const T* kept(std::deque<std::vector<T>>& lists, std::vector<T> list) {
+    lists.push_back(std::move(list));
+    return lists.back().data();
+  }
+
+  const CompiledFunction& tape_;
+  const Workspace& constants_;
+  std::vector<bool> varies_;
+  std::vector<Form> forms_;   ///< of slots that are sums
+  std::vector<bool> is_sum_;  ///< slots with a form
+  std::vector<Uses> uses_;
+  std::vector<Slot> started_;  ///< slots whose rows are used
+  std::vector<double> rows_;
+  std::size_t first_{};  ///< coefficient 1 of a row begins a vector register's worth of memory
+  std::size_t rows_used_{};
+  double* one_{};  ///< the rate of the time
+  // Deques: what the kernels point to must stay where it is.
+  std::deque<std::vector<taylor::Term>> terms_;
+  std::deque<std::vector<taylor::Product>> products_;
+  std::deque<std::vector<taylor::Entry>> entries_;  ///< one list for each of solves_
+  std::deque<std::vector<const double*>> inputs_;
+  std::deque<std::vector<double*>> outputs_;
+  std::deque<System> systems_;
+  std::deque<taylor::Solve> solves_;
+  std::vector<taylor::Step> steps_;
+  std::vector<std::pair<Function, Slot>> partners_;  ///< of hyperbolic steps, in their order: argument's slot
+  taylor::Program program_;
+};
+
+}  // namespace qdot

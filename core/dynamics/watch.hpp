@@ -1,0 +1,49 @@
+#pragma once
+// What is watched along a motion: events to report, conditions that must hold, singularities, impacts.
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/dynamics/dynamics.hpp"
+#include "core/integrate/run.hpp"
+
+namespace qdot {
+
+/// What happens when one of the scene's `valid_while` conditions fails. Leaving a coordinate's domain or
+/// meeting a coordinate singularity ends every motion.
+enum class OnInvalid { stop, go_on };
+/// Whether the scene's impact map is applied at its event.
+enum class Impacts { apply, ignore };
+
+struct Watch {
+  enum class Kind {
+    event,       ///< reported only
+    impact,      ///< reported; the impact map follows
+    validity,    ///< the motion stops when the value falls below 0
+    singularity  ///< the motion ends when the value reaches 0
+  };
+  Kind kind{Kind::event};
+  std::string name;
+  std::string reason, message;  ///< of a stop
+  Crossing direction{Crossing::either};
+  std::function<double(double t, std::span<const double> y)> value;
+  std::function<bool(double t, std::span<const double> y)> condition;  ///< optional: where a zero counts
+
+  [[nodiscard]] EventFunction event() const;
+};
+
+struct WatchRequest {
+  std::span<const double> parameters;
+  std::span<const std::string> events{};  ///< "theta = 0+", or names of the scene's events
+  OnInvalid on_invalid{OnInvalid::stop};
+  Impacts impacts{Impacts::apply};
+};
+
+/// All that a request watches, in the order in which simultaneous ones count. Throws what Dynamics::event
+/// throws.
+[[nodiscard]] std::vector<Watch> watches(const Dynamics& dynamics, const WatchRequest& request);
+
+}  // namespace qdot

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "core/expr/parse_tokens.hpp"
+#include "core/expr/print/forms.hpp"
+
+namespace qdot {
+namespace {
+
+/// How tightly the outermost operator of a piece of text binds.
+enum class Binding { sum, product, power, atom };
+
+struct Piece {
+  std::string text;
+  Binding binding{Binding::atom};
+};
+
+constexpr std::array<std::string_view, 35> python_keywords{
+    "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break",
+    "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",
+    "from",  "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
+    "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
+
+constexpr std::array<std::string_view, 34> c_keywords{
+    "auto",   "break",    "case",     "char",     "const", "continue", "default", "do",     "double",
+    "else",   "enum",     "extern",   "float",    "for",   "goto",     "if",      "inline", "int",
+    "long",   "register", "restrict", "return",   "short", "signed",   "sizeof",  "static", "struct",
+    "switch", "typedef",  "union",    "unsigned", "void",  "volatile", "while"};
+
+std::string bracketed(const std::string& text) { return "(" + text + ")"; }
+
+std::string at_least(const Piece& piece, Binding binding) {
+  return piece.binding < binding ? bracketed(piece.text) : piece.text;
+}
+
+class LinearWriter {
+ public:
+  LinearWriter(const Layout& layout, Form form) : layout_(layout), form_(form) {}
+
+  Piece write(NodeId id) const {
+    const Node& node = layout_.graph().node(id);
+    Piece piece = std::visit(
+        overloaded{[&](const Literal&) { return signed_term(id); },
+                   [&](const Symbol& x) { return Piece{symbol(x.name)}; },
+                   [&](const Sum&) { return sum(id); }, [&](const Product&) { return signed_term(id); },
+                   [&](const Power&) { return signed_term(id); },
+                   [&](const Call& x) { return Piece{call(x)}; }},
+        node);
+    piece.text = bounded(std::move(piece.text));
+    return piece;
+  }
+
+ private:
+  Piece sum(NodeId id) const {
+    std::string text;
+    for (const NodeId term_id : layout_.terms(id)) {
+      const WrittenTerm written = layout_.term(term_id);
+      if (!text.empty()) text += written.negative ? " - " : " + ";
+      if (text.empty() && written.negative) text = "-";
+      text = bounded(text + unsigned_term(written).text);
+    }
+    return {text, Binding::sum};
+  }
+
+  Piece signed_term(NodeId id) const {
+    const WrittenTerm written = layout_.term(id);
+    const Piece piece = unsigned_term(written);
+    return written.negative ? Piece{"-" + piece.text, Binding::sum} : piece;
+  }
+
+  Piece unsigned_term(const WrittenTerm& term) const {
+    const bool bar = !term.below.empty();
+    const Piece front = bar ? number(term.over) : fraction(term.over, term.under);
+    std::vector<Piece> above = powers(term.above);
+    const bool one = term.over.is_one() && (bar || term.under.is_one());
+    if (!one || above.empty()) above.insert(above.begin(), front);
+    if (!bar) return product(above);
+    std::vector<Piece> below = powers(term.below);
+    if (!term.under.is_one()) below.insert(below.begin(), number(term.under));
+    const std::string divisor = at_least(product(below), Binding::power);
+    return {at_least(product(above), Binding::product) + "/" + divisor, Binding::product};
+  }
+
+  std::vector<Piece> powers(const std::vector<WrittenPower>& factors) const {
+    std::vector<Piece> pieces;
+    for (const WrittenPower& factor : factors) pieces.push_back(power(factor));
+    return pieces;
+  }
+
+  static Piece product(const std::vector<Piece>& factors) {
+    if (factors.size() == 1) return factors[0];
+    std::string text;
+    for (const Piece& factor : factors) {
+      if (!text.empty()) text += "*";
+      text = bounded(text + at_least(factor, Binding::product));
+    }
+    return {text, Binding::product};
+  }
+
+  Piece power(const WrittenPower& power) const {
+    const Piece base = write(power.base);
+    if (power.exponent.is_one()) return base;
+    if (power.exponent == Number::ratio(1, 2)) return {"sqrt" + bracketed(base.text)};
+    if (form_ == Form::c) return c_power(power, base);
+    const Piece exponent = fraction(Number(power.exponent));
+    const std::string sign = form_ == Form::sympy ? "**" : "^";
+    return {at_least(base, Binding::atom) + sign + at_least(exponent, Binding::atom), Binding::power};
+  }
+
+  /// x*x for small powers of symbols: pow() is slow, and other calls would be evaluated twice.
+  Piece c_power(const WrittenPower& power, const Piece& base) const {
+    constexpr std::int64_t largest_spelled_out = 4;
+    const bool is_symbol = std::holds_alternative<Symbol>(layout_.graph().node(power.base));
+    if (is_symbol && power.exponent.is_integer() && power.exponent.numerator() <= largest_spelled_out) {
+      return product(std::vector<Piece>(static_cast<std::size_t>(power.exponent.numerator()), base));
+    }
+    return {"pow(" + base.text + ", " + fraction(power.exponent).text + ")"};
+  }
+
+  // --- leaves ----------------------------------------------------------------------------------------------
+
+  Piece fraction(const Number& value) const {
+    const bool split = value.is_exact() && !(writes_decimals() && prefers_decimal(value));
+    return split ? fraction(Number(value.numerator()), Number(value.denominator())) : number(value);
+  }
+
+  /// over/under, where `over` may be a decimal if `under` is 1.
+  Piece fraction(const Number& over, const Number& under) const {
+    if (under.is_one()) return number(over);
+    if (form_ == Form::sympy) return {"Rational(" + number(over).text + ", " + number(under).text + ")"};
+    return {number(over).text + "/" + number(under).text, Binding::product};
+  }
+
+  /// A positive integer or decimal.
+  Piece number(const Number& value) const {
+    if (value.is_exact() && !value.is_integer() && !writes_decimals()) {
+      return fraction(Number(value.numerator()), Number(value.denominator()));
+    }
+    if (form_ == Form::text && !value.is_exact()) return {double_text(value)};
+    return {decimal_text(value) + (form_ == Form::c && value.is_integer() ? ".0" : "")};
+  }
+
+  /// A decimal that parse reads as a double: a short one would be an exact number.
+  static std::string double_text(const Number& value) {
+    std::string text = decimal_text(value);
+    for (const auto format : {std::chars_format::general, std::chars_format::scientific}) {
+      if (!std::isfinite(value.value()) || tokenize(text).front().value == value) break;
+      char buffer[64];
+      const int digits = format == std::chars_format::general ? 17 : 16;
+      text.assign(buffer, std::to_chars(buffer, buffer + sizeof buffer, value.value(), format, digits).ptr);
+    }
+    return text;
+  }
+
+  [[nodiscard]] bool writes_decimals() const { return form_ == Form::text || form_ == Form::c; }
+
+  std::string symbol(const std::string& name) const {
+    const auto keyword = [&](const auto& words) {
+      return std::find(words.begin(), words.end(), name) != words.end();
+    };
+    switch (form_) {
+      case Form::sympy:
+        return keyword(python_keywords) ? name + "_" : name;
+      case Form::maxima:
+        return name == "pi" ? "%pi" : name;
+      case Form::c:
+        return name == "pi" ? c_pi() : keyword(c_keywords) ? name + "_" : name;
+      case Form::text:
+      case Form::latex:
+      case Form::mathml:
+        break;
+    }
+    return name;
+  }
+
+  /// C99 has no M_PI.
+  static std::string c_pi() { return decimal_text(Number::real(std::numbers::pi)); }
+
+  std::string call(const Call& call) const {
+    const std::string argument = write(call.argument).text;
+    if (form_ == Form::c && call.function == Function::sign) {
+      const std::string x = bracketed(argument);
+      return "((" + x + " > 0) - (" + x + " < 0))";
+    }
+    return std::string(function_name(call.function)) + bracketed(argument);
+  }
+
+  std::string_view function_name(Function function) const {
+    const bool sympy = form_ == Form::sympy;
+    if (function == Function::abs && sympy) return "Abs";
+    if (function == Function::abs && form_ == Form::c) return "fabs";
+    if (function == Function::sign && form_ == Form::maxima) return "signum";
+    return name(function);
+  }
+
+  const Layout& layout_;
+  Form form_;
+};
+
+}  // namespace
+
+std::string linear_form(const Layout& layout, NodeId id, Form form) {
+  return LinearWriter(layout, form).write(id).text;
+}
+
+}  // namespace qdot

@@ -1,0 +1,252 @@
+#include "core/gait/gait.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/numerics/dense_matrix.hpp"
+
+namespace qdot {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double rough = 1e-10, fine = 1e-14, coarser = 1e-13;  // relative tolerances of the steps
+constexpr double settled = 2e-14;  // a correction after which Newton's method has converged
+constexpr int most_corrections = 4;
+constexpr double same_place = 1e-6;
+constexpr double nearby = 1e-4;  // of u: how the multipliers change with it is seen from there
+constexpr double safety = 2;
+
+/// The correction of (u, T), and the bound of what rounding makes of it.
+VectorXd correction(const Shooting& shooting) { return solve(shooting.derivative, -shooting.residual); }
+
+VectorXd rounding(const Shooting& shooting, const VectorXd& u) {
+  const Index k = u.size();
+  VectorXd residual(k + 1);
+  const VectorXd carried =
+      shooting.flow.derivative.cwiseAbs() * u.cwiseAbs() + shooting.flow.state.cwiseAbs();
+  residual.head(k) = u.cwiseAbs() + shooting.derivative.topLeftCorner(k, k).cwiseAbs() * u.cwiseAbs();
+  residual[k] = shooting.flow.surface_slope.normalized().cwiseAbs().dot(carried);
+  return epsilon * (inverse(shooting.derivative).cwiseAbs() * residual);
+}
+
+/// What the errors of (u, T) and the two computations' difference make of the state before the impact.
+VectorXd state_error(const PolishedGait& gait) {
+  const Flow& flow = gait.flow;
+  const double speed = flow.surface_slope.dot(flow.rate);
+  const auto along_surface = [&](const MatrixXd& m) -> MatrixXd {
+    return m - flow.rate * (flow.surface_slope.transpose() * m) / speed;
+  };
+  const VectorXd between = along_surface(flow.state - gait.coarser.state);
+  return along_surface(flow.derivative).cwiseAbs() * gait.error.head(gait.at.u.size()) +
+         safety * between.cwiseAbs() + epsilon * flow.state.cwiseAbs();
+}
+
+/// |d(dP/du)/du| along the error of u; none known counts as infinite.
+double curvature(SectionMap& map, const PolishedGait& gait) {
+  const VectorXd direction = gait.error.head(map.size()).normalized();
+  const double distance = nearby * gait.at.u.norm();
+  const auto flow = map.flow(gait.at.u + distance * direction, gait.at.duration, rough);
+  if (!flow) return std::numeric_limits<double>::infinity();
+  return (map.derivative(*flow) - gait.section).norm() / distance;
+}
+
+std::vector<Uncertain> in_si(const SectionMap& map, const VectorXd& state, const VectorXd& error) {
+  const std::vector<double> values = map.in_si(state), errors = map.in_si(error);
+  std::vector<Uncertain> result;
+  for (std::size_t i = 0; i < values.size(); ++i) result.push_back({values[i], errors[i]});
+  return result;
+}
+
+/// The components u are known better than what the motion carries there.
+std::vector<Uncertain> pre_impact(const SectionMap& map, const PolishedGait& gait) {
+  VectorXd state = gait.flow.state, error = state_error(gait);
+  map.set_section(state, gait.at.u);
+  map.set_section(error, gait.error.head(map.size()));
+  return in_si(map, state, error);
+}
+
+std::vector<double> values_of(const std::vector<Uncertain>& numbers) {
+  std::vector<double> values;
+  for (const Uncertain& number : numbers) values.push_back(number.value);
+  return values;
+}
+
+/// The scene's points in one state, a column each.
+MatrixXd points(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> y) {
+  const Index count = static_cast<Index>(dynamics.model().scene.points.size());
+  const std::vector<double> values =
+      values_at(dynamics, position_columns(dynamics.model()), parameters, 0, y);
+  return Eigen::Map<const MatrixXd>(values.data(), static_cast<Index>(values.size()) / count, count);
+}
+
+/// The shift that takes the points after the impact to those before it, in whatever order.
+std::optional<VectorXd> shift(const MatrixXd& before, const MatrixXd& after) {
+  const double near = 1e-9 * before.cwiseAbs().maxCoeff();
+  const auto is_shifted = [&](const VectorXd& by) {
+    return std::ranges::all_of(after.colwise(), [&](const auto& point) {
+      return ((before.colwise() - (point + by)).colwise().norm().array() <= near).any();
+    });
+  };
+  for (Index j = 0; j < before.cols(); ++j) {
+    const VectorXd by = before.col(j) - after.col(0);
+    if (is_shifted(by)) return by;
+  }
+  return std::nullopt;
+}
+
+std::optional<Uncertain> step_length(const Dynamics& dynamics, std::span<const double> parameters,
+                                     const Gait& gait) {
+  if (dynamics.model().scene.points.empty()) return std::nullopt;
+  const std::vector<double> y = values_of(gait.pre_impact);
+  const MatrixXd before = points(dynamics, parameters, y);
+  const auto by = shift(before, points(dynamics, parameters, values_of(gait.state)));
+  if (!by || by->norm() < 1e-9 * before.cwiseAbs().maxCoeff()) return std::nullopt;
+  double error = 4 * epsilon * by->norm();
+  for (std::size_t i = 0; i < y.size();
+       ++i) {  // how the points move with each component, by a small change of it
+    std::vector<double> moved = y;
+    const double change = 1e-6 * std::max(1.0, std::abs(y[i]));
+    moved[i] += change;
+    const double slope = (points(dynamics, parameters, moved) - before).colwise().norm().maxCoeff() / change;
+    error += slope * gait.pre_impact[i].error;
+  }
+  return Uncertain{by->norm(), error};
+}
+
+/// The gait at `near`, if there is one whose first impact is its own.
+std::optional<Gait> gait_near(SectionMap& map, const Dynamics& dynamics, std::span<const double> parameters,
+                              const Recurrence& near) {
+  const auto found = polished(map, near);
+  if (!found) return std::nullopt;
+  const auto stride = map.stride(found->at.u, fine).stride;
+  if (!stride || stride->ignored_crossings > 0 ||
+      std::abs(stride->duration - found->at.duration) > same_place * found->at.duration) {
+    return std::nullopt;
+  }
+  Gait gait;
+  const Index k = map.size();
+  const auto jump = map.jump(found->at.u);
+  const VectorXd error =
+      jump->derivative.cwiseAbs() * found->error.head(k) + epsilon * jump->after.cwiseAbs();
+  gait.state = in_si(map, jump->after, error);
+  gait.pre_impact = pre_impact(map, *found);
+  gait.step_time = {found->at.duration * map.time_unit(), found->error[k] * map.time_unit()};
+  gait.step_length = step_length(dynamics, parameters, gait);
+  Multipliers all = multipliers(map, *found);
+  gait.stability = stability(all);
+  gait.multipliers = std::move(all.values);
+  gait.multiplier_errors = std::move(all.errors);
+  if (const auto next = map.jump(map.section(stride->before))) {
+    for (const double difference : map.in_si(next->after - jump->after)) {
+      gait.residual = std::max(gait.residual, std::abs(difference));
+    }
+  }
+  return gait;
+}
+
+void name_kinds(std::vector<Gait>& gaits) {
+  std::ranges::sort(gaits, {}, [](const Gait& gait) { return gait.step_time.value; });
+  if (gaits.size() < 2) return;
+  gaits[0].kind = Gait::Kind::short_step;
+  gaits[1].kind = Gait::Kind::long_step;
+}
+
+std::string reason(Search::Outcome outcome, const Impact& impact) {
+  switch (outcome) {
+    case Search::Outcome::found:
+      return "There are motions that repeat, but in none of them the next " + impact.event +
+             " is the one that closes the stride.";
+    case Search::Outcome::nothing_recurs:
+      return "No motion that repeats was found from the starts that are tried.";
+    case Search::Outcome::dies_away:
+      return "Nothing gives back what the impact takes: all motions that were tried shrink towards rest.";
+    case Search::Outcome::no_impact:
+      return "There are motions that repeat after a given time, but none of them meets " + impact.event +
+             " then.";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<PolishedGait> polished(SectionMap& map, const Recurrence& near) {
+  auto at = solve_recurrence(map, near, rough, 1e-5);
+  if (!at) return std::nullopt;
+  const Index k = map.size();
+  for (int i = 0; i < most_corrections; ++i) {
+    auto shooting = shoot(map, *at, fine);
+    if (!shooting || !map.is_impact(shooting->flow)) return std::nullopt;
+    const VectorXd step = correction(*shooting);
+    at->u += step.head(k);
+    at->duration += step[k];
+    if (!step.allFinite() || !(at->duration > 0)) return std::nullopt;
+    if (step.head(k).norm() > settled * at->u.norm() && i + 1 < most_corrections) continue;
+    auto second = shoot(map, *at, coarser);
+    if (!second) return std::nullopt;
+    VectorXd error = safety * correction(*second).cwiseAbs() + rounding(*shooting, at->u);
+    error.head(k) += step.head(k).cwiseAbs();
+    error[k] += std::abs(step[k]) + 4 * epsilon * at->duration;
+    MatrixXd section = map.derivative(shooting->flow);
+    return PolishedGait{*at, std::move(error), std::move(shooting->flow), std::move(second->flow),
+                        std::move(section)};
+  }
+  return std::nullopt;
+}
+
+/// An eigenvalue moves by |difference of the matrices| times its condition number 1/|y* x|, with left and
+/// right eigenvectors of length 1 (G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., section
+/// 7.2.2), but by no more than its square root when two meet.
+Multipliers multipliers(SectionMap& map, const PolishedGait& gait) {
+  const auto [values, right, left] = eigen_decomposition(gait.section);
+  const double size = gait.section.norm();
+  const double moved = safety * (gait.section - map.derivative(gait.coarser)).norm() + epsilon * size +
+                       safety * curvature(map, gait) * gait.error.head(map.size()).norm();
+  std::vector<Index> order;
+  for (Index i = 0; i < map.size(); ++i) order.push_back(i);
+  std::ranges::stable_sort(order, std::ranges::greater{},
+                           [&values = values](Index i) { return std::abs(values[i]); });
+  order.resize(static_cast<std::size_t>(std::min(map.dimension(gait.flow), map.size())));
+  Multipliers result;
+  for (const Index i : order) {
+    const double condition = left.row(i).norm() * right.col(i).norm();
+    result.values.push_back(values[i]);
+    result.errors.push_back(std::min(condition * moved, std::sqrt(moved * size) + moved));
+  }
+  return result;
+}
+
+GaitStability stability(const Multipliers& multipliers) {
+  GaitStability result = GaitStability::stable;
+  for (std::size_t i = 0; i < multipliers.values.size(); ++i) {
+    const double magnitude = std::abs(multipliers.values[i]), error = multipliers.errors[i];
+    if (magnitude - error > 1) return GaitStability::unstable;
+    if (magnitude + error >= 1) result = GaitStability::undecided;
+  }
+  return result;
+}
+
+Gaits periodic_gaits(const Dynamics& dynamics, std::span<const double> parameters) {
+  SectionMap map(dynamics);
+  map.set_parameters(parameters);
+  const Search search = search_gaits(map);
+  Gaits result;
+  for (const Recurrence& candidate : search.candidates) {
+    auto gait = gait_near(map, dynamics, parameters, candidate);
+    const auto is_same = [&](const Gait& known) {
+      return std::abs(known.step_time.value - gait->step_time.value) < same_place * known.step_time.value &&
+             std::abs(known.pre_impact[0].value - gait->pre_impact[0].value) <
+                 same_place * std::abs(known.pre_impact[0].value);
+    };
+    if (gait && std::ranges::none_of(result.gaits, is_same)) result.gaits.push_back(std::move(*gait));
+  }
+  name_kinds(result.gaits);
+  if (result.gaits.empty()) result.reason = reason(search.outcome, *dynamics.model().scene.impact);
+  return result;
+}
+
+}  // namespace qdot

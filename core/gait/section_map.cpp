@@ -1,0 +1,319 @@
+#include "core/gait/section_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/mechanics/units.hpp"
+#include "core/numerics/dense_matrix.hpp"
+
+namespace qdot {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::uint64_t most_steps = 20'000;
+constexpr double least_atol = 1e-100;
+
+std::vector<Expression> state_symbols(const Symbols& symbols) {
+  std::vector<Expression> all = symbols.coordinates.value;
+  all.insert(all.end(), symbols.coordinates.rate.begin(), symbols.coordinates.rate.end());
+  return all;
+}
+
+/// The state after the impact, one expression a component; what the map does not name stays.
+std::vector<Expression> jump_expressions(const ParsedScene& parsed) {
+  std::vector<Expression> after = state_symbols(parsed.symbols);
+  for (Expression& component : after) {
+    for (const auto& [symbol, value] : parsed.impact) {
+      if (symbol == component) {
+        component = value;
+        break;
+      }
+    }
+  }
+  return after;
+}
+
+const ParsedSceneEvent& impact_event(const Model& model) {
+  const auto& events = model.scene.events;
+  const auto found = std::ranges::find(events, model.scene.impact->event, &SceneEvent::name);
+  return model.parsed.events[static_cast<std::size_t>(found - events.begin())];
+}
+
+bool depends_on_time(const Model& model) {
+  const Symbols& symbols = model.parsed.symbols;
+  const auto varies = [&](const Expression& e) {
+    return depends_on(e, symbols.t) || depends_on(e, symbols.inputs.value) ||
+           depends_on(e, symbols.inputs.rate) || depends_on(e, symbols.inputs.second_rate);
+  };
+  bool any = varies(impact_event(model).value);
+  for (const Expression& e : model.equations.forcing) any = any || varies(e);
+  for (const auto& row : model.equations.mass_matrix) any = any || std::ranges::any_of(row, varies);
+  for (const auto& [symbol, value] : model.parsed.impact) any = any || varies(value);
+  return any;
+}
+
+Index to_index(std::size_t i) { return static_cast<Index>(i); }
+
+}  // namespace
+
+SectionMap::SectionMap(const Dynamics& dynamics) : dynamics_(dynamics) {
+  const Model& model = dynamics.model();
+  if (!model.scene.impact) {
+    throw Error(ErrorCode::not_applicable,
+                "A gait is a motion from impact to impact, and " + model.scene.name + " has no impact.");
+  }
+  if (depends_on_time(model)) {
+    throw Error(ErrorCode::not_applicable,
+                "The equations of " + model.scene.name +
+                    " contain the time or an input, so that no state alone says what the next stride is.");
+  }
+  compile();
+}
+
+void SectionMap::compile() {
+  const Model& model = dynamics_.model();
+  Graph graph = *model.parsed.graph;
+  const std::vector<Expression> symbols = state_symbols(model.parsed.symbols);
+  std::vector<Expression> jump, surface{graph.adopt(impact_event(model).value)};
+  for (const Expression& e : jump_expressions(model.parsed)) jump.push_back(graph.adopt(e));
+  const std::vector<Expression> after = jump;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const Expression symbol = graph.adopt(symbols[i]);
+    surface.push_back(differentiate(surface.front(), symbol));
+    if (std::ranges::none_of(after, [&](const Expression& e) { return depends_on(e, symbol); })) continue;
+    components_.push_back(to_index(i));
+    for (const Expression& e : after) jump.push_back(differentiate(e, symbol));
+  }
+  impact_ = std::make_shared<const CompiledFunction>(dynamics_.compiled(graph, jump));
+  surface_ = std::make_shared<const CompiledFunction>(dynamics_.compiled(graph, surface));
+}
+
+void SectionMap::set_parameters(std::span<const double> parameters) {
+  parameters_.assign(parameters.begin(), parameters.end());
+  set_units();
+  accelerations_workspace_ = dynamics_.accelerations().bind(parameters);
+  jacobian_workspace_ = dynamics_.jacobian().bind(parameters);
+  impact_workspace_ = impact_->bind(parameters);
+  surface_workspace_ = surface_->bind(parameters);
+  watches_.clear();
+  si_.resize(static_cast<std::size_t>(unit_.size()));
+  block_.resize(si_.size() * si_.size());
+}
+
+const std::vector<Watch>& SectionMap::watched() {
+  if (watches_.empty()) {
+    watches_ = watches(dynamics_, {.parameters = parameters_});
+  }
+  return watches_;
+}
+
+/// kg^a m^b s^c in the scene's scales.
+void SectionMap::set_units() {
+  const Model& model = dynamics_.model();
+  std::array<double, 3> scale{1, 1, 1};
+  if (const auto& scales = model.parsed.scales) {
+    std::vector<Assignment> values;
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+      values.emplace_back(model.parsed.symbols.parameters[i], parameters_[i]);
+    scale = {evaluate(scales->mass, values), evaluate(scales->length, values),
+             evaluate(scales->time, values)};
+  }
+  for (double& s : scale)
+    if (!(std::isfinite(s) && s > 0)) s = 1;
+  time_unit_ = scale[2];
+  const std::size_t n = model.degrees_of_freedom();
+  unit_ = VectorXd::Ones(to_index(2 * n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto parsed = parse_unit(model.scene.coordinates[i].unit);
+    for (std::size_t k = 0; parsed && k < scale.size(); ++k) {
+      const Exponent& e = parsed->dimension.exponents[k];
+      unit_[to_index(i)] *= std::pow(scale[k], static_cast<double>(e.numerator) / e.denominator);
+    }
+    unit_[to_index(n + i)] = unit_[to_index(i)] / time_unit_;
+  }
+}
+
+VectorXd SectionMap::section(const VectorXd& state) const { return state(components_); }
+
+void SectionMap::set_section(VectorXd& state, const VectorXd& u) const { state(components_) = u; }
+
+VectorXd SectionMap::state(const VectorXd& u) const {
+  VectorXd result = VectorXd::Zero(unit_.size());
+  set_section(result, u);
+  return result;
+}
+
+std::vector<double> SectionMap::in_si(const VectorXd& state) const {
+  std::vector<double> y(static_cast<std::size_t>(state.size()));
+  for (Index i = 0; i < state.size(); ++i) y[static_cast<std::size_t>(i)] = state[i] * unit_[i];
+  return y;
+}
+
+std::optional<SectionMap::Jump> SectionMap::jump(const VectorXd& u) {
+  const Index width = unit_.size();
+  std::vector<double> out(impact_->outputs());
+  if (impact_->evaluate(0, in_si(state(u)), impact_workspace_, out) != Evaluation::ok) return std::nullopt;
+  Jump jump{Eigen::Map<const VectorXd>(out.data(), width).cwiseQuotient(unit_),
+            Eigen::Map<const MatrixXd>(out.data() + width, width, size())};
+  jump.derivative = unit_.cwiseInverse().asDiagonal() * jump.derivative;
+  for (Index k = 0; k < size(); ++k)
+    jump.derivative.col(k) *= unit_[components_[static_cast<std::size_t>(k)]];
+  if (!jump.after.allFinite() || !jump.derivative.allFinite()) return std::nullopt;
+  return jump;
+}
+
+bool SectionMap::add_surface(Flow& flow) {
+  std::vector<double> out(surface_->outputs());
+  if (surface_->evaluate(0, in_si(flow.state), surface_workspace_, out) != Evaluation::ok) return false;
+  flow.surface = out[0];
+  flow.surface_slope = Eigen::Map<const VectorXd>(out.data() + 1, unit_.size()).cwiseProduct(unit_);
+  return true;
+}
+
+Evaluation SectionMap::rates(std::span<const double> y, std::span<double> out) {
+  const std::size_t n = si_.size() / 2;
+  for (std::size_t i = 0; i < 2 * n; ++i) si_[i] = y[i] * unit_[to_index(i)];
+  const Evaluation evaluation =
+      dynamics_.accelerations().evaluate(0, si_, accelerations_workspace_, out.subspan(n, n));
+  for (std::size_t i = 0; i < n; ++i) {
+    out[i] = y[n + i];
+    out[n + i] *= time_unit_ / unit_[to_index(n + i)];
+  }
+  return evaluation;
+}
+
+Evaluation SectionMap::variational_rates(std::span<const double> y, std::span<double> out) {
+  if (const Evaluation evaluation = rates(y, out); evaluation != Evaluation::ok) return evaluation;
+  const Evaluation evaluation = dynamics_.jacobian().evaluate(0, si_, jacobian_workspace_, block_);
+  const Index width = unit_.size(), n = width / 2;
+  Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
+      block_.data(), width, width);
+  for (Index k = 0; k < size(); ++k) {
+    const double* column = y.data() + width * (k + 1);
+    double* rate = out.data() + width * (k + 1);
+    for (Index i = 0; i < n; ++i) {
+      double sum = 0;
+      for (Index j = 0; j < width; ++j) sum += jacobian(n + i, j) * unit_[j] * column[j];
+      rate[i] = column[n + i];
+      rate[n + i] = sum * time_unit_ / unit_[n + i];
+    }
+  }
+  return evaluation;
+}
+
+bool SectionMap::starts_validly(const VectorXd& after) {
+  const std::vector<double> y = in_si(after);
+  return std::ranges::none_of(watched(), [&](const Watch& watch) {
+    return watch.kind == Watch::Kind::validity && !(watch.value(0, y) >= 0);
+  });
+}
+
+EventFunction SectionMap::scaled(const Watch& watch) const {
+  const auto state = [this](std::span<const double> y) {
+    return in_si(Eigen::Map<const VectorXd>(y.data(), unit_.size()));
+  };
+  EventFunction event = watch.event();
+  event.value = [state, value = watch.value](double, std::span<const double> y) {
+    return value(0, state(y));
+  };
+  if (watch.condition) {
+    event.condition = [state, condition = watch.condition](double, std::span<const double> y) {
+      return condition(0, state(y));
+    };
+  }
+  return event;
+}
+
+/// By the method that comes nearest to the true motion; atol at the size of the state.
+RunRequest SectionMap::request(const VectorXd& start, double rtol) const {
+  RunRequest run;
+  run.y_start.assign(start.begin(), start.end());
+  run.method = Method::erk;
+  run.tolerances = {rtol, std::max(rtol * start.lpNorm<Eigen::Infinity>(), least_atol)};
+  run.limits.max_steps = most_steps;
+  return run;
+}
+
+SectionMap::Result SectionMap::stride(const VectorXd& u, double rtol) {
+  const auto start = jump(u);
+  if (!start || !starts_validly(start->after)) return {std::nullopt, Miss::stopped};
+  const RightHandSide system{
+      static_cast<std::size_t>(unit_.size()),
+      [this](double, std::span<const double> y, std::span<double> out) { return rates(y, out); },
+      {}};
+  RunRequest run = request(start->after, rtol);
+  run.t_end = longest_stride;
+  for (const Watch& watch : watched()) run.events.push_back(scaled(watch));
+  EventFunction crossing = run.events.back();  // the impact's, wherever it happens
+  crossing.terminal = false;
+  crossing.condition = {};
+  run.events.push_back(std::move(crossing));
+  const Run done = integrate(system, run);
+  if (done.ending == Ending::reached_end) return {std::nullopt, Miss::endless};
+  if (done.ending != Ending::event) return {std::nullopt, Miss::failed};
+  const auto ended =
+      std::ranges::find_if(done.events, [&](const EventOccurrence& e) { return e.event < watches_.size(); });
+  if (watches_[ended->event].kind != Watch::Kind::impact) return {std::nullopt, Miss::stopped};
+  return {Stride{start->after, Eigen::Map<const VectorXd>(done.y.data(), unit_.size()), done.t,
+                 static_cast<int>(ended - done.events.begin())},
+          Miss::none};
+}
+
+bool SectionMap::counts(const VectorXd& state) {
+  const Watch& impact = watched().back();
+  return !impact.condition || impact.condition(0, in_si(state));
+}
+
+bool SectionMap::is_impact(const Flow& flow) {
+  const double speed = flow.surface_slope.dot(flow.rate);
+  const Crossing direction = watched().back().direction;
+  return counts(flow.state) && speed != 0 &&
+         (direction == Crossing::either || (direction == Crossing::rising) == (speed > 0));
+}
+
+std::optional<Flow> SectionMap::flow(const VectorXd& u, double duration, double rtol) {
+  const auto start = jump(u);
+  if (!start) return std::nullopt;
+  const Index width = unit_.size();
+  const RightHandSide system{
+      static_cast<std::size_t>(width * (1 + size())),
+      [this](double, std::span<const double> y, std::span<double> out) { return variational_rates(y, out); },
+      {}};
+  RunRequest run = request(start->after, rtol);
+  run.y_start.insert(run.y_start.end(), start->derivative.reshaped().begin(),
+                     start->derivative.reshaped().end());
+  run.t_end = duration;
+  const Run done = integrate(system, run);
+  if (done.ending != Ending::reached_end) return std::nullopt;
+  Flow flow;
+  flow.after = start->after;
+  flow.state = Eigen::Map<const VectorXd>(done.y.data(), width);
+  flow.derivative = Eigen::Map<const MatrixXd>(done.y.data() + width, width, size());
+  flow.rate.resize(width);
+  const std::size_t n = si_.size();
+  if (rates({flow.state.data(), n}, {flow.rate.data(), n}) != Evaluation::ok) return std::nullopt;
+  if (!add_surface(flow) || !flow.derivative.allFinite()) return std::nullopt;
+  return flow;
+}
+
+MatrixXd SectionMap::derivative(const Flow& flow) const {
+  const VectorXd duration_slope =
+      -(flow.derivative.transpose() * flow.surface_slope) / flow.surface_slope.dot(flow.rate);
+  return (flow.derivative + flow.rate * duration_slope.transpose())(components_, Eigen::all);
+}
+
+Index SectionMap::dimension(const Flow& flow) {
+  const auto map = jump(section(flow.state));
+  if (!map) return 0;
+  MatrixXd tangent = MatrixXd::Zero(unit_.size(), unit_.size());
+  tangent(Eigen::all, components_) = map->derivative;
+  const VectorXd normal = flow.surface_slope.normalized();
+  tangent -= (tangent * normal) * normal.transpose();
+  return rank(tangent, 1e-12);
+}
+
+}  // namespace qdot

@@ -1,0 +1,60 @@
+#pragma once
+// The error of a motion, measured: the ladder.
+//
+// A local tolerance says nothing of the error of the answer, which is larger by a factor that depends on the
+// motion, from ten to a million. So a motion is computed twice, the second time a hundred times tighter and
+// by another method or order; where the second is much more accurate, the difference of the two is the error
+// of the first. The returned motion is the first, and its error is twice the largest difference met up to
+// each instant (row_errors.hpp). The second has parameters and initial values changed in their last bits:
+// where both are as tight as double precision allows, what the difference shows is what rounding does to the
+// motion, the rounding that both runs have in common included. There a third run starts on the other side, so
+// that the difference is not small by chance.
+//
+// Method gauss has a step in place of tolerances: its check is the tightest there is, and it climbs nothing.
+//
+// A wanted error is reached by climbing: from the error at one tolerance follows the next, until the wanted
+// error is met, the allowed work is spent, or the last rung is reached.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/simulation.hpp"
+
+namespace qdot {
+
+/// What is asked for beside the motion.
+struct AccuracyGoal {
+  enum class Kind {
+    tolerances,  ///< the request's method and tolerances; the error is measured
+    absolute,    ///< error <= value in every column's SI unit
+    relative,    ///< error <= value times the column's largest magnitude
+    work         ///< the least error for at most `evaluations` evaluations in all
+  };
+  Kind kind{Kind::tolerances};
+  double value{};
+  std::uint64_t evaluations{};
+  bool verify{true};  ///< false: one run, no estimate; for tolerances only
+};
+
+struct MeasuredSimulation {
+  Simulation simulation;
+  Tolerances tolerances;  ///< of the run that is returned; not of gauss
+  /// Of each coordinate and velocity, over the returned rows; empty when it could not be measured: `reason`.
+  std::vector<double> max_abs_error;
+  /// The first returned instant where the error passes 1e-3 of a column's largest magnitude.
+  std::optional<double> horizon;
+  std::optional<bool> meets_request;  ///< no value where no error was wanted
+  std::string reason;                 ///< why the error is not known, or not met
+  Method verified_by{};
+  std::uint64_t evaluations{};  ///< of all runs
+};
+
+/// Method taylor is replaced where a force has a kink (erk) and where damping is strong (bdf):
+/// Simulation::method. For goals other than
+/// tolerances the request's tolerances are ignored. Throws std::invalid_argument for gauss with such a goal.
+[[nodiscard]] MeasuredSimulation simulate_with_error(const Dynamics& dynamics,
+                                                     const SimulationRequest& request,
+                                                     const AccuracyGoal& goal);
+
+}  // namespace qdot

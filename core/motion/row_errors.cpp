@@ -1,0 +1,42 @@
+#include "core/motion/row_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace qdot {
+namespace {
+
+constexpr double safety = 2;           ///< differences were between 0.85 and 1.2 times the error
+constexpr double round_off = 0x1p-52;  ///< a number is rounded when it is stored
+constexpr double too_much = 0.5;       ///< of a column
+
+}  // namespace
+
+RowErrors::RowErrors(std::vector<double> scale)
+    : scale_(std::move(scale)),
+      error_(scale_.size()),
+      lowest_(scale_.size(), std::numeric_limits<double>::infinity()),
+      highest_(scale_.size(), -std::numeric_limits<double>::infinity()) {}
+
+void RowErrors::add(std::span<const double> row, std::span<const std::span<const double>> others) {
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    double difference = 0;
+    for (const auto& other : others) difference = std::max(difference, std::abs(row[k] - other[k]));
+    error_[k] = std::max(error_[k], safety * difference + round_off * std::abs(row[k]));
+    lost_ = lost_ || safety * difference > too_much * scale_[k];
+  }
+  if (!lost_) return;
+  widen(row);
+  for (const auto& other : others) widen(other);
+  for (std::size_t k = 0; k < row.size(); ++k) error_[k] = std::max(error_[k], highest_[k] - lowest_[k]);
+}
+
+void RowErrors::widen(std::span<const double> row) {
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    lowest_[k] = std::min(lowest_[k], row[k]);
+    highest_[k] = std::max(highest_[k], row[k]);
+  }
+}
+
+}  // namespace qdot

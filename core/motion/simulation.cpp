@@ -1,0 +1,297 @@
+#include "core/motion/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/work.hpp"
+#include "core/compile/taylor/expansion.hpp"
+#include "core/dynamics/watch.hpp"
+#include "core/integrate/events.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t most_impacts = 10'000;
+
+/// A series knows no kinks: where a force has abs or sign, the Runge-Kutta method takes over.
+Method possible_method(const Dynamics& dynamics, Method wanted) {
+  const bool possible = wanted != Method::taylor || has_taylor_expansion(dynamics.accelerations());
+  return possible ? wanted : Method::erk;
+}
+
+/// The motion in (q, p); none where p does not determine q' in the initial state.
+std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynamics,
+                                                           const SimulationRequest& request) {
+  const CanonicalFunctions* functions = dynamics.canonical();
+  if (functions == nullptr) return std::nullopt;
+  const std::size_t n = dynamics.model().degrees_of_freedom();
+  RightHandSide::CanonicalForm form;
+  form.variables = [functions, n, workspace = functions->momenta().bind(request.parameters)](
+                       double t, std::span<const double> y, std::span<double> z) mutable {
+    std::copy_n(y.begin(), n, z.begin());
+    return functions->momenta().evaluate(t, y, workspace, z.subspan(n));
+  };
+  form.derivative = [functions, workspace = functions->derivative().bind(request.parameters)](
+                        double t, std::span<const double> z, std::span<double> derivative) mutable {
+    return functions->derivative().evaluate(t, z, workspace, derivative);
+  };
+  form.jacobian = [functions, workspace = functions->bind_jacobian(request.parameters)](
+                      double t, std::span<const double> z, std::span<double> jacobian) mutable {
+    return functions->jacobian(t, z, workspace, jacobian);
+  };
+  std::vector<double> z(2 * n), slope(2 * n);
+  if (form.variables(request.t_start, request.y_start, z) != Evaluation::ok) return std::nullopt;
+  if (form.derivative(request.t_start, z, slope) == Evaluation::singular_mass) return std::nullopt;
+  return form;
+}
+
+/// q' and q'' from the compiled functions, each with a workspace of its own.
+RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request, Method method) {
+  const std::size_t n = dynamics.model().degrees_of_freedom();
+  const CompiledFunction& accelerations = dynamics.accelerations();
+  RightHandSide system;
+  system.dimension = 2 * n;
+  system.derivative = [&accelerations, n, workspace = accelerations.bind(request.parameters)](
+                          double t, std::span<const double> y, std::span<double> derivative) mutable {
+    std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, derivative.begin());
+    return accelerations.evaluate(t, y, workspace, derivative.subspan(n));
+  };
+  if (method == Method::gauss) system.canonical = canonical_form(dynamics, request);
+  if (method == Method::bdf || (method == Method::gauss && !system.canonical)) {
+    const CompiledFunction& jacobian = dynamics.jacobian();
+    system.jacobian = [&jacobian, workspace = jacobian.bind(request.parameters)](
+                          double t, std::span<const double> y, std::span<double> out) mutable {
+      return jacobian.evaluate(t, y, workspace, out);
+    };
+  }
+  if (method == Method::taylor) {
+    const auto expansion = std::make_shared<TaylorExpansion>(accelerations, request.parameters);
+    system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
+      return expansion->expand(t, y, order, c);
+    };
+  }
+  return system;
+}
+
+class Simulator {
+ public:
+  Simulator(const Dynamics& dynamics, const SimulationRequest& request)
+      : dynamics_(dynamics),
+        request_(request),
+        method_(possible_method(dynamics, request.method)),
+        system_(right_hand_side(dynamics, request, method_)),
+        watches_(watches(dynamics, {.parameters = request.parameters,
+                                    .events = request.events,
+                                    .on_invalid = request.on_invalid,
+                                    .impacts = request.impacts})) {
+    result_.t = request.t_start;
+    result_.y = request.y_start;
+    result_.method = method_;
+    result_.symplectic = system_.canonical.has_value();
+  }
+
+  Simulation run() {
+    check_configuration();
+    if (!stopped_at_start()) {
+      std::size_t impacts = 0;
+      while (segment()) {
+        if (++impacts == most_impacts) result_.ending = Ending::step_limit;
+        if (impacts == most_impacts || !apply_impact()) break;
+      }
+    }
+    fill_columns();
+    fill_conserved();
+    return std::move(result_);
+  }
+
+ private:
+  /// The motion is over before it begins where a condition fails in the initial state.
+  bool stopped_at_start() {
+    for (const Watch& watch : watches_) {
+      if (watch.kind != Watch::Kind::validity || holds_at_start(watch)) continue;
+      result_.stop = Stop{watch.reason, result_.t, watch.message};
+      result_.ending = Ending::event;
+      result_.states = result_.y;
+      result_.rows = !request_.grid.empty() && request_.grid.front() == result_.t ? 1 : 0;
+      result_.states.resize(result_.rows * result_.y.size());
+      return true;
+    }
+    return false;
+  }
+
+  /// A condition that holds with equality fails at once when its value falls from there.
+  bool holds_at_start(const Watch& watch) const {
+    const double value = watch.value(result_.t, result_.y);
+    if (value != 0) return !(value < 0);
+    const double h = 1e-9 * std::min(1.0, request_.t_end - request_.t_start);
+    std::vector<double> y = result_.y, slope(y.size());
+    if (system_.derivative(result_.t, y, slope) != Evaluation::ok) return true;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];
+    return !(watch.value(result_.t + h, y) < 0);
+  }
+
+  void check_configuration() const {
+    for (const Watch& watch : watches_) {
+      if (watch.kind != Watch::Kind::singularity) continue;
+      const double value = watch.value(result_.t, result_.y);
+      if (watch.direction == Crossing::falling ? value > 0 : value != 0) continue;
+      throw Error(ErrorCode::invalid_state, watch.message);
+    }
+  }
+
+  /// Integrates to the next impact. True when there was one.
+  bool segment() {
+    segments_.push_back({result_.rows, result_.t, result_.y});
+    RunRequest run;
+    run.t_start = result_.t;
+    run.y_start = result_.y;
+    run.t_end = request_.t_end;
+    run.grid = std::span(request_.grid).subspan(result_.rows);
+    run.method = method_;
+    run.taylor_order = request_.taylor_order;
+    run.tolerances = request_.tolerances;
+    run.h = request_.h;
+    run.limits = request_.limits;
+    run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);
+    run.limits.max_evaluations -= std::min(run.limits.max_evaluations, result_.evaluations);
+    for (const Watch& watch : watches_) run.events.push_back(watch.event());
+    Run done = integrate(system_, run);
+    result_.rows += done.rows;
+    if (result_.states.empty()) {
+      result_.states = std::move(done.states);
+    } else {
+      result_.states.insert(result_.states.end(), done.states.begin(), done.states.end());
+    }
+    result_.steps += done.steps;
+    result_.evaluations += done.evaluations;
+    result_.ending = done.ending;
+    result_.t = done.t;
+    result_.y = done.y;
+    return record_events(done);
+  }
+
+  bool record_events(const Run& done) {
+    bool impact = false;
+    for (const EventOccurrence& occurrence : done.events) {
+      const Watch& watch = watches_[occurrence.event];
+      const bool last = done.ending == Ending::event && occurrence.t == done.t;
+      if (watch.kind == Watch::Kind::event || watch.kind == Watch::Kind::impact) {
+        result_.events.push_back({watch.name, occurrence.t, occurrence.y});
+        if (result_.events.size() > most_occurrences)
+          throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
+        impact = impact || watch.kind == Watch::Kind::impact;
+      } else if (last && !result_.stop) {
+        result_.stop = Stop{watch.reason, occurrence.t, watch.message};
+      }
+    }
+    return impact && !result_.stop;
+  }
+
+  /// Goes on from the state after the impact; false when the motion is over there anyway.
+  bool apply_impact() {
+    std::vector<double> after = after_impact();
+    const double begin = result_.strides.empty() ? request_.t_start : result_.strides.back().t;
+    result_.strides.push_back({result_.t, result_.t - begin, result_.y, after});
+    if (result_.t >= request_.t_end || result_.strides.size() == request_.strides) {
+      result_.ending = Ending::reached_end;
+      return false;
+    }
+    result_.y = std::move(after);
+    return true;
+  }
+
+  [[nodiscard]] std::vector<double> after_impact() const {
+    std::vector<Column> components;
+    std::vector<std::size_t> places;
+    for (const auto& [symbol, expression] : dynamics_.model().parsed.impact) {
+      components.push_back({"", "", expression});
+      places.push_back(state_index(symbol));
+    }
+    const std::vector<double> values =
+        values_at(dynamics_, components, request_.parameters, result_.t, result_.y);
+    std::vector<double> after = result_.y;
+    for (std::size_t i = 0; i < places.size(); ++i) after[places[i]] = values[i];
+    return after;
+  }
+
+  [[nodiscard]] std::size_t state_index(const Expression& symbol) const {
+    const Symbols::Varying& q = dynamics_.model().parsed.symbols.coordinates;
+    const auto found = std::find(q.value.begin(), q.value.end(), symbol);
+    if (found != q.value.end()) return static_cast<std::size_t>(found - q.value.begin());
+    return q.value.size() +
+           static_cast<std::size_t>(std::find(q.rate.begin(), q.rate.end(), symbol) - q.rate.begin());
+  }
+
+  [[nodiscard]] std::span<const double> row(std::size_t i) const {
+    return std::span(result_.states).subspan(i * request_.y_start.size(), request_.y_start.size());
+  }
+
+  void fill_columns() {
+    if (request_.columns.empty()) return;
+    const auto function = dynamics_.columns(request_.columns);
+    Workspace workspace = function->bind(request_.parameters);
+    const std::size_t width = request_.columns.size();
+    result_.columns.resize(result_.rows * width);
+    for (std::size_t i = 0; i < result_.rows; ++i) {
+      if (i % 256 == 0) check_interruption();
+      const std::span<double> out = std::span(result_.columns).subspan(i * width, width);
+      if (function->evaluate(request_.grid[i], row(i), workspace, out) == Evaluation::ok) continue;
+      throw Error(ErrorCode::invalid_state, "One of the columns has no finite value along this motion.");
+    }
+  }
+
+  /// Drift is counted from the beginning of each segment: what an impact takes is no drift.
+  void fill_conserved() {
+    const auto conserved = dynamics_.conserved(request_.parameters);
+    const std::size_t count = conserved->quantities.size();
+    if (count == 0 || result_.rows == 0) return;
+    Workspace workspace = conserved->values->bind(request_.parameters);
+    std::vector<double> reference(count), value(count), drift(count);
+    const auto evaluate = [&](double t, std::span<const double> y, std::vector<double>& out) {
+      return conserved->values->evaluate(t, y, workspace, out) == Evaluation::ok;
+    };
+    std::vector<double> initial(count);
+    if (!evaluate(request_.t_start, request_.y_start, initial)) return;
+    for (std::size_t i = 0, next = 0; i < result_.rows; ++i) {
+      if (i % 256 == 0) check_interruption();
+      for (; next < segments_.size() && segments_[next].first_row <= i; ++next) {
+        if (!evaluate(segments_[next].t, segments_[next].y, reference)) return;
+      }
+      if (!evaluate(request_.grid[i], row(i), value)) return;
+      for (std::size_t k = 0; k < count && next > 0; ++k) {
+        drift[k] = std::max(drift[k], std::abs(value[k] - reference[k]));
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const ConservedQuantity& quantity = conserved->quantities[k];
+      ConservedRecord record{quantity.name, quantity.unit, initial[k], drift[k], {}};
+      const double relative = drift[k] / std::abs(initial[k]);
+      if (std::isfinite(relative)) record.max_rel_drift = relative;
+      result_.conserved.push_back(std::move(record));
+    }
+  }
+
+  /// What lies between two impacts.
+  struct Segment {
+    std::size_t first_row;
+    double t;
+    std::vector<double> y;
+  };
+
+  const Dynamics& dynamics_;
+  const SimulationRequest& request_;
+  Method method_;
+  RightHandSide system_;
+  std::vector<Watch> watches_;
+  std::vector<Segment> segments_;
+  Simulation result_;
+};
+
+}  // namespace
+
+Simulation simulate(const Dynamics& dynamics, const SimulationRequest& request) {
+  return Simulator(dynamics, request).run();
+}
+
+}  // namespace qdot

@@ -1,0 +1,119 @@
+#include "core/motion/trajectory_extrema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace qdot {
+namespace {
+
+constexpr Tolerances fine{.rtol = 1e-13, .atol = 1e-15};
+constexpr Tolerances coarse{.rtol = 1e-11, .atol = 1e-13};
+
+/// A place where the coordinate may be largest or smallest.
+struct Candidate {
+  double t, x;
+};
+
+/// A motion with its candidates, in order of time; there is always one.
+struct Followed {
+  TrajectoryExtrema ending;
+  std::vector<Candidate> candidates;
+};
+
+class Follower {
+ public:
+  Follower(const Dynamics& dynamics, const ExtremaRequest& request)
+      : dynamics_(dynamics), request_(request) {}
+
+  Followed follow(const Tolerances& tolerances) {
+    const Model& model = dynamics_.model();
+    const std::string velocity = model.scene.coordinates[request_.coordinate].name + "_dot = 0";
+    const std::vector<double> ends{request_.t_end};
+    const Simulation motion = simulate(dynamics_, {.parameters = request_.parameters,
+                                                   .y_start = request_.y_start,
+                                                   .t_start = request_.t_start,
+                                                   .t_end = request_.t_end,
+                                                   .grid = ends,
+                                                   .columns = {},
+                                                   .events = {velocity},
+                                                   .on_invalid = request_.on_invalid,
+                                                   .impacts = request_.impacts,
+                                                   .method = Method::erk,
+                                                   .tolerances = tolerances,
+                                                   .limits = request_.limits});
+    look(request_.t_start, request_.y_start[request_.coordinate]);
+    for (const EventRecord& event : motion.events) {
+      look(event.t, event.y[request_.coordinate]);
+      if (event.name != velocity) look(event.t, after_impact(event));
+    }
+    look(motion.t, motion.y[request_.coordinate]);
+    result_.stop = motion.stop;
+    result_.ending = motion.ending;
+    result_.t = motion.t;
+    result_.y = motion.y;
+    return {std::move(result_), std::move(candidates_)};
+  }
+
+ private:
+  void look(double t, double x) { candidates_.push_back({t, x}); }
+
+  /// The coordinate after the impact, where the impact map changes it.
+  [[nodiscard]] double after_impact(const EventRecord& event) const {
+    const Expression q = dynamics_.model().parsed.symbols.coordinates.value[request_.coordinate];
+    for (const auto& [symbol, value] : dynamics_.model().parsed.impact) {
+      if (symbol == q)
+        return values_at(dynamics_, {{"", "", value}}, request_.parameters, event.t, event.y)[0];
+    }
+    return event.y[request_.coordinate];
+  }
+
+  const Dynamics& dynamics_;
+  const ExtremaRequest& request_;
+  TrajectoryExtrema result_;
+  std::vector<Candidate> candidates_;
+};
+
+/// Up or down: the extremum is the largest of sign x.
+double extreme(const Followed& motion, double sign) {
+  double most = sign * motion.candidates[0].x;
+  for (const Candidate& candidate : motion.candidates) most = std::max(most, sign * candidate.x);
+  return sign * most;
+}
+
+/// The first candidate that cannot be told from the extremum; what two integrations disagree about is its
+/// error. Of motions that end differently nothing is certain.
+Candidate chosen(const Followed& motion, const Followed& other, double sign, Finding& extremum) {
+  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+  const double most = extreme(motion, sign);
+  const double error = std::abs(most - extreme(other, sign)) + round_off * std::abs(most);
+  const Candidate first =
+      *std::find_if(motion.candidates.begin(), motion.candidates.end(),
+                    [&](const Candidate& candidate) { return sign * (most - candidate.x) <= error; });
+  if (motion.ending.ending == other.ending.ending) {
+    extremum = {first.x, 2 * error, ""};
+  } else {
+    extremum.reason = "Two integrations with different tolerances end differently.";
+  }
+  return first;
+}
+
+}  // namespace
+
+TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request) {
+  const Followed motion = Follower(dynamics, request).follow(fine);
+  const Followed other = Follower(dynamics, request).follow(coarse);
+  TrajectoryExtrema result = motion.ending;
+  const Candidate top = chosen(motion, other, 1, result.maximum);
+  const Candidate bottom = chosen(motion, other, -1, result.minimum);
+  result.t_maximum = top.t;
+  result.t_minimum = bottom.t;
+  if (top.t == request.t_start) {
+    result.initial = bottom.t == request.t_start ? InitialPlace::equilibrium : InitialPlace::maximum;
+  } else if (bottom.t == request.t_start) {
+    result.initial = InitialPlace::minimum;
+  }
+  return result;
+}
+
+}  // namespace qdot

@@ -1,0 +1,161 @@
+#include "core/numerics/ball.hpp"
+
+#include <array>
+#include <cstdlib>
+
+namespace qdot {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// An operation is within 10 u^2 = 10 2^-106 of the exact result; sine and cosine within some 30 of that.
+constexpr double unit = 0x1p-102;
+constexpr double wave_unit = 0x1p-97;
+/// Below this, the products inside an operation may underflow.
+constexpr double smallest_exact = 1e-250;
+
+/// Radii are added up in doubles that are rounded to nearest.
+double above(double radius) { return radius * (1 + 0x1p-48); }
+
+Ball rounded(const DoubleDouble& middle, double radius, double relative = unit) {
+  const double size = std::abs(middle.high);
+  if (!std::isfinite(size)) return {DoubleDouble{}, infinity};
+  const double underflow = size < smallest_exact ? 1e-300 : 0;
+  return {middle, above(radius + relative * size + underflow)};
+}
+
+Interval interval_of(const Ball& a) {
+  const double value = a.value();
+  const double error = a.error();
+  return {std::nextafter(value - error, -infinity), std::nextafter(value + error, infinity)};
+}
+
+constexpr std::size_t terms = 15;  // (pi/4)^31/31! < 2^-120
+
+/// (-1)^k/(2k + offset)!
+std::array<DoubleDouble, terms> alternating_inverse_factorials(int offset) {
+  std::array<DoubleDouble, terms> result;
+  DoubleDouble factor = 1;
+  for (std::size_t k = 0; k < terms; ++k) {
+    result[k] = factor;
+    const double n = 2 * static_cast<double>(k) + offset;
+    factor = factor / DoubleDouble(-(n + 1) * (n + 2));
+  }
+  return result;
+}
+
+DoubleDouble series(const std::array<DoubleDouble, terms>& coefficients, const DoubleDouble& square) {
+  DoubleDouble sum;
+  for (std::size_t k = terms; k-- > 0;) sum = sum * square + coefficients[k];
+  return sum;
+}
+
+/// An angle as k pi/2 + rest, |rest| < 0.8, with a bound of the error of rest.
+struct Reduced {
+  long quarter;
+  DoubleDouble rest;
+  double error;
+};
+Reduced reduced(const DoubleDouble& x) {
+  constexpr double half_pi[3]{1.5707963267948966, 6.123233995736766e-17, -1.4973849048591833e-33};
+  const double k = std::nearbyint(x.high / half_pi[0]);
+  DoubleDouble rest = x;
+  double error = std::abs(k) * 1e-49;  // of the three doubles for pi/2, and of k times the last
+  for (const double part : half_pi) {
+    rest = rest - two_product(k, part);
+    error += unit * std::abs(rest.high);
+  }
+  return {static_cast<long>(k), rest, k == 0 ? 0 : error};
+}
+
+/// sin(a + phase pi/2).
+Ball wave(const Ball& a, long phase) {
+  static const std::array<DoubleDouble, terms> sine = alternating_inverse_factorials(1);
+  static const std::array<DoubleDouble, terms> cosine = alternating_inverse_factorials(0);
+  if (!a.is_finite() || a.magnitude() > 1e6) {
+    const Function function = phase == 0 ? Function::sin : Function::cos;
+    return a.is_finite() ? Ball::of(evaluate(function, interval_of(a))) : Ball(DoubleDouble{}, infinity);
+  }
+  const Reduced angle = reduced(a.middle);
+  const DoubleDouble square = angle.rest * angle.rest;
+  const long quarter = angle.quarter + phase;
+  DoubleDouble value = quarter % 2 == 0 ? angle.rest * series(sine, square) : series(cosine, square);
+  if (((quarter % 4) + 4) % 4 >= 2) value = -value;
+  if (a.is_zero() && value.high == 0) return {};
+  return rounded(value, a.radius + angle.error, wave_unit);
+}
+
+Ball whole_power(Ball base, unsigned exponent) {
+  Ball result = 1;
+  for (; exponent != 0; exponent >>= 1U) {
+    if (exponent & 1U) result = result * base;
+    if (exponent > 1) base = base * base;
+  }
+  return result;
+}
+
+}  // namespace
+
+Ball Ball::literal(double value) { return of(Interval::literal(value)); }
+
+Ball Ball::of(const Interval& interval) {
+  if (!interval.is_finite()) return {DoubleDouble{}, infinity};
+  return {interval.middle(), interval.width() == 0 ? 0 : above(interval.radius())};
+}
+
+double Ball::error() const {
+  const double left = std::abs((middle - DoubleDouble(value())).high);
+  return above(left + radius);
+}
+
+Ball operator+(const Ball& a, const Ball& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const DoubleDouble sum = a.middle + b.middle;
+  if (sum.high == 0 && std::isfinite(a.middle.high)) return {sum, above(a.radius + b.radius)};
+  return rounded(sum, a.radius + b.radius);
+}
+
+Ball operator-(const Ball& a) { return {-a.middle, a.radius}; }
+
+Ball operator*(const Ball& a, const Ball& b) {
+  if (a.is_zero() || b.is_zero()) return a.is_finite() && b.is_finite() ? Ball() : Ball({}, infinity);
+  const double radius = (std::abs(a.middle.high) + a.radius) * b.radius + std::abs(b.middle.high) * a.radius;
+  return rounded(a.middle * b.middle, above(radius));
+}
+
+Ball operator/(const Ball& a, const Ball& b) {
+  const double least = std::abs(b.middle.high) * (1 - 0x1p-50) - b.radius;
+  if (!(least > 0)) return {DoubleDouble{}, infinity};
+  if (a.is_zero()) return {};
+  const DoubleDouble quotient = a.middle / b.middle;
+  return rounded(quotient, above((a.radius + std::abs(quotient.high) * b.radius) / least));
+}
+
+Ball sqrt(const Ball& a) {
+  if (a.is_zero()) return {};
+  const double least = a.middle.high * (1 - 0x1p-50) - a.radius;
+  if (!(least > 0)) return {DoubleDouble{}, infinity};
+  return rounded(sqrt(a.middle), above(a.radius / std::sqrt(least)));
+}
+
+Ball sin(const Ball& a) { return wave(a, 0); }
+Ball cos(const Ball& a) { return wave(a, 1); }
+
+Ball power(const Ball& a, double exponent) {
+  const double twice = 2 * exponent;
+  if (twice != std::nearbyint(twice) || std::abs(twice) > 64) {
+    return a.is_finite() ? Ball::of(power(interval_of(a), exponent)) : a;
+  }
+  const auto halves = static_cast<unsigned>(std::abs(twice));
+  Ball result = whole_power(a, halves / 2);
+  if (halves % 2 != 0) result = result * sqrt(a);
+  return exponent < 0 ? Ball(1) / result : result;
+}
+
+Ball evaluate(Function function, const Ball& argument) {
+  if (function == Function::sin) return sin(argument);
+  if (function == Function::cos) return cos(argument);
+  return argument.is_finite() ? Ball::of(evaluate(function, interval_of(argument))) : argument;
+}
+
+}  // namespace qdot

@@ -1,0 +1,46 @@
+#pragma once
+// All zeros of n equations in n unknowns in a box, by branch and bound with interval arithmetic: boxes in
+// which an equation cannot vanish are thrown away, the others contracted by Krawczyk's operator
+//     K(X) = c - Y F(c) + (I - Y J(X)) (X - c),   c in X, Y near J(c)^-1
+// or halved. K(X) inside X proves that X holds exactly one zero, and that K(X) holds it; no zero is lost. So
+// what is returned is complete, and each enclosure is a proven bound of its error.
+// Source: Neumaier, Interval Methods for Systems of Equations (1990), 5.1; Moore, Kearfott, Cloud (2009),
+// ch. 8.
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/numerics/interval.hpp"
+
+namespace qdot {
+
+using Box = std::vector<Interval>;
+
+/// F and its derivatives J_ij = dF_i/dx_j (n x n by rows), enclosed over a box.
+struct SquareSystem {
+  std::size_t dimension{};
+  std::function<void(std::span<const Interval> x, std::span<Interval> values)> values;
+  std::function<void(std::span<const Interval> x, std::span<Interval> jacobian)> jacobian;
+};
+
+struct IsolatedZero {
+  Box enclosure;
+  /// Proven to be one simple zero. Otherwise there may be any number of zeros, or a near miss: a multiple
+  /// zero cannot be told from a pair in numbers of finite length.
+  bool simple{};
+};
+
+struct Isolation {
+  std::vector<IsolatedZero> zeros;  ///< sorted by the first unknown that differs
+  bool complete{true};              ///< false: given up after most_boxes, zeros may be missing
+};
+
+/// Poles are no zeros: a place where F is not bounded even in the smallest boxes is left out. `region` must
+/// be wider than a point in each unknown; zeros on its edge count. `scales`: the size that matters for each
+/// unknown where it is near zero (1 rad, 1 m); empty means 1.
+[[nodiscard]] Isolation isolate_zeros(const SquareSystem& system, const Box& region,
+                                      std::span<const double> scales = {}, std::size_t most_boxes = 50'000);
+
+}  // namespace qdot

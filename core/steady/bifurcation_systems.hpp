@@ -1,0 +1,36 @@
+#pragma once
+// Where equilibria appear, vanish or meet as one parameter p moves: the square systems in (x, p) whose zeros
+// those places are. Each force is a product of factors, g_i = f_i1 f_i2 ..., and every equilibrium makes one
+// factor of each force vanish. Such a family folds where
+//   f_1 = ... = f_n = 0,  det df/dx = 0          (saddle-node),
+// and meets another one where
+//   f_ia = f_ib = 0,  f_j = 0 for all j != i     (transcritical, or pitchfork where one of the two folds
+//   there).
+// All of these are regular zeros where a force without its factors would have a multiple one.
+// Source: Kuznetsov, Elements of Applied Bifurcation Theory (2004), 3.2, 7.1 and 10.2.
+
+#include <vector>
+
+#include "core/steady/steady_forces.hpp"
+
+namespace qdot {
+
+/// n + 1 functions of (x, p), x the unknowns that forces depend on, and their (n + 1)^2 derivatives by rows.
+struct BifurcationSystem {
+  enum class Kind { fold, meeting };
+  Kind kind{};
+  CompiledFunction values, jacobian;
+};
+
+struct BifurcationSystems {
+  std::vector<BifurcationSystem> systems;
+  /// Factors of p alone, as functions of p and their slopes: where one vanishes, so does a force everywhere.
+  CompiledFunction vanishing, vanishing_slopes;
+  bool depends{};  ///< some force depends on p
+};
+
+/// `place` is p's among the constants, whose value there is not looked at.
+[[nodiscard]] BifurcationSystems derive_bifurcation_systems(const Reduction& reduction,
+                                                            const SteadyForces& forces, std::size_t place);
+
+}  // namespace qdot

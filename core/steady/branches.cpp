@@ -1,0 +1,175 @@
+#include "core/steady/branches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace qdot {
+namespace {
+
+constexpr int columns_in_all = 80;
+constexpr int least_columns = 8;
+/// A critical point is the end of a curve whose last point is that near, for coordinates of size one.
+constexpr double reach = 0.5;
+
+struct Point {
+  std::vector<double> x;
+  Stability stability{};
+};
+
+class Tracer {
+ public:
+  Tracer(const EquilibriaAt& equilibria_at, std::span<const CriticalValue> critical,
+         const std::vector<bool>& turns)
+      : equilibria_at_(equilibria_at), critical_(critical), turns_(turns) {}
+
+  std::vector<EquilibriumBranch> run(double from, double to) {
+    std::vector<double> ends{from};
+    for (const CriticalValue& c : critical_) {
+      if (c.value > ends.back() && c.value < to) ends.push_back(c.value);
+    }
+    ends.push_back(to);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double share = (ends[i + 1] - ends[i]) / (to - from);
+      const int count = std::max(least_columns, static_cast<int>(std::lround(columns_in_all * share)));
+      for (int k = i == 0 ? 0 : 1; k <= count; ++k) {
+        const bool at_end = k == 0 || k == count;
+        if (at_end && is_critical(k == 0 ? ends[i] : ends[i + 1])) continue;
+        // Denser towards the ends, where curves are steep.
+        const double s = (1 - std::cos(std::numbers::pi * k / count)) / 2;
+        add_column(k == count ? ends[i + 1] : ends[i] + s * (ends[i + 1] - ends[i]));
+      }
+    }
+    for (const std::size_t open : open_) end_at_critical(open, to);
+    std::sort(result_.begin(), result_.end(), [](const EquilibriumBranch& a, const EquilibriumBranch& b) {
+      return std::pair(a.parameter[0], a.x[0]) < std::pair(b.parameter[0], b.x[0]);
+    });
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_critical(double value) const {
+    return std::any_of(critical_.begin(), critical_.end(),
+                       [&](const CriticalValue& c) { return std::abs(c.value - value) <= c.error; });
+  }
+
+  [[nodiscard]] double distance(const std::vector<double>& a, const std::vector<double>& b) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double d = turns_[i] ? std::remainder(a[i] - b[i], 2 * std::numbers::pi) : a[i] - b[i];
+      sum += d * d;
+    }
+    return std::sqrt(sum);
+  }
+
+  /// Where a curve is heading at p.
+  [[nodiscard]] std::vector<double> extrapolated(const EquilibriumBranch& branch, double p) const {
+    const std::size_t n = branch.parameter.size();
+    std::vector<double> x = branch.x.back();
+    if (n < 2) return x;
+    const double s = (p - branch.parameter[n - 1]) / (branch.parameter[n - 1] - branch.parameter[n - 2]);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      double step = branch.x[n - 1][i] - branch.x[n - 2][i];
+      if (turns_[i]) step = std::remainder(step, 2 * std::numbers::pi);
+      x[i] += s * step;
+    }
+    return x;
+  }
+
+  void add_column(double p) {
+    std::vector<Point> points;
+    for (const SteadyState& state : equilibria_at_(p)) {
+      const auto half = static_cast<std::ptrdiff_t>(state.y.size() / 2);
+      points.push_back({{state.y.begin(), state.y.begin() + half}, state.stability.stability});
+    }
+    std::vector<std::size_t> still_open;
+    std::vector<bool> used(points.size());
+    std::vector<std::size_t> waiting = open_;
+    while (!waiting.empty()) {  // the closest pair first
+      double best = std::numeric_limits<double>::infinity();
+      std::size_t branch = 0, point = 0;
+      for (std::size_t b = 0; b < waiting.size(); ++b) {
+        const std::vector<double> ahead = extrapolated(result_[waiting[b]], p);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          if (used[i]) continue;
+          if (const double d = distance(ahead, points[i].x); d < best) {
+            best = d;
+            branch = b;
+            point = i;
+          }
+        }
+      }
+      if (!std::isfinite(best)) break;
+      used[point] = true;
+      append(result_[waiting[branch]], p, points[point]);
+      still_open.push_back(waiting[branch]);
+      waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(branch));
+    }
+    for (const std::size_t ended : waiting) end_at_critical(ended, p);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!used[i]) still_open.push_back(begin(p, points[i]));
+    }
+    last_ = p;
+    open_ = std::move(still_open);
+  }
+
+  static void append(EquilibriumBranch& branch, double p, const Point& point) {
+    branch.parameter.push_back(p);
+    branch.x.push_back(point.x);
+    branch.stability.push_back(point.stability);
+  }
+
+  /// The nearest critical point with a value in [low, high], if one is near.
+  [[nodiscard]] const CriticalValue* critical_near(const std::vector<double>& x, double low,
+                                                   double high) const {
+    const CriticalValue* best = nullptr;
+    double least = reach;
+    for (const CriticalValue& c : critical_) {
+      if (c.value + c.error < low || c.value - c.error > high) continue;
+      const double d = distance(x, {c.y.begin(), c.y.begin() + static_cast<std::ptrdiff_t>(x.size())});
+      if (d < least) {
+        least = d;
+        best = &c;
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] static Point point_of(const CriticalValue& c) {
+    return {{c.y.begin(), c.y.begin() + static_cast<std::ptrdiff_t>(c.y.size() / 2)}, Stability::neutral};
+  }
+
+  std::size_t begin(double p, const Point& point) {
+    EquilibriumBranch branch;
+    if (const CriticalValue* c = critical_near(point.x, last_, p); c != nullptr && c->value < p) {
+      append(branch, c->value, point_of(*c));
+    }
+    append(branch, p, point);
+    result_.push_back(std::move(branch));
+    return result_.size() - 1;
+  }
+
+  void end_at_critical(std::size_t index, double p) {
+    EquilibriumBranch& branch = result_[index];
+    const CriticalValue* c = critical_near(branch.x.back(), branch.parameter.back(), p);
+    if (c != nullptr && c->value > branch.parameter.back()) append(branch, c->value, point_of(*c));
+  }
+
+  const EquilibriaAt& equilibria_at_;
+  std::span<const CriticalValue> critical_;
+  const std::vector<bool>& turns_;
+  std::vector<EquilibriumBranch> result_;
+  std::vector<std::size_t> open_;  ///< branches that reach the last column
+  double last_{-std::numeric_limits<double>::infinity()};
+};
+
+}  // namespace
+
+std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, double from, double to,
+                                        std::span<const CriticalValue> critical,
+                                        const std::vector<bool>& turns) {
+  return Tracer(equilibria_at, critical, turns).run(from, to);
+}
+
+}  // namespace qdot

@@ -1,0 +1,22 @@
+#pragma once
+// Equilibria at many values of a parameter, joined into curves.
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/steady/bifurcations.hpp"
+
+namespace qdot {
+
+/// All equilibria at one value of the parameter.
+using EquilibriaAt = std::function<std::vector<SteadyState>(double parameter)>;
+
+/// Between two neighbours of from, the critical values and to, no equilibrium appears or vanishes, so each is
+/// the continuation of its nearest; a curve begins or ends only at a critical point, which it includes.
+/// `turns`: which of the scene's coordinates are angles modulo a turn.
+[[nodiscard]] std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, double from,
+                                                      double to, std::span<const CriticalValue> critical,
+                                                      const std::vector<bool>& turns);
+
+}  // namespace qdot

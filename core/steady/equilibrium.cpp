@@ -1,0 +1,341 @@
+#include "core/steady/equilibrium.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/compile/tape_evaluator.hpp"
+#include "core/dynamics/steady_state.hpp"
+#include "core/numerics/dense_matrix.hpp"
+
+namespace qdot {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double pi = 3.14159265358979323846;
+/// Near a multiple zero Newton's iteration only shortens the way by some fixed factor a step.
+constexpr int most_steps = 200;
+constexpr double least_damping = 1e-4;
+/// Of a coordinate's size: no step in doubles is shorter.
+constexpr double settled = 1e-15;
+/// Where the last step is that short, an iteration that no longer improves has arrived.
+constexpr double arrived = 1e-6;
+
+std::string written(const Scene& scene, const Statics& statics, std::span<const double> x) {
+  std::string text;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::array<char, 32> number{};
+    std::snprintf(number.data(), number.size(), "%.6g", x[i]);
+    text += (i == 0 ? "" : ", ") + scene.coordinates[statics.reduction.kept[i]].name + " = " + number.data();
+  }
+  return text;
+}
+
+std::vector<double> values_of(std::span<const Ball> balls) {
+  std::vector<double> values;
+  for (const Ball& ball : balls) values.push_back(ball.value());
+  return values;
+}
+
+class Search {
+ public:
+  Search(const Dynamics& dynamics, const Statics& statics, std::span<const Ball> constants,
+         std::span<const double> guess)
+      : dynamics_(dynamics),
+        statics_(statics),
+        enclosed_constants_(constants.begin(), constants.end()),
+        constants_(values_of(constants)),
+        guess_(Eigen::Map<const VectorXd>(guess.data(), static_cast<Eigen::Index>(guess.size()))),
+        forces_(statics.forces.bind(constants_)),
+        stiffness_(statics.stiffness.bind(constants_)),
+        inertia_(statics.inertia.bind(constants_)) {
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+      const Coordinate& q = dynamics.model().scene.coordinates[statics.reduction.kept[i]];
+      angle_.push_back(q.unit == "rad");
+      free_.push_back(!depends_on_any(statics.reduction.x[i]));
+      sizes_.push_back(angle_.back() || guess[i] == 0 ? 1 : std::abs(guess[i]));
+    }
+  }
+
+  Equilibrium nearest() {
+    const std::optional<VectorXd> found = newton(guess_);
+    if (!found || !within(*found, pi / 2) || !in_domain(*found)) throw none();
+    if (const auto enclosed = enclosure(*found)) return *enclosed;
+    throw none();
+  }
+
+  /// A stable one down from the guess, if one is there where the model holds.
+  std::optional<Equilibrium> stable() {
+    const std::optional<VectorXd> low = descended();
+    const std::optional<VectorXd> found = low ? newton(*low) : std::nullopt;
+    if (!found || !within(*found, pi) || !valid(*found)) return std::nullopt;
+    return enclosure(*found);
+  }
+
+ private:
+  [[nodiscard]] bool depends_on_any(const Expression& x) const {
+    return std::any_of(statics_.rest.begin(), statics_.rest.end(),
+                       [&](const Expression& g) { return depends_on(g, x); });
+  }
+
+  [[nodiscard]] std::optional<MatrixXd> values(const CompiledFunction& function, Workspace& workspace,
+                                               const VectorXd& x) const {
+    const Eigen::Index n = x.size();
+    MatrixXd out(n, static_cast<Eigen::Index>(function.outputs()) / n);
+    const std::span<const double> at(x.data(), static_cast<std::size_t>(n));
+    if (function.evaluate(0, at, workspace, {out.data(), function.outputs()}) != Evaluation::ok) return {};
+    return out.transpose();  // tapes write by rows
+  }
+  std::optional<VectorXd> forces(const VectorXd& x) {
+    const auto g = values(statics_.forces, forces_, x);
+    return g ? std::optional<VectorXd>(g->transpose()) : std::nullopt;
+  }
+  std::optional<MatrixXd> stiffness(const VectorXd& x) { return values(statics_.stiffness, stiffness_, x); }
+
+  /// The least x with K x = g, lengths and angles made comparable by the inertia.
+  std::optional<MatrixXd> inverse_stiffness(const VectorXd& x) {
+    const auto k = stiffness(x);
+    const auto m = values(statics_.inertia, inertia_, x);
+    if (!k || !m) return std::nullopt;
+    VectorXd scale(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) scale[i] = (*m)(i, i) > 0 ? 1 / std::sqrt((*m)(i, i)) : 1;
+    const MatrixXd scaled = scale.asDiagonal() * *k * scale.asDiagonal();
+    if (!scaled.allFinite()) return std::nullopt;
+    return scale.asDiagonal() * pseudo_inverse(scaled) * scale.asDiagonal();
+  }
+
+  /// A step's length in units of what each coordinate is.
+  [[nodiscard]] double length(const VectorXd& step) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < sizes_.size(); ++i) {
+      const double part = step[static_cast<Eigen::Index>(i)] / sizes_[i];
+      sum += part * part;
+    }
+    return std::sqrt(sum);
+  }
+
+  std::optional<VectorXd> newton(VectorXd x) {
+    double last = 0;
+    for (int i = 0; i < most_steps; ++i) {
+      const auto g = forces(x);
+      const auto inverse = inverse_stiffness(x);
+      if (!g || !inverse) return std::nullopt;
+      const VectorXd step = -(*inverse * *g);
+      last = length(step);
+      if (!(last > settled)) return x;
+      const auto next = damped(x, step, *inverse);
+      if (!next) break;
+      x = *next;
+    }
+    return last < arrived ? std::optional(x) : std::nullopt;
+  }
+
+  /// x + t step with the largest t = 1, 1/2, ... after which the same K asks for a shorter step.
+  std::optional<VectorXd> damped(const VectorXd& x, const VectorXd& step, const MatrixXd& inverse) {
+    for (double t = 1; t > least_damping; t /= 2) {
+      const VectorXd next = x + t * step;
+      const auto g = forces(next);
+      if (g && length(inverse * *g) <= (1 - t / 4) * length(step)) return next;
+    }
+    return std::nullopt;
+  }
+
+  /// Newton's iteration with |K|, whose steps go down the effective potential: dU = g.dx.
+  std::optional<VectorXd> descended() {
+    VectorXd x = guess_;
+    for (int i = 0; i < most_steps; ++i) {
+      const auto step = downhill(x);
+      if (!step) return std::nullopt;
+      if (length(*step) < arrived * arrived) return x;
+      double t = 1;
+      while (!(work(x, t * *step) < 0)) {
+        if ((t /= 2) < least_damping) return length(*step) < arrived ? std::optional(x) : std::nullopt;
+      }
+      x += t * *step;
+    }
+    return std::nullopt;
+  }
+
+  /// -|K|^-1 g, at most half a unit long; along M's eigenvectors, so that no unit is preferred.
+  std::optional<VectorXd> downhill(const VectorXd& x) {
+    const auto g = forces(x);
+    const auto k = stiffness(x);
+    auto m = values(statics_.inertia, inertia_, x);
+    if (!g || !k || !m || !g->allFinite() || !k->allFinite()) return std::nullopt;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      for (Eigen::Index j = 0; j < x.size(); ++j) {
+        const bool stays = free_[static_cast<std::size_t>(i)] || free_[static_cast<std::size_t>(j)];
+        if (i != j && stays) (*m)(i, j) = 0;
+      }
+    }
+    const auto axes = principal_axes((*k + k->transpose()) / 2, *m);
+    if (!axes) return std::nullopt;
+    VectorXd step = VectorXd::Zero(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const VectorXd v = axes->vectors.col(i);
+      const double force = v.dot(*g);
+      const double rate = std::abs(axes->values[i]);
+      VectorXd part = -force / std::max(rate, std::abs(force) * 1e-8) * v;
+      if (force == 0) part.setZero();
+      if (const double size = length(part); size > 0.5) part *= 0.5 / size;
+      step += part;
+    }
+    return step;
+  }
+
+  /// Simpson's rule for the integral of g along a step.
+  double work(const VectorXd& x, const VectorXd& step) {
+    const auto start = forces(x);
+    const auto middle = forces(x + step / 2);
+    const auto end = forces(x + step);
+    if (!start || !middle || !end) return std::nan("");
+    return step.dot(*start + 4 * *middle + *end) / 6;
+  }
+
+  [[nodiscard]] bool within(const VectorXd& x, double turn) const {
+    for (std::size_t i = 0; i < angle_.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      if (angle_[i] && std::abs(x[k] - guess_[k]) > turn) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool in_domain(const VectorXd& x) const {
+    for (std::size_t i = 0; i < sizes_.size(); ++i) {
+      const Coordinate& q = dynamics_.model().scene.coordinates[statics_.reduction.kept[i]];
+      if (!q.domain.contains(x[index(i)])) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool valid(const VectorXd& x) const {
+    if (!in_domain(x)) return false;
+    const Scene& scene = dynamics_.model().scene;
+    const std::span<const double> at(x.data(), static_cast<std::size_t>(x.size()));
+    if (scene.valid_while.empty()) return true;
+    const std::vector<double> y =
+        steady_state(statics_, constants_, at, std::vector<double>(2 * scene.coordinates.size()));
+    const std::span<const double> parameters(constants_.data(), scene.parameters.size());
+    const auto conditions = values_at(dynamics_, validity_columns(dynamics_.model()), parameters, 0, y);
+    return std::all_of(conditions.begin(), conditions.end(), [](double c) { return c >= 0; });
+  }
+
+  /// Newton's iteration with g in twice the digits, and Krawczyk's operator around where it ends.
+  std::optional<Equilibrium> enclosure(const VectorXd& start) {
+    TapeEvaluator<Ball> forces(statics_.forces, enclosed_constants_);
+    const auto inverse = inverse_stiffness(start);
+    if (!inverse) return std::nullopt;
+    std::vector<Ball> x(start.data(), start.data() + start.size());
+    for (int pass = 0; pass < 3; ++pass) {
+      const std::vector<Ball> step = correction(*inverse, x, forces);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] = Ball((x[i] - step[i]).middle, 0);
+    }
+    std::vector<double> left;
+    for (const Ball& step : correction(*inverse, x, forces)) left.push_back(step.magnitude());
+    const bool isolated = contract(*inverse, left, x);
+    Equilibrium result{x, isolated};
+    if (!result.isolated) return degenerate(result.x, left, forces);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      result.x[i] = x[i].contains_zero() ? Ball(DoubleDouble{}, x[i].magnitude()) : x[i];
+      if (free_[i]) result.x[i] = x[i];
+    }
+    return without_forces(result.x, forces) ? std::optional(result) : std::nullopt;
+  }
+
+  /// K^-1 g, nothing for coordinates that stay.
+  [[nodiscard]] std::vector<Ball> correction(const MatrixXd& inverse, const std::vector<Ball>& x,
+                                             TapeEvaluator<Ball>& forces) const {
+    std::vector<Ball> g(x.size()), result(x.size());
+    forces(x, g);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (std::size_t j = 0; j < x.size() && !free_[i]; ++j)
+        result[i] = result[i] + Ball(inverse(index(i), index(j))) * g[j];
+    }
+    return result;
+  }
+
+  /// Gives the points x radii r with |C g| + |I - C K(x +- r)| r <= r, which proves one zero inside; or not.
+  [[nodiscard]] bool contract(const MatrixXd& inverse, const std::vector<double>& left,
+                              std::vector<Ball>& x) const {
+    constexpr int attempts = 4;
+    const std::size_t n = x.size();
+    TapeEvaluator<Ball> stiffness(statics_.stiffness, enclosed_constants_);
+    std::vector<double> reach = left;
+    std::vector<Ball> trial = x;
+    std::vector<Ball> k(n * n);
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      for (std::size_t i = 0; i < n; ++i)
+        if (!free_[i]) trial[i].radius = 2 * reach[i] + 0x1p-100 * std::abs(x[i].middle.high) + 1e-290;
+      stiffness(trial, k);
+      bool inside = true;
+      for (std::size_t i = 0; i < n; ++i) {
+        reach[i] = left[i];
+        for (std::size_t j = 0; j < n && !free_[i]; ++j) {
+          Ball rest = i == j ? 1 : 0;
+          for (std::size_t l = 0; l < n; ++l) rest = rest - Ball(inverse(index(i), index(l))) * k[l * n + j];
+          reach[i] += rest.magnitude() * trial[j].radius;
+        }
+        inside = inside && (free_[i] || reach[i] * (1 + 1e-10) <= trial[i].radius);
+      }
+      if (!inside) continue;
+      x = trial;
+      return true;
+    }
+    return false;
+  }
+
+  /// K does not decide here. A coordinate that is nearly zero may be zero exactly.
+  std::optional<Equilibrium> degenerate(std::vector<Ball> x, const std::vector<double>& left,
+                                        TapeEvaluator<Ball>& forces) const {
+    std::vector<Ball> rounded = x;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (std::abs(x[i].middle.high) < arrived * sizes_[i]) rounded[i] = 0;
+    }
+    if (without_forces(rounded, forces)) return Equilibrium{rounded, false};
+    for (std::size_t i = 0; i < x.size(); ++i) x[i].radius = 2 * left[i];
+    return without_forces(x, forces) ? std::optional(Equilibrium{x, false}) : std::nullopt;
+  }
+
+  static bool without_forces(const std::vector<Ball>& x, TapeEvaluator<Ball>& forces) {
+    std::vector<Ball> g(x.size());
+    forces(x, g);
+    return std::all_of(g.begin(), g.end(),
+                       [](const Ball& force) { return force.is_finite() && force.contains_zero(); });
+  }
+
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+  [[nodiscard]] Error none() const {
+    const std::span<const double> at(guess_.data(), sizes_.size());
+    return {ErrorCode::not_applicable, "There is no equilibrium near " +
+                                           written(dynamics_.model().scene, statics_, at) +
+                                           ": the forces do not vanish on the way that Newton's iteration "
+                                           "takes from there. Give 'equilibrium' another guess."};
+  }
+
+  const Dynamics& dynamics_;
+  const Statics& statics_;
+  std::vector<Ball> enclosed_constants_;
+  std::vector<double> constants_;
+  VectorXd guess_;
+  Workspace forces_, stiffness_, inertia_;
+  std::vector<bool> angle_, free_;
+  std::vector<double> sizes_;
+};
+
+}  // namespace
+
+Equilibrium find_equilibrium(const Dynamics& dynamics, const Statics& statics,
+                             std::span<const Ball> constants, std::span<const double> guess,
+                             EquilibriumSearch search) {
+  Search from(dynamics, statics, constants, guess);
+  if (search == EquilibriumSearch::stable) {
+    if (const auto found = from.stable()) return *found;
+  }
+  return from.nearest();
+}
+
+}  // namespace qdot

@@ -1,0 +1,30 @@
+#pragma once
+// The modes of M u'' + D u' + K u = 0 about one place, with bounds (core/steady/modes.hpp has the
+// equations).
+
+#include <vector>
+
+#include "core/steady/equilibrium.hpp"
+#include "core/steady/modes.hpp"
+#include "core/steady/small_motions.hpp"
+
+namespace qdot {
+
+/// Equations linearized about a steady motion: those of the kept coordinates, and those of all N coordinates
+/// along it, which are the same where none is ignored.
+struct Linearization {
+  const Statics& statics;
+  const std::vector<Ball>& constants;
+  const Equilibrium& place;
+  std::size_t coordinates{};  ///< N
+  SmallMotions reduced, whole;
+};
+
+/// `function` of the constants at x, in balls.
+[[nodiscard]] std::vector<Ball> evaluated(const CompiledFunction& function,
+                                          const std::vector<Ball>& constants, const std::vector<Ball>& x);
+
+/// All modes of the kept coordinates, their shapes in all N; without those of the ignored ones.
+[[nodiscard]] std::vector<Mode> modes_of(const Linearization& linearization);
+
+}  // namespace qdot

@@ -1,0 +1,214 @@
+#include "core/steady/modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/steady/mode_search.hpp"
+
+namespace qdot {
+namespace {
+
+using Balls = std::vector<Ball>;
+
+SquareMatrix<Ball> square_matrix(const Balls& entries, std::size_t n, std::size_t first = 0) {
+  SquareMatrix<Ball> result(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) result(i, j) = entries[first + i * n + j];
+  }
+  return result;
+}
+
+std::vector<double> by_rows(const SquareMatrix<Ball>& a) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < a.size(); ++j)
+      values.push_back(a(i, j).contains_zero() ? 0.0 : a(i, j).value());
+  }
+  return values;
+}
+
+/// (A + sign A^T)/2 by rows, or nothing where that is zero.
+std::vector<double> part(const SquareMatrix<Ball>& a, int sign) {
+  SquareMatrix<Ball> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < a.size(); ++j)
+      result(i, j) = Ball(0.5) * (sign > 0 ? a(i, j) + a(j, i) : a(i, j) - a(j, i));
+  }
+  std::vector<double> values = by_rows(result);
+  if (std::all_of(values.begin(), values.end(), [](double v) { return v == 0; })) values.clear();
+  return values;
+}
+
+class Analysis {
+ public:
+  Analysis(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> initial)
+      : dynamics_(dynamics),
+        statics_(dynamics.statics(parameters)),
+        constants_(parameters.begin(), parameters.end()),
+        y_(initial.begin(), initial.end()) {
+    for (const std::size_t k : statics_->reduction.kept) y_[total() + k] = 0;  // steady motions are at rest
+    add_momenta();
+  }
+
+  Modes at(const std::optional<std::vector<double>>& given) {
+    std::vector<double> guess;
+    for (const std::size_t k : statics_->reduction.kept) guess.push_back(given ? (*given)[k] : y_[k]);
+    place_ = find_equilibrium(dynamics_, *statics_, constants_, guess,
+                              given ? EquilibriumSearch::nearest : EquilibriumSearch::stable);
+    for (std::size_t c : statics_->reduction.ignored) y_[c] = given ? (*given)[c] : y_[c];
+    const std::size_t n = statics_->reduction.degrees_of_freedom();
+    reduced_ = {matrix(statics_->inertia, n), matrix(statics_->stiffness, n), matrix(statics_->damping, n)};
+    whole_ = reduced_;
+    if (statics_->linearized) {
+      const Balls all = evaluated(*statics_->linearized, constants_, place_.x);
+      const std::size_t entries = total() * total();
+      whole_ = {square_matrix(all, total()), square_matrix(all, total(), entries),
+                square_matrix(all, total(), 2 * entries)};
+    }
+    write_state();
+    write_matrices();
+    write_modes();
+    write_stability();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t total() const { return y_.size() / 2; }
+  [[nodiscard]] const Reduction& reduction() const { return statics_->reduction; }
+  [[nodiscard]] SquareMatrix<Ball> matrix(const CompiledFunction& function, std::size_t n) const {
+    return square_matrix(evaluated(function, constants_, place_.x), n);
+  }
+
+  void add_momenta() {
+    if (reduction().ignored.empty()) return;
+    const std::vector<Column> all = momentum_columns(dynamics_.model());
+    std::vector<Column> momenta;
+    for (const std::size_t c : reduction().ignored) momenta.push_back(all[c]);
+    const Balls p = evaluated(*dynamics_.columns(momenta), constants_, Balls(y_.begin(), y_.end()));
+    constants_.insert(constants_.end(), p.begin(), p.end());
+  }
+
+  void write_state() {
+    result_.y = y_;
+    result_.y_error.assign(y_.size(), 0.0);
+    for (std::size_t i = 0; i < reduction().kept.size(); ++i) put(reduction().kept[i], place_.x[i]);
+    const Balls rates = evaluated(statics_->ignored_rates, constants_, place_.x);
+    for (std::size_t c = 0; c < rates.size(); ++c) put(total() + reduction().ignored[c], rates[c]);
+  }
+  void put(std::size_t i, const Ball& value) {
+    if (!value.is_finite()) throw Error(ErrorCode::invalid_state, "A steady rate has no finite value there.");
+    result_.y[i] = value.value();
+    const bool proven = place_.isolated || value.error() == 0;
+    result_.y_error[i] = proven ? std::optional(value.error()) : std::nullopt;
+  }
+
+  void write_matrices() {
+    result_.mass = by_rows(whole_.mass);
+    result_.stiffness = by_rows(whole_.stiffness);
+    result_.gyroscopic = part(whole_.rates, -1);
+    result_.damping = part(whole_.rates, 1);
+  }
+
+  void write_modes() {
+    for (const std::size_t c : reduction().ignored) {
+      Mode rigid;
+      rigid.kind = ModeKind::rigid;
+      rigid.omega_error = rigid.lambda = 0.0;
+      rigid.shape.assign(total(), 0.0);
+      rigid.shape[c] = 1;
+      result_.modes.push_back(std::move(rigid));
+    }
+    const std::vector<Mode> found = modes_of({*statics_, constants_, place_, total(), reduced_, whole_});
+    result_.modes.insert(result_.modes.end(), found.begin(), found.end());
+    std::stable_sort(result_.modes.begin(), result_.modes.end(), [](const Mode& a, const Mode& b) {
+      if (a.omega != b.omega) return a.omega < b.omega;
+      return a.kind != b.kind ? a.kind < b.kind : a.rate > b.rate;
+    });
+    const auto rigid = static_cast<std::size_t>(
+        std::count_if(result_.modes.begin(), result_.modes.end(),
+                      [](const Mode& mode) { return mode.kind == ModeKind::rigid; }));
+    for (Mode& mode : result_.modes) {
+      if (mode.kind == ModeKind::rigid) mode.multiplicity = rigid;
+    }
+  }
+
+  void write_stability() {
+    const auto has = [&](ModeKind kind) {
+      return std::any_of(result_.modes.begin(), result_.modes.end(),
+                         [&](const Mode& mode) { return mode.kind == kind; });
+    };
+    result_.stability = Stability::neutral;
+    if (has(ModeKind::growth)) {
+      result_.stability = Stability::unstable;
+    } else if (has(ModeKind::neutral)) {
+      result_.undecided =
+          "Along the neutral mode the stiffness is zero to within the rounding of the parameters: higher "
+          "terms of the potential decide.";
+    } else if (!has(ModeKind::oscillation) && !has(ModeKind::decay)) {
+      result_.undecided = "Every place is an equilibrium: nothing drives the system back or away.";
+    } else if (!has(ModeKind::decay) && gyroscopically_held()) {
+      result_.undecided =
+          "The potential has no minimum here; gyroscopic terms hold the system to first order, and "
+          "linearization does not decide.";
+    } else {
+      result_.stability = Stability::stable;
+    }
+  }
+
+  /// Undamped with a direction in which the potential falls.
+  [[nodiscard]] bool gyroscopically_held() const {
+    if (reduced_.depends_on_squares() || !reduced_.undamped()) return false;
+    const SmallMotions at_rest{reduced_.mass, reduced_.stiffness, SquareMatrix<Ball>(reduced_.size())};
+    const Eigensystem<Ball> found = squares(at_rest);
+    for (std::size_t i = 0; i < found.values.size(); ++i) {
+      if (found.values[i].middle.high < -found.radii[i]) return true;
+    }
+    return false;
+  }
+
+  const Dynamics& dynamics_;
+  std::shared_ptr<const Statics> statics_;
+  Balls constants_;
+  std::vector<double> y_;
+  Equilibrium place_;
+  SmallMotions reduced_{SquareMatrix<Ball>(0), SquareMatrix<Ball>(0), SquareMatrix<Ball>(0)};
+  SmallMotions whole_ = reduced_;
+  Modes result_;
+};
+
+}  // namespace
+
+const char* name(ModeKind kind) {
+  switch (kind) {
+    case ModeKind::rigid:
+      return "rigid";
+    case ModeKind::neutral:
+      return "neutral";
+    case ModeKind::growth:
+      return "growth";
+    case ModeKind::decay:
+      return "decay";
+    case ModeKind::oscillation:
+      break;
+  }
+  return "oscillation";
+}
+
+const char* name(Stability stability) {
+  switch (stability) {
+    case Stability::stable:
+      return "stable";
+    case Stability::unstable:
+      return "unstable";
+    case Stability::neutral:
+      break;
+  }
+  return "neutral";
+}
+
+Modes normal_modes(const Dynamics& dynamics, std::span<const double> parameters,
+                   std::span<const double> initial, const std::optional<std::vector<double>>& guess) {
+  return Analysis(dynamics, parameters, initial).at(guess);
+}
+
+}  // namespace qdot

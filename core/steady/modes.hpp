@@ -1,0 +1,69 @@
+#pragma once
+// Small motions u about an equilibrium or steady motion:
+//
+//   M u'' + (G + C) u' + K u = 0,   u(t) = Re(shape e^(s t)),   s = rate + i omega
+//
+// M mass, K stiffness, G (skew) gyroscopic and C (symmetric) damping matrix, all derivatives of the scene's
+// equations. Without G and C, s^2 = -lambda with K v = lambda M v (Goldstein, Classical Mechanics, 3rd ed.,
+// 6.2); otherwise s solves the quadratic problem in its state form (Meirovitch, Fundamentals of Vibrations,
+// 2001, 7.12). Ignorable coordinates are taken out first (core/mechanics/reduction.hpp): each is one rigid
+// mode, and takes part in the others with its momentum unchanged. Matrices are evaluated in ball arithmetic
+// at an enclosed equilibrium, and the eigenvalues are enclosed (core/numerics/eigensystem.hpp), so that every
+// error is a bound.
+
+#include <complex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/steady/equilibrium.hpp"
+
+namespace qdot {
+
+enum class ModeKind {
+  rigid,        ///< nothing drives u back anywhere along the shape: omega = 0
+  neutral,      ///< omega = 0 to within the rounding of the parameters: linearization does not decide
+  growth,       ///< as e^(rate t); in an undamped system its mirror image e^(-rate t) goes with it
+  decay,        ///< as e^(-rate t)
+  oscillation,  ///< cos(omega t), undamped
+};
+[[nodiscard]] const char* name(ModeKind kind);
+
+struct Mode {
+  ModeKind kind{};
+  double omega{};                     ///< [rad/s]; 0 where nothing oscillates
+  double rate{};                      ///< of growth or decay [1/s], positive
+  std::optional<double> lambda;       ///< -s^2 where that is real: omega^2, or -rate^2 [1/s^2]
+  std::optional<double> omega_error;  ///< bound; none where it could not be proven
+  std::optional<double> rate_error;
+  /// In the coordinates' own units, all of the scene's coordinates in order; its first component that is not
+  /// zero is 1. What is zero to within its error is exactly zero.
+  std::vector<std::complex<double>> shape;
+  /// So many modes have this omega to within the rounding of the parameters: any combination of their shapes
+  /// is a shape.
+  std::size_t multiplicity{1};
+};
+
+enum class Stability { stable, unstable, neutral };
+[[nodiscard]] const char* name(Stability stability);
+
+/// Matrices are N x N by rows in the scene's coordinates and units.
+struct Modes {
+  std::vector<double> y;                       ///< (q, q') of the equilibrium or steady motion
+  std::vector<std::optional<double>> y_error;  ///< none where the place is not isolated
+  Stability stability{};
+  std::string undecided;  ///< why it is neutral, a sentence
+  std::vector<double> mass, stiffness;
+  std::vector<double> gyroscopic, damping;  ///< empty where zero
+  std::vector<Mode> modes;                  ///< by omega; at 0 in the order of ModeKind
+};
+
+/// `initial` (q, q') gives ignorable coordinates their momenta and all coordinates a guess; `guess` (q),
+/// where given, is the equilibrium meant or near it. Without, the stable one nearest to `initial`.
+/// Throws Error(not_applicable) where the time enters the equations or no equilibrium is near.
+[[nodiscard]] Modes normal_modes(const Dynamics& dynamics, std::span<const double> parameters,
+                                 std::span<const double> initial,
+                                 const std::optional<std::vector<double>>& guess = std::nullopt);
+
+}  // namespace qdot

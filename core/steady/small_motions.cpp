@@ -1,0 +1,202 @@
+#include "core/steady/small_motions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+
+#include "core/base/error.hpp"
+
+namespace qdot {
+namespace {
+
+using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using Vectors = std::vector<std::vector<ComplexBall>>;
+
+Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+Matrix extended(const SquareMatrix<Ball>& a) {
+  Matrix m(index(a.size()), index(a.size()));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < a.size(); ++j) m(index(i), index(j)) = a(i, j).middle.extended();
+  }
+  return m;
+}
+
+bool is_symmetric(const SquareMatrix<Ball>& a, int sign) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (!(sign > 0 ? a(i, j) - a(j, i) : a(i, j) + a(j, i)).contains_zero()) return false;
+    }
+  }
+  return true;
+}
+
+SquareMatrix<Ball> real_vectors(const Matrix& columns) {
+  SquareMatrix<Ball> result(static_cast<std::size_t>(columns.cols()));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t j = 0; j < result.size(); ++j)
+      result(i, j) = {DoubleDouble::of(columns(index(i), index(j))), 0};
+  }
+  return result;
+}
+
+/// M^-1 K.
+Matrix quotient(const Matrix& k, const Matrix& m) {
+  const Eigen::FullPivLU<Matrix> lu(m);
+  if (!lu.isInvertible()) {
+    throw Error(
+        ErrorCode::not_applicable,
+        "The mass matrix has no inverse at the equilibrium: not every coordinate moves a mass there.");
+  }
+  return lu.solve(k);
+}
+
+Eigensystem<Ball> none() { return {{}, {}, SquareMatrix<Ball>(0), {}, {}}; }
+
+ComplexBall conjugate_root(const ComplexBall& a) { return {a.re, -a.im}; }
+
+/// One coordinate: s = (-D +- sqrt(D^2 - 4 M K))/(2 M), also where both are one.
+Eigensystem<ComplexBall> quadratic_roots(const Ball& m, const Ball& d, const Ball& k) {
+  const Ball discriminant = square(d) - Ball(4) * m * k;
+  Eigensystem<ComplexBall> result{{}, {}, SquareMatrix<ComplexBall>(2), std::vector<double>(4, 0.0), {0, 1}};
+  std::vector<ComplexBall> roots(2, -d / (Ball(2) * m));
+  if (discriminant.contains_zero()) {
+    roots[0].re.radius += std::sqrt(discriminant.magnitude()) / std::abs(m.middle.high);
+    roots[1] = roots[0];
+    result.group = {0, 0};
+  } else if (discriminant.middle.high < 0) {
+    roots[0].im = sqrt(-discriminant) / (Ball(2) * m);
+    roots[1] = conjugate_root(roots[0]);
+  } else {  // the larger root first, the other without cancellation
+    const Ball root = sqrt(discriminant);
+    const Ball sum = d.middle.high > 0 ? -d - root : root - d;
+    roots[0] = sum / (Ball(2) * m);
+    roots[1] = Ball(2) * k / sum;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    result.values.push_back(middle_of(roots[i]));
+    result.radii.push_back(std::hypot(roots[i].re.radius, roots[i].im.radius) * (1 + 0x1p-50));
+    result.vectors(0, i) = Ball(1);
+    result.vectors(1, i) = result.values[i];
+  }
+  return result;
+}
+
+bool contains_zero(const ComplexBall& a) { return a.re.contains_zero() && a.im.contains_zero(); }
+
+void subtract(std::vector<ComplexBall>& a, const ComplexBall& factor, const std::vector<ComplexBall>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] - factor * b[i];
+}
+
+}  // namespace
+
+bool SmallMotions::depends_on_squares() const { return is_symmetric(rates, 1) && is_symmetric(rates, -1); }
+
+bool SmallMotions::undamped() const {
+  return is_symmetric(mass, 1) && is_symmetric(stiffness, 1) && is_symmetric(rates, -1);
+}
+
+Eigensystem<Ball> squares(const SmallMotions& motions) {
+  const Matrix k = extended(motions.stiffness);
+  const Matrix m = extended(motions.mass);
+  Matrix columns;
+  if (is_symmetric(motions.mass, 1) && is_symmetric(motions.stiffness, 1) && m.diagonal().minCoeff() > 0) {
+    const Matrix scale = m.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
+    const Matrix scaled_mass = scale * m * scale;
+    const Matrix scaled_stiffness = scale * k * scale;
+    if (Eigen::LLT<Matrix>(scaled_mass).info() == Eigen::Success)
+      columns =
+          scale *
+          Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(scaled_stiffness, scaled_mass).eigenvectors();
+  }
+  if (columns.size() == 0) {
+    const Eigen::EigenSolver<Matrix> solver(quotient(k, m));
+    if ((solver.eigenvalues().imag().array() != 0).any()) return none();
+    columns = solver.eigenvectors().real();
+  }
+  return enclose_eigensystem(motions.stiffness, motions.mass, real_vectors(columns));
+}
+
+Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
+  const std::size_t n = motions.size();
+  const Matrix m = extended(motions.mass);
+  Matrix state = Matrix::Zero(index(2 * n), index(2 * n));
+  state.topRightCorner(index(n), index(n)).setIdentity();
+  state.bottomLeftCorner(index(n), index(n)) = -quotient(extended(motions.stiffness), m);
+  state.bottomRightCorner(index(n), index(n)) = -quotient(extended(motions.rates), m);
+  if (n == 1) return quadratic_roots(motions.mass(0, 0), motions.rates(0, 0), motions.stiffness(0, 0));
+  SquareMatrix<ComplexBall> a(2 * n), b(2 * n), vectors(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    a(i, n + i) = b(i, i) = Ball(1);
+    for (std::size_t j = 0; j < n; ++j) {
+      a(n + i, j) = -motions.stiffness(i, j);
+      a(n + i, n + j) = -motions.rates(i, j);
+      b(n + i, n + j) = motions.mass(i, j);
+    }
+  }
+  const Eigen::EigenSolver<Matrix> solver(state);
+  const auto columns = solver.eigenvectors();
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    for (std::size_t j = 0; j < 2 * n; ++j) {
+      const std::complex<long double> entry = columns(index(i), index(j));
+      vectors(i, j) = {{DoubleDouble::of(entry.real()), 0}, {DoubleDouble::of(entry.imag()), 0}};
+    }
+  }
+  return enclose_eigensystem(a, b, vectors);
+}
+
+Vectors echelon_form(Vectors vectors) {
+  const std::size_t rows = vectors.empty() ? 0 : vectors[0].size();
+  std::size_t done = 0;
+  for (std::size_t row = 0; row < rows && done < vectors.size(); ++row) {
+    const auto pivot =
+        std::max_element(vectors.begin() + static_cast<std::ptrdiff_t>(done), vectors.end(),
+                         [&](const auto& a, const auto& b) { return magnitude(a[row]) < magnitude(b[row]); });
+    if (contains_zero((*pivot)[row])) continue;
+    std::swap(*pivot, vectors[done]);
+    const ComplexBall first = vectors[done][row];
+    for (ComplexBall& entry : vectors[done]) entry = entry / first;
+    vectors[done][row] = Ball(1);
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+      if (i == done) continue;
+      const ComplexBall factor = vectors[i][row];
+      subtract(vectors[i], factor, vectors[done]);
+      vectors[i][row] = Ball(0);
+    }
+    ++done;
+  }
+  for (auto& vector : vectors) {
+    for (ComplexBall& entry : vector) {
+      if (entry.re.contains_zero()) entry.re = 0;
+      if (entry.im.contains_zero()) entry.im = 0;
+    }
+  }
+  return vectors;
+}
+
+Vectors kernel(const SquareMatrix<Ball>& k) {
+  const std::size_t n = k.size();
+  Vectors rows(n, std::vector<ComplexBall>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) rows[i][j] = k(i, j);
+  }
+  rows = echelon_form(rows);
+  std::vector<std::size_t> pivots;
+  for (const auto& row : rows) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (contains_zero(row[j])) continue;
+      pivots.push_back(j);
+      break;
+    }
+  }
+  Vectors basis;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (std::find(pivots.begin(), pivots.end(), j) != pivots.end()) continue;
+    basis.emplace_back(n);
+    basis.back()[j] = Ball(1);
+    for (std::size_t i = 0; i < pivots.size(); ++i) basis.back()[pivots[i]] = ComplexBall() - rows[i][j];
+  }
+  return echelon_form(basis);
+}
+
+}  // namespace qdot

@@ -1,0 +1,57 @@
+#pragma once
+// The forces g(x) of a scene at rest, made ready for a search of all their zeros: with what is known of g
+// beforehand, and with their numerators, which tell near a pole of g that no zero is there.
+
+#include <span>
+#include <vector>
+
+#include "core/dynamics/dynamics.hpp"
+#include "core/numerics/interval.hpp"
+
+namespace qdot {
+
+/// e times its denominators, of those that contain one of the variables; e itself where there are none.
+[[nodiscard]] Expression numerator_of(const Expression& e, std::span<const Expression> variables);
+
+/// The velocities of the ignored coordinates at rest, in `graph`, a copy of the reduction's.
+[[nodiscard]] std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph);
+
+/// Whether e is the same after x has grown by 2 pi: x stands only in sines, cosines and tangents of whole
+/// multiples of x. Says no where it cannot see that.
+[[nodiscard]] bool has_full_turn(const Expression& e, const Expression& x);
+
+/// What Statics has, once more with what is known to vanish left out: a steady motion without momentum has no
+/// centrifugal wall. Functions of Statics' constants and x.
+struct SteadyForces {
+  std::vector<std::size_t> unknowns;   ///< places in x of the coordinates that some force depends on
+  std::vector<std::size_t> free;       ///< the other places: any value does
+  std::vector<std::size_t> equations;  ///< places in g of the forces that do not vanish identically
+  std::vector<bool> turns;             ///< for each x: an angle whose full turn changes no force
+  std::vector<Expression> rest;        ///< g, in `graph`
+  std::shared_ptr<Graph> graph;        ///< for derivations, by one thread at a time
+  CompiledFunction forces;             ///< g
+  CompiledFunction stiffness;          ///< K_ij = dg_i/dx_j by rows
+  CompiledFunction ignored_rates;      ///< q_c'
+  CompiledFunction numerators;         ///< of g
+  bool has_poles{};                    ///< some g_i is not its numerator
+  bool has_potential{};                ///< g = dU/dx: no force depends on a velocity, K symmetric
+};
+
+/// `absent`: symbols of momenta that are zero.
+[[nodiscard]] SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
+                                                std::span<const Expression> absent);
+
+/// A scene at rest with its numbers.
+struct SteadyProblem {
+  std::shared_ptr<const Statics> statics;
+  std::shared_ptr<const SteadyForces> forces;
+  std::vector<double> parameters;
+  std::vector<Interval> constants;  ///< the parameters, then the momenta of the ignored coordinates
+};
+
+/// With the momenta of the ignored coordinates in the state y = (q, q'). Throws Error(not_applicable) where
+/// the time enters, Error(invalid_state) where a momentum has no finite value.
+[[nodiscard]] SteadyProblem steady_problem(const Dynamics& dynamics, std::span<const double> parameters,
+                                           std::span<const double> y);
+
+}  // namespace qdot

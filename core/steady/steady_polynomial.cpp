@@ -1,0 +1,145 @@
+#include "core/steady/steady_polynomial.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/compile/tape_builder.hpp"
+#include "core/expr/linear.hpp"
+#include "core/expr/simplify.hpp"
+#include "core/steady/steady_forces.hpp"
+
+namespace qdot {
+namespace {
+
+class Derivation {
+ public:
+  Derivation(const Model& model, const Statics& statics, const std::string& unknown)
+      : model_(model), statics_(statics), reduction_(statics.reduction), graph_(*reduction_.graph) {
+    for (const Expression& x : reduction_.x) x_.push_back(graph_.adopt(x));
+    const std::size_t parameters = reduction_.constants.size() - reduction_.ignored.size();
+    for (std::size_t i = 0; i < parameters; ++i) constants_.push_back(graph_.adopt(reduction_.constants[i]));
+    for (const std::size_t c : reduction_.ignored) {
+      constants_.push_back(graph_.symbol(model.scene.coordinates[c].name + "_dot"));
+    }
+    u_ = graph_.symbol(unknown);
+    zero_ = {u_, graph_.number(0)};
+    express_momenta(parameters);
+  }
+
+  SteadyPolynomial run() {
+    const auto place = std::find(constants_.begin(), constants_.end(), u_);
+    result_.place = static_cast<std::size_t>(place - constants_.begin());
+    for (std::size_t i = 0; i < statics_.rest.size(); ++i) {
+      const Expression g = simplify(substitute(graph_.adopt(statics_.rest[i]), momenta_));
+      if (!g.is_zero()) add_force(i, g);
+    }
+    describe_coordinates();
+    compile();
+    return std::move(result_);
+  }
+
+ private:
+  /// p from q' = b + B p, the rates of the ignored coordinates at rest.
+  void express_momenta(std::size_t parameters) {
+    const std::size_t n = reduction_.ignored.size();
+    if (n == 0) return;
+    if (n > largest_written_system) {
+      throw Error(ErrorCode::not_applicable, "This scene has too many ignorable coordinates to solve for.");
+    }
+    std::vector<Replacement> none;
+    std::vector<Expression> p;
+    for (std::size_t k = 0; k < n; ++k) {
+      p.push_back(graph_.adopt(reduction_.constants[parameters + k]));
+      none.emplace_back(p.back(), graph_.number(0));
+    }
+    Matrix matrix;
+    std::vector<Expression> right;
+    const std::vector<Expression> rates = rates_at_rest(reduction_, graph_);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Expression& rate = rates[k];
+      matrix.emplace_back();
+      for (const Expression& symbol : p) matrix.back().push_back(simplify(differentiate(rate, symbol)));
+      right.push_back(constants_[parameters + k] - substitute(rate, none));
+    }
+    const std::vector<Expression> solved = cramer(matrix, right);
+    for (std::size_t k = 0; k < n; ++k) momenta_.emplace_back(p[k], solved[k]);
+  }
+
+  void add_force(std::size_t equation, const Expression& g) {
+    const Expression e = numerator_of(g, {&u_, 1});
+    const Expression first = simplify(differentiate(e, u_));
+    const Expression second = simplify(differentiate(first, u_));
+    SteadyPolynomial::Force force{equation, !first.is_zero(), std::nullopt, false};
+    std::vector<Expression> c(3, graph_.number(0));
+    if (simplify(differentiate(second, u_)).is_zero()) {
+      c[0] = simplify(substitute(e, {&zero_, 1}));
+      c[1] = simplify(substitute(first, {&zero_, 1}));
+      c[2] = Number::ratio(1, 2) * second;
+      force.degree = !second.is_zero() ? 2 : force.depends ? 1 : 0;
+      force.linear_vanishes = c[1].is_zero();
+    }
+    result_.forces.push_back(force);
+    coefficients_.insert(coefficients_.end(), c.begin(), c.end());
+    values_.push_back(e);
+    derivatives_.push_back(first);
+  }
+
+  void describe_coordinates() {
+    for (std::size_t j = 0; j < x_.size(); ++j) {
+      const bool angle = model_.scene.coordinates[reduction_.kept[j]].unit == "rad";
+      result_.turns.push_back(angle && all([&](const Expression& e) { return has_full_turn(e, x_[j]); }));
+      if (!all([&](const Expression& e) { return !depends_on(e, x_[j]); })) result_.needed.push_back(j);
+    }
+    result_.u_turns = all([&](const Expression& e) { return has_full_turn(e, u_); });
+  }
+
+  template <class Holds>
+  [[nodiscard]] bool all(const Holds& holds) const {
+    return std::all_of(values_.begin(), values_.end(), holds);
+  }
+
+  [[nodiscard]] CompiledFunction compiled(const std::vector<Expression>& expressions,
+                                          std::vector<Expression> variables) {
+    std::vector<Expression> constants = constants_;
+    if (variables.size() > x_.size()) constants[result_.place] = graph_.symbol("unused constant");
+    TapeBuilder tape(graph_, constants, graph_.symbol("t"), variables);
+    for (const Expression& e : expressions) tape.output(e);
+    return tape.finish();
+  }
+
+  void compile() {
+    std::vector<Expression> x_and_u = x_;
+    x_and_u.push_back(u_);
+    result_.coefficients = compiled(coefficients_, x_);
+    std::vector<Expression> slopes;
+    if (x_.size() == 1) {
+      for (const Expression& c : coefficients_) slopes.push_back(simplify(differentiate(c, x_[0])));
+    }
+    result_.slopes = compiled(slopes, x_);
+    result_.values = compiled(values_, x_and_u);
+    result_.derivatives = compiled(derivatives_, x_and_u);
+    std::vector<Expression> momenta;
+    for (const auto& [symbol, value] : momenta_) momenta.push_back(value);
+    result_.momenta = compiled(momenta, x_);
+  }
+
+  const Model& model_;
+  const Statics& statics_;
+  const Reduction& reduction_;
+  Graph graph_;
+  std::vector<Expression> x_, constants_;
+  Expression u_;
+  Replacement zero_;
+  std::vector<Replacement> momenta_;
+  std::vector<Expression> coefficients_, values_, derivatives_;
+  SteadyPolynomial result_;
+};
+
+}  // namespace
+
+SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics,
+                                          const std::string& unknown) {
+  return Derivation(model, statics, unknown).run();
+}
+
+}  // namespace qdot

@@ -1,0 +1,37 @@
+#pragma once
+// The forces at rest as functions of one unknown number u, a parameter or the velocity of an ignorable
+// coordinate, all ignorable coordinates moving with given velocities instead of momenta.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/dynamics/dynamics.hpp"
+
+namespace qdot {
+
+/// Functions of the parameters and the velocities of the ignored coordinates (in that order) and of x.
+struct SteadyPolynomial {
+  struct Force {
+    std::size_t equation{};     ///< place in g
+    bool depends{};             ///< on u
+    std::optional<int> degree;  ///< in u: 0, 1 or 2; none where it is no such polynomial
+    bool linear_vanishes{};     ///< the coefficient of u vanishes identically
+  };
+  std::size_t place{};              ///< of u among the constants
+  std::vector<Force> forces;        ///< those that do not vanish identically
+  CompiledFunction coefficients;    ///< of 1, u, u^2 for each force
+  CompiledFunction slopes;          ///< of these along x; only for one coordinate
+  CompiledFunction values;          ///< each force at x and u (variables x, u)
+  CompiledFunction derivatives;     ///< along u
+  CompiledFunction momenta;         ///< of the ignored coordinates
+  std::vector<bool> turns;          ///< for each x: see SteadyForces
+  std::vector<std::size_t> needed;  ///< places in x that some force depends on
+  bool u_turns{};                   ///< a full turn of u changes no force
+};
+
+[[nodiscard]] SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics,
+                                                        const std::string& unknown);
+
+}  // namespace qdot

@@ -1,0 +1,187 @@
+#include "core/turning/turning_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace qdot {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_pieces = 5000;
+constexpr int most_narrowings = 2200;  ///< a bisection through all exponents
+constexpr double farthest = 1e150;
+
+/// Four units in the last place: no piece is shorter.
+double least_width(double x) { return 4 * (std::nextafter(std::abs(x), infinity) - std::abs(x)); }
+
+bool excludes_zero(const Interval& x) { return x.lower > 0 || x.upper < 0; }
+
+}  // namespace
+
+TurningSearch::TurningSearch(EnergyBalance& energy, const Range& range, Direction direction)
+    : energy_(energy),
+      range_(range),
+      sign_(static_cast<double>(direction)),
+      p_(energy.x0()),
+      remaining_(energy.kinetic_energy()) {}
+
+double TurningSearch::limit() const {
+  if (range_.period) return energy_.x0() + sign_ * *range_.period;
+  return sign_ > 0 ? range_.domain.upper : range_.domain.lower;
+}
+
+/// Beyond the turning point of the harmonic motion with the same g and K at x0; only a guess.
+double TurningSearch::first_width() {
+  constexpr double usual = std::numbers::pi / 4;
+  const double k = energy_.stiffness(energy_.x0()).middle();
+  const double g = sign_ * energy_.potential_rate(energy_.x0()).middle();
+  const double t = energy_.kinetic_energy().middle();
+  if (!(k > 0)) return usual;
+  const double amplitude = (std::sqrt(g * g + 2 * t * k) - g) / k;
+  return amplitude > 0 && amplitude < usual ? 1.5 * amplitude : usual;
+}
+
+TurningSearch::Piece TurningSearch::piece(double width) {
+  const double end = p_ + sign_ * width;
+  Piece piece;
+  piece.q = sign_ > 0 ? std::min(end, limit()) : std::max(end, limit());
+  piece.x = hull(p_, piece.q);
+  piece.remaining = energy_.remaining(piece.x);
+  piece.slope = energy_.potential_rate(piece.x);
+  piece.stiffness = energy_.stiffness(piece.x);
+  if (excludes_zero(piece.stiffness)) {  // g rises or falls: its ends bound it
+    piece.slope =
+        intersection(piece.slope, hull(energy_.potential_rate(p_), energy_.potential_rate(piece.q)));
+  }
+  return piece;
+}
+
+bool TurningSearch::rises(const Interval& slope) const {
+  return sign_ > 0 ? slope.upper <= 0 : slope.lower >= 0;
+}
+bool TurningSearch::falls(const Interval& slope) const {
+  return sign_ > 0 ? slope.lower > 0 : slope.upper < 0;
+}
+
+bool TurningSearch::is_positive(const Piece& piece) {
+  if (piece.remaining.lower > 0) return true;
+  if (energy_.starts_at_rest() && p_ == energy_.x0()) {  // F = -(x - x0) U[x0, x]
+    const Interval slope = energy_.potential_slope(p_, piece.x);
+    return sign_ > 0 ? slope.upper < 0 : slope.lower > 0;
+  }
+  return (remaining_ - (piece.x - Interval(p_)) * piece.slope).lower > 0;
+}
+
+MotionBound TurningSearch::run() {
+  double width = first_width();
+  for (int i = 0; i < most_pieces; ++i) {
+    const Piece next = piece(width);
+    const Verdict verdict = look(next);
+    if (verdict == Verdict::bound) return bound_;
+    if (verdict == Verdict::undecided) {
+      width = std::abs(next.q - p_) / 2;
+      if (width < least_width(p_)) break;
+      continue;
+    }
+    p_ = next.q;
+    remaining_ = energy_.remaining(p_);
+    if (p_ == limit()) {
+      return {range_.period ? MotionBound::Kind::full_turn : MotionBound::Kind::domain_end, p_};
+    }
+    if (!std::isfinite(limit()) && is_free_from_here()) return {MotionBound::Kind::unbounded, p_};
+    if (std::abs(p_) > farthest) break;
+    width *= 2;
+  }
+  return {MotionBound::Kind::unresolved, p_};
+}
+
+TurningSearch::Verdict TurningSearch::look(Piece piece) {
+  if (is_positive(piece)) return Verdict::nothing;
+  if (piece.stiffness.upper < 0 && !rises(piece.slope) && !falls(piece.slope)) return look_at_crest(piece);
+  if (rises(piece.slope)) return Verdict::nothing;
+  if (falls(piece.slope) || piece.stiffness.lower > 0) return look_at_end(piece);
+  return Verdict::undecided;
+}
+
+TurningSearch::Verdict TurningSearch::look_at_end(const Piece& piece) {
+  const Interval end = energy_.remaining(piece.q);
+  if (end.lower > 0) return Verdict::nothing;
+  if (!(end.upper < 0)) return Verdict::undecided;
+  bound_ = {MotionBound::Kind::turning, narrowed(p_, piece.q)};
+  return Verdict::bound;
+}
+
+TurningSearch::Verdict TurningSearch::look_at_crest(const Piece& piece) {
+  const Interval c = critical_point(piece.x);
+  if (is_empty(c)) {  // F has no least value here after all: it falls or rises all along
+    return rises(energy_.potential_rate(piece.x.middle())) ? Verdict::nothing : look_at_end(piece);
+  }
+  const Interval remaining = energy_.remaining(c);
+  if (remaining.lower > 0) return Verdict::nothing;
+  const double centre = c.middle();
+  if (remaining.upper < 0) {
+    bound_ = {MotionBound::Kind::turning, narrowed(p_, centre)};
+  } else {
+    bound_ = {MotionBound::Kind::asymptote, touching_range(centre, piece.stiffness, remaining)};
+  }
+  return Verdict::bound;
+}
+
+bool TurningSearch::is_free_from_here() {
+  const Interval rest = sign_ > 0 ? Interval(p_, infinity) : Interval(-infinity, p_);
+  return energy_.remaining(rest).lower > 0 || rises(energy_.potential_rate(rest));
+}
+
+/// The one zero of F between two places, F(from) >= 0 > F(to): interval Newton where g has a sign, else
+/// halves.
+Interval TurningSearch::narrowed(double from, double to) {
+  for (int i = 0; i < most_narrowings; ++i) {
+    const Interval x = hull(from, to);
+    const double m = x.middle();
+    const Interval value = energy_.remaining(m);
+    const Interval slope = energy_.potential_rate(x);
+    if (excludes_zero(slope)) {
+      const Interval next = intersection(Interval(m) + value / slope, x);  // F' = -g
+      if (is_empty(next)) return x;
+      if (next.width() < 0.9 * x.width()) {
+        from = sign_ > 0 ? next.lower : next.upper;
+        to = sign_ > 0 ? next.upper : next.lower;
+        continue;
+      }
+    }
+    if (m == from || m == to) return x;
+    if (value.lower > 0) {
+      from = m;
+    } else if (value.upper < 0) {
+      to = m;
+    } else {
+      return x;
+    }
+  }
+  return hull(from, to);
+}
+
+/// The zero of g in x, where K has a sign; empty if there is none.
+Interval TurningSearch::critical_point(Interval x) {
+  while (true) {
+    const double m = x.middle();
+    const Interval step = energy_.potential_rate(m) / energy_.stiffness(x);
+    const Interval next = intersection(Interval(m) - step, x);
+    if (is_empty(next) || !(next.width() < 0.9 * x.width())) return next;
+    x = next;
+  }
+}
+
+/// Where 1/2 |K| (x - c)^2 + F(c) may vanish: all of what rounding leaves open.
+Interval TurningSearch::touching_range(double centre, const Interval& stiffness, const Interval& remaining) {
+  const auto range = [&](const Interval& k) {
+    const double radius = std::sqrt(std::max(0.0, -2 * remaining.lower / -k.upper));
+    return Interval(std::nextafter(centre - radius, -infinity), std::nextafter(centre + radius, infinity));
+  };
+  const Interval first = range(stiffness);
+  const Interval near = energy_.stiffness(first);
+  return near.upper < 0 ? range(near) : first;
+}
+
+}  // namespace qdot

@@ -1,0 +1,64 @@
+// What a question may cost: the bound, the question whether anyone waits, and the algebra that asks both.
+
+#include "core/base/work.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.hpp"
+#include "core/expr/parse.hpp"
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+TEST(Work, IsUnboundedWithoutAScope) { EXPECT_NO_THROW(spend_work(1'000'000'000)); }
+
+TEST(Work, EndsAtItsBound) {
+  const WorkScope scope(10);
+  spend_work(10);
+  try {
+    spend_work();
+    FAIL() << "the bound was passed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::too_large);
+  }
+}
+
+TEST(Work, IsCountedByTheInnermostScope) {
+  const WorkScope outer(10);
+  {
+    const WorkScope inner(1'000);
+    EXPECT_NO_THROW(spend_work(1'000));
+  }
+  EXPECT_NO_THROW(spend_work(10));
+  EXPECT_THROW(spend_work(), Error);
+}
+
+TEST(Work, IsGivenUpWhenNobodyWaits) {
+  bool awaited = true;
+  const WorkScope scope(1'000'000, [&awaited] { return !awaited; });
+  EXPECT_NO_THROW(spend_work(100'000));
+  awaited = false;
+  EXPECT_THROW(spend_work(100'000), Interrupted);
+  EXPECT_THROW(check_interruption(), Interrupted);
+}
+
+TEST(Work, OfAlgebraIsCounted) {
+  Graph graph;
+  const Expression product =
+      parse("(a + b + c + d)^3*(a - b + c - d)^3", graph, std::vector<std::string>{"a", "b", "c", "d"});
+  const auto is_enough = [&](std::uint64_t units) {
+    const WorkScope scope(units);
+    try {
+      (void)expand(product);
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  EXPECT_FALSE(is_enough(400));
+  EXPECT_TRUE(is_enough(40'000));
+}
+
+}  // namespace
+}  // namespace qdot

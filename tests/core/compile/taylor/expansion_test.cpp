@@ -1,0 +1,98 @@
+// Coefficients by recurrence are the derivatives of the motion.
+
+#include "core/compile/taylor/expansion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/compile/tape_builder.hpp"
+#include "core/expr/parse.hpp"
+#include "tests/support/motions.hpp"
+#include "tests/support/states.hpp"
+#include "tests/support/system_test.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr unsigned order = TaylorExpansion::highest_order;
+
+double value_at(std::span<const double> coefficients, std::size_t i, double s) {
+  double sum = 0;
+  for (unsigned k = order + 1; k-- > 0;) sum = sum * s + coefficients[i * (order + 1) + k];
+  return sum;
+}
+
+/// q'' = a(t, q, q') for a formula in t, q and q_dot.
+CompiledFunction one_acceleration(const std::string& formula) {
+  Graph graph;
+  const Expression t = graph.symbol("t");
+  const std::vector<Expression> variables{graph.symbol("q"), graph.symbol("q_dot")};
+  const std::vector<std::string> names{"t", "q", "q_dot"};
+  TapeBuilder builder(graph, {}, t, variables);
+  builder.output(parse(formula, graph, names));
+  return builder.finish();
+}
+
+/// The k-th derivative of the series obeys the equation: y'' at s, from the polynomial, is a(t + s, y(s)).
+class Recurrence : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Formulas, Recurrence,
+                         testing::Values("-sin(q)", "cos(q)*q_dot", "tan(q/2)", "asin(q/3)", "acos(q/3)",
+                                         "atan(q)", "sinh(q)", "cosh(q/2)", "tanh(q)", "exp(-q^2)",
+                                         "log(2 + q)", "sqrt(1 + q^2)", "(1 + q^2)^(5/3)", "1/(2 + q)",
+                                         "q^3 - q*q_dot/(1 + t)", "cos(3*t)*q",
+                                         "exp(sin(q))/sqrt(2 + cos(t))", "q^7", "(1 - 2*cos(q))*q_dot",
+                                         "sin(q - 2*t)*(3 + t)", "(q + q_dot/3)*sin(q)", "0", "2", "t"));
+
+TEST_P(Recurrence, SolvesTheEquation) {
+  const CompiledFunction tape = one_acceleration(GetParam());
+  TaylorExpansion expansion(tape, {});
+  const std::vector<double> y{0.4, -0.3};
+  std::vector<double> c(2 * (order + 1));
+  ASSERT_EQ(expansion.expand(0.7, y, order, c), Evaluation::ok);
+  Workspace workspace = tape.bind({});
+  for (const double s : {-0.05, 0.02, 0.05}) {
+    const std::vector<double> state{value_at(c, 0, s), value_at(c, 1, s)};
+    double a{};
+    ASSERT_EQ(tape.evaluate(0.7 + s, state, workspace, {&a, 1}), Evaluation::ok);
+    double rate = 0;
+    for (unsigned k = order; k >= 1; --k) rate = rate * s + k * c[order + 1 + k];
+    EXPECT_NEAR(rate, a, 4e-14 * (1 + std::abs(a))) << s;
+  }
+}
+
+TEST(TaylorExpansion, HasNoneForKinks) {
+  EXPECT_FALSE(has_taylor_expansion(one_acceleration("abs(q)")));
+  EXPECT_FALSE(has_taylor_expansion(one_acceleration("-sign(q_dot)")));
+  EXPECT_TRUE(has_taylor_expansion(one_acceleration("tanh(q_dot)")));
+}
+
+TEST(TaylorExpansion, SaysWhereTheStateHasNoDerivative) {
+  const CompiledFunction tape = one_acceleration("1/q");
+  TaylorExpansion at_pole(tape, {});
+  std::vector<double> c(2 * (order + 1));
+  EXPECT_EQ(at_pole.expand(0, std::vector<double>{0, 1}, order, c), Evaluation::nonfinite);
+}
+
+class TaylorOfSystems : public test::SystemTest {};
+INSTANTIATE_TEST_SUITE_P(Systems, TaylorOfSystems, testing::ValuesIn(test::all_systems()), test::system_name);
+
+TEST_P(TaylorOfSystems, HasTheSameBitsOnEveryProcessor) {
+  const Dynamics dynamics(test::model_of(GetParam()));
+  test::Random random(11);
+  for (int i = 0; i < 20; ++i) {
+    const Values state = test::random_state(model(), random);
+    const std::vector<double> parameters = test::parameters_in(model(), state);
+    const std::vector<double> y = test::motion_in(model(), state);
+    TaylorExpansion best(dynamics.accelerations(), parameters);
+    TaylorExpansion plain(dynamics.accelerations(), parameters, InstructionSet::plain);
+    for (const unsigned n : {1U, 2U, 7U, 14U, 20U, order}) {
+      std::vector<double> a(y.size() * (n + 1)), b(a.size());
+      ASSERT_EQ(best.expand(0.3, y, n, a), plain.expand(0.3, y, n, b));
+      EXPECT_EQ(a, b) << n;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace qdot

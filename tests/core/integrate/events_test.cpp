@@ -1,0 +1,362 @@
+#include "core/integrate/events.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.hpp"
+#include "core/integrate/run.hpp"
+#include "tests/core/integrate/systems.hpp"
+
+namespace qdot {
+namespace {
+
+using namespace integrate_test;
+
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// ---- EventSearch on steps of our own choosing: y(t) = t, so that g is a plain function of time. ----
+
+class Clock : public Stepper {
+ public:
+  explicit Clock(std::vector<double> ends) : ends_(std::move(ends)), state_(1, ends_.front()) {}
+
+  std::optional<Ending> step() override {
+    state_[0] = ends_[++at_];
+    return std::nullopt;
+  }
+  double t_previous() const override { return ends_[at_ - 1]; }
+  double t() const override { return ends_[at_]; }
+  std::span<const double> y() const override { return state_; }
+  std::optional<Ending> interpolate(double t, std::span<double> y_out) override {
+    y_out[0] = t;
+    return std::nullopt;
+  }
+  std::optional<Ending> trouble() const override { return std::nullopt; }
+  std::uint64_t steps() const override { return at_; }
+  std::uint64_t evaluations() const override { return 0; }
+  bool done() const { return at_ + 1 == ends_.size(); }
+
+ private:
+  std::vector<double> ends_;
+  std::size_t at_{};
+  std::vector<double> state_;
+};
+
+using Function = double (*)(double);
+
+EventFunction event_of(Function g, Crossing direction = Crossing::either, bool terminal = false) {
+  return {.value = [g](double t, auto) { return g(t); }, .direction = direction, .terminal = terminal};
+}
+
+/// Its sketches are late by a fiftieth of a second.
+class RoughClock final : public Clock {
+ public:
+  using Clock::Clock;
+  std::optional<Ending> sketch(double t, std::span<double> y_out) override {
+    y_out[0] = t + 0.02;
+    return std::nullopt;
+  }
+};
+
+/// All events found on steps with these ends.
+template <class Stepping = Clock>
+std::vector<EventOccurrence> find(std::vector<EventFunction> events, std::vector<double> ends) {
+  const RunRequest request{
+      .t_start = ends.front(), .y_start = {ends.front()}, .t_end = ends.back(), .events = std::move(events)};
+  Stepping clock(ends);
+  EventSearch search(request);
+  std::vector<EventOccurrence> all;
+  while (!clock.done()) {
+    (void)clock.step();
+    const auto found = search.search(clock);
+    all.insert(all.end(), found.events.begin(), found.events.end());
+    if (found.terminal) break;
+  }
+  return all;
+}
+
+std::vector<double> times(Function g, std::vector<double> ends, Crossing direction = Crossing::either) {
+  std::vector<double> result;
+  for (const auto& occurrence : find({event_of(g, direction)}, std::move(ends)))
+    result.push_back(occurrence.t);
+  return result;
+}
+
+void expect_times(const std::vector<double>& found, const std::vector<double>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 4 * time_round_off(expected[i])) << i;
+}
+
+TEST(EventSearch, SeesTwoCrossingsInOneStep) {
+  expect_times(times([](double t) { return (t - 1.3) * (t - 1.7); }, {0, 1, 2}), {1.3, 1.7});
+  expect_times(times([](double t) { return std::sin(t); }, {0.5, 10}), {pi, 2 * pi, 3 * pi});
+}
+
+TEST(EventSearch, RoughLookMissesNothingNearZero) {
+  // The dip between 1.39 and 1.41 holds one place that is looked at, 1.4; its sketch, at 1.42, is positive.
+  const EventFunction dip{.value = [](double, auto y) { return (y[0] - 1.39) * (y[0] - 1.41); }};
+  const auto found = find<RoughClock>({dip}, {0, 1, 2});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0].t, 1.39, 4 * time_round_off(1.39));
+  EXPECT_NEAR(found[1].t, 1.41, 4 * time_round_off(1.41));
+}
+
+TEST(EventSearch, HonoursTheDirection) {
+  const Function g = [](double t) { return (t - 1.3) * (t - 1.7); };
+  expect_times(times(g, {0, 1, 2}, Crossing::falling), {1.3});
+  expect_times(times(g, {0, 1, 2}, Crossing::rising), {1.7});
+}
+
+TEST(EventSearch, TouchingZeroIsNoCrossing) {
+  expect_times(times([](double t) { return (t - 1) * (t - 1); }, {0, 1, 2}), {});  // zero at a step's end
+  expect_times(times([](double t) { return -(t - 0.2) * (t - 0.2); }, {0, 1, 2}),
+               {});  // and at an inner probe
+  expect_times(times([](double t) { return std::max(0., std::abs(t - 1) - 0.5); }, {0, 0.7, 1.1, 2}), {});
+}
+
+TEST(EventSearch, ExactZeroAtTheEndOfAStepIsDecidedInTheNext) {
+  const Function g = [](double t) { return t - 1; };
+  EXPECT_EQ(times(g, {0, 1, 2}), std::vector<double>{1});  // to the bit: the step's end is the place
+  expect_times(times(g, {0, 1}), {});                      // it has not crossed yet
+  expect_times(times([](double t) { return (t - 1) * (t - 1) * (t - 1); }, {0, 1, 1.5, 2}, Crossing::rising),
+               {1});
+}
+
+TEST(EventSearch, StretchOfZerosIsLeftWhereItEnds) {
+  // Zero between 0.5 and 1.5: the change of sign is complete at 1.5.
+  const Function g = [](double t) { return t < 0.5 ? t - 0.5 : t > 1.5 ? t - 1.5 : 0; };
+  const auto found = times(g, {0, 1, 2}, Crossing::rising);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(g(found[0]), 0);
+}
+
+TEST(EventSearch, ZeroAtTheStartDoesNotFireButLaterOnesDo) {
+  expect_times(times([](double t) { return std::sin(t); }, {0, 1, 2, 3, 4}), {pi});
+  expect_times(times([](double t) { return t < 1 ? 0 : t - 2; }, {0, 0.5, 3}), {2});
+  // A start that is zero up to round-off, on either side.
+  expect_times(times([](double t) { return std::sin(t) - 1e-17; }, {0, 1, 2, 3, 4}), {pi});
+  expect_times(times([](double t) { return std::sin(t) + 1e-17; }, {0, 1, 2, 3, 4}), {pi});
+}
+
+TEST(EventSearch, ExactlyZeroFromTheStartOnNeverFires) {
+  expect_times(times([](double) { return 0.; }, {0, 1, 2}), {});
+}
+
+TEST(EventSearch, PolesAreNoZeros) {
+  expect_times(times([](double t) { return std::tan(t); }, {1, 2, 3, 4}), {pi});
+  expect_times(times([](double t) { return 1 / (t - 1.1); }, {0, 1, 2}), {});
+}
+
+TEST(EventSearch, JumpsCountAsZeros) {
+  expect_times(times([](double t) { return t < 1.1 ? -1. : 2.; }, {0, 1, 2}), {1.1});
+}
+
+TEST(EventSearch, UndefinedStretchesArePassedOver) {
+  const auto found = times([](double t) { return t < 0.5 ? -1 : t < 1.5 ? nan : t - 1.2; }, {0, 1, 2});
+  expect_times(found, {1.5});
+}
+
+TEST(EventSearch, OneInstantIsReportedInOrderOfIndex) {
+  // Six functions with a zero at sqrt 2, each found with round-off of its own, and two that cross elsewhere.
+  static const double sqrt2 = std::sqrt(2.);
+  const auto found = find(
+      {event_of([](double t) { return std::exp(t) - std::exp(sqrt2); }),
+       event_of([](double t) { return t - 1.5; }), event_of([](double t) { return 1 / sqrt2 - 1 / t; }),
+       event_of([](double t) { return t * t * t - 2 * sqrt2; }), event_of([](double t) { return t - 1.4; }),
+       event_of([](double t) { return std::log(t) - std::log(2.) / 2; }),
+       event_of([](double t) { return 2 - t * t; }),
+       event_of([](double t) { return std::sin(3 * (t - sqrt2)); })},
+      {0.9, 1.9});
+  ASSERT_EQ(found.size(), 8u);
+  const std::size_t order[] = {4, 0, 2, 3, 5, 6, 7, 1};
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].event, order[i]);
+  for (std::size_t i = 1; i < 7; ++i) EXPECT_EQ(found[i].t, found[1].t);
+}
+
+TEST(EventSearch, NothingIsReportedAfterATerminalEvent) {
+  const auto found =
+      find({event_of([](double t) { return t - 1.8; }), event_of([](double t) { return t - 1.2; }),
+            event_of([](double t) { return t - 1.5; }, Crossing::either, true),
+            event_of([](double t) { return 1.5 - t; })},
+           {0, 1, 2, 3});
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].event, 1u);
+  EXPECT_EQ(found[1].event, 2u);
+  EXPECT_EQ(found[2].event, 3u);  // of the same instant
+}
+
+TEST(EventSearch, StepOfNoLengthCanCross) {
+  // t + h = t, but the state moves on: g has its new sign from its seventh look on, after the start and five
+  // pieces.
+  int looks = 0;
+  const auto found =
+      find({{.value = [&looks](double, auto) { return looks++ < 6 ? -1. : 1.; }}}, {0, 1, 1, 2});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].t, 1);
+}
+
+// ---- Events of motions. ----
+
+constexpr Tolerances tight{1e-13, 1e-14};
+constexpr double promised = 1e-10;  // of the time of an event, at tight tolerances over a period or so
+
+TEST(IntegrateEvents, OscillatorCrossesZeroAtOddQuarterPeriods) {
+  for (const Method method : all_methods) {
+    const auto run = integrate(oscillator(), {.y_start = {1, 0},
+                                              .t_end = 10,
+                                              .events = {{.value = [](double, auto y) { return y[0]; }}},
+                                              .method = method,
+                                              .tolerances = tight});
+    ASSERT_EQ(run.events.size(), 3u) << name(method);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(run.events[i].t, (i + 0.5) * pi, promised) << name(method);
+      EXPECT_NEAR(run.events[i].y[0], 0, 1e-14) << name(method);  // round-off of t times the speed
+    }
+  }
+}
+
+/// Twenty levels, each crossed twice in a period of the oscillator.
+RunRequest crossing_levels(double periods) {
+  RunRequest request{.y_start = {1, 0}, .t_end = periods * 2 * pi, .method = Method::erk};
+  for (int k = 0; k < 20; ++k)
+    request.events.push_back({.value = [level = 0.02 * k + 0.01](double, auto y) { return y[0] - level; }});
+  return request;
+}
+
+TEST(IntegrateEvents, MoreThanAnAnswerHoldsAreRefused) {
+  EXPECT_EQ(integrate(oscillator(), crossing_levels(1249)).events.size(), 1249 * 40u);
+  EXPECT_THROW((void)integrate(oscillator(), crossing_levels(1251)), Error);
+}
+
+TEST(IntegrateEvents, PendulumTurnsAndPassesTheVerticalByEllipticIntegrals) {
+  constexpr double theta_0 = 2;
+  const double quarter = quarter_period(theta_0);
+  for (const Method method : all_methods) {
+    const auto run = integrate(pendulum(), {.y_start = {theta_0, 0},
+                                            .t_end = 4.5 * quarter,
+                                            .events = {{.value = [](double, auto y) { return y[0]; }},
+                                                       {.value = [](double, auto y) { return y[1]; }}},
+                                            .method = method,
+                                            .tolerances = tight});
+    ASSERT_EQ(run.events.size(), 4u) << name(method);  // at rest at the start: no event
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(run.events[i].event, i % 2);
+      EXPECT_NEAR(run.events[i].t, double(i + 1) * quarter, promised) << name(method);
+    }
+  }
+}
+
+TEST(IntegrateEvents, BriefDipIsSeenWithinAStep) {
+  // x = cos t lies below -0.9 for 0.9 around pi; at loose tolerances a step of erk is about 1.5 long.
+  for (const Method method : all_methods) {
+    const auto run =
+        integrate(oscillator(), {.y_start = {1, 0},
+                                 .t_end = 6,
+                                 .events = {{.value = [](double, auto y) { return y[0] + 0.9; }}},
+                                 .method = method,
+                                 .tolerances = {1e-4, 1e-4}});
+    ASSERT_EQ(run.events.size(), 2u) << name(method);
+    EXPECT_NEAR(run.events[0].t, std::acos(-0.9), 0.02);
+    EXPECT_NEAR(run.events[1].t, 2 * pi - std::acos(-0.9), 0.02);
+  }
+}
+
+TEST(IntegrateEvents, TerminalEventEndsTheRunExactlyThere) {
+  const auto grid = equal_grid(0, 3, 30);
+  for (const Method method : all_methods) {
+    RunRequest request{.y_start = {1, 0}, .t_end = 3, .grid = grid, .method = method, .tolerances = tight};
+    const auto whole = integrate(oscillator(), request);
+    request.events = {{.value = [](double, auto y) { return y[0]; }, .terminal = true}};
+    const auto run = integrate(oscillator(), request);
+    EXPECT_EQ(run.ending, Ending::event) << name(method);
+    EXPECT_NEAR(run.t, pi / 2, promised);
+    EXPECT_EQ(run.t, run.events.back().t);
+    EXPECT_EQ(run.y, run.events.back().y);
+    ASSERT_EQ(run.rows, 16u) << name(method);  // 0, 0.1, ..., 1.5
+    for (std::size_t i = 0; i < run.states.size(); ++i) EXPECT_EQ(run.states[i], whole.states[i]);
+  }
+}
+
+TEST(IntegrateEvents, ConditionDecidesWhetherAZeroCounts) {
+  for (const Method method : all_methods) {
+    const auto run = integrate(oscillator(),
+                               {.y_start = {1, 0},
+                                .t_end = 20,
+                                .events = {{.value = [](double, auto y) { return y[0]; },
+                                            .terminal = true,
+                                            .condition = [](double t, auto y) { return t > 3 && y[1] < 0; }}},
+                                .method = method,
+                                .tolerances = tight});
+    EXPECT_EQ(run.ending, Ending::event);
+    EXPECT_NEAR(run.t, 2.5 * pi, promised) << name(method);
+    EXPECT_EQ(run.events.size(), 1u);
+  }
+}
+
+TEST(IntegrateEvents, BouncingBallRestartsWhereItLanded) {
+  // h'' = -1 from h = 1: it lands at sqrt 2, and with its speed turned about every 2 sqrt 2 later.
+  const auto system = make_system(
+      2,
+      [](double, auto y, auto f) {
+        assign(f, {y[1], -1});
+      },
+      [](double, auto, auto j) {
+        assign(j, {0, 1, 0, 0});
+      });
+  for (const Method method : all_methods) {
+    RunRequest request{.y_start = {1, 0},
+                       .t_end = 100,
+                       .events = {{.value = [](double, auto y) { return y[0]; }, .terminal = true}},
+                       .method = method,
+                       .tolerances = tight};
+    for (int bounce = 0; bounce < 10; ++bounce) {
+      const auto run = integrate(system, request);
+      ASSERT_EQ(run.ending, Ending::event);
+      ASSERT_NEAR(run.t, (1 + 2 * bounce) * std::sqrt(2.), promised) << name(method);
+      request.t_start = run.t;
+      request.y_start = {run.y[0], -run.y[1]};
+    }
+  }
+}
+
+TEST(IntegrateEvents, EventFunctionsMayDependOnTimeAlone) {
+  for (const Method method : all_methods) {
+    const auto run = integrate(pendulum(), {.y_start = {2, 0},
+                                            .t_end = 3,
+                                            .events = {{.value = [](double t, auto) { return t - 1.25; }}},
+                                            .method = method});
+    ASSERT_EQ(run.events.size(), 1u);
+    EXPECT_NEAR(run.events[0].t, 1.25, time_round_off(1.25));
+  }
+}
+
+TEST(IntegrateEvents, LimitReachedWithinAStepLeavesTheStepUndone) {
+  // Only erk pays for its dense output. The limit falls into the search for events or among the rows.
+  for (const std::size_t rows : {50u, 500u, 5000u})
+    for (std::uint64_t most = 400; most < 600; most += 7) {
+      const auto grid = equal_grid(0, 50, rows);
+      RunRequest request{.y_start = {2, 0},
+                         .t_end = 50,
+                         .grid = grid,
+                         .events = {{.value = [](double, auto y) { return y[0]; }}},
+                         .method = Method::erk};
+      request.limits.max_evaluations = most;
+      const auto run = integrate(pendulum(), request);
+      EXPECT_EQ(run.ending, Ending::step_limit);
+      EXPECT_EQ(run.evaluations, most);
+      ASSERT_GT(run.rows, 0u);
+      EXPECT_EQ(run.states.size(), 2 * run.rows);
+      EXPECT_LE(grid[run.rows - 1], run.t);
+      for (const auto& occurrence : run.events) EXPECT_LE(occurrence.t, run.t);
+    }
+}
+
+}  // namespace
+}  // namespace qdot

@@ -1,0 +1,180 @@
+// The measured error is the true one, within its factor.
+
+#include "core/motion/ladder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/motions.hpp"
+#include "tests/support/system_test.hpp"
+
+namespace qdot {
+namespace {
+
+using Kind = AccuracyGoal::Kind;
+
+/// x = x0 cos(w t): the isotropic oscillator that the spring pendulum is for l0 = 0, g = 0.
+const Values oscillator{{"m", 0.5},  {"k", 8},     {"l0", 0},       {"g", 0},
+                        {"l", 1.25}, {"theta", 0}, {"theta_dot", 2}};
+
+/// l(t) of it: l^2 = (x0 cos wt)^2 + (v0/w sin wt)^2.
+double exact_length(double t) {
+  const double w = 4;
+  return std::hypot(1.25 * std::cos(w * t), 2 * 1.25 / w * std::sin(w * t));
+}
+
+MeasuredSimulation measured(const Values& given, std::vector<double> grid, const AccuracyGoal& goal,
+                            Method method = Method::taylor, Tolerances tolerances = {1e-9, 1e-12}) {
+  const auto model = test::model_of("spring_pendulum");
+  SimulationRequest request = test::request_for(*model, given, std::move(grid));
+  request.method = method;
+  request.tolerances = tolerances;
+  return simulate_with_error(Dynamics(model), request, goal);
+}
+
+double true_error(const MeasuredSimulation& m, std::span<const double> grid) {
+  double error = 0;
+  for (std::size_t i = 0; i < m.simulation.rows; ++i) {
+    error = std::max(error, std::abs(test::row(m.simulation, i)[0] - exact_length(grid[i])));
+  }
+  return error;
+}
+
+TEST(Ladder, MeasuresTheErrorOfEveryMethodAtEveryTolerance) {
+  const std::vector<double> grid = test::instants(50, 100);
+  for (const Method method : test::all_methods) {
+    for (const double rtol : {1e-4, 1e-7, 1e-10}) {
+      const MeasuredSimulation m = measured(oscillator, grid, {}, method, {rtol, rtol / 100});
+      ASSERT_EQ(m.max_abs_error.size(), 4U) << static_cast<int>(method) << " " << rtol;
+      const double error = true_error(m, grid);
+      EXPECT_LE(error, m.max_abs_error[0]) << static_cast<int>(method) << " " << rtol;
+      EXPECT_LE(m.max_abs_error[0], 10 * error) << static_cast<int>(method) << " " << rtol;
+    }
+  }
+}
+
+TEST(Ladder, MeetsAWantedError) {
+  const std::vector<double> grid = test::instants(50, 100);
+  for (double wanted = 1e-2; wanted > 1e-12; wanted /= 10) {
+    const MeasuredSimulation m = measured(oscillator, grid, {.kind = Kind::absolute, .value = wanted});
+    EXPECT_EQ(m.meets_request, true) << wanted;
+    EXPECT_LE(true_error(m, grid), wanted);
+    for (const double e : m.max_abs_error) EXPECT_LE(e, wanted);
+  }
+}
+
+TEST(Ladder, SaysThatTheWorkWasSpentBeforeTheErrorWasReached) {
+  const auto model = test::model_of("spring_pendulum");
+  SimulationRequest request = test::request_for(*model, oscillator, test::instants(50, 10));
+  request.method = Method::taylor;
+  const AccuracyGoal goal{.kind = Kind::absolute, .value = 1e-12};
+  const Dynamics dynamics(model);
+  request.limits.max_evaluations = simulate_with_error(dynamics, request, goal).evaluations - 1;
+  const MeasuredSimulation m = simulate_with_error(dynamics, request, goal);
+  EXPECT_EQ(m.meets_request, false);
+  EXPECT_THAT(m.reason, ::testing::HasSubstr("spent"));
+}
+
+TEST(Ladder, SaysWhatIsOutOfReach) {
+  const std::vector<double> grid = test::instants(1000, 10);
+  const MeasuredSimulation m = measured(oscillator, grid, {.kind = Kind::absolute, .value = 1e-14});
+  EXPECT_EQ(m.meets_request, false);
+  EXPECT_FALSE(m.reason.empty());
+  EXPECT_LE(true_error(m, grid), m.max_abs_error[0]);
+}
+
+TEST(Ladder, KeepsToTheWorkAllowed) {
+  const std::vector<double> grid = test::instants(50, 100);
+  double last = std::numeric_limits<double>::infinity();
+  for (const std::uint64_t allowed : {20'000ULL, 60'000ULL, 300'000ULL}) {
+    const MeasuredSimulation m = measured(oscillator, grid, {.kind = Kind::work, .evaluations = allowed});
+    ASSERT_FALSE(m.max_abs_error.empty()) << allowed;
+    EXPECT_LE(m.evaluations, allowed);
+    EXPECT_LE(m.max_abs_error[0], last);
+    last = m.max_abs_error[0];
+  }
+}
+
+TEST(Ladder, FewRowsAreMeasuredAtManyInstants) {
+  const MeasuredSimulation m = measured(oscillator, {0, 50}, {});
+  EXPECT_EQ(m.simulation.rows, 2U);
+  EXPECT_EQ(m.simulation.states.size(), 8U);
+  EXPECT_LE(true_error(m, std::vector<double>{0, 50}), m.max_abs_error[0]);
+}
+
+TEST(Ladder, KnowsHowFarAChaoticMotionCanBeTrusted) {
+  const auto model = test::model_of("rod_pendulum");
+  SimulationRequest request =
+      test::request_for(*model, {{"theta", 2}, {"phi", 2.1}}, test::instants(60, 600));
+  request.on_invalid = OnInvalid::go_on;
+  request.method = Method::taylor;
+  request.tolerances = {1e-9, 1e-12};
+  const Dynamics dynamics(model);
+  const MeasuredSimulation m = simulate_with_error(dynamics, request, {});
+  ASSERT_TRUE(m.horizon.has_value());
+  // A motion computed as tightly as can be shows where the first one has gone wrong.
+  request.tolerances = {1e-15, 1e-18};
+  const Simulation best = simulate(dynamics, request);
+  std::size_t first = 0;
+  while (std::abs(test::row(best, first)[0] - test::row(m.simulation, first)[0]) < 1e-3 * 6) ++first;
+  EXPECT_NEAR(*m.horizon, request.grid[first], 0.2 * request.grid[first]);
+}
+
+/// x'' = -(b/m) x' - (k/m) x from (0.2, 0): both rates real, their difference lost in x0 - x(t).
+TEST(Ladder, StrongDampingIsLeftToBdf) {
+  const double m = 0.5, b = 1e5, k = 8;
+  const auto model = test::model_of("damped_oscillator");
+  SimulationRequest request =
+      test::request_for(*model, {{"m", m}, {"b", b}, {"k", k}, {"x", 0.2}}, test::instants(2e4, 50));
+  request.method = Method::taylor;
+  const MeasuredSimulation found =
+      simulate_with_error(Dynamics(model), request, {.kind = Kind::relative, .value = 1e-6});
+  EXPECT_EQ(found.simulation.method, Method::bdf);
+  EXPECT_EQ(found.meets_request, true);
+  const double fast = b / m / 2 + std::sqrt(b * b / m / m / 4 - k / m), slow = k / m / fast;
+  for (std::size_t i = 0; i < found.simulation.rows; ++i) {
+    const double x = 0.2 *
+                     (fast * std::exp(-slow * request.grid[i]) - slow * std::exp(-fast * request.grid[i])) /
+                     (fast - slow);
+    EXPECT_NEAR(test::row(found.simulation, i)[0], x, found.max_abs_error[0]) << request.grid[i];
+  }
+}
+
+TEST(Ladder, WeakDampingIsNot) {
+  const auto model = test::model_of("damped_oscillator");
+  SimulationRequest request = test::request_for(*model, {{"b", 1}}, test::instants(50, 50));
+  request.method = Method::taylor;
+  EXPECT_EQ(simulate_with_error(Dynamics(model), request, {}).simulation.method, Method::taylor);
+}
+
+/// A growing motion, whose whole error is one number: a single difference would be small by chance sometimes.
+TEST(Ladder, RoundOffIsNotSmallByChance) {
+  const auto model = test::model_of("rolling_disk_platform");
+  const Dynamics dynamics(model);
+  for (int i = 0; i < 60; ++i) {
+    // Without gravity q = q0 cosh(s t), s = Omega sqrt(2/3).
+    const double Omega = 0.5 + 0.003 * i, s = Omega * std::sqrt(2.0 / 3);
+    SimulationRequest request = test::request_for(
+        *model, {{"Omega", Omega}, {"g", 0}, {"q", 0.3 + 0.01 * i}, {"q_dot", 0}}, test::instants(60, 7));
+    request.on_invalid = OnInvalid::go_on;
+    request.method = Method::taylor;
+    request.tolerances = {1e-14, 1e-17};
+    const MeasuredSimulation m = simulate_with_error(dynamics, request, {});
+    const long double rate = std::sqrt(2.0L / 3) * static_cast<long double>(Omega);
+    const double end =
+        static_cast<double>(static_cast<long double>(request.y_start[0]) * std::cosh(rate * 60));
+    EXPECT_NEAR(test::row(m.simulation, 7)[0], end, 3 * m.max_abs_error[0]) << i;
+    EXPECT_LT(m.max_abs_error[0], 1e-13 * end * (1 + 60 * s)) << i;
+  }
+}
+
+TEST(Ladder, SkipsTheMeasurementWhenAsked) {
+  const MeasuredSimulation m = measured(oscillator, {0, 5}, {.verify = false});
+  EXPECT_TRUE(m.max_abs_error.empty());
+  EXPECT_EQ(m.evaluations, m.simulation.evaluations);
+}
+
+}  // namespace
+}  // namespace qdot

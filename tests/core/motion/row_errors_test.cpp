@@ -1,0 +1,42 @@
+// The error of rows from the differences of computations.
+
+#include "core/motion/row_errors.hpp"
+
+#include <gtest/gtest.h>
+
+namespace qdot {
+namespace {
+
+using Row = std::vector<double>;
+
+void add(RowErrors& errors, const Row& row, const std::vector<Row>& others) {
+  const std::vector<std::span<const double>> spans(others.begin(), others.end());
+  errors.add(row, spans);
+}
+
+TEST(RowErrors, AreTwiceTheLargestDifferenceMetSoFar) {
+  RowErrors errors({1, 100});
+  add(errors, {0, 100}, {{1e-6, 100}, {-3e-6, 100}});
+  EXPECT_NEAR(errors.so_far()[0], 6e-6, 1e-15);
+  add(errors, {0, 100}, {{1e-6, 100.001}, {0, 100}});
+  EXPECT_NEAR(errors.so_far()[0], 6e-6, 1e-15);
+  EXPECT_NEAR(errors.so_far()[1], 2e-3, 1e-12);
+}
+
+TEST(RowErrors, AreNeverBelowTheRoundingOfANumber) {
+  RowErrors errors({1, 1e6});
+  add(errors, {0, 1e6}, {{0, 1e6}});
+  EXPECT_EQ(errors.so_far()[0], 0);
+  EXPECT_EQ(errors.so_far()[1], 1e6 * 0x1p-52);
+}
+
+TEST(RowErrors, AreTheRangeOfValuesOnceTheMotionIsLost) {
+  RowErrors errors({10, 10});
+  add(errors, {10, 5}, {{10, 7.6}});  // 5.2 of 10 in doubt, in the second column
+  add(errors, {-8, 7}, {{-8, 7}});    // agreement by chance
+  EXPECT_EQ(errors.so_far()[0], 18);
+  EXPECT_NEAR(errors.so_far()[1], 5.2, 1e-14);
+}
+
+}  // namespace
+}  // namespace qdot

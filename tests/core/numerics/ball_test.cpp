@@ -1,0 +1,74 @@
+// Balls hold what they say, and are as narrow as twice the digits of doubles let them be.
+
+#include "core/numerics/ball.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/random.hpp"
+
+namespace qdot {
+namespace {
+
+/// Two balls around the same number overlap; narrow ones then agree.
+void expect_same(const Ball& a, const Ball& b, double relative) {
+  ASSERT_TRUE(a.is_finite() && b.is_finite());
+  EXPECT_TRUE((a - b).contains_zero()) << a.value() << " " << b.value();
+  EXPECT_LE(a.radius, relative * std::abs(a.value()));
+}
+
+TEST(Ball, FollowsTheLawsOfArithmetic) {
+  test::Random random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const Ball a = random.real(-3, 3), b = random.real(0.1, 3) * std::exp(random.real(-20, 20)),
+               c = random.real(1, 2);
+    expect_same((a + b) * c, a * c + b * c, 1e-15);
+    expect_same(a / b * b, a, 1e-29);
+    expect_same(square(sqrt(b)), b, 1e-29);
+    expect_same((b + a) * (b - a), square(b) - square(a), 1e-3);
+    expect_same(power(b, -1.5), Ball(1) / (b * sqrt(b)), 1e-28);
+  }
+}
+
+TEST(Ball, KeepsTheSmallPartBesideTheLarge) {
+  const Ball sum = Ball(0.7) + Ball(0.7e-14);
+  expect_same(sum - Ball(0.7), Ball(0.7e-14), 1e-15);
+  EXPECT_NE(sum.middle.low, 0);
+}
+
+TEST(Ball, HasTheSinesOfSumsAndOfLargeAngles) {
+  test::Random random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const double reach = i % 2 == 0 ? 4 : 9e5;
+    const Ball a = random.real(-reach, reach), b = random.real(-4, 4);
+    const Ball sum = sin(a) * cos(b) + cos(a) * sin(b);
+    EXPECT_TRUE((sin(a + b) - sum).contains_zero());
+    EXPECT_LE(sum.radius, 1e-24);
+    EXPECT_LE((square(sin(a)) + square(cos(a)) - Ball(1)).magnitude(), 1e-24);
+    EXPECT_NEAR(sin(b).value(), std::sin(b.value()), 1e-15);
+    EXPECT_NEAR(cos(b).value(), std::cos(b.value()), 1e-15);
+  }
+  // pi - 3.141592653589793 to twice the digits: Abramowitz, Stegun, table 1.1.
+  expect_same(sin(Ball(3.141592653589793)), Ball({1.2246467991473532e-16, -2.994769809718340e-33}, 1e-46),
+              1e-14);
+}
+
+TEST(Ball, GrowsWithWhatIsNotKnown) {
+  const Ball x({1.0, 0.0}, 1e-3);
+  for (const double inside : {-1e-3, 0.0, 1e-3}) {
+    const Ball point = 1 + inside;
+    for (const auto& [wide, narrow] :
+         {std::pair(sin(x), sin(point)), std::pair(x * x, point * point),
+          std::pair(Ball(1) / x, Ball(1) / point), std::pair(sqrt(x), sqrt(point)),
+          std::pair(evaluate(Function::exp, x), evaluate(Function::exp, point))}) {
+      EXPECT_LE(std::abs(wide.value() - narrow.value()), wide.radius + narrow.radius + 1e-15);
+    }
+  }
+  EXPECT_FALSE((Ball(1) / Ball({0.0, 0.0}, 1e-9)).is_finite());
+  EXPECT_FALSE(sqrt(Ball(-1)).is_finite());
+  EXPECT_TRUE((Ball(0) * x).is_zero());
+}
+
+}  // namespace
+}  // namespace qdot
