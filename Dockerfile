@@ -3,7 +3,7 @@ WORKDIR /src
 # The packages first: this layer stays cached while the sources change.
 COPY server/install server/install
 RUN server/install build
-COPY CMakeLists.txt CMakePresets.json ./
+COPY CMakeLists.txt CMakePresets.json embed.cmake ./
 COPY core core
 COPY api api
 COPY server server

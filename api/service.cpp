@@ -1,34 +1,35 @@
 #include "api/service.hpp"
+#include "api/contract/version.hpp"
 
 #include <algorithm>
 #include <mutex>
 #include <new>
 #include <utility>
 
-#include "api/accuracy.hpp"
-#include "api/appraisal.hpp"
-#include "api/bifurcations.hpp"
-#include "api/capabilities.hpp"
-#include "api/catalogue.hpp"
-#include "api/documents.hpp"
-#include "api/endpoint.hpp"
-#include "api/energy.hpp"
-#include "api/equations.hpp"
-#include "api/equilibria.hpp"
-#include "api/gait.hpp"
-#include "api/http.hpp"
-#include "api/json_writer.hpp"
-#include "api/limits.hpp"
-#include "api/modes.hpp"
-#include "api/openapi.hpp"
-#include "api/practice.hpp"
-#include "api/problem.hpp"
-#include "api/routes.hpp"
-#include "api/simulation.hpp"
-#include "api/system_lookup.hpp"
-#include "api/systems.hpp"
-#include "api/text.hpp"
-#include "api/turning_points.hpp"
+#include "api/about/appraisal.hpp"
+#include "api/about/capabilities.hpp"
+#include "api/about/documents.hpp"
+#include "api/about/openapi.hpp"
+#include "api/about/practice.hpp"
+#include "api/about/systems.hpp"
+#include "api/answers/accuracy.hpp"
+#include "api/answers/bifurcations.hpp"
+#include "api/answers/energy.hpp"
+#include "api/answers/equations.hpp"
+#include "api/answers/equilibria.hpp"
+#include "api/answers/gait.hpp"
+#include "api/answers/modes.hpp"
+#include "api/answers/simulation.hpp"
+#include "api/answers/turning_points.hpp"
+#include "api/contract/endpoint.hpp"
+#include "api/http/address.hpp"
+#include "api/http/problem.hpp"
+#include "api/http/routes.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
+#include "api/json/writer.hpp"
+#include "api/scenes/catalogue.hpp"
+#include "api/scenes/system_lookup.hpp"
 #include "core/base/work.hpp"
 
 namespace qdot::api {
@@ -67,8 +68,6 @@ void add_entity_tag(const Request& request, Response& response) {
 }
 
 }  // namespace
-
-std::string_view service_version() { return "0.1.0"; }
 
 struct Service::Impl {
   explicit Impl(const ServiceOptions& options)

@@ -1,6 +1,6 @@
 #include "server/access.hpp"
 
-#include "api/text.hpp"
+#include "api/json/text.hpp"
 
 namespace qdot::server {
 namespace {

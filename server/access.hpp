@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "api/problem.hpp"
+#include "api/http/problem.hpp"
 #include "api/service.hpp"
 #include "server/hosts.hpp"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "api/problem.hpp"
+#include "api/http/problem.hpp"
 #include "server/gzip.hpp"
 
 namespace qdot::server {

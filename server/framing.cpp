@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "api/text.hpp"
+#include "api/json/text.hpp"
 
 namespace qdot::server {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <variant>
 
-#include "api/limits.hpp"
-#include "api/problem.hpp"
+#include "api/http/problem.hpp"
+#include "api/json/limits.hpp"
 
 namespace qdot::server {
 

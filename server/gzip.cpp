@@ -8,7 +8,7 @@
 #include <memory>
 #include <new>
 
-#include "api/text.hpp"
+#include "api/json/text.hpp"
 
 namespace qdot::server {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "api/text.hpp"
+#include "api/json/text.hpp"
 
 namespace qdot::server {
 namespace {

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <string>
 
+#include "api/contract/version.hpp"
 #include "api/service.hpp"
 #include "server/commands.hpp"
 #include "server/probe.hpp"

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "api/contract/version.hpp"
 #include "api/service.hpp"
 
 namespace qdot::server {

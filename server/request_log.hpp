@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "api/json.hpp"
+#include "api/json/json.hpp"
 
 namespace qdot::server {
 

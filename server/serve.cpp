@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "api/contract/version.hpp"
 #include "api/service.hpp"
 #include "server/application.hpp"
 #include "server/transport.hpp"

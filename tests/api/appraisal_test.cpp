@@ -1,10 +1,10 @@
-#include "api/appraisal.hpp"
+#include "api/about/appraisal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "api/limits.hpp"
+#include "api/json/limits.hpp"
 
 namespace qdot::api {
 namespace {

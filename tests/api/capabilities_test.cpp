@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "api/capabilities.hpp"
-#include "api/json_writer.hpp"
+#include "api/about/capabilities.hpp"
+#include "api/json/writer.hpp"
 
 namespace qdot::api {
 namespace {

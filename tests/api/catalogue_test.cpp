@@ -1,4 +1,4 @@
-#include "api/catalogue.hpp"
+#include "api/scenes/catalogue.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
-#include "api/endpoint.hpp"
+#include "api/contract/endpoint.hpp"
 
 #include <gtest/gtest.h>
 
-#include "api/state_requests.hpp"
+#include "api/answers/state_requests.hpp"
 #include "tests/api/example_systems.hpp"
 
 namespace qdot::api {

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "api/request_table.hpp"
+#include "api/contract/request_table.hpp"
 
 namespace qdot::api {
 

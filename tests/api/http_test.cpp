@@ -1,4 +1,4 @@
-#include "api/http.hpp"
+#include "api/http/address.hpp"
 
 #include <gtest/gtest.h>
 

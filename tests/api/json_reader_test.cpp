@@ -1,11 +1,11 @@
-#include "api/json_reader.hpp"
+#include "api/contract/json_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <string>
 
-#include "api/pointer.hpp"
+#include "api/json/pointer.hpp"
 
 namespace qdot::api {
 namespace {

@@ -1,4 +1,4 @@
-#include "api/json_writer.hpp"
+#include "api/json/writer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "api/openapi.hpp"
+#include "api/about/openapi.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "api/json_schema.hpp"
-#include "api/problem.hpp"
+#include "api/answers/simulate_request.hpp"
+#include "api/contract/json_schema.hpp"
+#include "api/http/problem.hpp"
 #include "api/service.hpp"
-#include "api/simulate_request.hpp"
 
 namespace qdot::api {
 namespace {

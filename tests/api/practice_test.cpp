@@ -1,9 +1,9 @@
-#include "api/practice.hpp"
+#include "api/about/practice.hpp"
 
 #include <gtest/gtest.h>
 
-#include "api/json.hpp"
-#include "api/scenes/embedded.hpp"
+#include "api/about/embedded.hpp"
+#include "api/json/json.hpp"
 #include "api/service.hpp"
 
 namespace qdot::api {
@@ -51,7 +51,7 @@ TEST(Practice, EveryPartIsAnsweredByItsRequest) {
 }
 
 TEST(Practice, WhatIsPickedIsInTheAnswer) {
-  for (const Json& problem : Json::parse(embedded::problems())) {
+  for (const Json& problem : Json::parse(text_of(about_files(), "problems.json"))) {
     const Json answers = get("/v1/problems/" + std::to_string(problem["number"].get<int>()));
     for (std::size_t i = 0; i < problem["parts"].size(); ++i) {
       EXPECT_EQ(part(answers, i)["result"].size(), problem["parts"][i]["result"].size())

@@ -1,11 +1,11 @@
-#include "api/problem.hpp"
+#include "api/http/problem.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "api/limits.hpp"
-#include "api/text.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
 
 namespace qdot::api {
 namespace {

@@ -1,10 +1,10 @@
-#include "api/request_reader.hpp"
+#include "api/contract/request_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "api/limits.hpp"
+#include "api/json/limits.hpp"
 #include "tests/api/example_systems.hpp"
 
 namespace qdot::api {

@@ -1,4 +1,4 @@
-#include "api/scene_reader.hpp"
+#include "api/scenes/scene_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "api/limits.hpp"
+#include "api/json/limits.hpp"
 
 namespace qdot::api {
 namespace {

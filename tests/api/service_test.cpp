@@ -1,9 +1,10 @@
 #include "api/service.hpp"
+#include "api/contract/version.hpp"
 
 #include <gtest/gtest.h>
 
-#include "api/json.hpp"
-#include "api/problem.hpp"
+#include "api/http/problem.hpp"
+#include "api/json/json.hpp"
 
 namespace qdot::api {
 namespace {

@@ -1,8 +1,8 @@
-#include "api/simulate_request.hpp"
+#include "api/answers/simulate_request.hpp"
 
 #include <gtest/gtest.h>
 
-#include "api/state_requests.hpp"
+#include "api/answers/state_requests.hpp"
 #include "tests/api/example_systems.hpp"
 
 namespace qdot::api {

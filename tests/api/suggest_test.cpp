@@ -1,4 +1,4 @@
-#include "api/suggest.hpp"
+#include "api/json/suggest.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "api/time_grid.hpp"
+#include "api/answers/time_grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "api/limits.hpp"
+#include "api/json/limits.hpp"
 
 namespace qdot::api {
 namespace {

@@ -1,4 +1,4 @@
-#include "api/units.hpp"
+#include "api/contract/units.hpp"
 
 #include <gtest/gtest.h>
 

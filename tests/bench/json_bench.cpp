@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "api/json_writer.hpp"
+#include "api/json/writer.hpp"
 
 namespace qdot {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "api/catalogue.hpp"
-#include "api/scene_reader.hpp"
+#include "api/scenes/catalogue.hpp"
+#include "api/scenes/scene_reader.hpp"
 #include "core/dynamics/dynamics.hpp"
 
 namespace qdot {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "api/json_reader.hpp"
-#include "api/json_writer.hpp"
+#include "api/contract/json_reader.hpp"
+#include "api/json/writer.hpp"
 #include "tests/fuzz/law.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "api/json.hpp"
+#include "api/json/json.hpp"
 #include "api/service.hpp"
 #include "tests/fuzz/law.hpp"
 

@@ -1,7 +1,7 @@
 // A scene is read and derived, or refused with places in it.
 
-#include "api/json_reader.hpp"
-#include "api/scene_reader.hpp"
+#include "api/contract/json_reader.hpp"
+#include "api/scenes/scene_reader.hpp"
 #include "core/base/work.hpp"
 #include "core/mechanics/model.hpp"
 #include "tests/fuzz/law.hpp"

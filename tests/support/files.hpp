@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "api/json.hpp"
+#include "api/json/json.hpp"
 
 namespace qdot::test {
 

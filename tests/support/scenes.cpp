@@ -5,7 +5,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "api/scene_reader.hpp"
+#include "api/scenes/scene_reader.hpp"
 #include "tests/support/files.hpp"
 
 namespace qdot::test {
@@ -26,7 +26,7 @@ const std::vector<std::string>& textbook_systems() {
 }
 
 Scene scene_of(const std::string& name) {
-  const std::string built_in = "api/scenes/" + name + ".json";
+  const std::string built_in = "api/scenes/systems/" + name + ".json";
   const bool is_built_in = std::filesystem::exists(std::string(QDOT_SOURCE_DIR "/") + built_in);
   const std::string path = is_built_in ? built_in : "tests/reference/scenes/" + name + ".json";
   const api::SceneReading reading = api::read_scene(json_file(path));

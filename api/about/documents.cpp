@@ -1,0 +1,89 @@
+#include "api/about/documents.hpp"
+#include "api/contract/version.hpp"
+
+#include "api/json/limits.hpp"
+#include "core/integrate/events.hpp"
+#include "core/integrate/run.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// Text as HTML.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Json limits_json() {
+  return {{"body_bytes", limits::body_bytes},
+          {"large_body_bytes", limits::large_body_bytes},
+          {"json_depth", limits::json_depth},
+          {"json_nodes", limits::json_nodes},
+          {"name_bytes", limits::name_bytes},
+          {"expression_bytes", limits::expression_bytes},
+          {"algebra", limits::algebra},
+          {"rows", limits::rows},
+          {"numbers", limits::numbers},
+          {"events", limits::events},
+          {"event_occurrences", most_occurrences},
+          {"strides", limits::strides},
+          {"integration_steps", Limits{}.max_steps},
+          {"evaluations", limits::evaluations},
+          {"time", {-limits::largest_time, limits::largest_time}},
+          {"rtol", {limits::least_rtol, limits::largest_rtol}},
+          {"atol", {{"above", 0}, {"at_most", limits::largest_atol}}},
+          {"max_error", {limits::least_error, 1}}};
+}
+
+Json index_json(const Routes& routes) {
+  Json addresses = Json::object();
+  for (const Endpoint& endpoint : routes.endpoints()) addresses[endpoint.pattern].push_back(endpoint.method);
+  return {{"service", "qdot"},
+          {"service_version", service_version()},
+          {"endpoints", std::move(addresses)},
+          {"examples",
+           {"curl 'localhost:8080/v1/simulate?system=cart_pendulum&theta=30deg&t_end=10&pretty'",
+            R"(curl -d '{"system": "spring_pendulum", "initial": {"l": "50cm"}, "t_end": 10}' )"
+            "localhost:8080/v1/simulate"}}};
+}
+
+Json problem_type_json(const ProblemType& type) {
+  return {{"type", "/errors/" + std::string(type.name)},
+          {"status", type.status},
+          {"title", type.title},
+          {"explanation", type.explanation}};
+}
+
+Response problem_page(const ProblemType& type) {
+  const std::string title = escaped(type.title);
+  return {.content_type = "text/html; charset=utf-8",
+          .body = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
+                  "</title>\n<link rel=\"stylesheet\" href=\"/docs/style.css\">\n</head>\n<body>\n<h1>" +
+                  title + "</h1>\n<p>Status " + std::to_string(type.status) + ", <code>/errors/" +
+                  std::string(type.name) + "</code></p>\n<p>" + escaped(type.explanation) +
+                  "</p>\n<p><a href=\"/docs\">All addresses</a></p>\n</body>\n</html>\n"};
+}
+
+Response answer_page(const Page& page) {
+  return {.content_type = std::string(page.content_type) + "; charset=utf-8", .body = std::string(page.text)};
+}
+
+void restrict_page(Response& response) {
+  if (!response.content_type.starts_with("text/html")) return;
+  response.headers["Content-Security-Policy"] =
+      "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; base-uri 'none'; "
+      "form-action 'none'; frame-ancestors 'none'";
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,77 @@
+#include "api/answers/answers.hpp"
+
+#include <cmath>
+
+#include "api/contract/version.hpp"
+
+namespace qdot::api {
+
+ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
+  const Values parameters(choice.parameters.begin(), choice.parameters.end());
+  const Values initial(choice.initial.begin(), choice.initial.end());
+  ResolvedState state;
+  state.parameters = parameter_values(model, parameters);
+  for (std::size_t i = 0; i < state.parameters.size(); ++i) {
+    const Parameter& p = model.scene.parameters[i];
+    if (std::isfinite(state.parameters[i]) && p.domain.contains(state.parameters[i])) continue;
+    throw Error(ErrorCode::invalid_state,
+                "The default of " + p.name + " has no valid value here: give " + p.name + ".");
+  }
+  state.y = initial_state(model, state.parameters, initial);
+  const Json names = state_json(model.scene, state.y);
+  std::size_t i = 0;
+  for (const auto& [name, value] : names.items()) {
+    if (!std::isfinite(state.y[i++])) {
+      throw Error(ErrorCode::invalid_state,
+                  "The default of " + name + " has no finite value here: give " + name + ".");
+    }
+  }
+  return state;
+}
+
+void fill_echo(Json& echo, const Scene& scene, const ResolvedState& state) {
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < scene.parameters.size(); ++i)
+    parameters[scene.parameters[i].name] = state.parameters[i];
+  echo["parameters"] = std::move(parameters);
+  echo["initial"] = state_json(scene, state.y);
+}
+
+Json state_json(const Scene& scene, std::span<const double> y) {
+  const std::size_t n = scene.coordinates.size();
+  Json json = Json::object();
+  for (std::size_t i = 0; i < n; ++i) json[scene.coordinates[i].name] = y[i];
+  for (std::size_t i = 0; i < n; ++i) json[scene.coordinates[i].name + "_dot"] = y[n + i];
+  return json;
+}
+
+void write_head(JsonWriter& writer, const Scene& scene, const Json& echo) {
+  writer.member("system", scene.name);
+  writer.member("model_version", scene.model_version);
+  writer.member("service_version", std::string(service_version()));
+  writer.member("request", echo);
+}
+
+Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body, int digits) {
+  JsonWriter writer(call.layout);
+  writer.begin_object();
+  write_head(writer, scene, echo);
+  for (const auto& [name, value] : body.items()) writer.member(name, value, digits);
+  writer.end_object();
+  Response response{
+      .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
+  call.timing.lap("encode");
+  return response;
+}
+
+Road road_of(const Call& call) { return call.request.method == "POST" ? Road::body : Road::query; }
+
+Response guarded(Call& call, const std::function<Response()>& answer) {
+  try {
+    return answer();
+  } catch (const Error& error) {
+    return to_response(problem_of(error, Place(road_of(call))), call.target.path, call.layout);
+  }
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,45 @@
+#pragma once
+// What the answers of all computing endpoints share.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/answers/models.hpp"
+#include "api/contract/system_choice.hpp"
+#include "api/http/routes.hpp"
+#include "api/json/json.hpp"
+#include "api/json/writer.hpp"
+
+namespace qdot::api {
+
+/// The parameters and the initial state of a request, defaults filled in.
+struct ResolvedState {
+  std::vector<double> parameters;
+  std::vector<double> y;
+};
+
+/// Throws Error(invalid_state) where a default has no finite value.
+[[nodiscard]] ResolvedState resolved_state(const Model& model, const SystemChoice& choice);
+
+/// Puts what was resolved into the request's echo: every parameter, the whole state.
+void fill_echo(Json& echo, const Scene& scene, const ResolvedState& state);
+
+/// {"q": ..., "q_dot": ...} by name, in the scene's order.
+[[nodiscard]] Json state_json(const Scene& scene, std::span<const double> y);
+
+/// The beginning of every answer: system, versions and the resolved request.
+void write_head(JsonWriter& writer, const Scene& scene, const Json& echo);
+
+/// A whole answer: the head, then the members of `body`, its floating-point numbers to so many digits. Ends
+/// the part "encode" of the timing.
+[[nodiscard]] Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body,
+                                      int digits = shortest_digits);
+
+/// How the call's request came: errors of a body have pointers, those of a query parameters.
+[[nodiscard]] Road road_of(const Call& call);
+
+/// What core throws while `answer` runs, as a problem.
+[[nodiscard]] Response guarded(Call& call, const std::function<Response()>& answer);
+
+}  // namespace qdot::api

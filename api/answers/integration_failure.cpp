@@ -1,0 +1,55 @@
+#include "api/answers/integration_failure.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// How a run that failed in its numbers is explained.
+struct Failure {
+  const char* reason;
+  const char* detail;
+};
+
+Failure failure_of(Ending ending) {
+  switch (ending) {
+    case Ending::step_limit:
+      return {"step-limit",
+              "The motion needs more steps than a request may take; ask for a shorter one, for less "
+              "accuracy, or with method gauss for a longer h."};
+    case Ending::nonfinite:
+      return {"nonfinite", "The equations of motion became infinite or undefined."};
+    case Ending::singular_mass:
+      return {"singular-mass", "The mass matrix lost its inverse, so the accelerations are undetermined."};
+    case Ending::tolerance:
+      return {
+          "tolerance",
+          "The tolerances, or the step h of method gauss, ask for more than double precision holds; choose "
+          "larger ones."};
+    case Ending::blow_up:
+      return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
+    case Ending::no_convergence:
+      return {"no-convergence",
+              "Method gauss found no solution for the equations of its next step: the step h is too long at "
+              "this place, or the motion has a singularity there. A shorter h may do, or method taylor."};
+    case Ending::reached_end:
+    case Ending::event:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool has_failed(Ending ending) { return ending != Ending::reached_end && ending != Ending::event; }
+
+Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
+                             std::span<const double> y, const std::string& detail) {
+  const Failure why = failure_of(ending);
+  Json members{{"reason", why.reason}, {"t_reached", t}, {"last_state", state_json(scene, y)}};
+  return to_response({.kind = ProblemKind::integration_failed,
+                      .detail = detail.empty() ? why.detail : detail,
+                      .errors = {},
+                      .members = std::move(members)},
+                     call.target.path, call.layout);
+}
+
+}  // namespace qdot::api

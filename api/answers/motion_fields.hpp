@@ -1,0 +1,77 @@
+#pragma once
+// The fields that say which motion is asked about and which stretch of it, for requests whose struct has the
+// members they name: t_start, t_end, samples, dt, times and grid; impacts.
+
+#include <vector>
+
+#include "api/answers/time_grid.hpp"
+#include "api/contract/request_table.hpp"
+#include "api/json/limits.hpp"
+
+namespace qdot::api {
+
+inline constexpr Domain instants{.lower = -limits::largest_time, .upper = limits::largest_time};
+
+/// Which of the grid's three ways was taken.
+inline const OneOf ways_of_grid{.ways = {{"samples"}, {"dt"}, {"times"}}};
+
+template <class R>
+void append_grid_fields(std::vector<RequestField<R>>& fields) {
+  fields.push_back(number("t_start", &R::t_start, {"s", instants}, "instant of the initial state",
+                          {.default_value = 0.0, .aliases = {"t0", "tstart", "start"}}));
+  fields.push_back(
+      number("t_end", &R::t_end, {"s", instants}, "end of the motion; with `times` it may be left out",
+             {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration", "stop_time"}}));
+  fields.push_back(
+      integer("samples", &R::samples, {2, limits::rows}, "rows of the answer, both ends in",
+              {.default_value = 101, .aliases = {"n", "rows", "points", "num", "number_of_points"}}));
+  fields.push_back(number("dt", &R::dt, {"s", {.lower = 0, .lower_open = true}},
+                          "distance of the rows; divides the time span",
+                          {.aliases = {"step", "dtmax", "delta_t", "timestep", "step_size"}}));
+  fields.push_back(list("times", &R::times, NumberKind{"s", instants}, limits::rows,
+                        "the instants of the rows, increasing", {.aliases = {"t_eval", "tspan", "saveat"}}));
+}
+
+template <class R>
+RequestField<R> impacts_field() {
+  return boolean("impacts", &R::impacts,
+                 "apply the system's impacts; false: the motion goes on as if there were none",
+                 {.default_value = true});
+}
+
+template <class R>
+void check_impacts(const R& request, Findings& findings) {
+  const Scene& scene = *request.system.scene;
+  if (request.impacts || scene.impact) return;
+  findings.report("impacts", "not_applicable", scene.name + " has no impacts to leave out.");
+}
+
+/// Fills `grid`, and `t_end` where `times` stands for it. `columns` is how many numbers a row has.
+template <class R>
+void read_grid(R& request, std::int64_t columns, Findings& findings) {
+  if (findings.echo().contains("times") && request.times.empty()) {
+    findings.report("times", "empty", "'times' needs at least one instant.");
+    return;
+  }
+  auto grid = time_grid({.t_start = request.t_start,
+                         .t_end = request.t_end,
+                         .samples = request.samples,
+                         .dt = request.dt,
+                         .times = request.times});
+  if (const auto* error = std::get_if<GridError>(&grid)) {
+    findings.report(error->field, error->code, error->detail);
+    return;
+  }
+  request.grid = std::get<std::vector<double>>(std::move(grid));
+  if (!request.t_end) request.t_end = request.grid.back();
+  findings.echo()["t_end"] = *request.t_end;
+  const auto rows = static_cast<std::int64_t>(request.grid.size());
+  if (rows * columns > limits::numbers) {
+    findings.report(findings.echo().contains("include") ? "include" : "samples", "too_many",
+                    std::to_string(rows) + " rows of " + std::to_string(columns) + " columns are " +
+                        std::to_string(rows * columns) + " numbers; an answer has at most " +
+                        std::to_string(limits::numbers) + ".");
+  }
+}
+
+}  // namespace qdot::api

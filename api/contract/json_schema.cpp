@@ -1,0 +1,209 @@
+#include "api/contract/json_schema.hpp"
+
+#include <cmath>
+
+#include "api/contract/system_choice.hpp"
+#include "api/json/limits.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// Which form of a field is described.
+enum class Form { body, query, echo };
+
+Json described(Json schema, const FieldInfo& field) {
+  schema["description"] = field.description;
+  if (!field.default_value.is_null()) schema["default"] = field.default_value;
+  if (!field.aliases.empty()) schema["x-aliases"] = field.aliases;
+  return schema;
+}
+
+/// A number, or except in an echo a text with its unit.
+Json number_schema(const std::string& unit, const Domain& range, Form form) {
+  Json number{{"type", "number"}};
+  number.update(domain_json(range));
+  Json schema = number;
+  if (form != Form::echo) {
+    schema = Json{{"anyOf", {std::move(number), reference("QuantityText")}}};
+  }
+  if (!unit.empty()) schema["x-unit"] = unit;
+  return schema;
+}
+
+Json choice_schema(const ChoiceKind& kind) { return {{"type", "string"}, {"enum", kind.options}}; }
+
+Json text_schema(std::size_t most_bytes) {
+  return {{"type", "string"}, {"minLength", 1}, {"maxLength", most_bytes}};
+}
+
+struct SchemaOf {
+  Form form;
+
+  Json operator()(const NumberKind& kind) const { return number_schema(kind.unit, kind.range, form); }
+  Json operator()(const IntegerKind& kind) const {
+    return {{"type", "integer"}, {"minimum", kind.least}, {"maximum", kind.most}};
+  }
+  Json operator()(const BooleanKind&) const { return {{"type", "boolean"}}; }
+  Json operator()(const TextKind& kind) const { return text_schema(kind.most_bytes); }
+  Json operator()(const ChoiceKind& kind) const { return choice_schema(kind); }
+  Json operator()(const ListKind& kind) const {
+    Json schema{
+        {"type", "array"}, {"items", std::visit(SchemaOf{form}, kind.element)}, {"maxItems", kind.most}};
+    if (std::holds_alternative<ChoiceKind>(kind.element)) schema["uniqueItems"] = true;
+    return schema;
+  }
+  Json operator()(const SystemKind&) const {
+    if (form == Form::query) return reference("SystemName");
+    return {{"anyOf", {reference("SystemName"), reference("Scene")}}};
+  }
+  Json operator()(const SymbolsKind& kind) const {
+    const bool is_input = kind.role == SymbolRole::input;
+    if (form == Form::echo) {
+      return {{"type", "object"}, {"additionalProperties", {{"type", is_input ? "string" : "number"}}}};
+    }
+    return {{"type", "object"}, {"additionalProperties", reference(is_input ? "TimeFunction" : "Quantity")}};
+  }
+  Json operator()(const ParameterValueKind& kind) const {
+    Json schema = number_schema("", {}, form);
+    schema["x-unit-of"] = kind.parameter;
+    return schema;
+  }
+};
+
+Json schema_of(const FieldInfo& field, Form form) {
+  return described(std::visit(SchemaOf{form}, field.kind), field);
+}
+
+Json object_schema(const FieldSet& set, Form form) {
+  Json properties = Json::object();
+  Json required = Json::array();
+  for (const FieldInfo& field : set.fields) {
+    properties[field.name] = schema_of(field, form);
+    if (field.need == Need::required) required.push_back(field.name);
+  }
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", std::move(required)},
+          {"additionalProperties", false}};
+}
+
+/// {"not": {"required": ["samples", "dt"]}} for each two fields of different ways.
+void append_exclusions(const OneOf& one_of, Json& exclusions) {
+  for (std::size_t i = 0; i < one_of.ways.size(); ++i) {
+    for (std::size_t j = i + 1; j < one_of.ways.size(); ++j) {
+      for (const std::string& a : one_of.ways[i]) {
+        for (const std::string& b : one_of.ways[j]) exclusions.push_back({{"not", {{"required", {a, b}}}}});
+      }
+    }
+  }
+}
+
+/// "At most one of: rtol and atol; accuracy; max_error."
+std::string in_words(const OneOf& one_of) {
+  std::string text = "At most one of:";
+  const char* separator = " ";
+  for (const std::vector<std::string>& way : one_of.ways) {
+    const char* conjunction = "";
+    text += separator;
+    for (const std::string& field : way) {
+      text += conjunction + field;
+      conjunction = " and ";
+    }
+    separator = "; ";
+  }
+  return text + ".";
+}
+
+std::string in_words(const FieldSet& set) {
+  std::string text;
+  for (const OneOf& one_of : set.one_of) text += (text.empty() ? "" : " ") + in_words(one_of);
+  return text;
+}
+
+/// k=40 or parameters.k=40; a place is said with its field's name only, equilibrium.theta=0.
+Json flattened(const FieldInfo& field, SymbolRole role) {
+  const Json value = reference(role == SymbolRole::input ? "TimeFunction" : "Quantity");
+  Json schema{{"type", "object"}};
+  if (role == SymbolRole::equilibrium || role == SymbolRole::position) {
+    schema["patternProperties"] = {{"^" + field.name + "\\.", value}};
+    schema["additionalProperties"] = false;
+  } else {
+    schema["additionalProperties"] = value;
+  }
+  return {{"name", field.name},
+          {"in", "query"},
+          {"description", field.description +
+                              "; each stands alone, as name=value or, where it must be told "
+                              "from a field, " +
+                              field.name + ".name=value"},
+          {"style", "form"},
+          {"explode", true},
+          {"schema", std::move(schema)}};
+}
+
+Json query_parameter(const FieldInfo& field) {
+  if (const auto* symbols = std::get_if<SymbolsKind>(&field.kind)) return flattened(field, symbols->role);
+  Json parameter{{"name", field.name}, {"in", "query"}};
+  parameter["required"] = field.need == Need::required;
+  parameter["description"] = field.description;
+  if (std::holds_alternative<ListKind>(field.kind)) parameter.update({{"style", "form"}, {"explode", false}});
+  Json schema = schema_of(field, Form::query);
+  schema.erase("description");
+  parameter["schema"] = std::move(schema);
+  return parameter;
+}
+
+}  // namespace
+
+Json domain_json(const Domain& domain) {
+  Json json = Json::object();
+  if (std::isfinite(domain.lower)) json[domain.lower_open ? "exclusiveMinimum" : "minimum"] = domain.lower;
+  if (std::isfinite(domain.upper)) json[domain.upper_open ? "exclusiveMaximum" : "maximum"] = domain.upper;
+  return json;
+}
+
+Json body_schema(const FieldSet& set) {
+  Json schema = object_schema(set, Form::body);
+  Json exclusions = Json::array();
+  for (const OneOf& one_of : set.one_of) append_exclusions(one_of, exclusions);
+  if (!exclusions.empty()) {
+    schema["description"] = in_words(set);
+    schema["allOf"] = std::move(exclusions);
+  }
+  return schema;
+}
+
+Json query_parameters(const FieldSet& set) {
+  Json parameters = Json::array();
+  for (const FieldInfo& field : set.fields) {
+    parameters.push_back(query_parameter(field));
+  }
+  return parameters;
+}
+
+Json echo_schema(const FieldSet& set) {
+  Json schema = object_schema(set, Form::echo);
+  for (auto& [name, field] : schema["properties"].items()) {
+    for (const char* said_of_requests : {"default", "x-aliases"}) field.erase(said_of_requests);
+  }
+  schema["description"] = "The request as it was understood: defaults filled in, SI units.";
+  return schema;
+}
+
+Json shared_schemas() {
+  const Json text{{"type", "string"},
+                  {"minLength", 1},
+                  {"description", "A number with a unit."},
+                  {"examples", {"30deg", "12 cm", "2 rev/s", "9.81 m/s^2"}}};
+  const Json input{{"anyOf", {{{"type", "number"}}, text_schema(limits::expression_bytes)}},
+                   {"description", "An expression in t and the parameters."}};
+  return {{"QuantityText", text},
+          {"Quantity",
+           {{"anyOf", {{{"type", "number"}}, reference("QuantityText")}},
+            {"description", "A number in SI units, or a text that carries its unit."}}},
+          {"TimeFunction", input}};
+}
+
+Json reference(const std::string& name) { return {{"$ref", "#/components/schemas/" + name}}; }
+
+}  // namespace qdot::api

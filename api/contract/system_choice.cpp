@@ -1,0 +1,159 @@
+#include "api/contract/system_choice.hpp"
+
+#include <algorithm>
+
+#include "api/json/limits.hpp"
+#include "api/json/suggest.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr SymbolRole roles[] = {SymbolRole::parameter, SymbolRole::initial, SymbolRole::input};
+
+std::string per_second(const std::string& unit) {
+  return (unit.find('/') == std::string::npos ? unit : "(" + unit + ")") + "/s";
+}
+
+/// "a parameter", for sentences.
+std::string kind_name(SymbolRole role) {
+  switch (role) {
+    case SymbolRole::parameter:
+      return "parameter";
+    case SymbolRole::initial:
+      return "coordinate or velocity";
+    case SymbolRole::input:
+      return "input";
+    case SymbolRole::equilibrium:
+    case SymbolRole::position:
+      return "coordinate";
+  }
+  return {};
+}
+
+/// "spring_pendulum has no parameter 'kk'.", and where the name belongs when it is another kind of symbol.
+FieldError unknown_symbol(const Scene& scene, SymbolRole role, const std::string& name, const Place& place,
+                          std::vector<std::string> allowed) {
+  const std::string detail = (scene.name.empty() ? "The system" : scene.name) + " has no " + kind_name(role) +
+                             " " + in_quotes(name) + ".";
+  const std::optional<SymbolRole> other = role_of(scene, name);
+  if (!other) return unknown_name(place, detail, name, std::move(allowed));
+  FieldError error = place.error("unknown_field", detail + " It belongs in '" + field_name(*other) + "'.");
+  error.did_you_mean = field_name(*other) + "." + name;
+  return error;
+}
+
+/// An input is an expression; a number is one too.
+std::optional<Json> read_input(const Symbol& symbol, const Json& value, const Place& place, Errors& errors) {
+  if (value.is_number()) return value.dump();
+  return read_value(TextKind{.most_bytes = limits::expression_bytes}, symbol.name, value, place, errors);
+}
+
+void store(SymbolRole role, const std::string& name, const Json& value, SystemChoice& choice) {
+  switch (role) {
+    case SymbolRole::parameter:
+      choice.parameters.emplace_back(name, value.get<double>());
+      break;
+    case SymbolRole::initial:
+      choice.initial.emplace_back(name, value.get<double>());
+      break;
+    case SymbolRole::input:
+      choice.inputs.emplace_back(name, value.get<std::string>());
+      break;
+    case SymbolRole::equilibrium:
+      choice.equilibrium.emplace_back(name, value.get<double>());
+      break;
+    case SymbolRole::position:
+      choice.position.emplace_back(name, value.get<double>());
+      break;
+  }
+}
+
+}  // namespace
+
+std::vector<Symbol> symbols(const Scene& scene, SymbolRole role) {
+  std::vector<Symbol> result;
+  switch (role) {
+    case SymbolRole::parameter:
+      for (const Parameter& p : scene.parameters) result.push_back({p.name, p.unit, p.domain});
+      break;
+    case SymbolRole::initial:
+      for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain});
+      for (const Coordinate& q : scene.coordinates)
+        result.push_back({q.name + "_dot", per_second(q.unit), {}});
+      break;
+    case SymbolRole::input:
+      for (const Input& input : scene.inputs) result.push_back({input.name, input.unit, {}});
+      break;
+    case SymbolRole::equilibrium:
+    case SymbolRole::position:
+      for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain});
+      break;
+  }
+  return result;
+}
+
+std::string field_name(SymbolRole role) {
+  switch (role) {
+    case SymbolRole::parameter:
+      return "parameters";
+    case SymbolRole::initial:
+      return "initial";
+    case SymbolRole::input:
+      return "inputs";
+    case SymbolRole::equilibrium:
+      return "equilibrium";
+    case SymbolRole::position:
+      return "at";
+  }
+  return {};
+}
+
+std::optional<SymbolRole> role_of(const Scene& scene, const std::string& name) {
+  for (const SymbolRole role : roles) {
+    const std::vector<Symbol> known = symbols(scene, role);
+    if (std::ranges::find(known, name, &Symbol::name) != known.end()) return role;
+  }
+  return std::nullopt;
+}
+
+Json read_symbols(SymbolRole role, const Json& value, const Place& place, SystemChoice& choice,
+                  Errors& errors) {
+  Json resolved = Json::object();
+  if (!value.is_object()) {
+    errors.push_back(
+        place.error("wrong_type", "'" + field_name(role) + "' needs an object, {\"name\": value}."));
+    return resolved;
+  }
+  const std::vector<Symbol> known = symbols(*choice.scene, role);
+  std::vector<std::string> names;
+  for (const Symbol& symbol : known) names.push_back(symbol.name);
+  for (const auto& [name, given] : value.items()) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    errors.push_back(unknown_symbol(*choice.scene, role, name, place.below(name), names));
+    if (errors.size() > limits::listed_errors) break;
+  }
+  for (const Symbol& symbol : known) {
+    const auto given = value.find(symbol.name);
+    if (given == value.end()) continue;
+    const Place here = place.below(symbol.name);
+    const std::optional<Json> read =
+        role == SymbolRole::input
+            ? read_input(symbol, *given, here, errors)
+            : read_value(NumberKind{symbol.unit, symbol.domain}, symbol.name, *given, here, errors);
+    if (!read) continue;
+    resolved[symbol.name] = *read;
+    store(role, symbol.name, *read, choice);
+  }
+  return resolved;
+}
+
+FieldError unknown_name(const Place& place, std::string detail, const std::string& name,
+                        std::vector<std::string> allowed) {
+  FieldError error = place.error("unknown_field", std::move(detail));
+  error.did_you_mean = closest(name, allowed);
+  error.allowed = std::move(allowed);
+  return error;
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,56 @@
+#pragma once
+// The system of a request, and what the request says of the system's own symbols.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api/contract/field.hpp"
+#include "api/contract/field_values.hpp"
+#include "api/contract/submission.hpp"
+#include "core/mechanics/scene.hpp"
+
+namespace qdot::api {
+
+/// Only what was given, in the scene's order; what is missing has the scene's defaults.
+struct SystemChoice {
+  std::shared_ptr<const Scene> scene{};
+  std::vector<std::pair<std::string, double>> parameters{};   ///< SI
+  std::vector<std::pair<std::string, double>> initial{};      ///< coordinates and velocities, SI
+  std::vector<std::pair<std::string, std::string>> inputs{};  ///< expressions in t and the parameters
+  std::vector<std::pair<std::string, double>> equilibrium{};  ///< coordinates where it is meant, SI
+  std::vector<std::pair<std::string, double>> position{};     ///< coordinates, SI
+};
+
+/// Finds the system that a request's value names or is: a name, or a scene object. Without one it reports
+/// why.
+using FindSystem =
+    std::function<std::shared_ptr<const Scene>(const Json& value, const Place& place, Errors& errors)>;
+
+/// One name that a request can give a value to.
+struct Symbol {
+  std::string name;
+  std::string unit;
+  Domain domain;
+};
+
+/// The symbols of one role: parameters; or each coordinate and its velocity; or inputs; or coordinates.
+[[nodiscard]] std::vector<Symbol> symbols(const Scene& scene, SymbolRole role);
+
+/// "parameters", "initial", "inputs", "equilibrium", "at": the field that holds the symbols of a role.
+[[nodiscard]] std::string field_name(SymbolRole role);
+
+/// The symbol's role, if the scene has it; a coordinate standing alone is an initial value.
+[[nodiscard]] std::optional<SymbolRole> role_of(const Scene& scene, const std::string& name);
+
+/// Reads an object of the role's symbols into `choice`, whose scene is set, and returns the resolved object.
+Json read_symbols(SymbolRole role, const Json& value, const Place& place, SystemChoice& choice,
+                  Errors& errors);
+
+/// The error of a name that nobody knows where `allowed` stand.
+[[nodiscard]] FieldError unknown_name(const Place& place, std::string detail, const std::string& name,
+                                      std::vector<std::string> allowed);
+
+}  // namespace qdot::api

@@ -1,0 +1,70 @@
+#include "api/contract/text_checks.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+
+#include "core/expr/parse.hpp"
+
+namespace qdot::api {
+namespace {
+
+std::vector<std::string> input_symbols(const Scene& scene) {
+  std::vector<std::string> allowed{"t"};
+  for (const Parameter& p : scene.parameters) allowed.push_back(p.name);
+  return allowed;
+}
+
+std::vector<std::string> event_symbols(const Scene& scene) {
+  std::vector<std::string> allowed = input_symbols(scene);
+  for (const Symbol& symbol : symbols(scene, SymbolRole::initial)) allowed.push_back(symbol.name);
+  return allowed;
+}
+
+std::string as_sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+/// What `read` throws, as an error at its place.
+void check_text(const Place& place, const std::vector<std::string>& allowed, Findings& findings,
+                const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Error& error) {
+    const bool unknown = error.code() == ErrorCode::unknown_symbol;
+    FieldError found = place.error(unknown                                ? "unknown_symbol"
+                                   : error.code() == ErrorCode::too_large ? "too_large"
+                                                                          : "syntax",
+                                   as_sentence(error.what()));
+    if (unknown) found.allowed = allowed;
+    findings.add(std::move(found));
+  }
+}
+
+}  // namespace
+
+void check_events(const Scene& scene, const std::vector<std::string>& events, Findings& findings) {
+  const std::vector<std::string> allowed = event_symbols(scene);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const bool named = std::any_of(scene.events.begin(), scene.events.end(),
+                                   [&](const SceneEvent& event) { return event.name == events[i]; });
+    if (named) continue;
+    check_text(findings.root().below("events").below(i), allowed, findings, [&] {
+      Graph graph;
+      (void)parse_event(events[i], graph, allowed);
+    });
+  }
+}
+
+void check_inputs(const SystemChoice& choice, Findings& findings) {
+  const std::vector<std::string> allowed = input_symbols(*choice.scene);
+  for (const auto& [name, text] : choice.inputs) {
+    check_text(findings.root().below("inputs").below(name), allowed, findings, [&, &text = text] {
+      Graph graph;
+      (void)parse(text, graph, allowed);
+    });
+  }
+}
+
+}  // namespace qdot::api

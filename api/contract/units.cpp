@@ -1,0 +1,96 @@
+#include "api/contract/units.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
+#include "core/mechanics/units.hpp"
+
+namespace qdot::api {
+namespace {
+
+struct NumberAndRest {
+  double number{};
+  std::string_view rest;
+};
+
+bool begins_number(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  if (text.starts_with('.')) text.remove_prefix(1);
+  return !text.empty() && text[0] >= '0' && text[0] <= '9';  // from_chars alone would read "inf" and "nan"
+}
+
+std::string example(std::string_view unit) {
+  return unit == "1" ? "a plain number such as 0.5" : "a number of " + std::string(unit);
+}
+
+std::variant<NumberAndRest, QuantityError> split_number(std::string_view text,
+                                                        std::string_view expected_unit) {
+  text = trimmed(text);
+  std::string_view digits = text;
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+  if (text.size() > limits::quantity_bytes || !begins_number(digits)) {
+    return QuantityError{"syntax",
+                         in_quotes(text) + " is not a quantity; write " + example(expected_unit) + "."};
+  }
+  NumberAndRest result;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result.number);
+  if (error != std::errc{}) {
+    return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
+  }
+  result.rest = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
+  return result;
+}
+
+/// " (kg*m/s^2)" after N, nothing after m.
+std::string in_base_units(std::string_view name, const Unit& unit) {
+  const std::string text = to_text(unit.dimension);
+  return text == name ? "" : " (" + text + ")";
+}
+
+/// How often a full turn has to be put in: "2 Hz" for a symbol in rad/s is two turns a second.
+int missing_turns(const Unit& unit, const Unit& expected) {
+  return unit.angle == 0 && unit.cycles == expected.angle ? unit.cycles : 0;
+}
+
+/// expected_unit comes from a scene or a table that was checked when it was loaded.
+Unit declared_unit(std::string_view expected_unit) {
+  const std::optional<Unit> unit = parse_unit(expected_unit);
+  if (!unit) throw std::logic_error("a symbol is declared in an unknown unit");
+  return *unit;
+}
+
+}  // namespace
+
+std::variant<double, QuantityError> parse_quantity(std::string_view text, std::string_view expected_unit) {
+  const auto split = split_number(text, expected_unit);
+  if (const auto* error = std::get_if<QuantityError>(&split)) return *error;
+  const auto [number, rest] = std::get<NumberAndRest>(split);
+  if (rest.empty()) return number;
+
+  const Unit expected = declared_unit(expected_unit);
+  const std::optional<Unit> unit = parse_unit(rest);
+  if (!unit) {
+    return QuantityError{
+        "unknown_unit", in_quotes(rest) + " is not a unit known here; write " + example(expected_unit) + "."};
+  }
+  if (unit->dimension != expected.dimension) {
+    return QuantityError{"wrong_dimension", in_quotes(rest) + in_base_units(rest, *unit) + " does not fit; " +
+                                                std::string(expected_unit) +
+                                                in_base_units(expected_unit, expected) + " is needed."};
+  }
+  double value = unit->to_si(number);
+  for (int turn = missing_turns(*unit, expected); turn > 0; --turn) value *= 2 * std::numbers::pi;
+  for (int turn = missing_turns(*unit, expected); turn < 0; ++turn) value /= 2 * std::numbers::pi;
+  if (!std::isfinite(value)) {
+    return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
+  }
+  return value;
+}
+
+}  // namespace qdot::api

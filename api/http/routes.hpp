@@ -1,0 +1,70 @@
+#pragma once
+// Which function answers which address. A pattern has literal segments and names in braces:
+// "/v1/systems/{name}".
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "api/contract/field.hpp"
+#include "api/http/address.hpp"
+#include "api/http/messages.hpp"
+#include "api/json/layout.hpp"
+
+namespace qdot::api {
+
+/// How long the parts of an answer took, for the Server-Timing header; bodies know nothing of time.
+class Timing {
+ public:
+  /// Ends a part: the time since the one before belongs to `name`.
+  void lap(std::string_view name);
+  /// "parse;dur=0.1, solve;dur=3.2", in milliseconds; empty without laps.
+  [[nodiscard]] std::string header() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_{Clock::now()};
+  std::vector<std::pair<std::string, double>> laps_;
+};
+
+/// One request on its way to its handler.
+struct Call {
+  const Request& request;
+  Target target;  ///< without `pretty`, which `layout` has
+  Layout layout{Layout::compact};
+  std::vector<std::string> captures{};  ///< what the names in braces stand for, in order
+  std::string accepted{};               ///< the media type that the client prefers of those that are offered
+  Timing timing{};
+};
+
+using Handler = std::function<Response(Call&)>;
+
+struct Endpoint {
+  std::string method;  ///< "GET" answers HEAD too
+  std::string pattern;
+  Handler handler;
+  std::vector<std::string> offers{"application/json"};  ///< media types, the default first
+  const FieldSet* fields{nullptr};                      ///< what a request may say; nullptr: nothing
+};
+
+class Routes {
+ public:
+  void add(Endpoint endpoint) { endpoints_.push_back(std::move(endpoint)); }
+
+  struct Match {
+    const Endpoint* endpoint{};  ///< nullptr: the path or its method is not known
+    std::vector<std::string> captures{};
+    std::string allow{};  ///< the path's methods, "GET, HEAD, OPTIONS"; empty: no such path
+  };
+  [[nodiscard]] Match match(std::string_view method, std::string_view path) const;
+
+  [[nodiscard]] const std::vector<Endpoint>& endpoints() const { return endpoints_; }
+
+ private:
+  std::vector<Endpoint> endpoints_;
+};
+
+}  // namespace qdot::api

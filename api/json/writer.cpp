@@ -1,0 +1,228 @@
+#include "api/json/writer.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/base/work.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr std::size_t rows_between_looks = 256;  // whether the answer is still awaited
+
+// -1.7976931348623157e+308 has 24 characters, -0.0001 with 17 digits 23.
+constexpr std::size_t longest_number = 32;
+
+double require_finite(double value) {
+  if (!std::isfinite(value)) throw std::logic_error("a number that is not finite was to be written");
+  return value;
+}
+
+/// Where the notation without exponent is the one that people read.
+std::chars_format notation(double magnitude) {
+  return magnitude >= 1e-4 && magnitude < 1e15 ? std::chars_format::fixed : std::chars_format::scientific;
+}
+
+bool holds_structures(const Json& json) {
+  return json.is_array() &&
+         std::ranges::any_of(json, [](const Json& element) { return element.is_structured(); });
+}
+
+/// A value without line breaks: a scalar, or an array of scalars.
+void append_flat(std::string& out, const Json& json, std::string_view comma, int digits) {
+  if (json.is_array()) {
+    out += '[';
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      if (i > 0) out += comma;
+      append_flat(out, json[i], comma, digits);
+    }
+    out += ']';
+  } else if (json.is_number_float()) {
+    append_number(out, json.get<double>(), digits);
+  } else if (json.is_string()) {
+    append_string(out, json.get_ref<const std::string&>());
+  } else {
+    out += json.dump();  // null, true, false and integers
+  }
+}
+
+/// The number's digits from `text` on, at most longest_number of them; returns their end.
+char* write_number(char* text, double value) {
+  if (value == 0) return std::ranges::copy(std::string_view("0.0"), text).out;  // -0.0 too
+  const std::chars_format format = notation(std::abs(value));
+  char* end = std::to_chars(text, text + longest_number - 2, value, format).ptr;
+  // A whole number in fixed notation has no point; below 1e15 its double is exact, so the test is too.
+  if (format == std::chars_format::fixed && value == std::trunc(value)) {
+    *end++ = '.';
+    *end++ = '0';
+  }
+  return end;
+}
+
+}  // namespace
+
+double rounded(double value, int digits) {
+  if (digits == shortest_digits || !std::isfinite(value)) return value;
+  char text[longest_number];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
+  double result{};
+  // The largest doubles round up to infinity: keep those as they are.
+  return std::from_chars(text, end, result).ec == std::errc{} ? result : value;
+}
+
+void append_number(std::string& out, double value, int digits) {
+  char text[longest_number];
+  out.append(text, write_number(text, rounded(require_finite(value), digits)));
+}
+
+void append_string(std::string& out, std::string_view text) {
+  out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void JsonWriter::open(char bracket) {
+  separate();
+  out_ += bracket;
+  has_members_.push_back(false);
+}
+
+void JsonWriter::close(char bracket) {
+  const bool had_members = has_members_.back();
+  has_members_.pop_back();
+  if (had_members) new_line();
+  out_ += bracket;
+}
+
+/// Before a key, and before a value that has none.
+void JsonWriter::separate() {
+  if (after_key_) {
+    after_key_ = false;
+    return;
+  }
+  if (has_members_.empty()) return;
+  if (has_members_.back()) out_ += ',';
+  has_members_.back() = true;
+  new_line();
+}
+
+void JsonWriter::new_line() {
+  if (layout_ == Layout::compact) return;
+  out_ += '\n';
+  out_.append(2 * has_members_.size(), ' ');
+}
+
+void JsonWriter::key(std::string_view name) {
+  separate();
+  append_string(out_, name);
+  out_ += layout_ == Layout::pretty ? ": " : ":";
+  after_key_ = true;
+}
+
+void JsonWriter::number(double value, int digits) {
+  separate();
+  append_number(out_, value, digits);
+}
+
+void JsonWriter::string(std::string_view text) {
+  separate();
+  append_string(out_, text);
+}
+
+void JsonWriter::numbers(std::span<const double> values, int digits) {
+  separate();
+  out_ += '[';
+  const std::string_view comma = layout_ == Layout::pretty ? ", " : ",";
+  const std::size_t begin = out_.size();
+  out_.resize(begin + (longest_number + comma.size()) * values.size());
+  char* end = out_.data() + begin;
+  for (const double value : values) {
+    if (end != out_.data() + begin) end = std::ranges::copy(comma, end).out;
+    end = write_number(end, rounded(require_finite(value), digits));
+  }
+  out_.resize(static_cast<std::size_t>(end - out_.data()));
+  out_ += ']';
+}
+
+void JsonWriter::columns(std::span<const Column> table, int digits) {
+  begin_object();
+  for (const Column& column : table) {
+    check_interruption();
+    key(column.name);
+    numbers(column.values, digits);
+  }
+  end_object();
+}
+
+void JsonWriter::value(const Json& json, int digits) {
+  if (json.is_object()) {
+    begin_object();
+    for (const auto& [name, element] : json.items()) member(name, element, digits);
+    end_object();
+  } else if (holds_structures(json)) {
+    begin_array();
+    for (const Json& element : json) value(element, digits);
+    end_array();
+  } else {
+    separate();
+    append_flat(out_, json, layout_ == Layout::pretty ? ", " : ",", digits);
+  }
+}
+
+void JsonWriter::member(std::string_view name, const Json& json, int digits) {
+  key(name);
+  value(json, digits);
+}
+
+std::string JsonWriter::finish() && {
+  out_ += '\n';
+  return std::move(out_);
+}
+
+std::string to_text(const Json& json, Layout layout) {
+  JsonWriter writer(layout);
+  writer.value(json);
+  return std::move(writer).finish();
+}
+
+std::string to_csv(std::span<const Column> table, int digits) {
+  std::string out;
+  const std::size_t rows = table.empty() ? 0 : table.front().values.size();
+  out.reserve(22 * (rows + 1) * table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table[i].values.size() != rows) throw std::logic_error("the columns of a table differ in length");
+    out += table[i].name;
+    out += i + 1 < table.size() ? ',' : '\n';
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (row % rows_between_looks == 0) check_interruption();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      append_number(out, table[i].values[row], digits);
+      out += i + 1 < table.size() ? ',' : '\n';
+    }
+  }
+  return out;
+}
+
+std::string to_ndjson(std::span<const Column> table, int digits) {
+  std::string out;
+  const std::size_t rows = table.empty() ? 0 : table[0].values.size();
+  std::vector<std::string> keys;
+  for (const Column& column : table) {
+    keys.emplace_back(keys.empty() ? "{" : ",");
+    append_string(keys.back(), column.name);
+    keys.back() += ':';
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (row % rows_between_looks == 0) check_interruption();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      out += keys[i];
+      append_number(out, table[i].values[row], digits);
+    }
+    out += "}\n";
+  }
+  return out;
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,48 @@
+#pragma once
+// The systems that requests can name: the scenes built into the program, in practice-sheet order, and those
+// of a directory that the user gives. A new system is a new file in api/scenes/.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "api/json/json.hpp"
+#include "core/mechanics/scene.hpp"
+
+namespace qdot::api {
+
+struct CatalogueEntry {
+  std::string file;  ///< name of the file, for messages
+  Json json;         ///< as written
+  Scene scene;
+};
+
+class Catalogue {
+ public:
+  /// The scenes of api/scenes/: problems 1 to 10 by their number, then those of no problem, by file name.
+  [[nodiscard]] static Catalogue built_in();
+
+  /// This catalogue and every *.json of `directory` after it, by file name. Throws std::runtime_error with
+  /// all mistakes of all files, a line each, when a file cannot be read, is no scene, or has a name that is
+  /// taken.
+  [[nodiscard]] Catalogue with_directory(const std::filesystem::path& directory) const;
+
+  /// nullptr for a name that is none.
+  [[nodiscard]] const CatalogueEntry* find(std::string_view name) const;
+
+  [[nodiscard]] std::span<const CatalogueEntry> entries() const { return entries_; }
+  [[nodiscard]] std::vector<std::string> names() const;
+
+ private:
+  /// The mistakes in this file, a line each; it is added when there are none.
+  std::string add(std::string file, std::string_view text);
+
+  std::vector<CatalogueEntry> entries_;
+};
+
+/// The JSON Schema (2020-12) of a scene.
+[[nodiscard]] std::string_view scene_schema();
+
+}  // namespace qdot::api
