@@ -12,7 +12,7 @@
 //   Model
 //     Dynamics             tapes for q'', Jacobian, columns, events      core/dynamics/dynamics.hpp
 //   CompiledFunction                                                     core/compile/compiled_function.hpp
-//     integrate            stepping, events, sampling                    core/integrate/run.hpp
+//     integrate            stepping, events, sampling                    core/integrate/integrate.hpp
 //   Run
 //     simulate             a motion with its columns and how it ended    core/motion/simulation.hpp
 //   Simulation

@@ -1,7 +1,7 @@
 #pragma once
 // What a question may cost, and whether anyone still waits for its answer. The thread that computes knows
 // both, so that algebra and searches far below the question need not hand them on. Integrations have bounds
-// of their own (core/integrate/run.hpp) and only look whether they are awaited.
+// of their own (core/integrate/integrate.hpp) and only look whether they are awaited.
 
 #include <cstdint>
 #include <functional>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/integrate/integrate.hpp"
 #include "core/mechanics/units.hpp"
 #include "core/numerics/dense_matrix.hpp"
 

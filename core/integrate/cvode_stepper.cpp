@@ -8,6 +8,7 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <stdexcept>
 
 #include <algorithm>
 #include <utility>
@@ -161,6 +162,7 @@ std::unique_ptr<Stepper> make_adams_stepper(const RightHandSide& system, const R
 }
 
 std::unique_ptr<Stepper> make_bdf_stepper(const RightHandSide& system, const RunRequest& request) {
+  if (!system.jacobian) throw std::invalid_argument("bdf needs a Jacobian");
   return std::make_unique<CvodeStepper>(CV_BDF, system, request);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "core/integrate/evaluator.hpp"
@@ -199,6 +200,7 @@ class GaussStepper final : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> make_gauss_stepper(const RightHandSide& system, const RunRequest& request) {
+  if (!(request.h > 0)) throw std::invalid_argument("gauss needs a step");
   return std::make_unique<GaussStepper>(system, request);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Integration of y' = f(t, y): right-hand side, sampling grid and events in, run out.
-// Stepping (stepper.hpp), events (events.hpp) and sampling on the grid are three pieces that meet in run.cpp.
+// Integration of y' = f(t, y) in values: right-hand side, sampling grid and events go in, a run comes out
+// (core/integrate/integrate.hpp).
 
 #include <cstddef>
 #include <cstdint>
@@ -113,11 +113,5 @@ struct Run {
   std::uint64_t steps{};
   std::uint64_t evaluations{};
 };
-
-/// Integrates from t_start to t_end >= t_start. Rows and steps are the same bits whatever the grid and the
-/// non-terminal events, unless max_evaluations runs out. The same call gives the same bits, on any thread.
-/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian,
-/// for taylor without an expansion and for gauss with h <= 0.
-[[nodiscard]] Run integrate(const RightHandSide& system, const RunRequest& request);
 
 }  // namespace qdot

@@ -1,6 +1,7 @@
 #pragma once
-// A method, seen from the loop in run.cpp: it steps as it likes and can say where the solution was inside its
-// last step. This is the one place with runtime polymorphism: methods of very different make stand behind it.
+// A method, seen from the loop in integrate.cpp: it steps as it likes and can say where the solution was
+// inside its last step. This is the one place with runtime polymorphism: methods of very different make stand
+// behind it.
 
 #include <cstdint>
 #include <memory>
@@ -42,10 +43,5 @@ class Stepper {
   [[nodiscard]] virtual std::uint64_t steps() const = 0;
   [[nodiscard]] virtual std::uint64_t evaluations() const = 0;
 };
-
-/// The method that request.method names. Both arguments must outlive the stepper.
-/// Throws std::invalid_argument for tolerances that are not positive, for bdf without a Jacobian,
-/// for taylor without an expansion and for gauss with h <= 0.
-[[nodiscard]] std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequest& request);
 
 }  // namespace qdot

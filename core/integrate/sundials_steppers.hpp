@@ -1,5 +1,5 @@
 #pragma once
-// The steppers that SUNDIALS 6.4.1 drives. Users go through make_stepper() in stepper.hpp.
+// The steppers that SUNDIALS 6.4.1 drives. Users go through make_stepper() in methods.hpp.
 
 #include <memory>
 

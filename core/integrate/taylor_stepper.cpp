@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "core/base/work.hpp"
@@ -282,6 +283,7 @@ class TaylorStepper final : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> make_taylor_stepper(const RightHandSide& system, const RunRequest& request) {
+  if (!system.expansion) throw std::invalid_argument("taylor needs an expansion");
   return std::make_unique<TaylorStepper>(system, request);
 }
 

@@ -8,6 +8,7 @@
 #include "core/compile/taylor/expansion.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
+#include "core/integrate/integrate.hpp"
 
 namespace qdot {
 namespace {

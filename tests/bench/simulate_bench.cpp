@@ -9,6 +9,7 @@
 
 #include "api/service.hpp"
 #include "core/compile/taylor/expansion.hpp"
+#include "core/integrate/integrate.hpp"
 #include "tests/support/motions.hpp"
 
 namespace qdot {

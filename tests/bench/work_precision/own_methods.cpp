@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/compile/taylor/expansion.hpp"
+#include "core/integrate/integrate.hpp"
 #include "core/motion/simulation.hpp"
 #include "tests/bench/work_precision/motions.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/error.hpp"
-#include "core/integrate/run.hpp"
+#include "core/integrate/integrate.hpp"
 #include "tests/core/integrate/systems.hpp"
 
 namespace qdot {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/integrate/stepper.hpp"
+#include "core/integrate/methods.hpp"
 #include "tests/core/integrate/systems.hpp"
 
 namespace qdot {

@@ -1,4 +1,4 @@
-#include "core/integrate/run.hpp"
+#include "core/integrate/integrate.hpp"
 
 #include <gtest/gtest.h>
 

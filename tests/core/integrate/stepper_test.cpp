@@ -1,4 +1,4 @@
-#include "core/integrate/stepper.hpp"
+#include "core/integrate/methods.hpp"
 
 #include <gtest/gtest.h>
 

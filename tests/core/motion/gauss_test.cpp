@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/motion/ladder.hpp"
+#include "core/integrate/integrate.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/system_test.hpp"
 

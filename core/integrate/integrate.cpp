@@ -1,4 +1,4 @@
-#include "core/integrate/run.hpp"
+#include "core/integrate/integrate.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -10,8 +10,8 @@
 #include "core/base/error.hpp"
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/events.hpp"
+#include "core/integrate/methods.hpp"
 #include "core/integrate/progress.hpp"
-#include "core/integrate/stepper.hpp"
 
 namespace qdot {
 namespace {
