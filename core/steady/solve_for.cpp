@@ -7,8 +7,6 @@
 
 #include "core/base/error.hpp"
 #include "core/steady/equilibria.hpp"
-#include "core/steady/solvable_ranges.hpp"
-#include "core/steady/steady_polynomial.hpp"
 
 namespace qdot {
 namespace {

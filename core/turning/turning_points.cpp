@@ -8,7 +8,6 @@
 #include "core/expr/simplify.hpp"
 #include "core/turning/oscillation_period.hpp"
 #include "core/turning/turning_search.hpp"
-#include "core/turning/validity_minimum.hpp"
 
 namespace qdot {
 namespace {

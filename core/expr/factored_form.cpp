@@ -1,8 +1,6 @@
-#include "core/expr/factor.hpp"
+#include "core/expr/factored_form.hpp"
 
 #include <algorithm>
-
-#include "core/expr/count.hpp"
 
 namespace qdot {
 namespace {
@@ -21,7 +19,7 @@ struct Place {
   [[nodiscard]] Place inside() const { return {graph, std::max(levels - 1, 0)}; }
 };
 
-Expression factored(Place place, const Polynomial& polynomial);
+Expression factored_form(Place place, const Polynomial& polynomial);
 Expression grouped(Place place, const Polynomial& polynomial);
 
 Number size_of(const Number& number) { return number.is_negative() ? -number : number; }
@@ -97,7 +95,7 @@ std::vector<Shared> most_shared(const Polynomial& polynomial) {
 /// The polynomial without its common monomial and number.
 Expression primitive(Place place, const Polynomial& polynomial) {
   if (polynomial.size() > 2) {
-    if (const auto root = exact_root(polynomial)) return pow(factored(place, *root), Number(2));
+    if (const auto root = exact_root(polynomial)) return pow(factored_form(place, *root), Number(2));
   }
   return grouped(place, polynomial);
 }
@@ -142,9 +140,9 @@ Expression grouped_by(Place place, const Polynomial& polynomial, const Atom& ato
   if (const auto quotient = exact_quotient(others, bracket)) {
     Polynomial cofactor = *quotient;
     add(cofactor, front, 1);
-    return factored(place, cofactor) * factored(place, bracket);
+    return factored_form(place, cofactor) * factored_form(place, bracket);
   }
-  return with_common_factor(place, group, front) + factored(place, others);
+  return with_common_factor(place, group, front) + factored_form(place, others);
 }
 
 Expression grouped(Place place, const Polynomial& polynomial) {
@@ -157,7 +155,7 @@ Expression grouped(Place place, const Polynomial& polynomial) {
   return written_length(first) < written_length(last) ? first : last;
 }
 
-Expression factored(Place place, const Polynomial& polynomial) {
+Expression factored_form(Place place, const Polynomial& polynomial) {
   if (polynomial.size() < 2) return to_expression(place.graph, polynomial);
   const Monomial common = common_monomial(polynomial);
   const bool worthwhile = common.size() * (polynomial.size() - 1) >= worthwhile_saving;
@@ -169,9 +167,11 @@ Expression factored(Place place, const Polynomial& polynomial) {
 
 }  // namespace
 
-Expression factored(Graph& graph, const Polynomial& polynomial) { return factored(Place{graph}, polynomial); }
+Expression factored_form(Graph& graph, const Polynomial& polynomial) {
+  return factored_form(Place{graph}, polynomial);
+}
 
-Expression collected(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {
+Expression collected_form(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {
   const auto is_chosen = [&](const Atom& atom) {
     return std::any_of(symbols.begin(), symbols.end(),
                        [&](const Expression& s) { return s.id() == atom.base; });
@@ -188,7 +188,7 @@ Expression collected(Graph& graph, const Polynomial& polynomial, std::span<const
   const auto written = [&](const Monomial& front, const Number& divisor) {
     std::vector<Expression> terms;
     for (const auto& [chosen, part] : parts) {
-      terms.push_back(factored(graph, scaled(part, front, Number(1) / divisor)) *
+      terms.push_back(factored_form(graph, scaled(part, front, Number(1) / divisor)) *
                       to_expression(graph, chosen));
     }
     return graph.sum(terms);
