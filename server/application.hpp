@@ -52,7 +52,7 @@ class Application {
   void admit(Case& it);
   void compute(Case& it);
   void finish(Case& it, api::Response response);
-  void record(const Case& it, const api::Response& response, const std::string& id);
+  void record(const Case& it, LogEntry& entry, std::uint64_t evaluations);
 
   ApplicationOptions options_;
   ApplicationParts parts_;
