@@ -42,10 +42,10 @@ std::string fresh_id() {
   return id;
 }
 
-std::string field(const api::Request* request, const std::string& name) {
+std::string_view field(const api::Request* request, const std::string& name) {
   if (request == nullptr) return {};
   const auto found = request->headers.find(name);
-  return found == request->headers.end() ? std::string() : found->second;
+  return found == request->headers.end() ? std::string_view() : found->second;
 }
 
 // The client's own id when it is harmless in a log and in a header.
@@ -54,7 +54,8 @@ std::string request_id(const api::Request* request) {
     return (c < 128 && std::isalnum(c)) || c == '.' || c == '_' || c == '-';
   };
   const auto sent = field(request, "x-request-id");
-  return !sent.empty() && sent.size() <= 64 && std::ranges::all_of(sent, harmless) ? sent : fresh_id();
+  return !sent.empty() && sent.size() <= 64 && std::ranges::all_of(sent, harmless) ? std::string(sent)
+                                                                                   : fresh_id();
 }
 
 void add_queue_time(double milliseconds, api::Response& response) {
@@ -158,8 +159,9 @@ void Application::finish(Case& it, api::Response response) {
   if (response.status == 401) response.headers["WWW-Authenticate"] = "Bearer";
   LogEntry entry{.id = id, .method = it.method(), .target = it.target(), .status = response.status};
   const auto evaluations = response.evaluations;
-  auto outgoing =
-      to_http(std::move(response), it.exchange->incoming, draining_ ? Follow::close : it.exchange->follow);
+  auto outgoing = to_http(std::move(response), {.method = it.method(),
+                                                .accept_encoding = field(it.request, "accept-encoding"),
+                                                .follow = draining_ ? Follow::close : it.exchange->follow});
   entry.bytes = outgoing.body().size();
   record(it, entry, evaluations);
   lanes_.make_way();

@@ -12,7 +12,6 @@ namespace qdot::server {
 /// What `qdot` returns to its caller.
 enum class ExitCode {
   ok = 0,
-  incorrect = 1,
   usage = 2,
   invalid_request = 3,
   failed = 4,

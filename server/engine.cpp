@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <new>
 #include <string>
 #include <utility>
@@ -42,122 +41,83 @@ bool accepts_gzip(std::string_view accept_encoding) {
   return (named < 0 ? any : named) > 0;
 }
 
-bool accepts_gzip(const Incoming& incoming) {
-  const auto* request = std::get_if<api::Request>(&incoming);
-  if (request == nullptr) return false;
-  const auto found = request->headers.find("accept-encoding");
-  return found != request->headers.end() && accepts_gzip(found->second);
-}
-
-const std::string& method_of(const Incoming& incoming) {
-  const auto* refusal = std::get_if<Refusal>(&incoming);
-  return refusal != nullptr ? refusal->method : std::get<api::Request>(incoming).method;
-}
-
-/// A request line in, the head of an answer out.
-class Memory final : public httplib::Stream {
- public:
-  bool is_readable() const override { return true; }
-  bool is_writable() const override { return true; }
-  ssize_t read(char* to, std::size_t size) override {
-    size = std::min(size, in_.size());
-    std::memcpy(to, in_.data(), size);
-    in_.remove_prefix(size);
-    return static_cast<ssize_t>(size);
-  }
-  ssize_t write(const char* from, std::size_t size) override {
-    out_.append(from, size);
-    return static_cast<ssize_t>(size);
-  }
-  void get_remote_ip_and_port(std::string&, int&) const override {}
-  void get_local_ip_and_port(std::string&, int&) const override {}
-  socket_t socket() const override { return INVALID_SOCKET; }
-  std::string take() { return std::move(out_); }
-
- private:
-  std::string_view in_{"GET / HTTP/1.1\r\n\r\n"};
-  std::string out_;
-};
-
-/// A server for one request, which never listens; making one costs 0.15 us.
+/// A server for one request, which never listens; it costs 0.15 us to make.
 class Engine final : httplib::Server {
  public:
-  Engine(api::Response response, const Incoming& incoming, Follow follow)
-      : response_(std::move(response)), incoming_(incoming), follow_(follow) {
+  Engine(api::Response response, const Form& form) : response_(std::move(response)), form_(form) {
     set_pre_routing_handler([this](const httplib::Request&, httplib::Response& answer) {
       begin(answer);
       return HandlerResponse::Handled;
     });
     set_post_routing_handler(
-        [this](const httplib::Request& request, httplib::Response& answer) { complete(request, answer); });
-    // Without a handler of its own httplib would tell the client what was thrown.
+        [this](const httplib::Request&, httplib::Response& answer) { complete(answer); });
+    // Without a handler httplib would tell the client what was thrown.
     set_exception_handler([](const httplib::Request&, httplib::Response&, const std::exception_ptr& thrown) {
       std::rethrow_exception(thrown);
     });
   }
 
   Outgoing run() {
-    Memory memory;
-    bool closed = false;
-    const auto ask = [this](httplib::Request& request) {
-      request.method = method_of(incoming_);
+    constexpr std::string_view any_request = "GET / HTTP/1.1\r\n\r\n";
+    httplib::detail::BufferStream stream;
+    stream.write(any_request.data(), any_request.size());
+    const auto describe = [this](httplib::Request& request) {
+      request.method = form_.method;
       if (compresses()) request.headers.emplace("Accept-Encoding", "gzip");
     };
-    // The connection is not httplib's to keep: complete() says what becomes of it.
+    // What becomes of the connection is not httplib's to say; see complete().
     constexpr bool close = true;
-    if (!process_request(memory, close, closed, ask)) throw std::bad_alloc();
-    return {memory.take(), std::move(body_), follow_};
+    bool closed = false;
+    if (!process_request(stream, close, closed, describe)) throw std::bad_alloc();
+    return {stream.get_buffer().substr(any_request.size()), std::move(body_), form_.follow};
   }
 
  private:
   [[nodiscard]] bool compresses() const {
-    return response_.status == 200 && response_.body.size() >= worth_compressing && accepts_gzip(incoming_);
+    return response_.status == 200 && response_.body.size() >= worth_compressing &&
+           accepts_gzip(form_.accept_encoding);
   }
 
   void begin(httplib::Response& answer) {
     answer.status = response_.status;
     answer.body = std::move(response_.body);
-    // What httplib compresses is text; complete() says which text.
+    // httplib compresses text, but does not know all kinds of it by name; complete() says which it is.
     answer.headers.emplace("Content-Type", "text/plain");
   }
 
-  /// httplib has compressed the body, and next writes the head. Of its fields those about the body are kept.
-  void complete(const httplib::Request& request, httplib::Response& answer) {
+  /// The body is now as it will be sent, and the head is written next. httplib's own fields are replaced:
+  /// they promise ranges, and to keep the connection for five requests.
+  void complete(httplib::Response& answer) {
     const bool bodiless = answer.status == 204 || answer.status == 304;
     const bool compressed = answer.has_header("Content-Encoding");
     answer.headers.clear();
-    const auto set = [&](const std::string& name, const std::string& value) {
-      answer.set_header(name, value);
-    };
     for (const auto& [name, value] : response_.headers) {
       // The tag is that of the plain bytes; compressed it is the same document, but not the same bytes.
-      set(name, compressed && name == "ETag" ? "W/" + value : value);
+      answer.set_header(name, compressed && name == "ETag" ? "W/" + value : value);
     }
-    if (compressed) set("Content-Encoding", "gzip");
-    if (!bodiless) set("Content-Length", std::to_string(answer.body.size()));
-    if (!bodiless && !response_.content_type.empty()) set("Content-Type", response_.content_type);
-    set("Connection", follow_ == Follow::close ? "close" : "keep-alive");
-    // The body goes its own way to the socket, because httplib would copy it once more.
-    if (request.method != "HEAD" && !bodiless) body_ = std::move(answer.body);
+    if (compressed) answer.set_header("Content-Encoding", "gzip");
+    if (!bodiless) answer.set_header("Content-Length", std::to_string(answer.body.size()));
+    if (!bodiless && !response_.content_type.empty())
+      answer.set_header("Content-Type", response_.content_type);
+    answer.set_header("Connection", form_.follow == Follow::close ? "close" : "keep-alive");
+    // The body goes its own way to the socket: httplib would copy it twice, which takes 40 us for 100 kB.
+    if (form_.method != "HEAD" && !bodiless) body_ = std::move(answer.body);
     answer.body.clear();
   }
 
   api::Response response_;
-  const Incoming& incoming_;
-  const Follow follow_;
+  const Form& form_;
   std::string body_;
 };
 
-void append_to_list(std::string& list, std::string_view entry) {
-  list.append(list.empty() ? "" : ", ").append(entry);
-}
-
 }  // namespace
 
-Outgoing to_http(api::Response response, const Incoming& incoming, Follow follow) {
-  if (response.status == 200 || response.status == 304)
-    append_to_list(response.headers["Vary"], "Accept-Encoding");
-  return Engine(std::move(response), incoming, follow).run();
+Outgoing to_http(api::Response response, const Form& form) {
+  if (response.status == 200 || response.status == 304) {
+    auto& vary = response.headers["Vary"];
+    vary += vary.empty() ? "Accept-Encoding" : ", Accept-Encoding";
+  }
+  return Engine(std::move(response), form).run();
 }
 
 }  // namespace qdot::server

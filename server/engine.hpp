@@ -1,21 +1,28 @@
 #pragma once
-// cpp-httplib as the engine that says an answer in HTTP: its dispatch, its status line and header fields,
-// HEAD and gzip. Sockets, framing and lanes are ours; their headers say why.
+// cpp-httplib as the engine that puts an answer into HTTP: its dispatch, its status line and header fields, and
+// its gzip. Sockets, framing and lanes are ours; their headers say why.
 //
-// httplib does not see the client's bytes. Where framing.hpp refuses, its parser (0.11.4) takes the first of
-// two lengths; where the contract has an answer, it says 400 to an unknown method, a second "?" and a field
-// over 8 KiB, and it decodes "%41" in field values, so that a bearer token would become another one. It is
-// given what the framing has read.
+// httplib (0.11.4) does not see the client's bytes. Where framing.hpp refuses, its parser takes the first of two
+// lengths. Where the contract has an answer, it says 400: to an unknown method, a second "?", a field of more
+// than 8 KiB. And it decodes "%41" in a field's value, so that a bearer token would become another one. So it is
+// told what the framing has read, as far as the form of the answer depends on it.
+
+#include <string_view>
 
 #include "api/service.hpp"
-#include "server/exchange.hpp"
 #include "server/outgoing.hpp"
 
 namespace qdot::server {
 
-/// The response to what `incoming` asked. Compresses 200s of 1 KiB and more for clients that accept gzip: the
-/// same text always becomes the same bytes. A field whose value holds a line end is left out. Throws
-/// std::bad_alloc, and nothing else.
-[[nodiscard]] Outgoing to_http(api::Response response, const Incoming& incoming, Follow follow);
+/// What decides the form of an answer.
+struct Form {
+  std::string_view method{};
+  std::string_view accept_encoding{};
+  Follow follow{Follow::close};
+};
+
+/// Compresses 200s of 1 KiB and more for clients that accept gzip; the same text always becomes the same bytes.
+/// A header field whose value holds a line end is left out. Throws std::bad_alloc, and nothing else.
+[[nodiscard]] Outgoing to_http(api::Response response, const Form& form);
 
 }  // namespace qdot::server
