@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "api/http/messages.hpp"
 #include "api/http/problem.hpp"
-#include "api/service.hpp"
 #include "server/hosts.hpp"
 
 namespace qdot::server {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "api/service.hpp"
+#include "api/http/messages.hpp"
 #include "server/access.hpp"
 #include "server/exchange.hpp"
 #include "server/lanes.hpp"
@@ -52,7 +52,7 @@ class Application {
   void admit(Case& it);
   void compute(Case& it);
   void finish(Case& it, api::Response response);
-  void record(const Case& it, const api::Response& response, const std::string& id);
+  void record(const Case& it, LogEntry& entry, std::uint64_t evaluations);
 
   ApplicationOptions options_;
   ApplicationParts parts_;

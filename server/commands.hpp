@@ -10,15 +10,7 @@
 namespace qdot::server {
 
 /// What `qdot` returns to its caller.
-enum class ExitCode {
-  ok = 0,
-  incorrect = 1,
-  usage = 2,
-  invalid_request = 3,
-  failed = 4,
-  internal = 5,
-  unreachable = 6
-};
+enum class ExitCode { ok = 0, usage = 2, invalid_request = 3, failed = 4, internal = 5, unreachable = 6 };
 
 /// What the words after a command are.
 enum class Words {

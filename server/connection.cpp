@@ -105,12 +105,9 @@ std::optional<Incoming> Connection::take_request(Clock::time_point now) {
 }
 
 Incoming Connection::begin(Incoming incoming) {
-  const auto* refusal = std::get_if<Refusal>(&incoming);
-  const auto& method = refusal != nullptr ? refusal->method : std::get<api::Request>(incoming).method;
   state_ = State::answering;
-  refused_ = refusal != nullptr;
-  reusable_ = !refused_ && reader_.keep_alive();
-  body_wanted_ = method == "HEAD" ? Body::leave_out : Body::send;
+  refused_ = std::holds_alternative<Refusal>(incoming);
+  follow_ = !refused_ && reader_.keep_alive() ? Follow::keep_alive : Follow::close;
   fresh_ = false;
   *has_more_ = readable_ || !reader_.idle();
   return incoming;

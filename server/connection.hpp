@@ -54,9 +54,8 @@ class Connection {
 
   /// The exchange that works on the request that advance() returned: it learns when the client leaves.
   void await(const std::shared_ptr<Exchange>& exchange) { exchange_ = exchange; }
-  /// For the answer to the request that was returned last.
-  [[nodiscard]] Body body_wanted() const { return body_wanted_; }
-  [[nodiscard]] bool reusable() const { return reusable_; }
+  /// Whether another request may follow the one that was returned last.
+  [[nodiscard]] Follow follow() const { return follow_; }
   /// Set while something of the client is here that the next advance() would use. Outlives the connection,
   /// for the thread that answers.
   [[nodiscard]] const std::shared_ptr<std::atomic<bool>>& has_more() const { return has_more_; }
@@ -92,9 +91,8 @@ class Connection {
   std::optional<Clock::time_point> gone_at_;
   std::size_t written_{0};    // of the answer when the deadline was set
   std::size_t discarded_{0};  // while lingering
-  Body body_wanted_{Body::send};
-  bool fresh_{true};  // no request has come yet
-  bool reusable_{false};
+  Follow follow_{Follow::close};
+  bool fresh_{true};     // no request has come yet
   bool refused_{false};  // what follows cannot be framed
   bool readable_{true};
   std::shared_ptr<std::atomic<bool>> has_more_{std::make_shared<std::atomic<bool>>(false)};

@@ -126,7 +126,6 @@ struct Transport::Impl {
     Id id{};
     Outgoing outgoing;
     Budget::Share unsent;
-    [[nodiscard]] std::size_t unsent_bytes() const { return outgoing.size() - outgoing.sent(); }
   };
 
   void watch(const Descriptor& descriptor, Id id, std::uint32_t events) const {
@@ -248,29 +247,21 @@ struct Transport::Impl {
     Connection& connection = entry.second.connection;
     // The socket stays open as long as its answer is awaited, so the answering thread may use it.
     const auto deliver = [this, id = entry.first, socket = connection.socket(),
-                          body = connection.body_wanted(), reusable = connection.reusable(),
-                          more = connection.has_more()](api::Response response) noexcept {
-      Posted posted{.id = id, .outgoing = Outgoing::out_of_memory(), .unsent = {}};
-      try {
-        const auto follow = reusable && !stopping_ ? Follow::keep_alive : Follow::close;
-        if (response.status != Exchange::out_of_memory().status)
-          posted.outgoing = Outgoing(std::move(response), follow, body);
-      } catch (const std::exception&) {
-        // What was thrown here is bad_alloc; the answer that says so is there already.
-      }
-      posted.outgoing.send(socket);
-      posted.unsent = unsent_.count(posted.unsent_bytes());
+                          more = connection.has_more()](Outgoing outgoing) noexcept {
+      outgoing.send(socket);
       // A kept connection whose answer is out has nothing to do until its client sends more, and then the
       // poller wakes anyway.
-      const bool done = posted.unsent_bytes() == 0 && posted.outgoing.follow() == Follow::keep_alive;
-      post(std::move(posted));
+      const bool done = outgoing.unsent() == 0 && outgoing.follow() == Follow::keep_alive;
+      auto unsent = unsent_.count(outgoing.unsent());
+      post({.id = id, .outgoing = std::move(outgoing), .unsent = std::move(unsent)});
       if ((!done || *more || stopping_) && std::this_thread::get_id() != poller_) wake();
     };
     std::shared_ptr<Exchange> exchange;
     try {
-      exchange = std::make_shared<Exchange>(std::move(incoming), deliver);
+      const auto follow = stopping_ ? Follow::close : connection.follow();
+      exchange = std::make_shared<Exchange>(std::move(incoming), follow, deliver);
     } catch (const std::exception&) {
-      deliver(Exchange::out_of_memory());
+      deliver(Outgoing::out_of_memory());
       return;
     }
     connection.await(exchange);
