@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "api/text.hpp"
+#include "api/json/text.hpp"
 
 static_assert(sizeof(httplib::Request) == 608, "pkg-config's flags change the layout of httplib's types");
 
