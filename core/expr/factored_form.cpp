@@ -13,14 +13,14 @@ constexpr int compared_levels = 4;
 
 /// Where the factors are looked for, and in how many levels of brackets from here on alternatives are
 /// compared.
-struct Place {
+struct Depth {
   Graph& graph;
   int levels{compared_levels};
-  [[nodiscard]] Place inside() const { return {graph, std::max(levels - 1, 0)}; }
+  [[nodiscard]] Depth inside() const { return {graph, std::max(levels - 1, 0)}; }
 };
 
-Expression factored_form(Place place, const Polynomial& polynomial);
-Expression grouped(Place place, const Polynomial& polynomial);
+Expression factored_form(Depth place, const Polynomial& polynomial);
+Expression grouped(Depth place, const Polynomial& polynomial);
 
 Number size_of(const Number& number) { return number.is_negative() ? -number : number; }
 
@@ -60,7 +60,7 @@ std::vector<Number> numeric_factors(const Polynomial& polynomial) {
   return factors;
 }
 
-std::vector<Number> numbers_in_front(Place place, const Polynomial& polynomial) {
+std::vector<Number> numbers_in_front(Depth place, const Polynomial& polynomial) {
   if (place.levels > 0) return numeric_factors(polynomial);
   return {common_coefficient(polynomial).value_or(Number(1))};
 }
@@ -93,7 +93,7 @@ std::vector<Shared> most_shared(const Polynomial& polynomial) {
 }
 
 /// The polynomial without its common monomial and number.
-Expression primitive(Place place, const Polynomial& polynomial) {
+Expression primitive(Depth place, const Polynomial& polynomial) {
   if (polynomial.size() > 2) {
     if (const auto root = exact_root(polynomial)) return pow(factored_form(place, *root), Number(2));
   }
@@ -101,7 +101,7 @@ Expression primitive(Place place, const Polynomial& polynomial) {
 }
 
 /// polynomial = common (rest), with the number in front that makes the whole shortest.
-Expression with_common_factor(Place place, const Polynomial& polynomial, const Monomial& common) {
+Expression with_common_factor(Depth place, const Polynomial& polynomial, const Monomial& common) {
   const Number sign(all_negative(polynomial) ? -1 : 1);
   const Polynomial rest = scaled(polynomial, inverse(common), sign);
   const Expression front = to_expression(place.graph, common);
@@ -130,7 +130,7 @@ Polynomial terms_with(const Polynomial& polynomial, const Atom& atom) {
 }
 
 /// The terms that share the atom in a bracket of their own, the others beside it.
-Expression grouped_by(Place place, const Polynomial& polynomial, const Atom& atom) {
+Expression grouped_by(Depth place, const Polynomial& polynomial, const Atom& atom) {
   const Polynomial group = terms_with(polynomial, atom);
   Polynomial others = polynomial;
   add(others, group, Number(-1));
@@ -145,7 +145,7 @@ Expression grouped_by(Place place, const Polynomial& polynomial, const Atom& ato
   return with_common_factor(place, group, front) + factored_form(place, others);
 }
 
-Expression grouped(Place place, const Polynomial& polynomial) {
+Expression grouped(Depth place, const Polynomial& polynomial) {
   const std::vector<Shared> shared = most_shared(polynomial);
   if (shared.empty()) return to_expression(place.graph, polynomial);
   const bool one = shared.size() == 1 || polynomial.size() > most_compared || place.levels == 0;
@@ -155,7 +155,7 @@ Expression grouped(Place place, const Polynomial& polynomial) {
   return written_length(first) < written_length(last) ? first : last;
 }
 
-Expression factored_form(Place place, const Polynomial& polynomial) {
+Expression factored_form(Depth place, const Polynomial& polynomial) {
   if (polynomial.size() < 2) return to_expression(place.graph, polynomial);
   const Monomial common = common_monomial(polynomial);
   const bool worthwhile = common.size() * (polynomial.size() - 1) >= worthwhile_saving;
@@ -168,7 +168,7 @@ Expression factored_form(Place place, const Polynomial& polynomial) {
 }  // namespace
 
 Expression factored_form(Graph& graph, const Polynomial& polynomial) {
-  return factored_form(Place{graph}, polynomial);
+  return factored_form(Depth{graph}, polynomial);
 }
 
 Expression collected_form(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {

@@ -6,12 +6,11 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/numerics/constants.hpp"
 #include "core/steady/equilibria.hpp"
 
 namespace qdot {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string written(double value) {
   char text[32];

@@ -6,13 +6,12 @@
 
 #include "core/base/error.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/numerics/constants.hpp"
 #include "core/turning/oscillation_period.hpp"
 #include "core/turning/turning_search.hpp"
 
 namespace qdot {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// u contains x only as x times a whole number, with something added.
 bool turns_whole(const Expression& u, const Expression& x) {
