@@ -18,11 +18,11 @@ namespace {
 using api::ProblemKind;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-constexpr auto longest_light = std::chrono::milliseconds(50);  // what takes longer was appraised too low
+constexpr auto longest_light = std::chrono::milliseconds(50);  // work that takes longer was thought too light
 
 std::string_view path_of(std::string_view target) { return target.substr(0, target.find('?')); }
 
-// On the poller's thread, whatever the load: these are the questions about the load.
+// These are answered on the poller's thread, however loaded the lanes are: they ask about the load.
 bool is_answered_at_once(std::string_view path) {
   return is_probe(path) || path == "/metrics" || path == "/version" || path == "/v1/limits";
 }
@@ -48,7 +48,7 @@ std::string_view field(const api::Request* request, const std::string& name) {
   return found == request->headers.end() ? std::string_view() : found->second;
 }
 
-// The client's own id when it is harmless in a log and in a header.
+// The client's own id, if it is harmless in a log and in a header.
 std::string request_id(const api::Request* request) {
   const auto harmless = [](unsigned char c) {
     return (c < 128 && std::isalnum(c)) || c == '.' || c == '_' || c == '-';
@@ -147,7 +147,7 @@ void Application::compute(Case& it) {
   } catch (const std::bad_alloc&) {
     it.exchange->answer(Outgoing::out_of_memory());
   } catch (const std::exception&) {
-    // The exchange answers for itself when the last one lets go of it.
+    // The exchange answers for itself when it is destroyed.
   }
 }
 

@@ -25,7 +25,7 @@ struct Command {
   Words words{Words::request};
 };
 
-/// Command `name` is the path /v1/{name}; one without words, /{name}.json.
+/// A command asks for the path /v1/{name}; if it takes no words, for /{name}.json.
 inline constexpr std::array commands{
     Command{"simulate", "The trajectory of a system"},
     Command{"equations", "Lagrangian, equations of motion and what is conserved"},
@@ -43,13 +43,13 @@ inline constexpr std::array commands{
 
 struct Arguments {
   std::vector<std::string> words;
-  std::string request_file;  ///< "-": stdin
+  std::string request_file;  ///< "-" means stdin
   std::string format;        ///< json, csv
   bool pretty{false};
-  std::string scenes;  ///< directory of more scenes
+  std::string scenes;  ///< a directory of more scenes
 };
 
-/// Answer on stdout, problem on stderr.
+/// Prints the answer on stdout, or the problem on stderr.
 [[nodiscard]] ExitCode run(const Command& command, const Arguments& arguments);
 
 }  // namespace qdot::server

@@ -41,7 +41,7 @@ class Exchange {
   [[nodiscard]] bool abandoned() const { return abandoned_; }
 
   Incoming incoming;
-  const Follow follow;                            ///< what the client may do after the answer
+  const Follow follow;                            ///< if the application sees no reason to close
   const Clock::time_point arrived{Clock::now()};  ///< when its last byte had come
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// An answer as bytes on their way to a client. This is ours and not httplib's because httplib's writing waits
-// for the client: here a slow reader costs memory and no thread.
+// An answer as bytes on their way to a client. It is ours because httplib waits in a thread until the client
+// has read; here a slow reader costs memory only.
 
 #include <cstddef>
 #include <string>
@@ -19,7 +19,7 @@ class Outgoing {
   Outgoing(std::string head, std::string body, Follow follow)
       : head_(std::move(head)), body_(std::move(body)), follow_(follow) {}
 
-  /// The answers for the moment when nothing else can be made: they need no memory, and close the connection.
+  /// Answers for when no other can be made. They need no memory, and close the connection.
   [[nodiscard]] static Outgoing out_of_memory();
   [[nodiscard]] static Outgoing internal_error();
 

@@ -22,7 +22,7 @@ bool healthy(const ProbeOptions& options) {
   const bool local = !options.unix_socket.empty();
   httplib::Client client(local ? options.unix_socket : callable(options.host), options.port);
   if (local) client.set_address_family(AF_UNIX);
-  // The server knows itself by this name, whatever its address is called here.
+  // Every server accepts this name, whatever its address is called here.
   client.set_default_headers({{"Host", "localhost" + (local ? "" : ":" + std::to_string(options.port))}});
   client.set_connection_timeout(options.timeout);
   client.set_read_timeout(options.timeout);

@@ -195,8 +195,8 @@ TEST(Transport, TheConnectionThatWaitedLongestGivesWay) {
   for (const auto* client : {&first, &second}) {
     client->send("GET /idle HTTP/1.1\r\nHost: a\r\n\r\n");
     (void)client->read_to("/idle \n");
+    std::this_thread::sleep_for(100ms);  // the client has its answer a moment before the poller knows of it
   }
-  std::this_thread::sleep_for(100ms);  // a client has its answer a moment before the poller knows of it
   const RawClient third(server.port());
   third.send(close_after);
   EXPECT_THAT(third.read_all(), EndsWith("GET /last \n"));
