@@ -1,5 +1,6 @@
 #include "api/about/practice_sheet.hpp"
 
+#include "api/about/agreement.hpp"
 #include "api/about/embedded.hpp"
 #include "api/json/writer.hpp"
 
@@ -30,6 +31,19 @@ Json picked(const Json& answer, const Json& pointers) {
   return result;
 }
 
+/// What the sheet prints, with `agrees` in the place of the data that tell it.
+Json compared(const Json& sheet, const Json& answer) {
+  Json result = Json::object();
+  for (const auto& [name, value] : sheet.items()) {
+    if (name == "prints") {
+      result["agrees"] = agrees(value, answer);
+    } else {
+      result[name] = value;
+    }
+  }
+  return result;
+}
+
 Json answered(const Json& part, const std::function<Response(const Request&)>& answer) {
   Json result = Json::object();
   if (part.contains("part")) result["part"] = part["part"];
@@ -41,7 +55,7 @@ Json answered(const Json& part, const std::function<Response(const Request&)>& a
                                     .body = to_text(part["request"]["body"])});
   const Json body = Json::parse(response.body);
   result["result"] = picked(body, part["result"]);
-  result["sheet"] = part["sheet"];
+  result["sheet"] = compared(part["sheet"], body);
   result["status"] = response.status;
   result["answer"] = body;
   return result;
