@@ -52,7 +52,7 @@ struct InWords {
   std::string operator()(const ListKind& kind) const {
     return "with commas between, each " + std::visit(*this, kind.element);
   }
-  std::string operator()(const SystemKind&) const { return "name of a system"; }
+  std::string operator()(const SystemKind&) const { return "name"; }
   std::string operator()(const SymbolsKind& kind) const {
     const bool needs_prefix = kind.role == SymbolRole::equilibrium || kind.role == SymbolRole::position;
     return needs_prefix ? "each as " + std::string(field_name(kind.role)) + ".name=value"

@@ -145,7 +145,8 @@ class Operation {
     Json responses{{"200", {{"description", about_["summary"]}, {"content", std::move(content)}}}};
     if (route_.method == "GET") {
       responses["200"]["headers"] = {{"ETag", {{"schema", {{"type", "string"}}}}}};
-      responses["304"] = {{"description", "The entity tag in If-None-Match still holds."}};
+      responses["304"] = {
+          {"description", "The answer is still the one with the entity tag in If-None-Match."}};
     }
     for (const int status : problems_of(route_)) {
       responses[std::to_string(status)] = {{"$ref", "#/components/responses/" + response_name(status)}};
@@ -220,9 +221,9 @@ Json information() {
       {"version", service_version()},
       {"summary", "Lagrangian mechanics, each number with its error."},
       {"description",
-       "Numbers that go out are in SI units and radians; a number that comes in is too, or is a text "
-       "with its unit, \"30deg\". Bodies are deterministic. Every error is application/problem+json. HEAD "
-       "is answered as GET, OPTIONS with Allow."},
+       "Numbers in answers are in SI units and radians. So are numbers in requests; a text may carry another "
+       "unit, \"30deg\". The same request has the same answer, byte for byte. Every error is "
+       "application/problem+json. HEAD is answered like GET, and OPTIONS with the Allow header."},
       {"license", {{"name", "MIT"}, {"identifier", "MIT"}}}};
 }
 
@@ -239,7 +240,7 @@ Json components(const Catalogue& catalogue) {
            {{"token",
              {{"type", "http"},
               {"scheme", "bearer"},
-              {"description", "Only where the service was started with a token."}}}}}};
+              {"description", "Needed only where the service was started with a token."}}}}}};
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Json request_json(const Json& request) {
   return {{"method", "POST"}, {"path", path}, {"body", request["body"]}, {"curl", curl_of(path, body)}};
 }
 
-/// {"/modes/0/omega": ...}: what of the answer the question is about.
+/// {"/modes/0/omega": ...}: the parts of the answer that the question is about.
 Json picked(const Json& answer, const Json& pointers) {
   Json result = Json::object();
   for (const Json& pointer : pointers) {
@@ -31,14 +31,15 @@ Json picked(const Json& answer, const Json& pointers) {
   return result;
 }
 
-/// What the sheet prints, with `agrees` in the place of the data that tell it.
-Json compared(const Json& sheet, const Json& answer) {
+/// What the sheet says, with `agrees` in the place of the data that are compared. A problem is no answer to
+/// compare with.
+Json compared(const Json& sheet, int status, const Json& answer) {
   Json result = Json::object();
   for (const auto& [name, value] : sheet.items()) {
-    if (name == "prints") {
-      result["agrees"] = agrees(value, answer);
-    } else {
+    if (name != "prints") {
       result[name] = value;
+    } else if (status == 200) {
+      result["agrees"] = agrees(value, answer);
     }
   }
   return result;
@@ -55,7 +56,7 @@ Json answered(const Json& part, const std::function<Response(const Request&)>& a
                                     .body = to_text(part["request"]["body"])});
   const Json body = Json::parse(response.body);
   result["result"] = picked(body, part["result"]);
-  result["sheet"] = compared(part["sheet"], body);
+  result["sheet"] = compared(part["sheet"], response.status, body);
   result["status"] = response.status;
   result["answer"] = body;
   return result;

@@ -36,7 +36,7 @@ RequestTable<R> make_table() {
       choices("methods", &R::methods, words_of_methods(), "the integrators to compare; " + methods_in_words(),
               {.default_value = names_of_methods(), .aliases = {"method", "solvers"}}),
       number("max_error", &R::max_error, {"1", {limits::least_error, 1}},
-             "the error to recommend for; without it 1e-3, 1e-6, 1e-9 and 1e-12",
+             "the error to recommend a method for; without this field 1e-3, 1e-6, 1e-9 and 1e-12",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
       boolean("measure", &R::measure,
               "measure the CPU time of each run too, and recommend by it; the answer then differs from time "

@@ -8,7 +8,8 @@ const RequestTable<GaitRequest>& gait_table() {
       system_field<R>(),
       parameters_field<R>(),
       choice("gait", &R::gait, {{"long", Gait::Kind::long_step}, {"short", Gait::Kind::short_step}},
-             "which one of two gaits, by its step time; both without it", {.aliases = {"kind", "which"}}),
+             "which of two gaits, the one with the long or the short step time; without this field both",
+             {.aliases = {"kind", "which"}}),
       digits_field<R>(),
   });
   return table;

@@ -102,15 +102,16 @@ RequestTable<R> make_table() {
                {"positions", Extra::positions},
                {"accelerations", Extra::accelerations},
                {"validity", Extra::validity}},
-              "columns beside t, coordinates and velocities",
+              "columns beside t, the coordinates and the velocities",
               {.default_value = Json::array(), .aliases = {"columns", "outputs", "extra"}}),
       list("events", &R::events, TextKind{limits::expression_bytes}, limits::events,
-           "zeros to report: theta=0, theta=0+ (rising), theta=0- (falling)",
+           "events to report: theta=0, theta=0+ (only while it rises), theta=0- (only while it falls)",
            {.default_value = Json::array()}),
       on_invalid_field<R>("what to do where the model stops holding, such as at a slack string"),
       impacts_field<R>(),
       integer("steps", &R::steps, {1, limits::strides},
-              "strides of a walker after which the motion is complete; beside t_end or instead of it",
+              "number of a walker's strides after which the motion is complete; given beside t_end or "
+              "instead of it",
               {.aliases = {"strides", "n_steps", "impacts_count"}}),
       choice("method", &R::method, words_of_choice(), "the integrator; " + methods_in_words(),
              {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}}),
@@ -126,18 +127,21 @@ RequestTable<R> make_table() {
              {.default_value = 1e-12, .aliases = {"abstol", "abs_tol", "absolute_tolerance"}}),
       choice("accuracy", &R::accuracy,
              {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"accurate", Preset::accurate}},
-             "the error promised, over each column's largest magnitude: 1e-3, 1e-6 or 1e-9",
+             "the error that is promised, relative to each column's largest magnitude: 1e-3, 1e-6 or 1e-9",
              {.aliases = {"preset", "quality", "precision_goal"}}),
       number("max_error", &R::max_error, {"1", {limits::least_error, 1}},
-             "the global error wanted, in each column's own unit, of coordinates and velocities in all rows",
+             "the largest global error that you accept, in each column's own unit, for coordinates and "
+             "velocities in "
+             "all rows",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
       integer("max_evaluations", &R::max_evaluations, {1, limits::evaluations},
-              "the work allowed, in evaluations of the accelerations, that of measuring the error included",
+              "the work allowed, as a number of evaluations of the accelerations, those that measure the "
+              "error included",
               {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),
-      boolean("verify", &R::verify, "estimate the error of the answer", {.default_value = true}),
+      boolean("verify", &R::verify, "whether the error of the answer is measured", {.default_value = true}),
       digits_field<R>(),
       choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
-             "form of the answer; without it, what the Accept header says"),
+             "form of the answer; without this field the Accept header decides"),
   };
   fields.insert(fields.end(), rest.begin(), rest.end());
   const OneOf accuracy{.ways = {{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}, {"h"}}};

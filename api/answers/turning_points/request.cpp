@@ -40,15 +40,16 @@ const RequestTable<R>& turning_points_table() {
           parameters_field<R>(),
           initial_field<R>(),
           inputs_field<R>(),
-          {detail::bound(&R::coordinate,
-                         detail::info("coordinate", TextKind{limits::name_bytes},
-                                      "whose largest and smallest value is asked for; may be left out where "
-                                      "only one is not ignorable",
-                                      {.aliases = {"variable", "of", "angle", "q"}}))},
+          {detail::bound(
+              &R::coordinate,
+              detail::info("coordinate", TextKind{limits::name_bytes},
+                           "the coordinate whose largest and smallest value you want; it may be left out "
+                           "where only one is not ignorable",
+                           {.aliases = {"variable", "of", "angle", "q"}}))},
           number("t_start", &R::t_start, {"s", instants}, "instant of the initial state",
                  {.default_value = 0.0, .aliases = {"t0", "tstart", "start"}}),
           number("t_end", &R::t_end, {"s", instants},
-                 "how long the motion is followed, where no energy integral answers",
+                 "up to when the motion is followed, where no energy integral gives the answer",
                  {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration"}}),
           on_invalid_field<R>("what a motion that is followed does where the model stops holding"),
           impacts_field<R>(),
