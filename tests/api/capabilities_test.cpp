@@ -5,6 +5,7 @@
 
 #include "api/about/capabilities.hpp"
 #include "api/json/writer.hpp"
+#include "api/service.hpp"
 
 namespace qdot::api {
 namespace {
