@@ -8,6 +8,7 @@
 #include "api/contract/json_schema.hpp"
 #include "api/contract/version.hpp"
 #include "api/http/problem.hpp"
+#include "api/scenes/scene_table.hpp"
 
 namespace qdot::api {
 namespace {
@@ -123,7 +124,7 @@ class Operation {
   [[nodiscard]] Json responses() const {
     Json content = Json::object();
     for (const std::string& type : endpoint_.offers) {
-      const bool is_json = type == "application/json";
+      const bool is_json = type == "application/json" || type.ends_with("+json");
       content[type] = {
           {"schema", is_json ? reference(about_["answer"].get<std::string>()) : Json{{"type", "string"}}}};
     }
@@ -154,7 +155,7 @@ void move_references(Json& value) {
 }
 
 Json scene_component() {
-  Json scene = Json::parse(scene_schema());
+  Json scene = scene_schema();
   for (const char* name : {"$schema", "$id"}) scene.erase(name);
   move_references(scene);
   return scene;
