@@ -18,6 +18,7 @@
 #include "api/json/limits.hpp"
 #include "api/json/text.hpp"
 #include "api/scenes/catalogue.hpp"
+#include "api/scenes/scene_table.hpp"
 #include "api/scenes/system_lookup.hpp"
 #include "core/base/work.hpp"
 
@@ -81,6 +82,14 @@ struct Service::Impl {
     for (const char* probe : {"/healthz", "/livez", "/readyz"}) add_document(probe, {{"status", "ok"}});
     add_document("/version", {{"service_version", service_version()}});
     add_document("/v1/limits", limits_json());
+    routes.add({"GET",
+                "/v1/scene-schema",
+                [](Call& call) {
+                  Response response = json_response(scene_schema(), call.layout);
+                  response.content_type = call.accepted;
+                  return response;
+                },
+                {"application/json", "application/schema+json"}});
     routes.add({"GET", "/openapi.json", [this](Call& call) {
                   return Response{.content_type = "application/json", .body = openapi(call.layout)};
                 }});

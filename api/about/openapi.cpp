@@ -9,6 +9,7 @@
 #include "api/contract/json_schema.hpp"
 #include "api/contract/version.hpp"
 #include "api/http/problem.hpp"
+#include "api/scenes/scene_table.hpp"
 #include "core/integrate/methods.hpp"
 
 namespace qdot::api {
@@ -138,7 +139,7 @@ class Operation {
   [[nodiscard]] Json responses() const {
     Json content = Json::object();
     for (const std::string& type : route_.offers) {
-      const bool is_json = type == "application/json";
+      const bool is_json = type == "application/json" || type.ends_with("+json");
       content[type] = {
           {"schema", is_json ? reference(about_["answer"].get<std::string>()) : Json{{"type", "string"}}}};
     }
@@ -171,7 +172,7 @@ void move_references(Json& value) {
 }
 
 Json scene_component() {
-  Json scene = Json::parse(scene_schema());
+  Json scene = scene_schema();
   for (const char* name : {"$schema", "$id"}) scene.erase(name);
   move_references(scene);
   return scene;

@@ -1,11 +1,14 @@
 #pragma once
-// What a request may say, as data. One FieldSet an endpoint is all there is: the reader validates by it
-// (request_reader.hpp), the GET twin flattens by it, and documentation is printed from it, so none of them
-// can say something else than the others. request_table.hpp ties a FieldSet to the members of a struct.
+// What requests and scenes may say, as data. One FieldSet describes one kind of object, and everything else
+// follows it: the reader checks by it (record_reader.hpp), a GET is flattened by it, and JSON Schema and
+// OpenAPI are printed from it, so that none of them can say something else than the others. table.hpp ties a
+// FieldSet to the members of a struct.
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -27,9 +30,13 @@ struct IntegerKind {
 
 struct BooleanKind {};
 
-/// Not empty, without blanks at its ends.
+/// May a text begin or end with blanks?
+enum class Ends { without_blanks, as_given };
+
+/// Not empty.
 struct TextKind {
   std::size_t most_bytes{};
+  Ends ends{Ends::without_blanks};
 };
 
 /// One of some words.
@@ -37,9 +44,60 @@ struct ChoiceKind {
   std::vector<std::string> options{};
 };
 
-/// An array; in a query, its elements with commas between them. A list of choices has each at most once.
+/// 1 or -1.
+struct SignKind {};
+
+/// The name that a scene gives to a thing (names.hpp), or also such a name with _dot after it.
+enum class NameOf { thing, thing_or_velocity };
+struct NameKind {
+  NameOf of{NameOf::thing};
+};
+
+/// A text that core/expr parses later, or a number.
+struct ExpressionKind {};
+
+/// Two or three expressions.
+struct VectorKind {};
+
+/// The name of a point, or a vector.
+struct PositionKind {};
+
+/// Where a number makes sense: "> 0" or ">= 0, < 1" (domain_text.hpp).
+struct DomainKind {};
+
+struct Kind;
+
+/// An array of `least` to `most` elements of one kind; in a query, they have commas between them. A list of
+/// choices has each of them at most once.
 struct ListKind {
-  std::variant<NumberKind, TextKind, ChoiceKind> element{};
+  template <class ElementKind>
+  ListKind(ElementKind element_kind, std::size_t most_elements, std::size_t least_elements = 0)
+      : element(std::make_shared<const Kind>(std::move(element_kind))),
+        most(most_elements),
+        least(least_elements) {}
+
+  std::shared_ptr<const Kind> element;
+  std::size_t most{};
+  std::size_t least{};
+};
+
+struct FieldSet;
+
+/// An object with fields of its own. The set must outlive the kind.
+struct RecordKind {
+  const FieldSet* set{};
+};
+
+/// One of several objects. The field `kind`, which each of them has first, says which: it is the set's name.
+struct VariantKind {
+  std::vector<const FieldSet*> sets{};
+};
+
+/// An object of at most `most` names, each with an expression or with another name for it.
+enum class MapTo { expressions, names };
+struct MapKind {
+  NameOf keys{};
+  MapTo values{};
   std::size_t most{};
 };
 
@@ -58,8 +116,14 @@ struct ParameterValueKind {
   std::string parameter{};
 };
 
-using Kind = std::variant<NumberKind, IntegerKind, BooleanKind, TextKind, ChoiceKind, ListKind, SystemKind,
-                          SymbolsKind, ParameterValueKind>;
+/// All kinds of values there are. Who treats them by kind treats every one: a new kind compiles only then.
+using KindVariant =
+    std::variant<NumberKind, IntegerKind, BooleanKind, TextKind, ChoiceKind, SignKind, NameKind,
+                 ExpressionKind, VectorKind, PositionKind, DomainKind, ListKind, RecordKind, VariantKind,
+                 MapKind, SystemKind, SymbolsKind, ParameterValueKind>;
+struct Kind : KindVariant {
+  using KindVariant::KindVariant;
+};
 
 enum class Need { optional, required };
 
@@ -72,12 +136,16 @@ struct FieldInfo {
   std::vector<std::string> aliases{};  ///< other programs' words for it, for "did you mean"
 };
 
-/// At most one way of several to say a thing, each way being some fields: {{"samples"}, {"dt"}, {"times"}}.
+/// One way of several to say a thing, each way being some fields: {{"samples"}, {"dt"}, {"times"}}. Where the
+/// thing must be said, a way is taken when the first of its fields is given.
 struct OneOf {
   std::vector<std::vector<std::string>> ways{};
+  Need need{Need::optional};
 };
 
 struct FieldSet {
+  std::string name{};         ///< what its schema is called; a request has none
+  std::string description{};  ///< of the whole object
   std::vector<FieldInfo> fields{};
   std::vector<OneOf> one_of{};
 

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "api/contract/domain_text.hpp"
+#include "api/contract/names.hpp"
 #include "api/contract/units.hpp"
+#include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "api/json/writer.hpp"
@@ -14,16 +17,33 @@ namespace qdot::api {
 namespace {
 
 std::nullopt_t refuse(const Place& place, Errors& errors, std::string code, std::string detail) {
-  errors.push_back(place.error(std::move(code), std::move(detail)));
+  report(errors, place.error(std::move(code), std::move(detail)));
   return std::nullopt;
 }
 
-/// "'samples' needs a whole number, not a string."
 std::nullopt_t refuse_type(const Place& place, Errors& errors, const std::string& name,
                            const std::string& needed, const Json& value) {
-  std::string given = value.is_null() ? "null" : "a " + std::string(value.type_name());
-  if (value.is_object() || value.is_array()) given = "an " + std::string(value.type_name());
-  return refuse(place, errors, "wrong_type", "'" + name + "' needs " + needed + ", not " + given + ".");
+  report(errors, wrong_type(place, name, needed, value));
+  return std::nullopt;
+}
+
+/// The text, or null after it has reported that this is none of 1 to `most` bytes.
+const std::string* text_of(std::size_t most, const std::string& needed, const std::string& name,
+                           const Json& value, const Place& place, Errors& errors) {
+  if (!value.is_string()) {
+    refuse_type(place, errors, name, needed, value);
+    return nullptr;
+  }
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.size() > most) {
+    refuse(place, errors, "too_long",
+           "'" + name + "' has " + std::to_string(text.size()) + " bytes; at most " + std::to_string(most) +
+               " are read.");
+    return nullptr;
+  }
+  if (!text.empty()) return &text;
+  refuse(place, errors, "empty", "'" + name + "' is empty.");
+  return nullptr;
 }
 
 std::string number_text(double value) {
@@ -52,24 +72,35 @@ std::optional<std::int64_t> whole_number(const Json& value, Road road) {
   return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-/// The elements of a query's list: commas inside parentheses do not part them.
-Json split_list(std::string_view text) {
-  Json elements = Json::array();
-  int depth = 0;
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '(') ++depth;
-    if (text[i] == ')') --depth;
-    if (text[i] == ',' && depth == 0) {
-      elements.push_back(trimmed(text.substr(start, i - start)));
-      start = i + 1;
-    }
-  }
-  if (!trimmed(text).empty()) elements.push_back(trimmed(text.substr(start)));
-  return elements;
+}  // namespace
+
+void report(Errors& errors, FieldError error) {
+  if (!is_full(errors)) errors.push_back(std::move(error));
 }
 
-}  // namespace
+bool is_full(const Errors& errors) { return errors.size() > limits::listed_errors; }
+
+FieldError unknown_name(const Place& place, std::string detail, const std::string& name,
+                        std::vector<std::string> allowed) {
+  FieldError error = place.error("unknown_field", std::move(detail));
+  error.did_you_mean = closest(name, allowed);
+  error.allowed = std::move(allowed);
+  return error;
+}
+
+FieldError wrong_type(const Place& place, const std::string& name, const std::string& needed,
+                      const Json& value) {
+  std::string given = value.is_null() ? "null" : "a " + std::string(value.type_name());
+  if (value.is_object() || value.is_array()) given = "an " + std::string(value.type_name());
+  return place.error("wrong_type", "'" + name + "' needs " + needed + ", not " + given + ".");
+}
+
+FieldError bad_name(const Place& place, std::string_view name) {
+  return place.error("bad_name",
+                     in_quotes(name) +
+                         " cannot be a name: use at most 64 ASCII letters, digits and underscores after a "
+                         "letter, no _dot or _ddot at the end, and neither t, pi nor a function's name.");
+}
 
 std::optional<Json> read_value(const NumberKind& kind, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
@@ -119,21 +150,15 @@ std::optional<Json> read_value(const BooleanKind&, const std::string& name, cons
 
 std::optional<Json> read_value(const TextKind& kind, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
-  if (!value.is_string()) return refuse_type(place, errors, name, "a string", value);
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.size() > kind.most_bytes) {
-    return refuse(place, errors, "too_long",
-                  "'" + name + "' has " + std::to_string(text.size()) + " bytes; at most " +
-                      std::to_string(kind.most_bytes) + " are read.");
-  }
-  if (text.empty()) return refuse(place, errors, "syntax", "'" + name + "' is empty.");
-  if (trimmed(text).size() != text.size()) {
+  const std::string* text = text_of(kind.most_bytes, "a string", name, value, place, errors);
+  if (text == nullptr) return std::nullopt;
+  if (kind.ends == Ends::without_blanks && trimmed(*text).size() != text->size()) {
     // "theta=0+" typed into a URL arrives as "theta=0 ", another event.
     return refuse(place, errors, "syntax",
                   "'" + name + "' begins or ends with a blank" +
                       (place.road() == Road::query ? "; in a URL, + is written %2B." : "."));
   }
-  return value;
+  return *text;
 }
 
 std::optional<Json> read_value(const ChoiceKind& kind, const std::string& name, const Json& value,
@@ -148,40 +173,43 @@ std::optional<Json> read_value(const ChoiceKind& kind, const std::string& name, 
   return std::nullopt;
 }
 
-std::optional<Json> read_value(const ListKind& kind, const std::string& name, const Json& value,
+std::optional<Json> read_value(const SignKind&, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
-  const bool from_query = place.road() == Road::query && value.is_string();
-  if (!from_query && !value.is_array()) return refuse_type(place, errors, name, "an array", value);
-  const Json elements = from_query ? split_list(value.get_ref<const std::string&>()) : value;
-  if (elements.size() > kind.most) {
-    return refuse(place, errors, "too_many",
-                  "'" + name + "' has " + std::to_string(elements.size()) + " entries; at most " +
-                      std::to_string(kind.most) + " are read.");
-  }
-  const bool is_set = std::holds_alternative<ChoiceKind>(kind.element);
-  Json result = Json::array();
-  bool complete = true;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const Place here = place.below(i);
-    std::optional<Json> element = std::visit(
-        [&](const auto& k) { return read_value(k, name, elements[i], here, errors); }, kind.element);
-    if (element && is_set && std::ranges::find(result, *element) != result.end()) {
-      element = refuse(here, errors, "duplicate_item", "'" + name + "' has " + element->dump() + " twice.");
-    }
-    complete = complete && element;
-    if (element) result.push_back(std::move(*element));
-  }
-  return complete ? std::optional(std::move(result)) : std::nullopt;
+  if (!value.is_number()) return refuse_type(place, errors, name, "1 or -1", value);
+  const auto sign = value.get<double>();
+  if (sign != 1 && sign != -1) return refuse(place, errors, "not_allowed", "'" + name + "' must be 1 or -1.");
+  return static_cast<int>(sign);
 }
 
-std::string to_text(const Domain& domain) {
-  std::string text;
-  if (std::isfinite(domain.lower)) text += (domain.lower_open ? "> " : ">= ") + number_text(domain.lower);
-  if (std::isfinite(domain.upper)) {
-    text += (text.empty() ? "" : " and ") + std::string(domain.upper_open ? "< " : "<= ") +
-            number_text(domain.upper);
+std::optional<Json> read_value(const NameKind& kind, const std::string& name, const Json& value,
+                               const Place& place, Errors& errors) {
+  if (!value.is_string()) {
+    return refuse_type(place, errors, name, "a name in text, such as \"theta\"", value);
   }
-  return text;
+  const auto& text = value.get_ref<const std::string&>();
+  if (is_name(text, kind.of)) return value;
+  report(errors, bad_name(place, text));
+  return std::nullopt;
+}
+
+std::optional<Json> read_value(const ExpressionKind&, const std::string& name, const Json& value,
+                               const Place& place, Errors& errors) {
+  if (value.is_number()) return value.dump();
+  const std::string* text = text_of(limits::expression_bytes, "an expression, such as \"-l*cos(theta)\"",
+                                    name, value, place, errors);
+  return text == nullptr ? std::nullopt : std::optional<Json>(*text);
+}
+
+std::optional<Json> read_value(const DomainKind&, const std::string& name, const Json& value,
+                               const Place& place, Errors& errors) {
+  if (!value.is_string()) {
+    return refuse_type(place, errors, name, "a domain in text, such as \"> 0\"", value);
+  }
+  const auto& text = value.get_ref<const std::string&>();
+  if (parse_domain(text)) return value;
+  return refuse(place, errors, "domain",
+                "The domain " + in_quotes(text) +
+                    " names no interval; write a bound or two, such as '> 0' or '>= 0, < 1'.");
 }
 
 std::string enumerated(const std::vector<std::string>& words) {

@@ -1,6 +1,6 @@
 #pragma once
-// Reading one value by its kind. What comes out is resolved: numbers in SI, integers as integers, whatever
-// road the value came along.
+// Reading one value by its kind. What comes out is resolved: numbers in SI, integers as integers, expressions
+// as texts, whichever way the value was sent. Kinds that hold others are read by record_reader.hpp.
 
 #include <optional>
 #include <string>
@@ -14,7 +14,23 @@ namespace qdot::api {
 
 using Errors = std::vector<FieldError>;
 
-/// The resolved value, or none and at least one error. `name` is the symbol or field that is read.
+/// Adds the error, unless there are more already than an answer lists.
+void report(Errors& errors, FieldError error);
+
+/// Whether another error would not be listed.
+[[nodiscard]] bool is_full(const Errors& errors);
+
+/// The error of a name that is none of `allowed`, with the one that was probably meant.
+[[nodiscard]] FieldError unknown_name(const Place& place, std::string detail, const std::string& name,
+                                      std::vector<std::string> allowed);
+
+/// The error of a value of another type: "'samples' needs a whole number, not a string."
+[[nodiscard]] FieldError wrong_type(const Place& place, const std::string& name, const std::string& needed,
+                                    const Json& value);
+
+// Each returns the resolved value, or none after it has reported at least one error. `name` is the symbol or
+// field that is read.
+
 [[nodiscard]] std::optional<Json> read_value(const NumberKind&, const std::string& name, const Json& value,
                                              const Place& place, Errors& errors);
 [[nodiscard]] std::optional<Json> read_value(const IntegerKind&, const std::string& name, const Json& value,
@@ -25,11 +41,17 @@ using Errors = std::vector<FieldError>;
                                              const Place& place, Errors& errors);
 [[nodiscard]] std::optional<Json> read_value(const ChoiceKind&, const std::string& name, const Json& value,
                                              const Place& place, Errors& errors);
-[[nodiscard]] std::optional<Json> read_value(const ListKind&, const std::string& name, const Json& value,
+[[nodiscard]] std::optional<Json> read_value(const SignKind&, const std::string& name, const Json& value,
+                                             const Place& place, Errors& errors);
+[[nodiscard]] std::optional<Json> read_value(const NameKind&, const std::string& name, const Json& value,
+                                             const Place& place, Errors& errors);
+[[nodiscard]] std::optional<Json> read_value(const ExpressionKind&, const std::string& name,
+                                             const Json& value, const Place& place, Errors& errors);
+[[nodiscard]] std::optional<Json> read_value(const DomainKind&, const std::string& name, const Json& value,
                                              const Place& place, Errors& errors);
 
-/// "> 0 and <= 1"; empty where every number is allowed.
-[[nodiscard]] std::string to_text(const Domain& domain);
+/// "'a b' cannot be a name: ..."
+[[nodiscard]] FieldError bad_name(const Place& place, std::string_view name);
 
 /// "a, b or c"
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& words);

@@ -24,7 +24,7 @@ class Findings {
   /// The whole request.
   [[nodiscard]] const Place& root() const { return root_; }
   [[nodiscard]] Json& echo() { return *echo_; }
-  /// Was the field left out, so that its default stands in the echo?
+  /// Was the field left out, so that the echo has its default?
   [[nodiscard]] bool is_defaulted(std::string_view field) const {
     return std::ranges::find(*defaulted_, field) != defaulted_->end();
   }

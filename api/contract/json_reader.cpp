@@ -58,7 +58,7 @@ class Builder {
     if (frame.repeated) {
       document.duplicates.push_back({.pointer = pointer(),
                                      .code = "duplicate_field",
-                                     .detail = in_quotes(frame.key) + " stands twice in one object."});
+                                     .detail = in_quotes(frame.key) + " is given twice in one object."});
     }
     return true;
   }
@@ -123,6 +123,7 @@ class Builder {
   [[nodiscard]] std::string pointer() const {
     std::string result(root_pointer);
     for (const Frame& frame : frames_) {
+      if (frame.key.size() > longest_key) break;  // an array's frame has no key
       result = frame.container->is_array() ? below(std::move(result), frame.container->size() - 1)
                                            : below(std::move(result), frame.key);
     }

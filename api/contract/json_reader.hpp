@@ -22,8 +22,8 @@ struct JsonLimits {
 
 struct JsonDocument {
   Json value{};
-  /// Keys that came again, with their pointers. The value holds the first of each; the request is wrong, but
-  /// its other mistakes are worth reporting with this one.
+  /// Keys that were given again, with their pointers. The value holds the first of each; the request is
+  /// wrong, but its other mistakes are worth reporting with this one.
   std::vector<FieldError> duplicates{};
 };
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "api/contract/system_choice.hpp"
+#include "api/contract/document_schema.hpp"
 #include "api/json/limits.hpp"
 
 namespace qdot::api {
@@ -30,26 +30,18 @@ Json number_schema(const std::string& unit, const Domain& range, Form form) {
   return schema;
 }
 
-Json choice_schema(const ChoiceKind& kind) { return {{"type", "string"}, {"enum", kind.options}}; }
-
-Json text_schema(std::size_t most_bytes) {
-  return {{"type", "string"}, {"minLength", 1}, {"maxLength", most_bytes}};
-}
-
 struct SchemaOf {
   Form form;
 
   Json operator()(const NumberKind& kind) const { return number_schema(kind.unit, kind.range, form); }
-  Json operator()(const IntegerKind& kind) const {
-    return {{"type", "integer"}, {"minimum", kind.least}, {"maximum", kind.most}};
+  /// Where the road makes no difference.
+  template <class OtherKind>
+  Json operator()(const OtherKind& kind) const {
+    return value_schema(kind);
   }
-  Json operator()(const BooleanKind&) const { return {{"type", "boolean"}}; }
-  Json operator()(const TextKind& kind) const { return text_schema(kind.most_bytes); }
-  Json operator()(const ChoiceKind& kind) const { return choice_schema(kind); }
   Json operator()(const ListKind& kind) const {
-    Json schema{
-        {"type", "array"}, {"items", std::visit(SchemaOf{form}, kind.element)}, {"maxItems", kind.most}};
-    if (std::holds_alternative<ChoiceKind>(kind.element)) schema["uniqueItems"] = true;
+    Json schema = value_schema(kind);
+    schema["items"] = std::visit(SchemaOf{form}, *kind.element);
     return schema;
   }
   Json operator()(const SystemKind&) const {
@@ -85,17 +77,6 @@ Json object_schema(const FieldSet& set, Form form) {
           {"properties", std::move(properties)},
           {"required", std::move(required)},
           {"additionalProperties", false}};
-}
-
-/// {"not": {"required": ["samples", "dt"]}} for each two fields of different ways.
-void append_exclusions(const OneOf& one_of, Json& exclusions) {
-  for (std::size_t i = 0; i < one_of.ways.size(); ++i) {
-    for (std::size_t j = i + 1; j < one_of.ways.size(); ++j) {
-      for (const std::string& a : one_of.ways[i]) {
-        for (const std::string& b : one_of.ways[j]) exclusions.push_back({{"not", {{"required", {a, b}}}}});
-      }
-    }
-  }
 }
 
 /// "At most one of: rtol and atol; accuracy; max_error."
@@ -164,12 +145,8 @@ Json domain_json(const Domain& domain) {
 
 Json body_schema(const FieldSet& set) {
   Json schema = object_schema(set, Form::body);
-  Json exclusions = Json::array();
-  for (const OneOf& one_of : set.one_of) append_exclusions(one_of, exclusions);
-  if (!exclusions.empty()) {
-    schema["description"] = in_words(set);
-    schema["allOf"] = std::move(exclusions);
-  }
+  if (!set.one_of.empty()) schema["description"] = in_words(set);
+  append_rules(set, schema);
   return schema;
 }
 
@@ -195,7 +172,7 @@ Json shared_schemas() {
                   {"minLength", 1},
                   {"description", "A number with a unit."},
                   {"examples", {"30deg", "12 cm", "2 rev/s", "9.81 m/s^2"}}};
-  const Json input{{"anyOf", {{{"type", "number"}}, text_schema(limits::expression_bytes)}},
+  const Json input{{"anyOf", {{{"type", "number"}}, value_schema(TextKind{limits::expression_bytes})}},
                    {"description", "An expression in t and the parameters."}};
   return {{"QuantityText", text},
           {"Quantity",

@@ -3,53 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "api/json/limits.hpp"
-#include "api/json/suggest.hpp"
+#include "api/contract/record_reader.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
 namespace {
 
 const SymbolsKind* symbols_kind(const FieldInfo& field) { return std::get_if<SymbolsKind>(&field.kind); }
-
-const FieldInfo* field_of(const FieldSet& set, SymbolRole role) {
-  const FieldInfo* field = set.find(field_name(role));
-  return field != nullptr && symbols_kind(*field) != nullptr ? field : nullptr;
-}
-
-/// The names that can be given, for the list in an error.
-std::vector<std::string> field_names(const FieldSet& set, const Scene* scene, Road road) {
-  std::vector<std::string> names;
-  for (const FieldInfo& field : set.fields) {
-    if (road == Road::body || symbols_kind(field) == nullptr) {
-      names.push_back(field.name);
-    } else if (scene != nullptr) {
-      for (const Symbol& symbol : symbols(*scene, symbols_kind(field)->role)) names.push_back(symbol.name);
-    }
-  }
-  return names;
-}
-
-/// The field that another program calls `name`.
-std::string known_by_alias(const FieldSet& set, const std::string& name) {
-  for (const FieldInfo& field : set.fields) {
-    const std::string lower = lower_case(name);
-    if (std::ranges::find(field.aliases, lower) != field.aliases.end()) return field.name;
-  }
-  return {};
-}
-
-FieldError unknown_field(const FieldSet& set, const Scene* scene, const std::string& name,
-                         const Place& place) {
-  std::string detail = "There is no field " + in_quotes(name) + ".";
-  const std::optional<SymbolRole> role = scene == nullptr ? std::nullopt : role_of(*scene, name);
-  const FieldInfo* home = role ? field_of(set, *role) : nullptr;
-  if (home != nullptr) detail += " " + scene->name + " has it: it belongs in '" + home->name + "'.";
-  FieldError error = unknown_name(place, std::move(detail), name, field_names(set, scene, place.road()));
-  if (const std::string meant = known_by_alias(set, name); !meant.empty()) error.did_you_mean = meant;
-  if (home != nullptr) error.did_you_mean = home->name + "." + name;
-  return error;
-}
 
 class Reader {
  public:
@@ -61,22 +21,24 @@ class Reader {
   Reading read() {
     find_system();
     if (root_.road() == Road::query) unflatten();
-    refuse_unknown_fields();
-    for (const FieldInfo& field : set_.fields) read_field(field);
-    for (const OneOf& one_of : set_.one_of) check(one_of);
+    RecordReading record = read_record(set_, fields_, root_, reading_.system, reading_.errors);
+    reading_.resolved = std::move(record.resolved);
+    reading_.defaulted = std::move(record.defaulted);
     return std::move(reading_);
   }
 
  private:
   [[nodiscard]] const Scene* scene() const { return reading_.system.scene.get(); }
-  [[nodiscard]] bool is_given(const std::string& name) const { return fields_.contains(name); }
-  void report(FieldError error) { reading_.errors.push_back(std::move(error)); }
+
+  void refuse(const std::string& name, std::string code, std::string detail) {
+    report(reading_.errors, root_.below(name).error(std::move(code), std::move(detail)));
+  }
 
   /// First of all, because the names that a request may use depend on it.
   void find_system() {
     const auto field = std::ranges::find_if(
         set_.fields, [](const FieldInfo& f) { return std::holds_alternative<SystemKind>(f.kind); });
-    if (field == set_.fields.end() || !is_given(field->name)) return;
+    if (field == set_.fields.end() || !fields_.contains(field->name)) return;
     reading_.system.scene = find_system_(fields_[field->name], root_.below(field->name), reading_.errors);
   }
 
@@ -91,8 +53,8 @@ class Reader {
       } else if (role) {
         put(nested, *role, symbol, value);
       } else if (field != nullptr) {
-        report(root_.below(name).error("unknown_field",
-                                       "In a query the symbols stand alone: " + name + ".k=40 or k=40."));
+        refuse(name, "unknown_field",
+               "In a query each symbol is given by itself: " + name + ".k=40 or k=40.");
       } else {
         nested[name] = value;
       }
@@ -103,7 +65,7 @@ class Reader {
   void put(Json& nested, SymbolRole role, const std::string& symbol, const Json& value) {
     Json& group = nested[field_name(role)];
     if (group.contains(symbol)) {
-      report(root_.below(symbol).error("duplicate_field", in_quotes(symbol) + " stands twice in the query."));
+      refuse(symbol, "duplicate_field", in_quotes(symbol) + " is given twice in the query.");
     } else {
       group[symbol] = value;
     }
@@ -120,91 +82,6 @@ class Reader {
     return {role && field_of(set_, *role) != nullptr ? role : std::nullopt, name};
   }
 
-  void refuse_unknown_fields() {
-    // Without its system, the names in a query cannot be told apart: the mistake is the system.
-    const bool undecided = root_.road() == Road::query && scene() == nullptr;
-    for (const auto& [name, value] : fields_.items()) {
-      if (reading_.errors.size() > limits::listed_errors) return;
-      if (set_.find(name) == nullptr && !(undecided && has_symbols())) {
-        report(unknown_field(set_, scene(), name, root_.below(name)));
-      }
-    }
-  }
-
-  [[nodiscard]] bool has_symbols() const {
-    return std::ranges::any_of(set_.fields, [](const FieldInfo& f) { return symbols_kind(f) != nullptr; });
-  }
-
-  void read_field(const FieldInfo& field) {
-    if (is_given(field.name)) {
-      const Place place = root_.below(field.name);
-      std::optional<Json> value = std::visit(
-          [&](const auto& kind) { return resolve(kind, field, fields_[field.name], place); }, field.kind);
-      if (value) reading_.resolved[field.name] = std::move(*value);
-    } else if (field.need == Need::required) {
-      report(
-          root_.below(field.name).error("missing", "'" + field.name + "' is missing: " + field.description));
-    } else if (!field.default_value.is_null() && !another_way_is_given(field.name)) {
-      reading_.resolved[field.name] = field.default_value;
-      reading_.defaulted.push_back(field.name);
-    }
-  }
-
-  template <class PlainKind>
-  std::optional<Json> resolve(const PlainKind& kind, const FieldInfo& field, const Json& value,
-                              const Place& place) {
-    return read_value(kind, field.name, value, place, reading_.errors);
-  }
-
-  std::optional<Json> resolve(const SystemKind&, const FieldInfo&, const Json& value, const Place&) {
-    return scene() == nullptr ? std::nullopt : std::optional(value);
-  }
-
-  /// Without a system there is nothing to read by, and the missing system is reported already.
-  std::optional<Json> resolve(const SymbolsKind& kind, const FieldInfo&, const Json& value,
-                              const Place& place) {
-    if (scene() == nullptr) return std::nullopt;
-    return read_symbols(kind.role, value, place, reading_.system, reading_.errors);
-  }
-
-  std::optional<Json> resolve(const ParameterValueKind& kind, const FieldInfo& field, const Json& value,
-                              const Place& place) {
-    if (scene() == nullptr || !is_given(kind.parameter)) return std::nullopt;  // reported already
-    for (const Symbol& symbol : symbols(*scene(), SymbolRole::parameter)) {
-      if (fields_[kind.parameter] != symbol.name) continue;
-      return read_value(NumberKind{symbol.unit, symbol.domain}, field.name, value, place, reading_.errors);
-    }
-    return std::nullopt;
-  }
-
-  /// A default holds only where the request does not say the same thing in another way.
-  [[nodiscard]] bool another_way_is_given(const std::string& name) const {
-    const auto has = [](const std::vector<std::string>& way, const std::string& field) {
-      return std::ranges::find(way, field) != way.end();
-    };
-    return std::ranges::any_of(set_.one_of, [&](const OneOf& one_of) {
-      const bool concerned =
-          std::ranges::any_of(one_of.ways, [&](const auto& way) { return has(way, name); });
-      return concerned && std::ranges::any_of(one_of.ways, [&](const auto& way) {
-               return !has(way, name) && std::ranges::any_of(way, [&](const auto& f) { return is_given(f); });
-             });
-    });
-  }
-
-  void check(const OneOf& one_of) {
-    std::string first;
-    for (const std::vector<std::string>& way : one_of.ways) {
-      const auto given = std::ranges::find_if(way, [&](const std::string& field) { return is_given(field); });
-      if (given == way.end()) continue;
-      if (first.empty()) {
-        first = *given;
-      } else {
-        report(root_.below(*given).error(
-            "exclusive", "'" + first + "' and '" + *given + "' cannot stand together; give one of them."));
-      }
-    }
-  }
-
   const FieldSet& set_;
   const FindSystem& find_system_;
   Place root_;
@@ -213,11 +90,6 @@ class Reader {
 };
 
 }  // namespace
-
-const FieldInfo* FieldSet::find(const std::string& name) const {
-  const auto found = std::ranges::find(fields, name, &FieldInfo::name);
-  return found == fields.end() ? nullptr : &*found;
-}
 
 Reading read_request(const FieldSet& set, const Submission& submission, const FindSystem& find_system) {
   return Reader(set, submission, find_system).read();

@@ -1,6 +1,5 @@
 #pragma once
-// A submission read by a FieldSet. Every mistake is reported, not only the first, and what is read is
-// resolved: defaults filled in, units gone, fields in the order of the set.
+// A submission read by a FieldSet (record_reader.hpp), whichever way it was sent.
 //
 // A query is flat: `?system=cart_pendulum&k=19.62&theta=30deg&t_end=10`. Its names are, first of all, the
 // fields of the endpoint; then the parameters of the system, its coordinates and velocities, and its inputs.

@@ -6,6 +6,12 @@
 
 namespace qdot::api {
 
+Place Place::of_document() {
+  Place place(Road::body);
+  place.name_ = root_pointer;
+  return place;
+}
+
 Place Place::below(std::string_view key) const {
   Place place(road_);
   place.name_ = road_ == Road::query ? printable(key, limits::name_bytes)
@@ -18,6 +24,8 @@ Place Place::below(std::size_t index) const {
   if (road_ == Road::body) place.name_ = api::below(name_, index);
   return place;
 }
+
+Place Place::of_missing(std::string_view field) const { return name_.empty() ? below(field) : *this; }
 
 FieldError Place::error(std::string code, std::string detail) const {
   FieldError error{.code = std::move(code), .detail = std::move(detail)};
@@ -47,7 +55,7 @@ Submission submission_of_query(const std::vector<std::pair<std::string, std::str
       submission.errors.push_back(
           Place(Road::query)
               .below(name)
-              .error("duplicate_field", in_quotes(name) + " stands twice in the query."));
+              .error("duplicate_field", in_quotes(name) + " is given twice in the query."));
     } else {
       submission.fields[name] = value;
     }

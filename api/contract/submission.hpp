@@ -18,17 +18,23 @@ enum class Road { body, query };
 
 struct Submission {
   Road road{Road::body};
-  Json fields = Json::object();      ///< on the query's road all values are texts and names are flat
-  std::vector<FieldError> errors{};  ///< what is wrong already: names that came twice
+  Json fields = Json::object();      ///< in a query all values are texts and names are flat
+  std::vector<FieldError> errors{};  ///< what is wrong already: names that were given twice
 };
 
-/// Where a value stands, in the words of its road: "#/parameters/kk", or the query's parameter "kk".
+/// Where a value is, in the words of its road: "#/parameters/kk", or the query's parameter "kk".
 class Place {
  public:
+  /// The whole request.
   explicit Place(Road road) : road_(road) {}
+  /// The whole of a document that is no request, such as the file of a scene.
+  [[nodiscard]] static Place of_document();
 
   [[nodiscard]] Place below(std::string_view key) const;
   [[nodiscard]] Place below(std::size_t index) const;
+  /// Where a field is missed. In a request it is the field itself, so that a body and a query are told the
+  /// same; in an object inside, or in a document, the object, because a pointer leads to something sent.
+  [[nodiscard]] Place of_missing(std::string_view field) const;
 
   [[nodiscard]] Road road() const { return road_; }
   [[nodiscard]] FieldError error(std::string code, std::string detail) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "api/json/limits.hpp"
-#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
@@ -129,9 +128,9 @@ Json read_symbols(SymbolRole role, const Json& value, const Place& place, System
   std::vector<std::string> names;
   for (const Symbol& symbol : known) names.push_back(symbol.name);
   for (const auto& [name, given] : value.items()) {
+    if (is_full(errors)) break;
     if (std::ranges::find(names, name) != names.end()) continue;
     errors.push_back(unknown_symbol(*choice.scene, role, name, place.below(name), names));
-    if (errors.size() > limits::listed_errors) break;
   }
   for (const Symbol& symbol : known) {
     const auto given = value.find(symbol.name);
@@ -146,14 +145,6 @@ Json read_symbols(SymbolRole role, const Json& value, const Place& place, System
     store(role, symbol.name, *read, choice);
   }
   return resolved;
-}
-
-FieldError unknown_name(const Place& place, std::string detail, const std::string& name,
-                        std::vector<std::string> allowed) {
-  FieldError error = place.error("unknown_field", std::move(detail));
-  error.did_you_mean = closest(name, allowed);
-  error.allowed = std::move(allowed);
-  return error;
 }
 
 }  // namespace qdot::api

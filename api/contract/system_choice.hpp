@@ -42,15 +42,11 @@ struct Symbol {
 /// "parameters", "initial", "inputs", "equilibrium", "at": the field that holds the symbols of a role.
 [[nodiscard]] std::string field_name(SymbolRole role);
 
-/// The symbol's role, if the scene has it; a coordinate standing alone is an initial value.
+/// The symbol's role, if the scene has it; a coordinate by itself is an initial value.
 [[nodiscard]] std::optional<SymbolRole> role_of(const Scene& scene, const std::string& name);
 
 /// Reads an object of the role's symbols into `choice`, whose scene is set, and returns the resolved object.
 Json read_symbols(SymbolRole role, const Json& value, const Place& place, SystemChoice& choice,
                   Errors& errors);
-
-/// The error of a name that nobody knows where `allowed` stand.
-[[nodiscard]] FieldError unknown_name(const Place& place, std::string detail, const std::string& name,
-                                      std::vector<std::string> allowed);
 
 }  // namespace qdot::api

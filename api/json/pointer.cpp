@@ -1,11 +1,9 @@
 #include "api/json/pointer.hpp"
 
-#include "api/json/limits.hpp"
-
 namespace qdot::api {
 namespace {
 
-/// What RFC 3986 lets stand in a fragment, without % and without / and ~, which RFC 6901 escapes.
+/// Whether RFC 3986 allows `c` in a fragment as it is. Not so % nor / and ~, which RFC 6901 escapes.
 bool stands_for_itself(char c) {
   const bool letter_or_digit = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   return letter_or_digit || std::string_view("-._!$&'()*+,;=:@?").find(c) != std::string_view::npos;
@@ -15,8 +13,9 @@ bool stands_for_itself(char c) {
 
 std::string below(std::string pointer, std::string_view key) {
   constexpr std::string_view hexadecimal = "0123456789ABCDEF";
+  if (key.size() > longest_key) return pointer;
   pointer += '/';
-  for (const char c : key.substr(0, limits::name_bytes)) {
+  for (const char c : key) {
     if (c == '~') {
       pointer += "~0";
     } else if (c == '/') {

@@ -5,10 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "api/json/limits.hpp"
+
 namespace qdot::api {
 
-/// `pointer` and one step down. The key comes from a request: it is escaped for a URI fragment and cut to 64
-/// bytes.
+/// The longest key that a pointer repeats: a name with _dot after it. What is wrong below a longer one is
+/// reported at the object that has it, so that a pointer always leads somewhere and no answer is long.
+inline constexpr std::size_t longest_key = limits::name_bytes + 4;
+
+/// `pointer` and one step down, the key escaped for a URI fragment; `pointer` itself below an overlong key.
 [[nodiscard]] std::string below(std::string pointer, std::string_view key);
 [[nodiscard]] std::string below(std::string pointer, std::size_t index);
 

@@ -21,6 +21,16 @@ std::string mistake(const std::string& file, std::string_view place, std::string
   return file + ": " + std::string{place} + (place.empty() ? "" : ": ") + std::string{message} + "\n";
 }
 
+std::string mistake(const std::string& file, const FieldError& error) {
+  std::string help;
+  if (!error.did_you_mean.empty()) {
+    help = " Did you mean '" + error.did_you_mean + "'?";
+  } else if (!error.allowed.empty()) {
+    help = " Write " + enumerated(error.allowed) + ".";
+  }
+  return mistake(file, std::string_view{error.pointer}.substr(1), error.detail + help);
+}
+
 /// The number on the practice sheet; scenes without one come last.
 int problem_number(const Scene& scene) {
   int number = std::numeric_limits<int>::max();
@@ -80,15 +90,11 @@ std::string Catalogue::add(std::string file, std::string_view text) {
   auto parsed = read_json(text);
   if (const auto* problem = std::get_if<Problem>(&parsed)) return mistake(file, "", problem->detail);
   auto& document = std::get<JsonDocument>(parsed);
-  auto [scene, diagnostics] = read_scene(document.value);
+  auto [scene, errors] = read_scene(document.value);
 
   std::string mistakes;
-  for (const FieldError& error : document.duplicates) {
-    mistakes += mistake(file, std::string_view{error.pointer}.substr(1), error.detail);
-  }
-  for (const Diagnostic& diagnostic : diagnostics) {
-    mistakes += mistake(file, diagnostic.place, diagnostic.message);
-  }
+  for (const FieldError& error : document.duplicates) mistakes += mistake(file, error);
+  for (const FieldError& error : errors) mistakes += mistake(file, error);
   if (const CatalogueEntry* taken = find(scene.name)) {
     mistakes += mistake(file, "/name", "The name '" + scene.name + "' is taken by " + taken->file + ".");
   }
@@ -107,7 +113,5 @@ std::vector<std::string> Catalogue::names() const {
   for (const CatalogueEntry& entry : entries_) names.push_back(entry.scene.name);
   return names;
 }
-
-std::string_view scene_schema() { return schema_file()[0].text; }
 
 }  // namespace qdot::api

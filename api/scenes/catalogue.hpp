@@ -1,6 +1,6 @@
 #pragma once
 // The systems that requests can name: the scenes built into the program, in practice-sheet order, and those
-// of a directory that the user gives. A new system is a new file in api/scenes/.
+// of a directory that the user gives. A new system is a new file in api/scenes/systems/.
 
 #include <filesystem>
 #include <span>
@@ -21,7 +21,8 @@ struct CatalogueEntry {
 
 class Catalogue {
  public:
-  /// The scenes of api/scenes/: problems 1 to 10 by their number, then those of no problem, by file name.
+  /// The scenes of api/scenes/systems/: problems 1 to 10 by their number, then those of no problem, by file
+  /// name.
   [[nodiscard]] static Catalogue built_in();
 
   /// This catalogue and every *.json of `directory` after it, by file name. Throws std::runtime_error with
@@ -41,8 +42,5 @@ class Catalogue {
 
   std::vector<CatalogueEntry> entries_;
 };
-
-/// The JSON Schema (2020-12) of a scene.
-[[nodiscard]] std::string_view scene_schema();
 
 }  // namespace qdot::api

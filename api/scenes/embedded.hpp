@@ -6,7 +6,5 @@ namespace qdot::api {
 
 /// systems/*.json, in the order of their names.
 [[nodiscard]] std::span<const EmbeddedFile> system_files();
-/// schema.json.
-[[nodiscard]] std::span<const EmbeddedFile> schema_file();
 
 }  // namespace qdot::api

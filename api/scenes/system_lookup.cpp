@@ -1,5 +1,8 @@
 #include "api/scenes/system_lookup.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "api/json/text.hpp"
 #include "api/scenes/scene_reader.hpp"
 
@@ -14,18 +17,15 @@ std::shared_ptr<const Scene> named(const Catalogue& catalogue, const std::string
   FieldError error =
       unknown_name(place, "There is no system " + in_quotes(name) + ".", name, catalogue.names());
   error.code = "unknown_system";
-  errors.push_back(std::move(error));
+  report(errors, std::move(error));
   return nullptr;
 }
 
 std::shared_ptr<const Scene> carried(const Json& value, const Place& place, Errors& errors) {
-  SceneReading reading = read_scene(value);
-  for (const Diagnostic& diagnostic : reading.diagnostics) {
-    FieldError error = place.error(diagnostic.code, diagnostic.message);
-    error.pointer += diagnostic.place;
-    errors.push_back(std::move(error));
-  }
-  return reading.diagnostics.empty() ? std::make_shared<const Scene>(std::move(reading.scene)) : nullptr;
+  SceneReading reading = read_scene(value, place);
+  if (reading.errors.empty()) return std::make_shared<const Scene>(std::move(reading.scene));
+  std::ranges::move(reading.errors, std::back_inserter(errors));
+  return nullptr;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ FindSystem find_system_in(const Catalogue& catalogue) {
   return [&catalogue](const Json& value, const Place& place, Errors& errors) -> std::shared_ptr<const Scene> {
     if (value.is_string()) return named(catalogue, value.get<std::string>(), place, errors);
     if (value.is_object()) return carried(value, place, errors);
-    errors.push_back(place.error("wrong_type", "'system' needs the name of a system, or a scene."));
+    report(errors, place.error("wrong_type", "'system' needs the name of a system, or a scene."));
     return nullptr;
   };
 }

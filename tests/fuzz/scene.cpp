@@ -25,8 +25,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto* document = std::get_if<api::JsonDocument>(&read);
   if (document == nullptr) return 0;
   const api::SceneReading reading = api::read_scene(document->value);
-  check(reading.diagnostics);
-  if (!reading.diagnostics.empty()) return 0;
+  for (const api::FieldError& error : reading.errors) {
+    fuzz::require(!error.code.empty() && !error.detail.empty(), "an error says something");
+    fuzz::require(error.pointer.starts_with("#"), "its place is a JSON Pointer");
+  }
+  if (!reading.errors.empty()) return 0;
   try {
     const WorkScope work(fuzz::algebra);
     const auto model = build_model(reading.scene);

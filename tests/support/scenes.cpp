@@ -30,7 +30,7 @@ Scene scene_of(const std::string& name) {
   const bool is_built_in = std::filesystem::exists(std::string(QDOT_SOURCE_DIR "/") + built_in);
   const std::string path = is_built_in ? built_in : "tests/reference/scenes/" + name + ".json";
   const api::SceneReading reading = api::read_scene(json_file(path));
-  if (!reading.diagnostics.empty()) throw std::runtime_error(path + ": " + reading.diagnostics[0].message);
+  if (!reading.errors.empty()) throw std::runtime_error(path + ": " + reading.errors[0].detail);
   return reading.scene;
 }
 

@@ -1,11 +1,11 @@
-// The text of a domain: one bound or two, "> 0, <= 1".
+#include "api/contract/domain_text.hpp"
 
 #include <charconv>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 #include "api/json/text.hpp"
-#include "api/scenes/scene_values.hpp"
+#include "api/json/writer.hpp"
 
 namespace qdot::api {
 namespace {
@@ -46,7 +46,8 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
   return parts;
 }
 
-/// No value for text that is no domain, has two bounds on one side, or leaves no number.
+}  // namespace
+
 std::optional<Domain> parse_domain(std::string_view text) {
   Domain domain;
   const auto parts = split_at_commas(text);
@@ -64,17 +65,25 @@ std::optional<Domain> parse_domain(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace
+std::string domain_pattern() {
+  const std::string blanks = "[ \\t]*";
+  const std::string number = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+  const std::string bound = blanks + "[<>]=?" + blanks + number + blanks;
+  return "^" + bound + "(," + bound + ")?$";
+}
 
-void read_domain(const Cursor& cursor, Domain& target) {
-  if (!cursor.value().is_string()) return cursor.report_type("a domain in text, such as \"> 0\"");
-  const auto& text = cursor.value().get_ref<const std::string&>();
-  if (const auto domain = parse_domain(text)) {
-    target = *domain;
-  } else {
-    cursor.report("domain", "The domain " + api::quoted(text) +
-                                " names no interval; write a bound or two, such as '> 0' or '>= 0, < 1'.");
+std::string to_text(const Domain& domain) {
+  const auto bound = [](const char* relation, double value) {
+    std::string text(relation);
+    append_number(text, value);
+    return text;
+  };
+  std::string text;
+  if (std::isfinite(domain.lower)) text += bound(domain.lower_open ? "> " : ">= ", domain.lower);
+  if (std::isfinite(domain.upper)) {
+    text += (text.empty() ? "" : " and ") + bound(domain.upper_open ? "< " : "<= ", domain.upper);
   }
+  return text;
 }
 
 }  // namespace qdot::api

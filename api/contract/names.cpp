@@ -1,9 +1,8 @@
-// Which names a scene may give.
+#include "api/contract/names.hpp"
 
 #include <algorithm>
 
 #include "api/json/limits.hpp"
-#include "api/scenes/scene_reader.hpp"
 #include "core/numerics/function.hpp"
 
 namespace qdot::api {
@@ -24,11 +23,13 @@ const std::vector<std::string>& reserved_names() {
   return names;
 }
 
-bool is_scene_name(std::string_view text) {
+bool is_name(std::string_view text, NameOf of) {
+  constexpr std::string_view velocity = "_dot";
+  if (of == NameOf::thing_or_velocity && text.ends_with(velocity)) text.remove_suffix(velocity.size());
   const bool identifier = !text.empty() && text.size() <= limits::name_bytes && is_letter(text.front()) &&
-                          std::all_of(text.begin(), text.end(), is_name_character);
+                          std::ranges::all_of(text, is_name_character);
   return identifier && !text.ends_with("_dot") && !text.ends_with("_ddot") &&
-         std::find(reserved_names().begin(), reserved_names().end(), text) == reserved_names().end();
+         std::ranges::find(reserved_names(), text) == reserved_names().end();
 }
 
 }  // namespace qdot::api

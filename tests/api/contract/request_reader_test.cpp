@@ -149,7 +149,7 @@ TEST(RequestReader, OneWayExcludesTheOthersAndTheirDefaults) {
   EXPECT_FALSE(good(body(R"({"system": "spring_pendulum", "dt": 1})")).request.count);
   const auto outcome = body(R"({"system": "spring_pendulum", "dt": 1, "count": 2})");
   EXPECT_EQ(errors_of(outcome), "#/dt exclusive");
-  EXPECT_EQ(detail_of(outcome), "'count' and 'dt' cannot stand together; give one of them.");
+  EXPECT_EQ(detail_of(outcome), "'count' and 'dt' cannot be given together; give one of them.");
 }
 
 TEST(RequestReader, RefusesValuesOfOtherTypes) {

@@ -122,9 +122,5 @@ TEST(Catalogue, SaysWhenAFileCannotBeRead) {
   EXPECT_EQ(mistakes_in(directory), "folder.json: The file cannot be read.\n");
 }
 
-TEST(Catalogue, PublishesTheSchema) {
-  EXPECT_EQ(Json::parse(scene_schema())["$schema"], "https://json-schema.org/draft/2020-12/schema");
-}
-
 }  // namespace
 }  // namespace qdot::api

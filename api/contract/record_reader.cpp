@@ -1,0 +1,323 @@
+#include "api/contract/record_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "api/contract/names.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+const SymbolsKind* symbols_kind(const FieldInfo& field) { return std::get_if<SymbolsKind>(&field.kind); }
+
+bool has_symbols(const FieldSet& set) {
+  return std::ranges::any_of(set.fields, [](const FieldInfo& f) { return symbols_kind(f) != nullptr; });
+}
+
+/// The names that can be given, for the list in an error.
+std::vector<std::string> field_names(const FieldSet& set, const Scene* scene, Road road) {
+  std::vector<std::string> names;
+  for (const FieldInfo& field : set.fields) {
+    if (road == Road::body || symbols_kind(field) == nullptr) {
+      names.push_back(field.name);
+    } else if (scene != nullptr) {
+      for (const Symbol& symbol : symbols(*scene, symbols_kind(field)->role)) names.push_back(symbol.name);
+    }
+  }
+  return names;
+}
+
+/// The field that another program calls `name`.
+std::string known_by_alias(const FieldSet& set, const std::string& name) {
+  for (const FieldInfo& field : set.fields) {
+    const std::string lower = lower_case(name);
+    if (std::ranges::find(field.aliases, lower) != field.aliases.end()) return field.name;
+  }
+  return {};
+}
+
+FieldError unknown_field(const FieldSet& set, const Scene* scene, const std::string& name,
+                         const Place& object) {
+  const Place place = object.below(name);
+  std::string detail = "There is no field " + in_quotes(name) + ".";
+  const std::optional<SymbolRole> role = scene == nullptr ? std::nullopt : role_of(*scene, name);
+  const FieldInfo* home = role ? field_of(set, *role) : nullptr;
+  if (home != nullptr) detail += " " + scene->name + " has it: it belongs in '" + home->name + "'.";
+  FieldError error = unknown_name(place, std::move(detail), name, field_names(set, scene, place.road()));
+  if (const std::string meant = known_by_alias(set, name); !meant.empty()) error.did_you_mean = meant;
+  if (home != nullptr) error.did_you_mean = home->name + "." + name;
+  return error;
+}
+
+/// The elements of a query's list: commas inside parentheses do not part them.
+Json split_list(std::string_view text) {
+  Json elements = Json::array();
+  int depth = 0;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') --depth;
+    if (text[i] == ',' && depth == 0) {
+      elements.push_back(trimmed(text.substr(start, i - start)));
+      start = i + 1;
+    }
+  }
+  if (!trimmed(text).empty()) elements.push_back(trimmed(text.substr(start)));
+  return elements;
+}
+
+/// "the fields name, unit and value"
+std::string fields_in_words(const FieldSet& set) {
+  std::string text = "the fields ";
+  for (const FieldInfo& field : set.fields) text += (&field == &set.fields.front() ? "" : ", ") + field.name;
+  return text;
+}
+
+class Reader {
+ public:
+  /// `whole` is the outermost object.
+  Reader(const Json& whole, SystemChoice& choice, Errors& errors)
+      : whole_(whole), choice_(choice), errors_(errors) {}
+
+  RecordReading read(const FieldSet& set, const Json& object, const Place& place) {
+    RecordReading reading;
+    refuse_unknown_fields(set, object, place);
+    for (const FieldInfo& field : set.fields) {
+      if (object.contains(field.name)) {
+        std::optional<Json> value =
+            read_any(field.kind, field.name, object[field.name], place.below(field.name));
+        if (value) reading.resolved[field.name] = std::move(*value);
+      } else if (field.need == Need::required) {
+        refuse(place.of_missing(field.name), "missing",
+               "'" + field.name + "' is missing: " + field.description);
+      } else if (!field.default_value.is_null() && !another_way_is_given(set, field.name, object)) {
+        reading.resolved[field.name] = field.default_value;
+        reading.defaulted.push_back(field.name);
+      }
+    }
+    for (const OneOf& one_of : set.one_of) check(one_of, object, place);
+    return reading;
+  }
+
+  std::optional<Json> read_any(const Kind& kind, const std::string& name, const Json& value,
+                               const Place& place) {
+    return std::visit([&](const auto& k) { return resolve(k, name, value, place); }, kind);
+  }
+
+ private:
+  [[nodiscard]] const Scene* scene() const { return choice_.scene.get(); }
+
+  std::nullopt_t refuse(const Place& place, std::string code, std::string detail) {
+    report(errors_, place.error(std::move(code), std::move(detail)));
+    return std::nullopt;
+  }
+
+  std::nullopt_t refuse_type(const std::string& name, const std::string& needed, const Json& value,
+                             const Place& place) {
+    report(errors_, wrong_type(place, name, needed, value));
+    return std::nullopt;
+  }
+
+  void refuse_unknown_fields(const FieldSet& set, const Json& object, const Place& place) {
+    // Without its system, the names in a query cannot be told apart: the mistake is the system.
+    if (place.road() == Road::query && scene() == nullptr && has_symbols(set)) return;
+    for (const auto& [name, value] : object.items()) {
+      if (is_full(errors_)) return;
+      if (set.find(name) == nullptr) report(errors_, unknown_field(set, scene(), name, place));
+    }
+  }
+
+  void refuse_count(const std::string& name, std::size_t count, std::size_t least, std::size_t most,
+                    const Place& place) {
+    const std::string entries = std::to_string(count) + (count == 1 ? " entry" : " entries");
+    if (count > most) {
+      refuse(place, "too_many",
+             "'" + name + "' has " + entries + "; at most " + std::to_string(most) + " are read.");
+    } else {
+      refuse(place, count == 0 ? "empty" : "too_few",
+             "'" + name + "' has " + entries + "; at least " + std::to_string(least) + " must be given.");
+    }
+  }
+
+  template <class PlainKind>
+  std::optional<Json> resolve(const PlainKind& kind, const std::string& name, const Json& value,
+                              const Place& place) {
+    return read_value(kind, name, value, place, errors_);
+  }
+
+  std::optional<Json> resolve(const VectorKind&, const std::string& name, const Json& value,
+                              const Place& place) {
+    static const ListKind expressions{ExpressionKind{}, 3, 2};
+    return resolve(expressions, name, value, place);
+  }
+
+  std::optional<Json> resolve(const PositionKind&, const std::string& name, const Json& value,
+                              const Place& place) {
+    if (value.is_string()) return read_value(NameKind{}, name, value, place, errors_);
+    if (value.is_array()) return resolve(VectorKind{}, name, value, place);
+    return refuse_type(name, "the name of a point or an array of 2 or 3 expressions", value, place);
+  }
+
+  std::optional<Json> resolve(const ListKind& kind, const std::string& name, const Json& value,
+                              const Place& place) {
+    const bool from_query = place.road() == Road::query && value.is_string();
+    if (!from_query && !value.is_array()) return refuse_type(name, "an array", value, place);
+    const Json parted = from_query ? split_list(value.get_ref<const std::string&>()) : Json();
+    const Json& elements = from_query ? parted : value;
+    if (elements.size() > kind.most || elements.size() < kind.least) {
+      refuse_count(name, elements.size(), kind.least, kind.most, place);
+      return std::nullopt;
+    }
+    const bool is_set = std::holds_alternative<ChoiceKind>(*kind.element);
+    Json result = Json::array();
+    bool complete = true;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Place here = place.below(i);
+      std::optional<Json> element = read_any(*kind.element, name, elements[i], here);
+      if (element && is_set && std::ranges::find(result, *element) != result.end()) {
+        element = refuse(here, "duplicate_item", "'" + name + "' has " + element->dump() + " twice.");
+      }
+      complete = complete && element;
+      if (element) result.push_back(std::move(*element));
+    }
+    return complete ? std::optional(std::move(result)) : std::nullopt;
+  }
+
+  std::optional<Json> resolve(const RecordKind& kind, const std::string& name, const Json& value,
+                              const Place& place) {
+    if (!value.is_object()) {
+      return refuse_type(name, "an object with " + fields_in_words(*kind.set), value, place);
+    }
+    return read(*kind.set, value, place).resolved;
+  }
+
+  std::optional<Json> resolve(const VariantKind& kind, const std::string& name, const Json& value,
+                              const Place& place) {
+    ChoiceKind kinds;
+    for (const FieldSet* set : kind.sets) kinds.options.push_back(set->name);
+    if (!value.is_object()) return refuse_type(name, "an object with a 'kind'", value, place);
+    const auto given = value.find("kind");
+    if (given == value.end()) {
+      return refuse(place.of_missing("kind"), "missing",
+                    "'kind' is missing: " + enumerated(kinds.options) + ".");
+    }
+    const auto chosen = read_value(kinds, "kind", *given, place.below("kind"), errors_);
+    if (!chosen) return std::nullopt;
+    const auto is_chosen = [&](const FieldSet* set) {
+      return set->name == chosen->get_ref<const std::string&>();
+    };
+    return resolve(RecordKind{*std::ranges::find_if(kind.sets, is_chosen)}, name, value, place);
+  }
+
+  std::optional<Json> resolve(const MapKind& kind, const std::string& name, const Json& value,
+                              const Place& place) {
+    if (!value.is_object()) return refuse_type(name, "an object", value, place);
+    if (value.size() > kind.most) {
+      refuse_count(name, value.size(), 0, kind.most, place);
+      return std::nullopt;
+    }
+    Json result = Json::object();
+    for (const auto& [key, given] : value.items()) {
+      if (!is_name(key, kind.keys)) {
+        report(errors_, bad_name(place, key));
+        continue;
+      }
+      const Place here = place.below(key);
+      std::optional<Json> read = kind.values == MapTo::names
+                                     ? read_value(NameKind{}, key, given, here, errors_)
+                                     : read_value(ExpressionKind{}, key, given, here, errors_);
+      if (read) result[key] = std::move(*read);
+    }
+    return result;
+  }
+
+  std::optional<Json> resolve(const SystemKind&, const std::string&, const Json& value, const Place&) {
+    return scene() == nullptr ? std::nullopt : std::optional(value);
+  }
+
+  /// Without a system there is nothing to read by, and the missing system is reported already.
+  std::optional<Json> resolve(const SymbolsKind& kind, const std::string&, const Json& value,
+                              const Place& place) {
+    if (scene() == nullptr) return std::nullopt;
+    return read_symbols(kind.role, value, place, choice_, errors_);
+  }
+
+  std::optional<Json> resolve(const ParameterValueKind& kind, const std::string& name, const Json& value,
+                              const Place& place) {
+    if (scene() == nullptr || !whole_.contains(kind.parameter)) return std::nullopt;  // reported already
+    for (const Symbol& symbol : symbols(*scene(), SymbolRole::parameter)) {
+      if (whole_[kind.parameter] != symbol.name) continue;
+      return read_value(NumberKind{symbol.unit, symbol.domain}, name, value, place, errors_);
+    }
+    return std::nullopt;
+  }
+
+  /// A default holds only where the object does not say the same thing in another way.
+  [[nodiscard]] static bool another_way_is_given(const FieldSet& set, const std::string& name,
+                                                 const Json& object) {
+    const auto has = [](const std::vector<std::string>& way, const std::string& field) {
+      return std::ranges::find(way, field) != way.end();
+    };
+    return std::ranges::any_of(set.one_of, [&](const OneOf& one_of) {
+      const bool concerned =
+          std::ranges::any_of(one_of.ways, [&](const auto& way) { return has(way, name); });
+      return concerned && std::ranges::any_of(one_of.ways, [&](const auto& way) {
+               return !has(way, name) &&
+                      std::ranges::any_of(way, [&](const auto& f) { return object.contains(f); });
+             });
+    });
+  }
+
+  /// Every field that is given beside one of an earlier way is refused.
+  void check(const OneOf& one_of, const Json& object, const Place& place) {
+    std::string first;
+    std::vector<std::string> openings;
+    bool taken = false;
+    for (const std::vector<std::string>& way : one_of.ways) {
+      openings.push_back("'" + way.front() + "'");
+      taken = taken || object.contains(way.front());
+      std::string given;
+      for (const std::string& field : way) {
+        if (!object.contains(field)) continue;
+        if (given.empty()) given = field;
+        if (first.empty()) continue;
+        refuse(place.below(field), "exclusive",
+               "'" + first + "' and '" + field + "' cannot be given together; give one of them.");
+      }
+      if (first.empty()) first = given;
+    }
+    if (one_of.need == Need::required && !taken) {
+      refuse(place, "missing", "One of " + enumerated(openings) + " is missing.");
+    }
+  }
+
+  const Json& whole_;
+  SystemChoice& choice_;
+  Errors& errors_;
+};
+
+}  // namespace
+
+const FieldInfo* FieldSet::find(const std::string& name) const {
+  const auto found = std::ranges::find(fields, name, &FieldInfo::name);
+  return found == fields.end() ? nullptr : &*found;
+}
+
+const FieldInfo* field_of(const FieldSet& set, SymbolRole role) {
+  const FieldInfo* field = set.find(field_name(role));
+  return field != nullptr && symbols_kind(*field) != nullptr ? field : nullptr;
+}
+
+RecordReading read_record(const FieldSet& set, const Json& fields, const Place& place, SystemChoice& choice,
+                          Errors& errors) {
+  return Reader(fields, choice, errors).read(set, fields, place);
+}
+
+std::optional<Json> read_value(const RecordKind& kind, const std::string& name, const Json& value,
+                               const Place& place, Errors& errors) {
+  SystemChoice none;
+  return Reader(value, none, errors).read_any(kind, name, value, place);
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,261 @@
+#include "api/scenes/scene_table.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api/contract/document_schema.hpp"
+#include "api/scenes/bodies.hpp"
+#include "api/scenes/scene_fields.hpp"
+
+namespace qdot::api {
+namespace {
+
+namespace most = scene_limits;
+
+/// Where an expression may be left out, it is 0.
+const FieldOptions zero{.default_value = "0"};
+
+template <class Struct>
+BoundField<Struct> name_field(std::string description) {
+  return value("name", &Struct::name, NameKind{}, std::move(description), required);
+}
+
+template <class Struct>
+BoundField<Struct> unit_field() {
+  return value("unit", &Struct::unit, short_text,
+               "an SI unit, such as kg, N/m, rad/s or m/s^2; 1 where there is none", required);
+}
+
+template <class Struct>
+BoundField<Struct> meaning_field() {
+  return value("meaning", &Struct::meaning, prose, "what it is, in words");
+}
+
+template <class Struct>
+BoundField<Struct> latex_field() {
+  return value("latex", &Struct::latex, short_text, "how LaTeX writes its name, where not as it is");
+}
+
+/// Names or expressions by their names, in the order in which they were given.
+template <class Struct>
+BoundField<Struct> map(std::string name, std::vector<std::pair<std::string, std::string>> Struct::*member,
+                       NameOf keys, MapTo values, std::string description, FieldOptions options = {}) {
+  return {detail::info(std::move(name), MapKind{keys, values, most::map_entries}, std::move(description),
+                       std::move(options)),
+          [member](Struct& target, const Json& entries) {
+            for (const auto& [key, entry] : entries.items()) {
+              (target.*member).emplace_back(key, entry.template get<std::string>());
+            }
+          }};
+}
+
+const Table<Parameter> parameters("parameter", "A number that stays the same during a motion.",
+                                  {name_field<Parameter>("what expressions and requests call it"),
+                                   unit_field<Parameter>(),
+                                   value("default", &Parameter::default_value, ExpressionKind{},
+                                         "a number, or an expression of other parameters, such as 2*m",
+                                         required),
+                                   value("domain", &Parameter::domain, DomainKind{}, "where it makes sense"),
+                                   meaning_field<Parameter>(), latex_field<Parameter>()});
+
+const Table<Coordinate> coordinates(
+    "coordinate", "A generalized coordinate. Its velocity is called <name>_dot.",
+    {name_field<Coordinate>("what expressions and requests call it"), unit_field<Coordinate>(),
+     value("initial", &Coordinate::initial, ExpressionKind{},
+           "value at the start when a request gives none: an expression of the parameters", zero),
+     value("initial_rate", &Coordinate::initial_rate, ExpressionKind{},
+           "velocity at the start when a request gives none", zero),
+     value("scale", &Coordinate::scale, ExpressionKind{},
+           "a length that turns this angle into an arc, so that mode shapes can be compared"),
+     value("domain", &Coordinate::domain, DomainKind{},
+           "where the coordinate describes a configuration; a motion that leaves it ends"),
+     meaning_field<Coordinate>(), latex_field<Coordinate>()});
+
+const Table<Input> inputs("input", "A function of time that a request supplies, such as a force.",
+                          {name_field<Input>("what expressions and requests call it"), unit_field<Input>(),
+                           value("default", &Input::default_value, ExpressionKind{},
+                                 "an expression of t and the parameters", zero),
+                           meaning_field<Input>()});
+
+const Table<HeldLength> held_lengths(
+    "held_length",
+    "A length that the motion keeps. Positions use its name; the force that keeps it can then be derived "
+    "(see valid_while).",
+    {name_field<HeldLength>("what positions call it"), unit_field<HeldLength>(),
+     value("value", &HeldLength::value, ExpressionKind{},
+           "what it is kept at: an expression of the parameters", required),
+     meaning_field<HeldLength>()});
+
+const Table<Point> points("point", "A place with a name, in an inertial frame.",
+                          {name_field<Point>("what positions call it"),
+                           value("components", &Point::components, VectorKind{}, "where it is", required)});
+
+const Table<Spring> springs(
+    "spring", "A linear spring with the energy stiffness*(length - rest_length)^2/2.",
+    {value("name", &Spring::name, NameKind{}, "what it is called"),
+     value("stiffness", &Spring::stiffness, ExpressionKind{}, "force by length", required),
+     value("length", &Spring::length, ExpressionKind{}, "how long it is", required),
+     value("rest_length", &Spring::rest_length, ExpressionKind{}, "how long it is without a force", zero)});
+
+const Table<Force> forces("force", "A force applied at a point.",
+                          {value("name", &Force::name, NameKind{}, "what it is called"),
+                           value("vector", &Force::vector, VectorKind{}, "its components", required),
+                           value("point", &Force::point, PositionKind{}, "where it is applied", required)});
+
+const Table<Reaction> reactions(
+    "reaction", "The force that keeps a held length, derived from the Lagrangian.",
+    {value("length", &Reaction::length, NameKind{}, "the name of the held length", required),
+     value("sign", &Reaction::sign, SignKind{},
+           "-1 where the reaction pulls inwards (a string), 1 where it pushes outwards (a support)",
+           required)});
+
+const OneOf ways_of_quantity{.ways = {{"reaction"}, {"expression"}}, .need = Need::required};
+
+/// `quantity` has two names in JSON, one for each of its alternatives.
+template <class Struct>
+BoundField<Struct> reaction_field() {
+  return {detail::info("reaction", RecordKind{&reactions.set()}, "the quantity, as a reaction", {}),
+          [](Struct& target, const Json& resolved) {
+            reactions.store(resolved, target.quantity.template emplace<Reaction>());
+          }};
+}
+
+template <class Struct>
+BoundField<Struct> expression_field() {
+  return {detail::info("expression", ExpressionKind{}, "the quantity, as an expression", {}),
+          [](Struct& target, const Json& text) { target.quantity = text.get<std::string>(); }};
+}
+
+const Table<ValidityCondition> conditions(
+    "condition", "The model holds while this quantity is at least 0: a string pulls, a support pushes.",
+    {name_field<ValidityCondition>("what answers call the quantity, such as tension"),
+     unit_field<ValidityCondition>(), reaction_field<ValidityCondition>(),
+     expression_field<ValidityCondition>(),
+     value("reason", &ValidityCondition::reason, NameKind{},
+           "how answers call this ending, such as string_slack", required),
+     value("message", &ValidityCondition::message, prose, "the sentence to print when the condition fails",
+           required)},
+    {ways_of_quantity});
+
+const Table<Report> reports("report",
+                            "A quantity to know beside the conditions, such as the friction that rolling "
+                            "asks for. It limits nothing.",
+                            {name_field<Report>("what answers call the quantity"), unit_field<Report>(),
+                             reaction_field<Report>(), expression_field<Report>(), meaning_field<Report>()},
+                            {ways_of_quantity});
+
+const Table<Singularity> singularities(
+    "singularity",
+    "The coordinates describe no configuration where the expression is 0: every motion ends there.",
+    {name_field<Singularity>("how answers call this ending"),
+     value("expression", &Singularity::expression, ExpressionKind{}, "what is 0 there", required),
+     value("message", &Singularity::message, prose, "the sentence to print when a motion comes there")});
+
+const Table<SceneEvent> events(
+    "event", "Something that happens when an expression crosses 0.",
+    {name_field<SceneEvent>("what requests and answers call it"),
+     value("expression", &SceneEvent::expression, ExpressionKind{}, "what crosses 0", required),
+     choice("direction", &SceneEvent::direction,
+            {{"rising", Crossing::rising}, {"falling", Crossing::falling}, {"either", Crossing::either}},
+            "which crossings count", {.default_value = "either"}),
+     value("when", &SceneEvent::when, ExpressionKind{},
+           "the crossing counts only where this is greater than 0"),
+     meaning_field<SceneEvent>()});
+
+const Table<Impact> impacts(
+    "impact", "At an event, the state jumps.",
+    {value("event", &Impact::event, NameKind{}, "the name of the event", required),
+     map("map", &Impact::map, NameOf::thing_or_velocity, MapTo::expressions,
+         "each coordinate or velocity after the jump, as an expression of the state before it; what is not "
+         "named stays",
+         required),
+     meaning_field<Impact>()});
+
+const Table<Scales> scales("scales", "Units of the dimensionless form: expressions of the parameters.",
+                           {value("mass", &Scales::mass, ExpressionKind{}, "the unit of mass", required),
+                            value("length", &Scales::length, ExpressionKind{}, "the unit of length",
+                                  required),
+                            value("time", &Scales::time, ExpressionKind{}, "the unit of time", required),
+                            map("names", &Scales::names, NameOf::thing, MapTo::names,
+                                "what a parameter in these units is called, such as {\"m\": \"mu\"}; others "
+                                "are called <name>_hat")});
+
+BoundField<Scene> bodies_field() {
+  VariantKind kinds;
+  for (const BodyKind& kind : body_kinds()) kinds.sets.push_back(&kind.fields);
+  return {detail::info("bodies", ListKind{std::move(kinds), most::bodies, 1},
+                       "what moves; the energies follow from it", {}),
+          [](Scene& scene, const Json& bodies) {
+            for (const Json& body : bodies) {
+              const auto& name = body.at("kind").get_ref<const std::string&>();
+              const auto is_kind = [&](const BodyKind& kind) { return kind.fields.name == name; };
+              scene.bodies.push_back(std::ranges::find_if(body_kinds(), is_kind)->from_fields(body));
+            }
+          }};
+}
+
+Table<Scene> make_table() {
+  return {
+      "Scene",
+      "A mechanical system for qdot: where its bodies are, as expressions of the generalized coordinates, "
+      "and "
+      "what acts on them. Kinetic and potential energy, equations of motion, equilibria, frequencies and "
+      "reactions are derived from it. An expression may use the scene's parameters, its coordinates q and "
+      "velocities q_dot, its held lengths and inputs, the time t, the number pi and the functions sin, cos, "
+      "tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt, abs and sign. Units are SI units and angles "
+      "are radians.",
+      {name_field<Scene>("what requests call the system, such as spring_pendulum"),
+       value("title", &Scene::title, prose, "a heading"),
+       value("problem", &Scene::problem, short_text, "number of the problem on the practice sheet"),
+       value("model_version", &Scene::model_version, short_text,
+             "changes when the system's answers change, such as 1.0.0"),
+       value("description", &Scene::description, prose, "one or two sentences for students"),
+       records("parameters", &Scene::parameters, parameters, 0, most::parameters,
+               "the numbers that a request may set"),
+       records("coordinates", &Scene::coordinates, coordinates, 1, most::coordinates,
+               "the generalized coordinates, in the order of every vector and matrix of an answer", required),
+       records("inputs", &Scene::inputs, inputs, 0, most::inputs, "the functions of time that act"),
+       records("held_lengths", &Scene::held_lengths, held_lengths, 0, most::held_lengths,
+               "the lengths whose reactions are wanted"),
+       records("points", &Scene::points, points, 0, most::points, "the places that have names"),
+       bodies_field(),
+       value("gravity", &Scene::gravity, VectorKind{},
+             "the acceleration of gravity, with as many components as the positions; without it there is no "
+             "gravity"),
+       records("springs", &Scene::springs, springs, 0, most::springs, "the springs"),
+       value("potential", &Scene::potential, ExpressionKind{}, "potential energy beside gravity and springs"),
+       records("forces", &Scene::forces, forces, 0, most::forces, "the forces that no energy gives"),
+       value(
+           "dissipation", &Scene::dissipation, ExpressionKind{},
+           "Rayleigh's function D, a power: the generalized force on q is -dD/dq_dot, so D = b*x_dot^2/2 is "
+           "a damper b"),
+       value("lagrangian", &Scene::lagrangian, ExpressionKind{},
+             "the Lagrangian itself, instead of bodies, gravity, springs and potential"),
+       records("valid_while", &Scene::valid_while, conditions, 0, most::conditions,
+               "the conditions under which the model holds"),
+       records("reports", &Scene::reports, reports, 0, most::conditions, "quantities to know"),
+       records("singular_where", &Scene::singular_where, singularities, 0, most::conditions,
+               "where the coordinates fail"),
+       records("events", &Scene::events, events, 0, most::events, "what happens during a motion"),
+       record("impact", &Scene::impact, impacts, "the jump at one of the events"),
+       record("scales", &Scene::scales, scales, "the units of the dimensionless form"),
+       value("lines", &Scene::lines, ListKind{ListKind{NameKind{}, most::lines, 2}, most::lines},
+             "for a drawing: chains of points to join")},
+      {{.ways = {{"lagrangian"}, {"bodies", "gravity", "springs", "potential"}}, .need = Need::required}}};
+}
+
+}  // namespace
+
+const Table<Scene>& scene_table() {
+  static const Table<Scene> table = make_table();
+  return table;
+}
+
+const Json& scene_schema() {
+  static const Json schema = document_schema(scene_table().set(), "/v1/scene-schema");
+  return schema;
+}
+
+}  // namespace qdot::api
