@@ -1,5 +1,4 @@
 #include "api/service.hpp"
-#include "api/contract/version.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -10,24 +9,14 @@
 #include "api/about/capabilities.hpp"
 #include "api/about/documents.hpp"
 #include "api/about/openapi.hpp"
-#include "api/about/practice.hpp"
+#include "api/about/practice_sheet.hpp"
 #include "api/about/systems.hpp"
-#include "api/answers/accuracy.hpp"
-#include "api/answers/bifurcations.hpp"
-#include "api/answers/energy.hpp"
-#include "api/answers/equations.hpp"
-#include "api/answers/equilibria.hpp"
-#include "api/answers/gait.hpp"
-#include "api/answers/modes.hpp"
-#include "api/answers/simulation.hpp"
-#include "api/answers/turning_points.hpp"
-#include "api/contract/endpoint.hpp"
+#include "api/answers/endpoints.hpp"
+#include "api/contract/version.hpp"
 #include "api/http/address.hpp"
 #include "api/http/problem.hpp"
-#include "api/http/routes.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/text.hpp"
-#include "api/json/writer.hpp"
 #include "api/scenes/catalogue.hpp"
 #include "api/scenes/scene_table.hpp"
 #include "api/scenes/system_lookup.hpp"
@@ -76,8 +65,8 @@ struct Service::Impl {
     if (!options.scenes_directory.empty()) catalogue = catalogue.with_directory(options.scenes_directory);
     add_documents();
     add_systems();
-    add_problems();
-    add_computations();
+    add_practice_sheet();
+    add_endpoints();
   }
 
   /// An address whose answer is one document.
@@ -160,10 +149,8 @@ struct Service::Impl {
                   if (const CatalogueEntry* entry = catalogue.find(call.captures[0])) {
                     return json_response(system_description(*entry, capabilities(*entry)), call.layout);
                   }
-                  return to_response({.kind = ProblemKind::not_found,
-                                      .detail = "There is no system " + in_quotes(call.captures[0]) +
-                                                "; /v1/systems lists them."},
-                                     call.target.path, call.layout);
+                  return not_found(call, "There is no system " + in_quotes(call.captures[0]) +
+                                             "; /v1/systems lists them.");
                 }});
   }
 
@@ -173,51 +160,31 @@ struct Service::Impl {
     });
   }
 
-  void add_problems() {
-    add_document("/v1/problems", problem_list());
-    routes.add({"GET", "/v1/problems/{number}", [this](Call& call) {
-                  const auto ask = [this](const Request& request) { return answer(request); };
-                  if (const auto problem = problem_answers(call.captures[0], ask)) {
-                    return json_response(*problem, call.layout);
-                  }
-                  return to_response({.kind = ProblemKind::not_found,
-                                      .detail = "The practice sheet has no problem " +
-                                                in_quotes(call.captures[0]) + "; /v1/problems lists them."},
-                                     call.target.path, call.layout);
-                }});
+  void add_practice_sheet() {
+    add_document("/v1/problems", exercise_list());
+    const Handler handler = [this](Call& call) {
+      const auto ask = [this](const Request& request) { return answer(request); };
+      if (const auto exercise = answered_exercise(call.captures[0], ask)) {
+        return json_response(*exercise, call.layout);
+      }
+      return not_found(call, "The practice sheet has no problem " + in_quotes(call.captures[0]) +
+                                 "; /v1/problems lists them.");
+    };
+    routes.add({.method = "GET",
+                .pattern = "/v1/problems/{number}",
+                .handler = handler,
+                .cost = {.milliseconds = 4}});
   }
 
-  void add_computations() {
+  /// POST and its GET twin.
+  void add_endpoints() {
     for (const CatalogueEntry& entry : catalogue.entries()) models.add(entry.scene);
     const FindSystem find_system = find_system_in(catalogue);
-    add_endpoint<EquationsRequest>(
-        routes, "equations", equations_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_equations(resolved, call, models); });
-    add_endpoint<EnergyRequest>(
-        routes, "energy", energy_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_energy(resolved, call, models); });
-    add_endpoint<ModesRequest>(
-        routes, "modes", modes_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_modes(resolved, call, models); });
-    add_endpoint<GaitRequest>(
-        routes, "gait", gait_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_gait(resolved, call, models); });
-    add_endpoint<EquilibriaRequest>(
-        routes, "equilibria", equilibria_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_equilibria(resolved, call, models); });
-    add_endpoint<BifurcationsRequest>(
-        routes, "bifurcations", bifurcations_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_bifurcations(resolved, call, models); });
-    add_endpoint<TurningPointsRequest>(
-        routes, "turning_points", turning_points_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_turning_points(resolved, call, models); });
-    add_endpoint<AccuracyRequest>(
-        routes, "accuracy", accuracy_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_accuracy(resolved, call, models); });
-    add_endpoint<SimulateRequest>(
-        routes, "simulate", simulate_table(), find_system,
-        [this](const auto& resolved, Call& call) { return answer_simulate(resolved, call, models); },
-        {"application/json", "text/csv", "application/x-ndjson"});
+    for (const Endpoint& endpoint : endpoints()) {
+      const Handler handler = endpoint.question.handler(find_system, models);
+      for (const char* method : {"GET", "POST"})
+        routes.add({method, address_of(endpoint), handler, endpoint.offers, endpoint.cost});
+    }
   }
 
   /// Made when it is first asked for: the command line seldom does.
@@ -230,11 +197,13 @@ struct Service::Impl {
     return layout == Layout::pretty ? openapi_pretty : openapi_compact;
   }
 
+  static Response not_found(const Call& call, std::string detail) {
+    return to_response({.kind = ProblemKind::not_found, .detail = std::move(detail)}, call.target.path,
+                       call.layout);
+  }
+
   static Response not_found(const Call& call) {
-    return to_response(
-        {.kind = ProblemKind::not_found,
-         .detail = "There is nothing at " + in_quotes(call.target.path) + "; / lists what there is."},
-        call.target.path, call.layout);
+    return not_found(call, "There is nothing at " + in_quotes(call.target.path) + "; / lists what there is.");
   }
 
   Response answer(const Request& request) const {
@@ -259,24 +228,24 @@ struct Service::Impl {
     Routes::Match match = routes.match(method, call.target.path);
     if (match.allow.empty()) return not_found(call);
     if (method == "OPTIONS") return no_content(match.allow);
-    if (match.endpoint == nullptr) {
+    if (match.route == nullptr) {
       Response response =
           to_response({.kind = ProblemKind::method_not_allowed, .detail = "Use one of " + match.allow + "."},
                       call.target.path, call.layout);
       response.headers["Allow"] = match.allow;
       return response;
     }
-    const std::string* accepted = negotiated(header(call.request, "accept"), match.endpoint->offers);
+    const std::string* accepted = negotiated(header(call.request, "accept"), match.route->offers);
     if (accepted == nullptr) {
       return to_response({.kind = ProblemKind::not_acceptable,
-                          .detail = "This answer comes as " + enumerated(match.endpoint->offers) + "."},
+                          .detail = "This answer comes as " + enumerated(match.route->offers) + "."},
                          call.target.path, call.layout);
     }
     call.accepted = *accepted;
     call.captures = std::move(match.captures);
-    Response response = match.endpoint->handler(call);
+    Response response = match.route->handler(call);
     restrict_page(response);
-    if (match.endpoint->method == "GET" && response.status == 200) add_entity_tag(call.request, response);
+    if (match.route->method == "GET" && response.status == 200) add_entity_tag(call.request, response);
     return response;
   }
 
@@ -284,7 +253,7 @@ struct Service::Impl {
     const std::optional<Target> target = parse_target(request.target);
     if (!target) return {};
     const Routes::Match match = routes.match(request.method, target->path);
-    return match.endpoint == nullptr ? Appraisal{} : api::appraise(match.endpoint->pattern, request);
+    return match.route == nullptr ? Appraisal{} : api::appraise(*match.route, request);
   }
 
   std::function<std::string()> metrics;

@@ -10,7 +10,7 @@ std::string_view field(const api::Request& request, const std::string& name) {
   return found == request.headers.end() ? std::string_view() : std::string_view(found->second);
 }
 
-// In a time that tells nothing about where two texts of one length differ.
+// The time it takes does not tell where two texts of one length differ.
 bool equal_in_constant_time(std::string_view given, std::string_view expected) {
   if (given.size() != expected.size()) return false;
   unsigned difference = 0;

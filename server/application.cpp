@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "api/http/problem.hpp"
-#include "server/gzip.hpp"
+#include "server/engine.hpp"
 
 namespace qdot::server {
 namespace {
@@ -18,12 +18,11 @@ namespace {
 using api::ProblemKind;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-constexpr std::size_t worth_compressing = 1024;
-constexpr auto longest_light = std::chrono::milliseconds(50);  // what takes longer was appraised too low
+constexpr auto longest_light = std::chrono::milliseconds(50);  // work that takes longer was thought too light
 
 std::string_view path_of(std::string_view target) { return target.substr(0, target.find('?')); }
 
-// On the poller's thread, whatever the load: these are the questions about the load.
+// These are answered on the poller's thread, however loaded the lanes are: they ask about the load.
 bool is_answered_at_once(std::string_view path) {
   return is_probe(path) || path == "/metrics" || path == "/version" || path == "/v1/limits";
 }
@@ -43,34 +42,20 @@ std::string fresh_id() {
   return id;
 }
 
-std::string field(const api::Request* request, const std::string& name) {
+std::string_view field(const api::Request* request, const std::string& name) {
   if (request == nullptr) return {};
   const auto found = request->headers.find(name);
-  return found == request->headers.end() ? std::string() : found->second;
+  return found == request->headers.end() ? std::string_view() : found->second;
 }
 
-// The client's own id when it is harmless in a log and in a header.
+// The client's own id, if it is harmless in a log and in a header.
 std::string request_id(const api::Request* request) {
   const auto harmless = [](unsigned char c) {
     return (c < 128 && std::isalnum(c)) || c == '.' || c == '_' || c == '-';
   };
   const auto sent = field(request, "x-request-id");
-  return !sent.empty() && sent.size() <= 64 && std::ranges::all_of(sent, harmless) ? sent : fresh_id();
-}
-
-void append_to_list(std::string& list, std::string_view entry) {
-  list.append(list.empty() ? "" : ", ").append(entry);
-}
-
-void compress(const api::Request* request, api::Response& response) {
-  if (response.status != 200 && response.status != 304) return;
-  append_to_list(response.headers["Vary"], "Accept-Encoding");
-  if (response.body.size() < worth_compressing || !accepts_gzip(field(request, "accept-encoding"))) return;
-  response.body = gzipped(response.body);
-  response.headers["Content-Encoding"] = "gzip";
-  // The tag is that of the plain bytes; the same document, but not the same bytes.
-  if (const auto tag = response.headers.find("ETag"); tag != response.headers.end())
-    tag->second.insert(0, "W/");
+  return !sent.empty() && sent.size() <= 64 && std::ranges::all_of(sent, harmless) ? std::string(sent)
+                                                                                   : fresh_id();
 }
 
 void add_queue_time(double milliseconds, api::Response& response) {
@@ -118,7 +103,7 @@ void Application::handle(const std::shared_ptr<Exchange>& exchange) {
   try {
     receive(exchange);
   } catch (const std::bad_alloc&) {
-    exchange->answer_out_of_memory();
+    exchange->answer(Outgoing::out_of_memory());
   }
 }
 
@@ -160,9 +145,9 @@ void Application::compute(Case& it) {
     add_queue_time(it.waited, response);
     finish(it, std::move(response));
   } catch (const std::bad_alloc&) {
-    it.exchange->answer_out_of_memory();
+    it.exchange->answer(Outgoing::out_of_memory());
   } catch (const std::exception&) {
-    // The exchange answers for itself when the last one lets go of it.
+    // The exchange answers for itself when it is destroyed.
   }
 }
 
@@ -172,28 +157,28 @@ void Application::finish(Case& it, api::Response response) {
   response.headers["X-Content-Type-Options"] = "nosniff";
   if (response.status == 503) response.headers["Retry-After"] = std::to_string(1 + fresh_number() % 5);
   if (response.status == 401) response.headers["WWW-Authenticate"] = "Bearer";
-  compress(it.request, response);
-  record(it, response, id);
+  LogEntry entry{.id = id, .method = it.method(), .target = it.target(), .status = response.status};
+  const auto evaluations = response.evaluations;
+  auto outgoing = to_http(std::move(response), {.method = it.method(),
+                                                .accept_encoding = field(it.request, "accept-encoding"),
+                                                .follow = draining_ ? Follow::close : it.exchange->follow});
+  entry.bytes = outgoing.body().size();
+  record(it, entry, evaluations);
   lanes_.make_way();
-  it.exchange->answer(std::move(response));
+  it.exchange->answer(std::move(outgoing));
 }
 
-void Application::record(const Case& it, const api::Response& response, const std::string& id) {
-  const Milliseconds duration = Clock::now() - it.exchange->arrived;
-  if (it.exchange->abandoned()) metrics_.count_abandoned();
-  metrics_.count({.method = it.method(),
+void Application::record(const Case& it, LogEntry& entry, std::uint64_t evaluations) {
+  entry.milliseconds = Milliseconds(Clock::now() - it.exchange->arrived).count();
+  entry.waited = it.waited;
+  entry.abandoned = it.exchange->abandoned();
+  if (entry.abandoned) metrics_.count_abandoned();
+  metrics_.count({.method = entry.method,
                   .route = it.appraisal.route,
-                  .status = response.status,
-                  .seconds = duration.count() / 1000,
-                  .evaluations = response.evaluations});
-  log_.write({.id = id,
-              .method = it.method(),
-              .target = it.target(),
-              .status = response.status,
-              .bytes = response.body.size(),
-              .milliseconds = duration.count(),
-              .waited = it.waited,
-              .abandoned = it.exchange->abandoned()});
+                  .status = entry.status,
+                  .seconds = entry.milliseconds / 1000,
+                  .evaluations = evaluations});
+  log_.write(entry);
 }
 
 void Application::drain() {

@@ -1,14 +1,15 @@
 #pragma once
-// What stands between the sockets and api::Service: who may ask, what is answered at once, what is computed
-// in which lane, deadlines, draining, the request id, compression, counting and one log line a request. No
-// sockets, so that it is tested by calling it.
+// What stands between the sockets and api::Service: it decides who may ask, what is answered at once and
+// which lane computes the rest; it keeps deadlines, drains, gives each request an id, counts it and logs one
+// line. It has no sockets, so that tests just call it. httplib would compute in whichever thread has read the
+// request; here the lanes are ours, because a health check must not wait behind a simulation.
 
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
 
-#include "api/service.hpp"
+#include "api/http/messages.hpp"
 #include "server/access.hpp"
 #include "server/exchange.hpp"
 #include "server/lanes.hpp"
@@ -20,10 +21,11 @@ namespace qdot::server {
 struct ApplicationOptions {
   LanesOptions lanes{};
   HostsOptions hosts{};
-  std::string token{};                                ///< empty: none is wanted
+  std::string token{};                                ///< if empty, no token is wanted
   Clock::duration deadline{std::chrono::seconds(8)};  ///< from a request's last byte to its answer
-  Clock::duration drain{std::chrono::seconds(10)};    ///< for what is in flight when the end is asked for
-  std::size_t unsent_bytes{std::size_t{64} << 20};    ///< of answers; with more no work is taken on
+  Clock::duration drain{std::chrono::seconds(10)};    ///< how long work may go on after the end was asked for
+  std::size_t unsent_bytes{std::size_t{64}
+                           << 20};  ///< while more than this waits to be read, no work is taken on
 };
 
 /// What it needs of the rest of the program; functions, so that tests can bring their own.
@@ -37,7 +39,7 @@ class Application {
  public:
   Application(const ApplicationOptions& options, ApplicationParts parts, RequestLog& log, Metrics& metrics);
 
-  /// Thread-safe, and never waits: answers at once or lets a lane do it.
+  /// Any thread may call it, and it never waits: it answers at once or lets a lane do so.
   void handle(const std::shared_ptr<Exchange>& exchange);
 
   /// From now on work is refused and /readyz says 503; returns when nothing computes or waits to compute.
@@ -52,7 +54,7 @@ class Application {
   void admit(Case& it);
   void compute(Case& it);
   void finish(Case& it, api::Response response);
-  void record(const Case& it, const api::Response& response, const std::string& id);
+  void record(const Case& it, LogEntry& entry, std::uint64_t evaluations);
 
   ApplicationOptions options_;
   ApplicationParts parts_;

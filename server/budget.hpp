@@ -1,5 +1,5 @@
 #pragma once
-// Bytes that many hold together and that have one bound.
+// A bound on the bytes that many holders have together.
 
 #include <atomic>
 #include <cstddef>
@@ -32,7 +32,7 @@ class Budget {
     std::size_t bytes_{0};
   };
 
-  /// No value when the bound would be passed.
+  /// Has no value if the bytes would pass the bound.
   [[nodiscard]] std::optional<Share> take(std::size_t bytes) {
     if (used_.fetch_add(bytes) + bytes > limit_) {
       used_ -= bytes;
@@ -41,14 +41,13 @@ class Budget {
     return Share(*this, bytes);
   }
 
-  /// Where bytes exist already and can only be counted.
+  /// For bytes that exist already, so that they can only be counted.
   [[nodiscard]] Share count(std::size_t bytes) {
     used_ += bytes;
     return {*this, bytes};
   }
 
   [[nodiscard]] std::size_t used() const { return used_; }
-  [[nodiscard]] bool exhausted() const { return used_ > limit_; }
 
  private:
   std::size_t limit_;

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "api/about/field_help.hpp"
+#include "api/answers/endpoints.hpp"
 #include "api/service.hpp"
 
 namespace qdot::server {
@@ -94,6 +96,24 @@ ExitCode meaning_of(const api::Response& response) {
 }
 
 }  // namespace
+
+std::vector<Command> commands() {
+  std::vector<Command> all;
+  for (const api::Endpoint& endpoint : api::endpoints())
+    all.push_back({endpoint.name, endpoint.help, Words::request, &endpoint});
+  all.push_back({"systems", "The systems there are, or one of them", Words::name});
+  all.push_back({"problems", "The practice sheet, or one of its problems with answers", Words::name});
+  all.push_back({"openapi", "The description of the service in OpenAPI 3.1", Words::none});
+  return all;
+}
+
+std::string help_on_fields(const Command& command) {
+  return command.endpoint == nullptr ? "" : api::fields_as_text(*command.endpoint->question.fields);
+}
+
+bool has_formats(const Command& command) {
+  return command.endpoint != nullptr && command.endpoint->question.fields->find("format") != nullptr;
+}
 
 ExitCode run(const Command& command, const Arguments& arguments) {
   try {

@@ -1,24 +1,17 @@
 #pragma once
 // The commands that answer without a server: a command line becomes the request that a client would send.
+// There is one for each endpoint, and a few for documents.
 
-#include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "api/answers/endpoint.hpp"
+
 namespace qdot::server {
 
 /// What `qdot` returns to its caller.
-enum class ExitCode {
-  ok = 0,
-  incorrect = 1,
-  usage = 2,
-  invalid_request = 3,
-  failed = 4,
-  internal = 5,
-  unreachable = 6
-};
+enum class ExitCode { ok = 0, usage = 2, invalid_request = 3, failed = 4, internal = 5, unreachable = 6 };
 
 /// What the words after a command are.
 enum class Words {
@@ -31,33 +24,28 @@ struct Command {
   std::string_view name;
   std::string_view help;
   Words words{Words::request};
+  const api::Endpoint* endpoint{nullptr};  ///< nullptr: the command computes nothing
 };
 
-/// Command `name` is the path /v1/{name}; one without words, /{name}.json.
-inline constexpr std::array commands{
-    Command{"simulate", "The trajectory of a system"},
-    Command{"equations", "Lagrangian, equations of motion and what is conserved"},
-    Command{"energy", "Energies, momenta and accelerations at a state"},
-    Command{"modes", "Equilibrium, natural frequencies and mode shapes"},
-    Command{"turning_points", "The largest and the least value of a coordinate"},
-    Command{"equilibria", "All equilibria, or the parameter that makes a position one"},
-    Command{"bifurcations", "Critical values of a parameter"},
-    Command{"gait", "Periodic gaits of a walker"},
-    Command{"accuracy", "The measured trade of error against work"},
-    Command{"systems", "The systems there are, or one of them", Words::name},
-    Command{"problems", "The practice sheet, or one of its problems with answers", Words::name},
-    Command{"openapi", "The description of the service in OpenAPI 3.1", Words::none},
-};
+/// Every endpoint (api/answers/endpoints.hpp), then the commands that compute nothing. A command asks for the path /v1/{name}; if it takes no
+/// words, for /{name}.json.
+[[nodiscard]] std::vector<Command> commands();
+
+/// The fields of a command's request with their units, defaults and meaning, for its --help.
+[[nodiscard]] std::string help_on_fields(const Command& command);
+
+/// Whether the answer of a command has several forms, which `--format` chooses from.
+[[nodiscard]] bool has_formats(const Command& command);
 
 struct Arguments {
   std::vector<std::string> words;
-  std::string request_file;  ///< "-": stdin
+  std::string request_file;  ///< "-" means stdin
   std::string format;        ///< json, csv
   bool pretty{false};
-  std::string scenes;  ///< directory of more scenes
+  std::string scenes;  ///< a directory of more scenes
 };
 
-/// Answer on stdout, problem on stderr.
+/// Prints the answer on stdout, or the problem on stderr.
 [[nodiscard]] ExitCode run(const Command& command, const Arguments& arguments);
 
 }  // namespace qdot::server

@@ -11,9 +11,10 @@
 namespace qdot::server {
 namespace {
 
-constexpr std::size_t small_body = 16 * 1024;     // not worth counting
-constexpr std::size_t write_slice = 64 * 1024;    // of an answer, within Patience::write
-constexpr std::size_t most_discarded = 64 << 20;  // of a refused body
+constexpr std::size_t small_body = 16 * 1024;   // of fewer bytes no account is kept
+constexpr std::size_t write_slice = 64 * 1024;  // bytes that must go out within Patience::write
+constexpr std::size_t most_discarded =
+    64 << 20;  // bytes of a refused body that are read before the connection is cut
 
 Refusal too_slow() {
   return {api::ProblemKind::request_timeout, "The request did not arrive in time.", {}, {}};
@@ -70,7 +71,8 @@ std::optional<Incoming> Connection::read(Clock::time_point now) {
     switch (receipt_of(count)) {
       case Receipt::bytes:
         reader_.append({bytes.data(), static_cast<std::size_t>(count)});
-        // Less than there was room for: that was all, and epoll will tell of more. It has told of the end.
+        // A read that does not fill the buffer has taken all there was. epoll will report more bytes, but it
+        // has reported the end already.
         readable_ = static_cast<std::size_t>(count) == bytes.size() || gone_at_.has_value();
         break;
       case Receipt::nothing_now:
@@ -105,12 +107,9 @@ std::optional<Incoming> Connection::take_request(Clock::time_point now) {
 }
 
 Incoming Connection::begin(Incoming incoming) {
-  const auto* refusal = std::get_if<Refusal>(&incoming);
-  const auto& method = refusal != nullptr ? refusal->method : std::get<api::Request>(incoming).method;
   state_ = State::answering;
-  refused_ = refusal != nullptr;
-  reusable_ = !refused_ && reader_.keep_alive();
-  body_wanted_ = method == "HEAD" ? Body::leave_out : Body::send;
+  refused_ = std::holds_alternative<Refusal>(incoming);
+  follow_ = !refused_ && reader_.keep_alive() ? Follow::keep_alive : Follow::close;
   fresh_ = false;
   *has_more_ = readable_ || !reader_.idle();
   return incoming;
@@ -168,7 +167,7 @@ void Connection::wait_for_next(Clock::time_point now) {
   deadline_ = now + patience_.idle;
 }
 
-// The client may be sending still: closing now would send a reset, and that can overtake the answer.
+// The client may still be sending. Closing now would send a reset, which can overtake the answer.
 void Connection::linger(Clock::time_point now) {
   state_ = State::lingering;
   deadline_ = now + patience_.linger;

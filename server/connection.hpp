@@ -1,6 +1,7 @@
 #pragma once
 // One client's socket, as a state that moves on when there is something to read or to write and never waits.
-// All of it runs on the poller's thread.
+// All of it runs on the poller's thread. It is ours because httplib gives each connection a thread, which a
+// silent client then holds: its time limit begins anew with each byte.
 
 #include <atomic>
 #include <cstdint>
@@ -17,13 +18,14 @@ namespace qdot::server {
 
 /// How long a client may take.
 struct Patience {
-  Clock::duration head{std::chrono::seconds(5)};  ///< first to last byte of a head
+  Clock::duration head{std::chrono::seconds(5)};  ///< from the first to the last byte of a head
   Clock::duration request{
-      std::chrono::seconds(8)};                    ///< first to last byte of a request; also for a first byte
-  Clock::duration idle{std::chrono::seconds(60)};  ///< between two requests
-  Clock::duration write{std::chrono::seconds(10)};          ///< for each 64 KiB of an answer
-  Clock::duration linger{std::chrono::seconds(1)};          ///< to read why it was refused
-  Clock::duration farewell{std::chrono::milliseconds(50)};  ///< from its end of sending to its leaving
+      std::chrono::seconds(8)};  ///< from the first to the last byte of a request; also until a first byte
+  Clock::duration idle{std::chrono::seconds(60)};   ///< between two requests
+  Clock::duration write{std::chrono::seconds(10)};  ///< for each 64 KiB of an answer
+  Clock::duration linger{std::chrono::seconds(1)};  ///< for a refused client to read why
+  Clock::duration farewell{
+      std::chrono::milliseconds(50)};  ///< after it stopped sending, until it counts as gone
 };
 
 class Connection {
@@ -37,35 +39,34 @@ class Connection {
     closed
   };
 
-  /// `bodies` bounds what all clients' large bodies hold together.
+  /// `bodies` bounds the memory of all clients' large bodies together.
   Connection(Descriptor socket, const Patience& patience, Budget& bodies, Clock::time_point now);
 
   [[nodiscard]] int socket() const { return socket_.get(); }
   [[nodiscard]] State state() const { return state_; }
 
-  /// What epoll said, edge-triggered.
+  /// Takes note of what epoll reported; each event is reported once.
   void note(std::uint32_t events, Clock::time_point now);
 
-  /// Moves on as far as it goes. A request that is returned has to be given to answers().
+  /// Moves on as far as it can. Whoever gets a request from it has to deliver() an answer.
   [[nodiscard]] std::optional<Incoming> advance(Clock::time_point now);
 
-  /// Enforces what Patience says; as advance().
+  /// Ends what has taken longer than Patience allows; returns the same as advance().
   [[nodiscard]] std::optional<Incoming> expire(Clock::time_point now);
 
   /// The exchange that works on the request that advance() returned: it learns when the client leaves.
   void await(const std::shared_ptr<Exchange>& exchange) { exchange_ = exchange; }
-  /// For the answer to the request that was returned last.
-  [[nodiscard]] Body body_wanted() const { return body_wanted_; }
-  [[nodiscard]] bool reusable() const { return reusable_; }
-  /// Set while something of the client is here that the next advance() would use. Outlives the connection,
-  /// for the thread that answers.
+  /// Whether another request may follow the one that was returned last.
+  [[nodiscard]] Follow follow() const { return follow_; }
+  /// True while the client has sent something that the next advance() would use. It outlives the connection,
+  /// because the thread that answers looks at it.
   [[nodiscard]] const std::shared_ptr<std::atomic<bool>>& has_more() const { return has_more_; }
-  /// Its answer, in part sent perhaps.
+  /// Takes the answer, of which a part may have been sent already.
   void deliver(Outgoing outgoing, Clock::time_point now);
 
-  /// Says that there is no room for it, instead of reading a request.
+  /// Tells the client that there is no room for it, and reads no request.
   void turn_away(Clock::time_point now);
-  /// Ends it, whatever it was doing; an answer that somebody works on has to come first.
+  /// Ends the connection, whatever it was doing. While somebody works on an answer it must not be called.
   void close();
   /// True when the client has stopped sending and it is not yet clear whether it has left.
   [[nodiscard]] bool leaving() const { return state_ == State::answering && gone_at_.has_value(); }
@@ -84,17 +85,16 @@ class Connection {
   Budget& bodies_;
   State state_{State::waiting};
   Clock::time_point deadline_;
-  Clock::time_point begun_{};  // the request that is being read
+  Clock::time_point begun_{};  // when the first byte of the request came
   MessageReader reader_;
   Outgoing outgoing_;
   std::optional<Budget::Share> body_share_;
   std::weak_ptr<Exchange> exchange_;
   std::optional<Clock::time_point> gone_at_;
-  std::size_t written_{0};    // of the answer when the deadline was set
+  std::size_t written_{0};    // bytes of the answer that had gone out when the deadline was set
   std::size_t discarded_{0};  // while lingering
-  Body body_wanted_{Body::send};
-  bool fresh_{true};  // no request has come yet
-  bool reusable_{false};
+  Follow follow_{Follow::close};
+  bool fresh_{true};     // no request has come yet
   bool refused_{false};  // what follows cannot be framed
   bool readable_{true};
   std::shared_ptr<std::atomic<bool>> has_more_{std::make_shared<std::atomic<bool>>(false)};

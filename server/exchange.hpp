@@ -4,10 +4,12 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <utility>
 #include <variant>
 
-#include "api/service.hpp"
+#include "api/http/messages.hpp"
 #include "server/framing.hpp"
+#include "server/outgoing.hpp"
 
 namespace qdot::server {
 
@@ -18,30 +20,28 @@ using Incoming = std::variant<api::Request, Refusal>;
 
 class Exchange {
  public:
-  using Deliver = std::function<void(api::Response)>;
+  using Deliver = std::function<void(Outgoing)>;
 
-  /// `deliver` is called once, from whichever thread answers.
-  Exchange(Incoming incoming, Deliver deliver)
-      : incoming(std::move(incoming)), deliver_(std::move(deliver)) {}
+  /// `deliver` is called once, from whichever thread answers; it must not throw.
+  Exchange(Incoming incoming, Follow follow, Deliver deliver)
+      : incoming(std::move(incoming)), follow(follow), deliver_(std::move(deliver)) {}
 
-  /// What nobody answered, because something was thrown on the way, becomes a plain 500.
-  ~Exchange();
+  /// If nobody has answered, because something was thrown on the way, the answer is a plain 500.
+  ~Exchange() { answer(Outgoing::internal_error()); }
   Exchange(const Exchange&) = delete;
   Exchange& operator=(const Exchange&) = delete;
 
   /// The first answer counts.
-  void answer(api::Response response);
-  /// Answers that there is no memory; needs none.
-  void answer_out_of_memory() { answer(out_of_memory()); }
-
-  /// The response that the transport says in its own words.
-  [[nodiscard]] static api::Response out_of_memory() { return {.status = 0}; }
+  void answer(Outgoing outgoing) {
+    if (!std::exchange(answered_, true)) deliver_(std::move(outgoing));
+  }
 
   /// Nobody waits for the answer any more.
   void abandon() { abandoned_ = true; }
   [[nodiscard]] bool abandoned() const { return abandoned_; }
 
   Incoming incoming;
+  const Follow follow;                            ///< if the application sees no reason to close
   const Clock::time_point arrived{Clock::now()};  ///< when its last byte had come
 
  private:

@@ -15,7 +15,7 @@ using api::lower_case;
 using api::ProblemKind;
 using api::trimmed;
 
-// Thrown and caught in this file only: most rules sit two calls deep.
+// Thrown and caught in this file only, because most rules are checked two calls deep.
 struct Refused : std::runtime_error {
   Refused(ProblemKind kind, const std::string& detail) : std::runtime_error(detail), kind(kind) {}
   ProblemKind kind;
@@ -142,7 +142,7 @@ void settle(Head& head) {
 std::size_t head_end(std::string_view bytes) {
   for (auto line = bytes.find('\n'); line != bytes.npos; line = bytes.find('\n', line + 1)) {
     const auto rest = bytes.substr(line + 1);
-    // A bare LF ends the head too: it is then complete, and read_head refuses it.
+    // A bare LF ends the head, too: read_head then refuses it.
     if (rest.starts_with("\r\n")) return line + 3;
     if (rest.starts_with("\n")) return line + 2;
   }

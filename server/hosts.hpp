@@ -11,7 +11,7 @@ namespace qdot::server {
 
 struct HostsOptions {
   std::string bound{"127.0.0.1"};      ///< the address that the server listens on
-  int port{0};                         ///< its port; 0: none
+  int port{0};                         ///< its port; 0 if there is none
   std::vector<std::string> allowed{};  ///< more names: "name" with any port, or "name:port"
 };
 
@@ -20,7 +20,7 @@ class Hosts {
   explicit Hosts(const HostsOptions& options);
 
   /// On a loopback address, or where names are listed: localhost, 127.0.0.1, [::1] and the bound address,
-  /// with our port or none, and what is listed. Elsewhere the names are not ours to know, and any will do.
+  /// with our port or none, and the listed names. Elsewhere we cannot know our names, so any will do.
   [[nodiscard]] bool allow(std::string_view host) const;
 
   /// The same site ("http://" + Host), or one of the names above with our port.
@@ -30,7 +30,7 @@ class Hosts {
   enum class Port { exact, or_none };
   [[nodiscard]] bool lists(std::string_view authority, Port port) const;
 
-  std::vector<std::string> own_;     ///< names that want our port
+  std::vector<std::string> own_;     ///< names that need our port beside them
   std::vector<std::string> listed_;  ///< names as they were listed
   std::string port_;
   bool restricted_;

@@ -9,10 +9,10 @@
 namespace qdot::server {
 namespace {
 
-constexpr double assumed_pace = 1e-3;  // seconds of a unit of cost, before anything was measured
-constexpr double assumed_cost = 20;    // for how much work that assumption counts
-constexpr double memory = 0.95;        // what is left of the past after each piece of work
-constexpr int heavy_niceness = 10;     // about a tenth of a core beside a light thread, all of it without
+constexpr double assumed_pace = 1e-3;  // seconds that a unit of cost takes, before anything was measured
+constexpr double assumed_cost = 20;    // how much measured work this assumption weighs as much as
+constexpr double memory = 0.95;        // the weight that the past keeps after each piece of work
+constexpr int heavy_niceness = 10;  // beside a light thread it gets about a tenth of a core, alone all of it
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Lanes::Lanes(const LanesOptions& options) : threads_(options.threads), heavy_byt
     lane.recent_seconds = assumed_cost * assumed_pace;
   }
   for (const Lane lane : all_lanes) {
-    // The light lane's other half works while tasks of it have stepped aside.
+    // The light lane has spare threads, for when tasks of it have stepped aside.
     const int count = lane == Lane::light ? 2 * threads_ : threads_;
     for (int i = 0; i < count; ++i) workers_.emplace_back([this, lane] { work(lane); });
   }
@@ -68,7 +68,8 @@ bool Lanes::submit(Lane lane, Work work) {
   return true;
 }
 
-// Something may always begin: a bound on memory must not stop the only one that asks for it.
+// If nothing runs, something may always begin: the bound on memory must not stop the only task that asks for
+// it.
 bool Lanes::next_may_begin(Lane lane) const {
   const State& it = state(lane);
   if (it.queue.empty() || it.running - it.aside >= static_cast<std::size_t>(threads_)) return false;
@@ -77,14 +78,14 @@ bool Lanes::next_may_begin(Lane lane) const {
 }
 
 void Lanes::work(Lane lane) {
-  // Linux: the niceness of a thread of its own.
+  // On Linux each thread has its own niceness.
   if (lane == Lane::heavy) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
   State& it = state(lane);
   std::unique_lock lock(mutex_);
   for (;;) {
     it.changed.wait(lock, [&] { return next_may_begin(lane) || (closed_ && it.queue.empty()); });
     if (it.queue.empty()) {
-      it.changed.notify_all();  // the others wait for this queue, too
+      it.changed.notify_all();  // the other threads wait for this queue to be empty, too
       return;
     }
     begin(lane, lock);
@@ -104,21 +105,21 @@ void Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   Running running{.lane = lane, .cost = work.cost};
   current_ = &running;
   work.task();
-  work.task = nullptr;  // what it held is given back before the next one begins
+  work.task = nullptr;  // gives back what it held before the next one begins
   current_ = nullptr;
   lock.lock();
   bytes_ -= work.bytes;
   count_done(running);
   --it.aside;
   if (--it.running == 0) it.running_cost = 0;
-  if (work.bytes > 0) it.changed.notify_all();  // memory came free
+  if (work.bytes > 0) it.changed.notify_all();  // there is memory for others now
 }
 
 void Lanes::count_done(Running& task) {
   if (std::exchange(task.done, true)) return;
   State& it = state(task.lane);
   it.running_cost -= task.cost;
-  if (task.aside) return;  // it says nothing about the pace of the others
+  if (task.aside) return;  // its time says nothing about the pace of the others
   ++it.aside;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - task.begun;
   it.recent_seconds = memory * it.recent_seconds + took.count();

@@ -1,9 +1,10 @@
 #pragma once
-// Who computes, and who waits to. Two lanes, light and heavy, each with its own threads and its own bounded
-// queue; the threads of the heavy one have a lower priority, so that heavy work uses what light work leaves.
+// Decides who computes and who waits. There are two lanes, light and heavy, each with its own threads and its
+// own bounded queue; the heavy threads have a lower priority, so that they use what light work leaves. They
+// are ours because httplib has one queue, without bound and without priorities.
 //
-// A queue is bounded by the time until its last entry would begin: sum of the costs ahead / threads, times
-// the measured seconds of a unit of cost. The costs are what the requests themselves tell; only the pace is
+// A queue is bounded by the time until its last entry would begin: the sum of the costs ahead of it, divided
+// by the threads, times the seconds that a unit of cost takes. Each request tells its cost; only the pace is
 // measured.
 
 #include <array>
@@ -21,15 +22,15 @@ enum class Lane { light, heavy };
 inline constexpr std::array all_lanes{Lane::light, Lane::heavy};
 
 struct LaneLimits {
-  double longest_wait{};  ///< seconds that the last one of a queue may expect to wait
-  std::size_t waiting{};  ///< entries of the queue
+  double longest_wait{};  ///< seconds that the last entry of the queue may expect to wait
+  std::size_t waiting{};  ///< entries that the queue may have
 };
 
 struct LanesOptions {
   int threads{1};  ///< of each lane
   LaneLimits light{.longest_wait = 0.1, .waiting = 512};
   LaneLimits heavy{.longest_wait = 1, .waiting = 64};
-  std::size_t heavy_bytes{std::size_t{96} << 20};  ///< that heavy work may hold at a time
+  std::size_t heavy_bytes{std::size_t{96} << 20};  ///< bytes that heavy work may hold at a time
 };
 
 class Lanes {
@@ -37,7 +38,7 @@ class Lanes {
   using Task = std::function<void()>;
   struct Work {
     double cost{1};        ///< in milliseconds, roughly
-    std::size_t bytes{0};  ///< that it will hold
+    std::size_t bytes{0};  ///< bytes that it will hold
     Task task;             ///< must not throw
   };
 
@@ -50,12 +51,12 @@ class Lanes {
   /// False when the lane is full; never waits.
   [[nodiscard]] bool submit(Lane lane, Work work);
 
-  /// For a task of the light lane that finds that it is not: from now on another may run beside it, so that
-  /// what is light goes on. For at most as many at a time as the lane has threads.
+  /// A task of the light lane calls this when it finds that it is heavy: from now on another task may run
+  /// beside it. At most as many tasks at a time step aside as the lane has threads.
   void step_aside();
 
-  /// For a task whose answer is about to go out: nobody waits for it any more, least of all the next request
-  /// of the same client, which may come before this thread runs again.
+  /// A task calls this just before its answer goes out: nothing waits for it any more. Its client's next
+  /// request may come before this thread runs again.
   void make_way();
 
   /// Returns when nothing runs and nothing waits.

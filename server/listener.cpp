@@ -86,7 +86,7 @@ Descriptor listen_on_unix(const std::string& path) {
   const auto address = unix_address(path);
   remove_left_over(path, address);
   Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  // The mode has to be right from the first moment, not only after a chmod.
+  // The mode has to be right from the first moment; a chmod would come too late.
   const auto before = ::umask(0177);
   const bool bound =
       socket && ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;

@@ -70,19 +70,21 @@ void add_serve(CLI::App& app, ServeOptions& options, Action& action) {
   });
 }
 
-void add_computing(CLI::App& app, Arguments& arguments, Action& action) {
-  for (const auto& entry : commands) {
+void add_commands(CLI::App& app, Arguments& arguments, Action& action) {
+  for (const Command& entry : commands()) {
     auto& command = *app.add_subcommand(std::string(entry.name), std::string(entry.help));
     if (entry.words == Words::name) command.add_option("name", arguments.words, "One of them");
     if (entry.words == Words::request) {
       command.add_option("key=value", arguments.words,
                          "The request; without any, JSON from --request or stdin");
       command.add_option("--request", arguments.request_file, "File with the JSON request; - is stdin");
-      command.add_option("--format", arguments.format, "Form of the answer: json, csv, ...");
+      command.footer([entry] { return help_on_fields(entry); });
     }
+    if (has_formats(entry))
+      command.add_option("--format", arguments.format, "The field format, as an option");
     command.add_flag("--pretty", arguments.pretty, "Indent the answer");
     add_scenes(command, arguments.scenes);
-    command.callback([&] { action = [&] { return run(entry, arguments); }; });
+    command.callback([&, entry] { action = [&, entry] { return run(entry, arguments); }; });
   }
 }
 
@@ -116,7 +118,7 @@ int main(int argc, char** argv) {
   double patience = 30;
   Action action;
   add_serve(app, serve_options, action);
-  add_computing(app, arguments, action);
+  add_commands(app, arguments, action);
   add_probes(app, probe_options, patience, action);
   try {
     app.parse(argc, argv);

@@ -1,6 +1,7 @@
 #pragma once
-// Bytes in, requests out: the requests of one connection one after the other, however their bytes are cut.
-// No sockets and no clock.
+// Bytes go in, requests come out: those of one connection, one after the other, however their bytes are cut.
+// httplib would wait in a thread for the rest of a request; this keeps what has come, and knows neither
+// sockets nor time.
 
 #include <cstddef>
 #include <optional>
@@ -29,8 +30,8 @@ class MessageReader {
  private:
   std::optional<Incoming> read_head_of_next();
 
-  std::string buffer_;      // received and not yet used; may hold the beginning of the next request
-  std::size_t scanned_{0};  // before this no head ends
+  std::string buffer_;      // bytes not yet used; they may hold the beginning of the next request
+  std::size_t scanned_{0};  // no head ends before this place
   std::optional<Head> head_;
   bool keep_alive_{false};
 };

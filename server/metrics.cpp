@@ -62,7 +62,7 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// Any method may be sent; only the known ones become labels.
+// A client can send any method, but only the known ones become labels.
 std::string_view known(std::string_view method) {
   constexpr std::array methods{"GET", "HEAD", "POST", "OPTIONS", "PUT", "DELETE", "PATCH"};
   return std::ranges::find(methods, method) != methods.end() ? method : "other";

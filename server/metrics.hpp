@@ -1,5 +1,5 @@
 #pragma once
-// What has been done, counted, in the words of Prometheus (text format 0.0.4).
+// Counts what has been done, and says so in the text format of Prometheus (0.0.4).
 
 #include <array>
 #include <atomic>
@@ -13,7 +13,7 @@
 
 namespace qdot::server {
 
-/// The present state of the server, beside what is counted.
+/// The present state of the server, which is told beside the counts.
 struct Gauges {
   std::size_t light_waiting{}, light_running{};
   std::size_t heavy_waiting{}, heavy_running{};

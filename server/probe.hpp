@@ -9,7 +9,7 @@ namespace qdot::server {
 struct ProbeOptions {
   std::string host{"127.0.0.1"};
   int port{8080};
-  std::string unix_socket{};                ///< path; in the place of host and port
+  std::string unix_socket{};                ///< a path, used in place of host and port
   std::chrono::milliseconds timeout{2000};  ///< for one probe
 };
 

@@ -39,7 +39,7 @@ std::string rounded(double milliseconds) {
   return {digits.data(), end};
 }
 
-// By hand, because a refusal under load costs little else than its line.
+// Written by hand: under load a refusal costs little more than its line.
 std::string line_of(const LogEntry& entry) {
   std::string line = "{\"time\":\"" + utc_now() + "\"";
   const auto add = [&](std::string_view name, const std::string& value) {

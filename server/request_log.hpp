@@ -1,6 +1,6 @@
 #pragma once
-// The log: one JSON object a line. It never holds up a request: a line that the other end does not take at
-// once, because it is full, closed or slow, is dropped and counted.
+// The log: one JSON object a line. It never holds up a request: if the other end is full, closed or slow and
+// does not take a line at once, the line is dropped and counted.
 
 #include <atomic>
 #include <cstddef>
@@ -20,17 +20,17 @@ struct LogEntry {
   int status{0};
   std::size_t bytes{0};
   double milliseconds{0};  ///< from the last byte of the request to the answer
-  double waited{0};        ///< milliseconds of them in a queue
+  double waited{0};        ///< how many of these milliseconds it stood in a queue
   bool abandoned{false};   ///< the client left before
 };
 
 class RequestLog {
  public:
-  /// `descriptor` stays the caller's; negative: no log.
+  /// `descriptor` stays the caller's; if it is negative there is no log.
   explicit RequestLog(int descriptor) : descriptor_(descriptor) {}
 
   void write(const LogEntry& entry);
-  /// Something other than a request: {"time": ..., "event": ..., its members}.
+  /// Logs something other than a request: {"time": ..., "event": ..., and `members`}.
   void write_event(std::string_view event, const api::Json& members);
 
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }

@@ -35,7 +35,8 @@ int wait_for_signal() {
   return signal;
 }
 
-/// The thread that the first signal wakes to end the server, while a second one is awaited by another.
+/// A thread that waits for the first signal and then ends the server; another waits for a second signal
+/// meanwhile.
 class Ending {
  public:
   Ending(Application& application, Transport& transport)
@@ -48,7 +49,7 @@ class Ending {
 
   ~Ending() {
     pthread_kill(thread_.native_handle(),
-                 SIGTERM);  // when no signal ended the server, it still waits for one
+                 SIGTERM);  // if no signal has come, the thread still waits for one
     thread_.join();
   }
 
@@ -73,7 +74,7 @@ void announce(const ServeOptions& options, int port) {
   std::fflush(stdout);
 }
 
-/// What is in force, the defaults included; the token is nobody's business.
+/// Logs the settings in force, with the defaults. The token itself is never logged.
 void log_configuration(RequestLog& log, const ServeOptions& options, const TransportOptions& transport) {
   log.write_event("start", {{"version", api::service_version()},
                             {"host", options.host},
@@ -95,7 +96,7 @@ void open_standard_streams() {
   if (descriptor > STDERR_FILENO) ::close(descriptor);
 }
 
-/// The allocator gives memory back after a large answer, and threads share what they freed.
+/// Makes the allocator give memory back after a large answer, and lets threads share what they have freed.
 void keep_memory_small() {
   ::mallopt(M_MMAP_THRESHOLD, 256 * 1024);
   ::mallopt(M_TRIM_THRESHOLD, 1024 * 1024);
@@ -126,7 +127,7 @@ Gauges gauges_of(const Application& application, const Transport& transport) {
 
 void serve(const ServeOptions& given) {
   ServeOptions options = with_defaults(given);
-  // Blocked here, and so in every thread that starts later: only wait_for_signal() takes them.
+  // Signals are blocked in this thread, and so in each that it starts: only wait_for_signal() takes them.
   const auto signals = ending_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
@@ -138,7 +139,7 @@ void serve(const ServeOptions& given) {
   Application* application = nullptr;
   const TransportOptions addresses{
       .host = options.host, .port = options.port, .unix_socket = options.unix_socket};
-  // The port comes first: who may ask depends on it.
+  // The port must be known first, because the names that Host may have depend on it.
   Transport transport(addresses,
                       [&](const std::shared_ptr<Exchange>& exchange) { application->handle(exchange); });
   if (options.port) options.port = transport.port();

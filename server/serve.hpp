@@ -9,13 +9,13 @@ namespace qdot::server {
 
 struct ServeOptions {
   std::string host{"127.0.0.1"};
-  std::optional<int> port{};                 ///< 0: any free one; none: 8080, or no TCP beside a Unix socket
-  std::string unix_socket{};                 ///< path; empty: none
-  int threads{0};                            ///< requests that compute at a time; 0: the number of cores
-  double deadline{8};                        ///< seconds from a request's last byte to its answer
+  std::optional<int> port{};  ///< 0 takes any free one; the default is 8080, or no TCP beside a Unix socket
+  std::string unix_socket{};  ///< its path; if empty there is none
+  int threads{0};             ///< how many requests compute at a time; 0 means the number of cores
+  double deadline{8};         ///< seconds from a request's last byte to its answer
   std::vector<std::string> allowed_hosts{};  ///< more names that Host may have
-  std::string token{};                       ///< that clients have to bring; empty: none
-  std::string scenes{};                      ///< directory of more scenes; empty: none
+  std::string token{};                       ///< what clients have to bring; if empty, nothing
+  std::string scenes{};                      ///< a directory of more scenes; may be empty
 };
 
 /// Prints one JSON line {"listening", "port"} on stdout once clients can connect, then serves. SIGTERM or

@@ -34,9 +34,10 @@ constexpr Id wake_id = 0;
 constexpr Id tcp_id = 1;
 constexpr Id unix_id = 2;
 constexpr Id first_connection = 3;
-constexpr std::size_t overflow = 128;         // connections beyond the bound that are told so
+constexpr std::size_t overflow =
+    128;  // connections beyond the bound that are still told that there is no room
 constexpr std::size_t reserved_files = 24;    // descriptors that are not connections
-constexpr std::size_t all_bodies = 32 << 20;  // bytes of large bodies at a time
+constexpr std::size_t all_bodies = 32 << 20;  // bytes that large bodies may hold at a time
 constexpr auto sweep_interval = 100ms;
 constexpr auto leaving_interval = 20ms;
 
@@ -95,7 +96,7 @@ struct Transport::Impl {
     while (!finished()) {
       const int count = ::epoll_wait(epoll_.get(), events.data(), events.size(), wait_milliseconds());
       now_ = Clock::now();
-      take_answers();  // before anyone is let in: whoever was answered can give way
+      take_answers();  // before anyone is let in, because whoever was answered can give way
       for (int i = 0; i < count; ++i) handle(events[static_cast<std::size_t>(i)]);
       take_answers();  // of the requests that were answered here
       if (stopping_) release_idle();
@@ -115,7 +116,7 @@ struct Transport::Impl {
  private:
   struct Entry {
     Connection connection;
-    std::list<Id> place;  // its one element is moved to waiting_ while it waits for a request
+    std::list<Id> place;  // has one element, which is moved to waiting_ while the client is awaited
     std::list<Id>::iterator in_waiting{};
     bool waits{false};
     Budget::Share unsent{};
@@ -126,7 +127,6 @@ struct Transport::Impl {
     Id id{};
     Outgoing outgoing;
     Budget::Share unsent;
-    [[nodiscard]] std::size_t unsent_bytes() const { return outgoing.size() - outgoing.sent(); }
   };
 
   void watch(const Descriptor& descriptor, Id id, std::uint32_t events) const {
@@ -192,11 +192,11 @@ struct Transport::Impl {
           entries_.try_emplace(id, Entry{Connection(std::move(socket), patience_, bodies_, now_), {id}})
               .first;
       ++connection_count_;
-      // Full of connections that are being answered: the newcomer hears so at once.
+      // All connections are being answered, so none can give way: the newcomer is told at once.
       if (full) entry->second.connection.turn_away(now_);
       drive(entry);
     } catch (const std::exception&) {
-      // No memory for a connection: this client is cut off, the others go on.
+      // There is no memory for this connection. The client is cut off, and the others go on.
     }
   }
 
@@ -209,7 +209,7 @@ struct Transport::Impl {
     return true;
   }
 
-  /// With no descriptor left: the spare one takes the client for as long as it takes to say so.
+  /// There is no descriptor left. The spare one serves to tell the client.
   void turn_away(const Descriptor& listener) {
     spare_.reset();
     if (const Descriptor socket(::accept4(listener.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
@@ -218,7 +218,7 @@ struct Transport::Impl {
     spare_ = spare_descriptor();
   }
 
-  /// The system has no memory for another connection: look again at the next sweep.
+  /// The system has no memory for another connection; the next sweep tries again.
   void pause() {
     paused_ = true;
     for (const auto* listener : {&tcp_, &unix_}) {
@@ -246,35 +246,27 @@ struct Transport::Impl {
 
   void give(Entries::value_type& entry, Incoming incoming) {
     Connection& connection = entry.second.connection;
-    // The socket stays open as long as its answer is awaited, so the answering thread may use it.
+    // The answering thread may use the socket, because it stays open until the answer has come.
     const auto deliver = [this, id = entry.first, socket = connection.socket(),
-                          body = connection.body_wanted(), reusable = connection.reusable(),
-                          more = connection.has_more()](api::Response response) noexcept {
-      Posted posted{.id = id, .outgoing = Outgoing::out_of_memory(), .unsent = {}};
-      try {
-        const auto follow = reusable && !stopping_ ? Follow::keep_alive : Follow::close;
-        if (response.status != Exchange::out_of_memory().status)
-          posted.outgoing = Outgoing(std::move(response), follow, body);
-      } catch (const std::exception&) {
-        // What was thrown here is bad_alloc; the answer that says so is there already.
-      }
-      posted.outgoing.send(socket);
-      posted.unsent = unsent_.count(posted.unsent_bytes());
+                          more = connection.has_more()](Outgoing outgoing) noexcept {
+      outgoing.send(socket);
       // A kept connection whose answer is out has nothing to do until its client sends more, and then the
       // poller wakes anyway.
-      const bool done = posted.unsent_bytes() == 0 && posted.outgoing.follow() == Follow::keep_alive;
-      post(std::move(posted));
+      const bool done = outgoing.unsent() == 0 && outgoing.follow() == Follow::keep_alive;
+      auto unsent = unsent_.count(outgoing.unsent());
+      post({.id = id, .outgoing = std::move(outgoing), .unsent = std::move(unsent)});
       if ((!done || *more || stopping_) && std::this_thread::get_id() != poller_) wake();
     };
     std::shared_ptr<Exchange> exchange;
     try {
-      exchange = std::make_shared<Exchange>(std::move(incoming), deliver);
+      const auto follow = stopping_ ? Follow::close : connection.follow();
+      exchange = std::make_shared<Exchange>(std::move(incoming), follow, deliver);
     } catch (const std::exception&) {
-      deliver(Exchange::out_of_memory());
+      deliver(Outgoing::out_of_memory());
       return;
     }
     connection.await(exchange);
-    handler_(exchange);  // what it throws destroys the exchange, which then answers for itself
+    handler_(exchange);  // if it throws, the exchange is destroyed and answers for itself
   }
 
   void post(Posted posted) {
@@ -299,7 +291,7 @@ struct Transport::Impl {
     }
   }
 
-  /// After a connection has moved: it is forgotten, or found again when the oldest one has to go.
+  /// Is called after each move of a connection. Forgets it if it is closed, and keeps waiting_ in order.
   void settle(Entries::iterator entry) {
     Entry& it = entry->second;
     const State state = it.connection.state();
@@ -344,8 +336,8 @@ struct Transport::Impl {
     unix_.reset();
   }
 
-  /// At the end of the server's life only what is in flight keeps its connection, and readers for as long as
-  /// one slice of an answer may take.
+  /// The server is about to end: only requests in flight keep their connections, and clients that still read,
+  /// for as long as one slice of an answer may take.
   void release_idle() {
     close_listeners();
     if (!last_moment_) last_moment_ = now_ + patience_.write;
@@ -368,7 +360,7 @@ struct Transport::Impl {
   Clock::time_point now_{Clock::now()};
   Clock::time_point next_sweep_{};
   std::optional<Clock::time_point>
-      last_moment_;  // of answers that are still going out when the end was asked for
+      last_moment_;  // for answers that are still going out when the server is about to end
   Entries entries_;
   std::list<Id> waiting_;
   Id next_id_{first_connection};
@@ -377,7 +369,7 @@ struct Transport::Impl {
   bool someone_leaves_{false};
   std::atomic<bool> stopping_{false};
   std::mutex mutex_;
-  std::vector<Posted> posted_;  // by the threads that answer, guarded by mutex_
+  std::vector<Posted> posted_;  // filled by the threads that answer; guarded by mutex_
   std::vector<Posted> taken_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// Listens, and gives each request to one handler: a request in, a response out. One thread polls all sockets
-// and never waits for a client, so that slow ones, silent ones and those that do not read cost memory (which
-// is bounded) and no worker.
+// Listens, and gives each request to one handler. One thread polls all sockets and never waits for a client,
+// so that clients who are slow, silent or do not read cost memory, which is bounded, and no worker. It is
+// ours because httplib waits in a worker for each of them: eight that send a byte a second stop it.
 
 #include <cstddef>
 #include <functional>
@@ -16,23 +16,23 @@ namespace qdot::server {
 
 struct TransportOptions {
   std::string host{"127.0.0.1"};
-  std::optional<int> port{};      ///< 0: any free one; none: no TCP
-  std::string unix_socket{};      ///< path; empty: none
-  std::size_t connections{1024};  ///< of one more, the one that has waited longest for a request is closed
+  std::optional<int> port{};      ///< 0 takes any free one; without a value there is no TCP
+  std::string unix_socket{};      ///< its path; if empty there is none
+  std::size_t connections{1024};  ///< for one more, the one that has waited longest for a request is closed
   Patience patience{};
 };
 
-/// Called on the poller's thread: it must not wait. It answers the exchange at once, or keeps it for a thread
-/// that does. What it throws becomes a plain 500.
+/// Is called on the poller's thread, so it must not wait. It answers the exchange at once, or keeps it for a
+/// thread that will. If it throws, the client gets a plain 500.
 using Handler = std::function<void(const std::shared_ptr<Exchange>&)>;
 
 class Transport {
  public:
-  /// Binds, so that the port is known and its own; throws std::runtime_error with the reason when it is not.
+  /// Binds at once, so that port() is known; throws std::runtime_error with the reason if it cannot.
   Transport(const TransportOptions& options, Handler handler);
   ~Transport();
 
-  /// 0 without TCP.
+  /// 0 if there is no TCP.
   [[nodiscard]] int port() const;
 
   /// Serves until stop(); the poller is the calling thread.

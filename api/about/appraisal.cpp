@@ -1,47 +1,33 @@
 #include "api/about/appraisal.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include "api/contract/json_reader.hpp"
 #include "api/contract/submission.hpp"
 #include "api/contract/units.hpp"
 #include "api/http/address.hpp"
 #include "api/json/limits.hpp"
+#include "core/integrate/methods.hpp"
 
 namespace qdot::api {
 namespace {
 
 // Milliseconds of one core, as measured with the systems of the catalogue.
-constexpr double overhead = 0.3;               // of any request
 constexpr double per_second_of_motion = 0.1;   // integrated twice, to measure the error
 constexpr double per_number = 4e-4;            // of a trajectory, computed and printed
-constexpr double per_event = 0.3;              // times the overhead of a motion
+constexpr double per_event = 0.3;              // of the cost of the motion
 constexpr double longest = 3000;               // the limits of a run end it there
 constexpr double light = 10;                   // what costs more waits in the heavy lane
 constexpr std::size_t bytes_per_number = 100;  // while the answer is made
 
-/// A body above this is not read twice: it is dear by its size alone.
+/// A body above this size is not read for its appraisal: its size alone makes it expensive.
 constexpr std::size_t largest_read = 8 * 1024;
-constexpr double unread = 100;
-
-/// What an endpoint costs beside its motion and its system.
-double base_of(std::string_view route) {
-  constexpr auto costs = std::to_array<std::pair<std::string_view, double>>({
-      {"/v1/problems/{number}", 4},
-      {"/v1/gait", 20},
-      {"/v1/bifurcations", 100},
-      {"/v1/accuracy", 100},
-      {"/v1/batch", 100},
-      {"/v1/check", 20},
-  });
-  const auto* found = std::ranges::find(costs, route, &std::pair<std::string_view, double>::first);
-  return found == costs.end() ? overhead : found->second;
-}
+constexpr double unread = 100;  // milliseconds
 
 /// Cost of deriving a system that the request brings along, by its number of coordinates: chains of
 /// pendulums of 4, 5, 6 and 8 links take 30, 75, 300 and 1000 ms.
@@ -63,13 +49,12 @@ std::optional<double> number(const Json& fields, const char* name, std::string_v
   return found == nullptr ? std::nullopt : std::optional(*found);
 }
 
-/// How much more a step of a method costs than one of the Taylor method, for the same motion.
+/// How much more a method costs than the Taylor method, for the same motion.
 double factor_of_method(const Json& fields) {
   const auto method = fields.find("method");
   if (method == fields.end() || !method->is_string()) return 1;
-  const std::string_view name = method->get_ref<const std::string&>();
-  if (name == "erk") return 5;
-  return name == "adams" || name == "bdf" ? 10 : 1;
+  const auto found = std::ranges::find(methods(), method->get_ref<const std::string&>(), &MethodRecord::name);
+  return found == methods().end() ? 1 : found->relative_cost;
 }
 
 double length_of(const Json& fields) {
@@ -111,6 +96,18 @@ Appraisal of_motion(const Json& fields, Appraisal result) {
   return result;
 }
 
+bool follows_motion(const Cost& cost, const Json& fields) {
+  switch (cost.motion) {
+    case Cost::Motion::always:
+      return true;
+    case Cost::Motion::up_to_t_end:
+      return fields.contains("t_end");
+    case Cost::Motion::none:
+      break;
+  }
+  return false;
+}
+
 /// The fields of a request; nothing when there are none to tell a cost by.
 std::optional<Json> fields_of(const Request& request) {
   if (request.method == "POST") {
@@ -124,16 +121,15 @@ std::optional<Json> fields_of(const Request& request) {
 
 }  // namespace
 
-Appraisal appraise(std::string_view route, const Request& request) {
-  Appraisal result{.route = route, .milliseconds = base_of(route)};
+Appraisal appraise(const Route& route, const Request& request) {
+  Appraisal result{.route = route.pattern, .milliseconds = route.cost.milliseconds};
   if (request.body.size() > limits::large_body_bytes) return result;  // refused by its size
   if (request.body.size() > largest_read) {
     result.milliseconds += unread;
     result.bytes = request.body.size() * bytes_per_number;
   } else if (const auto fields = fields_of(request); fields && fields->is_object()) {
     result.milliseconds += derivation(*fields);
-    if (route == "/v1/simulate" || (route == "/v1/turning_points" && fields->contains("t_end")))
-      result = of_motion(*fields, result);
+    if (follows_motion(route.cost, *fields)) result = of_motion(*fields, result);
   }
   result.weight = result.milliseconds > light ? Weight::heavy : Weight::light;
   return result;

@@ -1,16 +1,14 @@
 #pragma once
-// What a request will cost, told from its text alone and before it is read properly, so that cheap questions
-// need not wait behind dear ones. An appraisal may be wrong by a few times: it decides who waits, and no
-// answer. The same request has the same appraisal.
-
-#include <cstddef>
-#include <string_view>
+// What a request will cost. It is told from the text of the request alone, before that is read properly, so
+// that cheap questions need not wait behind expensive ones. An appraisal may be wrong by a factor of a few,
+// because it decides who waits and changes no answer. The same request always has the same appraisal.
 
 #include "api/http/messages.hpp"
+#include "api/http/routes.hpp"
 
 namespace qdot::api {
 
-/// `route` is the pattern of the endpoint that will answer.
-[[nodiscard]] Appraisal appraise(std::string_view route, const Request& request);
+/// `route` will answer; the appraisal refers to its pattern. Takes less than two milliseconds.
+[[nodiscard]] Appraisal appraise(const Route& route, const Request& request);
 
 }  // namespace qdot::api

@@ -1,59 +1,24 @@
 #include "api/about/capabilities.hpp"
 
-#include <algorithm>
 #include <optional>
-#include <vector>
+#include <string>
+#include <utility>
+#include <variant>
 
+#include "api/answers/endpoints.hpp"
 #include "api/json/writer.hpp"
 
 namespace qdot::api {
 namespace {
-
-struct Example {
-  const char* question;
-  Json more;  ///< members beside `system`
-};
-
-/// An angle rather than a length.
-std::string coordinate_that_turns(const Scene& scene) {
-  const auto angle = std::ranges::find(scene.coordinates, "rad", &Coordinate::unit);
-  return (angle == scene.coordinates.end() ? scene.coordinates.front() : *angle).name;
-}
-
-/// Equilibria as a parameter moves around its default: a speed of rotation where there is one.
-std::optional<Json> moving_parameter(const Scene& scene, const Json& values) {
-  const Parameter* moving = nullptr;
-  for (const Parameter& parameter : scene.parameters) {
-    if (values.value(parameter.name, 0.0) == 0) continue;
-    if (moving == nullptr || parameter.unit == "rad/s") moving = &parameter;
-  }
-  if (moving == nullptr) return std::nullopt;
-  const double value = values[moving->name];
-  return Json{{"parameter", moving->name}, {"from", value / 2}, {"to", 2 * value}};
-}
-
-std::vector<Example> examples_for(const Scene& scene, const Json& values) {
-  std::vector<Example> examples{
-      {"equations", Json::object()},
-      {"energy", Json::object()},
-      {"modes", Json::object()},
-      {"equilibria", Json::object()},
-      {"turning_points", {{"coordinate", coordinate_that_turns(scene)}, {"t_end", 10}}},
-      {"gait", Json::object()},
-      {"simulate", {{"t_end", 10}}},
-      {"accuracy", {{"t_end", 1}}}};
-  if (auto moving = moving_parameter(scene, values)) examples.push_back({"bifurcations", std::move(*moving)});
-  return examples;
-}
 
 class Interview {
  public:
   Interview(std::string system, const Ask& ask) : system_(std::move(system)), ask_(ask) {}
 
   /// The answer, when the question applies.
-  std::optional<Json> operator()(const char* question, const Json& more) const {
+  std::optional<Json> operator()(const Endpoint& endpoint, const Json& more) const {
     const Response response = ask_({.method = "POST",
-                                    .target = std::string("/v1/") + question,
+                                    .target = address_of(endpoint),
                                     .headers = {{"content-type", "application/json"}},
                                     .body = to_text(body(more))});
     if (response.status != 200) return std::nullopt;
@@ -71,7 +36,14 @@ class Interview {
   const Ask& ask_;
 };
 
-/// Every column there is, from a motion of no account.
+/// Everything that `include` can add to a trajectory.
+Json all_extras(const Endpoint& simulate) {
+  const FieldInfo* include = simulate.question.fields->find("include");
+  return std::get<ChoiceKind>(std::get<ListKind>(include->kind).element).options;
+}
+
+/// Name and unit of every column that a trajectory can have. They are read off the answer for a motion that
+/// is too short to cost anything.
 Json outputs_json(const Json& motion) {
   Json outputs = Json::array();
   for (const auto& [name, column] : motion["trajectory"].items())
@@ -83,18 +55,21 @@ Json outputs_json(const Json& motion) {
 
 Json capabilities_json(const CatalogueEntry& entry, const Ask& ask) {
   const Interview interview(entry.scene.name, ask);
-  const Json include{"energy", "momenta", "positions", "accelerations", "validity"};
-  const auto motion = interview(
-      "simulate",
-      {{"t_end", 1e-6}, {"samples", 2}, {"include", include}, {"on_invalid", "continue"}, {"verify", false}});
+  const Endpoint& simulate = *endpoint_at("/v1/simulate");
+  const auto motion = interview(simulate, {{"t_end", 1e-6},
+                                           {"samples", 2},
+                                           {"include", all_extras(simulate)},
+                                           {"on_invalid", "continue"},
+                                           {"verify", false}});
   Json json{{"outputs", Json::array()}, {"capabilities", Json::array()}, {"examples", Json::array()}};
   if (motion) json["outputs"] = outputs_json(*motion);
-  const Json values = motion ? (*motion)["request"]["parameters"] : Json::object();
-  for (const auto& [question, more] : examples_for(entry.scene, values)) {
-    if (!interview(question, more)) continue;
-    json["capabilities"].push_back(question);
+  const Json parameters = motion ? (*motion)["request"]["parameters"] : Json::object();
+  for (const Endpoint& endpoint : endpoints()) {
+    const std::optional<Json> example = endpoint.example(entry.scene, parameters);
+    if (!example || !interview(endpoint, *example)) continue;
+    json["capabilities"].push_back(endpoint.name);
     json["examples"].push_back(
-        {{"method", "POST"}, {"path", std::string("/v1/") + question}, {"body", interview.body(more)}});
+        {{"method", "POST"}, {"path", address_of(endpoint)}, {"body", interview.body(*example)}});
   }
   return json;
 }

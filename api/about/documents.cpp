@@ -1,6 +1,6 @@
 #include "api/about/documents.hpp"
-#include "api/contract/version.hpp"
 
+#include "api/contract/version.hpp"
 #include "api/json/limits.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/run.hpp"
@@ -48,7 +48,7 @@ Json limits_json() {
 
 Json index_json(const Routes& routes) {
   Json addresses = Json::object();
-  for (const Endpoint& endpoint : routes.endpoints()) addresses[endpoint.pattern].push_back(endpoint.method);
+  for (const Route& route : routes.all()) addresses[route.pattern].push_back(route.method);
   return {{"service", "qdot"},
           {"service_version", service_version()},
           {"endpoints", std::move(addresses)},

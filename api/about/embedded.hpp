@@ -4,8 +4,10 @@
 
 namespace qdot::api {
 
-/// problems.json: the practice sheet; addresses.json: what is said of each address; answers.json: JSON
-/// Schemas of answers.
+/// openapi.json: what belongs to no single address; practice_sheet.json.
 [[nodiscard]] std::span<const EmbeddedFile> about_files();
+
+/// What is said of the addresses that compute nothing, by pattern: {"/v1/systems/{name}": {"summary": ...}}.
+[[nodiscard]] std::span<const EmbeddedFile> address_files();
 
 }  // namespace qdot::api

@@ -4,18 +4,32 @@
 #include <map>
 
 #include "api/about/embedded.hpp"
-#include "api/about/openapi_examples.hpp"
+#include "api/about/examples.hpp"
+#include "api/answers/endpoints.hpp"
 #include "api/contract/json_schema.hpp"
 #include "api/contract/version.hpp"
 #include "api/http/problem.hpp"
 #include "api/scenes/scene_table.hpp"
+#include "core/integrate/methods.hpp"
 
 namespace qdot::api {
 namespace {
 
-const Json& addresses() {
-  static const Json file = Json::parse(text_of(about_files(), "addresses.json"));
+/// What belongs to no single address: tags, and schemas that several answers share.
+const Json& shared() {
+  static const Json file = Json::parse(text_of(about_files(), "openapi.json"));
   return file;
+}
+
+/// What is said of each address: {"/v1/energy": {"summary": ..., "answer": "Energies", "schema": ...}}.
+const Json& descriptions() {
+  static const Json all = [] {
+    Json result = Json::object();
+    for (const EmbeddedFile& file : address_files()) result.update(Json::parse(file.text));
+    for (const Endpoint& endpoint : endpoints()) result[address_of(endpoint)] = description_of(endpoint);
+    return result;
+  }();
+  return all;
 }
 
 std::string response_name(int status) { return "Problem" + std::to_string(status); }
@@ -56,12 +70,12 @@ Json problem_responses() {
   return responses;
 }
 
-/// With which statuses a request to this endpoint can fail.
-std::vector<int> problems_of(const Endpoint& endpoint) {
+/// With which statuses a request can fail.
+std::vector<int> problems_of(const Route& route) {
   std::vector<int> statuses{400, 401, 403, 405, 406, 408, 414, 417, 421, 431, 500, 503};
-  if (endpoint.pattern.find('{') != std::string::npos) statuses.push_back(404);
-  if (endpoint.method == "POST") statuses.insert(statuses.end(), {411, 413, 415});
-  if (endpoint.fields != nullptr) statuses.push_back(422);
+  if (route.pattern.find('{') != std::string::npos) statuses.push_back(404);
+  if (route.method == "POST") statuses.insert(statuses.end(), {411, 413, 415});
+  if (endpoint_at(route.pattern) != nullptr) statuses.push_back(422);
   std::ranges::sort(statuses);
   return statuses;
 }
@@ -73,17 +87,19 @@ std::string capitalized(std::string name) {
 
 class Operation {
  public:
-  Operation(const Endpoint& endpoint, const Catalogue& catalogue)
-      : endpoint_(endpoint), about_(addresses()["addresses"].at(endpoint.pattern)), catalogue_(catalogue) {}
+  Operation(const Route& route, const Catalogue& catalogue)
+      : route_(route),
+        endpoint_(endpoint_at(route.pattern)),
+        about_(descriptions().at(route.pattern)),
+        catalogue_(catalogue) {}
 
   [[nodiscard]] Json json() const {
-    const bool is_post = endpoint_.method == "POST";
+    const bool is_post = route_.method == "POST";
     const auto id = about_["operation"].get<std::string>();
-    Json json{
-        {"tags", {about_["tag"]}},
-        {"summary", about_["summary"]},
-        {"description", about_["description"]},
-        {"operationId", endpoint_.fields == nullptr ? id : (is_post ? "post" : "get") + capitalized(id)}};
+    Json json{{"tags", {about_["tag"]}},
+              {"summary", about_["summary"]},
+              {"description", about_["description"]},
+              {"operationId", endpoint_ == nullptr ? id : (is_post ? "post" : "get") + capitalized(id)}};
     if (const Json all = parameters(is_post); !all.empty()) json["parameters"] = all;
     if (is_post) json["requestBody"] = body();
     json["responses"] = responses();
@@ -94,26 +110,25 @@ class Operation {
   [[nodiscard]] Json parameters(bool is_post) const {
     Json all = Json::array();
     if (about_.contains("capture")) {
-      const std::size_t open = endpoint_.pattern.find('{') + 1;
-      all.push_back({{"name", endpoint_.pattern.substr(open, endpoint_.pattern.find('}') - open)},
+      const std::size_t open = route_.pattern.find('{') + 1;
+      all.push_back({{"name", route_.pattern.substr(open, route_.pattern.find('}') - open)},
                      {"in", "path"},
                      {"required", true},
                      {"description", about_["capture"]},
                      {"schema", {{"type", "string"}}}});
     }
-    if (endpoint_.fields != nullptr) {
-      for (const Json& parameter : query_parameters(*endpoint_.fields)) {
+    if (endpoint_ != nullptr) {
+      for (const Json& parameter : query_parameters(*endpoint_->question.fields)) {
         if (!is_post || parameter["name"] == "format") all.push_back(parameter);
       }
     }
-    if (endpoint_.offers[0] == "application/json")
-      all.push_back({{"$ref", "#/components/parameters/pretty"}});
+    if (route_.offers[0] == "application/json") all.push_back({{"$ref", "#/components/parameters/pretty"}});
     return all;
   }
 
   [[nodiscard]] Json body() const {
     const Json examples =
-        request_examples(endpoint_.pattern, about_.value("examples", Json::array()), catalogue_);
+        request_examples(route_.pattern, about_.value("examples", Json::array()), catalogue_);
     return {{"required", true},
             {"content",
              {{"application/json",
@@ -123,23 +138,25 @@ class Operation {
 
   [[nodiscard]] Json responses() const {
     Json content = Json::object();
-    for (const std::string& type : endpoint_.offers) {
+    for (const std::string& type : route_.offers) {
       const bool is_json = type == "application/json" || type.ends_with("+json");
       content[type] = {
           {"schema", is_json ? reference(about_["answer"].get<std::string>()) : Json{{"type", "string"}}}};
     }
     Json responses{{"200", {{"description", about_["summary"]}, {"content", std::move(content)}}}};
-    if (endpoint_.method == "GET") {
+    if (route_.method == "GET") {
       responses["200"]["headers"] = {{"ETag", {{"schema", {{"type", "string"}}}}}};
-      responses["304"] = {{"description", "The entity tag in If-None-Match still holds."}};
+      responses["304"] = {
+          {"description", "The answer is still the one with the entity tag in If-None-Match."}};
     }
-    for (const int status : problems_of(endpoint_)) {
+    for (const int status : problems_of(route_)) {
       responses[std::to_string(status)] = {{"$ref", "#/components/responses/" + response_name(status)}};
     }
     return responses;
   }
 
-  const Endpoint& endpoint_;
+  const Route& route_;
+  const Endpoint* endpoint_;  ///< nullptr: the address computes nothing
   const Json& about_;
   const Catalogue& catalogue_;
 };
@@ -174,16 +191,26 @@ Json with_head(const Json& answer, const std::string& request) {
   return result;
 }
 
-Json schemas(const Routes& routes, const Catalogue& catalogue) {
-  Json all = Json::parse(text_of(about_files(), "answers.json"));
+/// The names of the methods of integration.
+Json method_schema() {
+  Json names = Json::array();
+  for (const MethodRecord& method : methods()) names.push_back(method.name);
+  return {{"type", "string"}, {"enum", std::move(names)}};
+}
+
+Json schemas(const Catalogue& catalogue) {
+  Json all = shared()["schemas"];
   all.update(shared_schemas());
   all["SystemName"] = {{"type", "string"}, {"enum", catalogue.names()}};
   all["Scene"] = scene_component();
-  for (const Endpoint& endpoint : routes.endpoints()) {
-    if (endpoint.fields == nullptr || endpoint.method != "POST") continue;
-    const auto answer = addresses()["addresses"].at(endpoint.pattern)["answer"].get<std::string>();
-    all[answer + "Request"] = body_schema(*endpoint.fields);
-    all[answer + "Echo"] = echo_schema(*endpoint.fields);
+  all["Method"] = method_schema();
+  for (const Json& about : descriptions()) {
+    if (about.contains("schema")) all[about["answer"].get<std::string>()] = about["schema"];
+  }
+  for (const Endpoint& endpoint : endpoints()) {
+    const auto answer = descriptions()[address_of(endpoint)]["answer"].get<std::string>();
+    all[answer + "Request"] = body_schema(*endpoint.question.fields);
+    all[answer + "Echo"] = echo_schema(*endpoint.question.fields);
     all[answer] = with_head(all[answer], answer + "Echo");
   }
   return all;
@@ -195,44 +222,43 @@ Json information() {
       {"version", service_version()},
       {"summary", "Lagrangian mechanics, each number with its error."},
       {"description",
-       "Numbers that go out are in SI units and radians; a number that comes in is too, or is a text "
-       "with its unit, \"30deg\". Bodies are deterministic. Every error is application/problem+json. HEAD "
-       "is answered as GET, OPTIONS with Allow."},
+       "Numbers in answers are in SI units and radians. So are numbers in requests; a text may carry another "
+       "unit, \"30deg\". The same request has the same answer, byte for byte. Every error is "
+       "application/problem+json. HEAD is answered like GET, and OPTIONS with the Allow header."},
       {"license", {{"name", "MIT"}, {"identifier", "MIT"}}}};
 }
 
-Json components(const Routes& routes, const Catalogue& catalogue) {
+Json components(const Catalogue& catalogue) {
   const Json pretty{{"name", "pretty"},
                     {"in", "query"},
                     {"description", "Indent the answer."},
                     {"allowEmptyValue", true},
                     {"schema", {{"type", "boolean"}}}};
-  return {{"schemas", schemas(routes, catalogue)},
+  return {{"schemas", schemas(catalogue)},
           {"responses", problem_responses()},
           {"parameters", {{"pretty", pretty}}},
           {"securitySchemes",
            {{"token",
              {{"type", "http"},
               {"scheme", "bearer"},
-              {"description", "Only where the service was started with a token."}}}}}};
+              {"description", "Needed only where the service was started with a token."}}}}}};
 }
 
 }  // namespace
 
 Json openapi_document(const Routes& routes, const Catalogue& catalogue) {
   Json paths = Json::object();
-  for (const Endpoint& endpoint : routes.endpoints()) {
-    const std::string method = endpoint.method == "GET" ? "get" : "post";
-    paths[endpoint.pattern][method] = Operation(endpoint, catalogue).json();
+  for (const Route& route : routes.all()) {
+    paths[route.pattern][route.method == "GET" ? "get" : "post"] = Operation(route, catalogue).json();
   }
   return {{"openapi", "3.1.0"},
           {"jsonSchemaDialect", "https://json-schema.org/draft/2020-12/schema"},
           {"info", information()},
           {"servers", {{{"url", "/"}}}},
           {"security", {Json::object(), {{"token", Json::array()}}}},
-          {"tags", addresses()["tags"]},
+          {"tags", shared()["tags"]},
           {"paths", std::move(paths)},
-          {"components", components(routes, catalogue)}};
+          {"components", components(catalogue)}};
 }
 
 }  // namespace qdot::api

@@ -1,7 +1,7 @@
 #pragma once
 // The description of the service in OpenAPI 3.1, for GET /openapi.json. What can be asked comes from the
-// tables that requests are read by; what is said of each address, and the schemas of the answers, are data
-// (api/openapi/).
+// records of the endpoints, with the tables that requests are read by; what is said of each address, and the
+// schema of its answer, are data beside the endpoint or in api/about/addresses.
 
 #include "api/http/routes.hpp"
 #include "api/json/json.hpp"
@@ -9,6 +9,7 @@
 
 namespace qdot::api {
 
+/// Every route needs its description: throws Json::exception where one is missing.
 [[nodiscard]] Json openapi_document(const Routes& routes, const Catalogue& catalogue);
 
 }  // namespace qdot::api

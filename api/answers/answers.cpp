@@ -29,12 +29,14 @@ ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
   return state;
 }
 
-void fill_echo(Json& echo, const Scene& scene, const ResolvedState& state) {
-  Json parameters = Json::object();
-  for (std::size_t i = 0; i < scene.parameters.size(); ++i)
-    parameters[scene.parameters[i].name] = state.parameters[i];
-  echo["parameters"] = std::move(parameters);
-  echo["initial"] = state_json(scene, state.y);
+ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models) {
+  ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};
+  system.state = resolved_state(system.model(), choice);
+  Json& parameters = system.echo["parameters"] = Json::object();
+  for (std::size_t i = 0; i < system.state.parameters.size(); ++i)
+    parameters[system.scene().parameters[i].name] = system.state.parameters[i];
+  system.echo["initial"] = state_json(system.scene(), system.state.y);
+  return system;
 }
 
 Json state_json(const Scene& scene, std::span<const double> y) {
@@ -52,11 +54,12 @@ void write_head(JsonWriter& writer, const Scene& scene, const Json& echo) {
   writer.member("request", echo);
 }
 
-Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body, int digits) {
+Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body,
+                        std::optional<int> digits) {
   JsonWriter writer(call.layout);
   writer.begin_object();
   write_head(writer, scene, echo);
-  for (const auto& [name, value] : body.items()) writer.member(name, value, digits);
+  for (const auto& [name, value] : body.items()) writer.member(name, value, digits.value_or(shortest_digits));
   writer.end_object();
   Response response{
       .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};

@@ -1,8 +1,10 @@
 #pragma once
 // What the answers of all computing endpoints share.
 
+#include <functional>
+#include <memory>
 #include <optional>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "api/answers/models.hpp"
@@ -22,19 +24,29 @@ struct ResolvedState {
 /// Throws Error(invalid_state) where a default has no finite value.
 [[nodiscard]] ResolvedState resolved_state(const Model& model, const SystemChoice& choice);
 
-/// Puts what was resolved into the request's echo: every parameter, the whole state.
-void fill_echo(Json& echo, const Scene& scene, const ResolvedState& state);
+/// The system of a request, with everything resolved that the request left open.
+struct ResolvedSystem {
+  std::shared_ptr<const Dynamics> dynamics;
+  ResolvedState state;
+  Json echo;  ///< of the request, with every parameter and the whole state
 
-/// {"q": ..., "q_dot": ...} by name, in the scene's order.
+  [[nodiscard]] const Model& model() const { return dynamics->model(); }
+  [[nodiscard]] const Scene& scene() const { return model().scene; }
+};
+
+/// Throws as resolved_state and Models::of do.
+[[nodiscard]] ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models);
+
+/// {"q": ..., "q_dot": ...}: a state by name, in the scene's order.
 [[nodiscard]] Json state_json(const Scene& scene, std::span<const double> y);
 
 /// The beginning of every answer: system, versions and the resolved request.
 void write_head(JsonWriter& writer, const Scene& scene, const Json& echo);
 
-/// A whole answer: the head, then the members of `body`, its floating-point numbers to so many digits. Ends
-/// the part "encode" of the timing.
+/// A whole answer: the head, then the members of `body`, its floating-point numbers to so many digits (all
+/// without it). Ends the part "encode" of the timing.
 [[nodiscard]] Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body,
-                                      int digits = shortest_digits);
+                                      std::optional<int> digits = {});
 
 /// How the call's request came: errors of a body have pointers, those of a query parameters.
 [[nodiscard]] Road road_of(const Call& call);

@@ -26,32 +26,18 @@ std::vector<std::string> inputs_in_order(const SystemChoice& choice) {
 
 }  // namespace
 
-Models::Kept* Models::find(const Scene& scene) {
-  const auto found = kept_.find(&scene);
-  return found == kept_.end() ? nullptr : &found->second;
-}
-
 std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
+  const Scene& scene = *choice.scene;
   const std::vector<std::string> inputs = inputs_in_order(choice);
-  Kept* kept = find(*choice.scene);
-  if (kept == nullptr) return std::make_shared<const Dynamics>(build_model(*choice.scene), inputs);
-  const std::lock_guard lock(kept->mutex);
-  if (!kept->dynamics) kept->dynamics = std::make_shared<const Dynamics>(build_model(*choice.scene));
-  if (inputs.empty()) return kept->dynamics;
-  return std::make_shared<const Dynamics>(kept->dynamics->shared_model(), inputs);
+  if (!catalogue_.contains(&scene)) return std::make_shared<const Dynamics>(build_model(scene), inputs);
+  const std::shared_ptr<const Dynamics>& plain =
+      systems_.get(&scene, [&] { return std::make_shared<const Dynamics>(build_model(scene)); });
+  if (inputs.empty()) return plain;
+  return std::make_shared<const Dynamics>(plain->shared_model(), inputs);
 }
 
 Json Models::remembered(const Scene& scene, const std::string& name, const std::function<Json()>& make) {
-  Kept* kept = find(scene);
-  if (kept == nullptr) return make();
-  {
-    const std::lock_guard lock(kept->mutex);
-    const auto found = kept->documents.find(name);
-    if (found != kept->documents.end()) return found->second;
-  }
-  Json document = make();
-  const std::lock_guard lock(kept->mutex);
-  return kept->documents.try_emplace(name, std::move(document)).first->second;
+  return catalogue_.contains(&scene) ? documents_.get({&scene, name}, make) : make();
 }
 
 Problem problem_of(const Error& error, const Place& whole) {

@@ -2,14 +2,16 @@
 // The compiled systems: each of the catalogue once, on first use; a scene that a request carries, for that
 // request.
 
-#include <map>
+#include <functional>
 #include <memory>
-#include <mutex>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "api/contract/system_choice.hpp"
 #include "api/http/problem.hpp"
+#include "core/base/made_once.hpp"
 #include "core/dynamics/dynamics.hpp"
 
 namespace qdot::api {
@@ -17,7 +19,7 @@ namespace qdot::api {
 class Models {
  public:
   /// `scene` belongs to the catalogue and stays where it is.
-  void add(const Scene& scene) { kept_.try_emplace(&scene); }
+  void add(const Scene& scene) { catalogue_.insert(&scene); }
 
   /// Throws SceneError for a wrong scene, and Error for an input that does not parse.
   [[nodiscard]] std::shared_ptr<const Dynamics> of(const SystemChoice& choice);
@@ -27,14 +29,9 @@ class Models {
                                 const std::function<Json()>& make);
 
  private:
-  struct Kept {
-    std::mutex mutex;
-    std::shared_ptr<const Dynamics> dynamics;
-    std::map<std::string, Json> documents;
-  };
-  [[nodiscard]] Kept* find(const Scene& scene);
-
-  std::map<const Scene*, Kept> kept_;
+  std::set<const Scene*> catalogue_;
+  MadeOnce<const Scene*, std::shared_ptr<const Dynamics>> systems_;
+  MadeOnce<std::pair<const Scene*, std::string>, Json> documents_;
 };
 
 /// What core throws, as a problem of the request `whole`; the one place where it is translated.

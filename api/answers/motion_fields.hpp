@@ -1,12 +1,15 @@
 #pragma once
-// The fields that say which motion is asked about and which stretch of it, for requests whose struct has the
-// members they name: t_start, t_end, samples, dt, times and grid; impacts.
+// The fields that say which motion is asked about, which stretch of it, and what computes it, for requests
+// whose struct has the members they name: t_start, t_end, samples, dt, times and grid; on_invalid; impacts.
 
+#include <string>
 #include <vector>
 
 #include "api/answers/time_grid.hpp"
 #include "api/contract/request_table.hpp"
 #include "api/json/limits.hpp"
+#include "core/dynamics/watch.hpp"
+#include "core/integrate/methods.hpp"
 
 namespace qdot::api {
 
@@ -22,21 +25,34 @@ void append_grid_fields(std::vector<RequestField<R>>& fields) {
   fields.push_back(
       number("t_end", &R::t_end, {"s", instants}, "end of the motion; with `times` it may be left out",
              {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration", "stop_time"}}));
-  fields.push_back(
-      integer("samples", &R::samples, {2, limits::rows}, "rows of the answer, both ends in",
-              {.default_value = 101, .aliases = {"n", "rows", "points", "num", "number_of_points"}}));
+  fields.push_back(integer(
+      "samples", &R::samples, {2, limits::rows}, "number of rows, the two ends of the motion included",
+      {.default_value = 101, .aliases = {"n", "rows", "points", "num", "number_of_points"}}));
   fields.push_back(number("dt", &R::dt, {"s", {.lower = 0, .lower_open = true}},
-                          "distance of the rows; divides the time span",
+                          "time between rows, which has to divide the time span",
                           {.aliases = {"step", "dtmax", "delta_t", "timestep", "step_size"}}));
   fields.push_back(list("times", &R::times, NumberKind{"s", instants}, limits::rows,
                         "the instants of the rows, increasing", {.aliases = {"t_eval", "tspan", "saveat"}}));
 }
 
+/// The methods of integration by name, the best first.
+[[nodiscard]] Words<Method> words_of_methods();
+
+/// "taylor: Taylor series of order 16 or 20; erk: ...", for the description of a field.
+[[nodiscard]] std::string methods_in_words();
+
+template <class R>
+RequestField<R> on_invalid_field(std::string description) {
+  return choice("on_invalid", &R::on_invalid, {{"stop", OnInvalid::stop}, {"continue", OnInvalid::go_on}},
+                std::move(description), {.default_value = "stop"});
+}
+
 template <class R>
 RequestField<R> impacts_field() {
-  return boolean("impacts", &R::impacts,
-                 "apply the system's impacts; false: the motion goes on as if there were none",
-                 {.default_value = true});
+  return boolean(
+      "impacts", &R::impacts,
+      "whether the system's impacts are applied; otherwise the motion goes on as if there were none",
+      {.default_value = true});
 }
 
 template <class R>

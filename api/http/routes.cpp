@@ -51,14 +51,14 @@ std::string Timing::header() const {
 Routes::Match Routes::match(std::string_view method, std::string_view path) const {
   const std::string_view wanted = method == "HEAD" ? "GET" : method;
   Match match;
-  for (const Endpoint& endpoint : endpoints_) {
-    auto found = captures(endpoint.pattern, path);
+  for (const Route& route : all_) {
+    auto found = captures(route.pattern, path);
     if (!found) continue;
-    if (endpoint.method == wanted) {
-      match.endpoint = &endpoint;
+    if (route.method == wanted) {
+      match.route = &route;
       match.captures = std::move(*found);
     }
-    match.allow += endpoint.method + (endpoint.method == "GET" ? ", HEAD, " : ", ");
+    match.allow += route.method + (route.method == "GET" ? ", HEAD, " : ", ");
   }
   if (!match.allow.empty()) match.allow += "OPTIONS";
   return match;

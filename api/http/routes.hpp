@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "api/contract/field.hpp"
 #include "api/http/address.hpp"
 #include "api/http/messages.hpp"
 #include "api/json/layout.hpp"
@@ -42,29 +41,36 @@ struct Call {
 
 using Handler = std::function<Response(Call&)>;
 
-struct Endpoint {
-  std::string method;  ///< "GET" answers HEAD too
-  std::string pattern;
-  Handler handler;
+/// What an answer costs, roughly: the same for every request, and more where a motion is followed, by the
+/// fields that say how far (api/about/appraisal.hpp).
+struct Cost {
+  double milliseconds{0.3};                                              ///< of one core
+  enum class Motion { none, always, up_to_t_end } motion{Motion::none};  ///< up_to_t_end: where that is given
+};
+
+struct Route {
+  std::string method{};  ///< "GET" answers HEAD too
+  std::string pattern{};
+  Handler handler{};
   std::vector<std::string> offers{"application/json"};  ///< media types, the default first
-  const FieldSet* fields{nullptr};                      ///< what a request may say; nullptr: nothing
+  Cost cost{};
 };
 
 class Routes {
  public:
-  void add(Endpoint endpoint) { endpoints_.push_back(std::move(endpoint)); }
+  void add(Route route) { all_.push_back(std::move(route)); }
 
   struct Match {
-    const Endpoint* endpoint{};  ///< nullptr: the path or its method is not known
+    const Route* route{};  ///< nullptr: the path or its method is not known
     std::vector<std::string> captures{};
     std::string allow{};  ///< the path's methods, "GET, HEAD, OPTIONS"; empty: no such path
   };
   [[nodiscard]] Match match(std::string_view method, std::string_view path) const;
 
-  [[nodiscard]] const std::vector<Endpoint>& endpoints() const { return endpoints_; }
+  [[nodiscard]] const std::vector<Route>& all() const { return all_; }
 
  private:
-  std::vector<Endpoint> endpoints_;
+  std::vector<Route> all_;
 };
 
 }  // namespace qdot::api

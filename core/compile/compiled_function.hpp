@@ -63,7 +63,7 @@ class CompiledFunction {
   friend class TapeBuilder;
   template <class T>
   friend class TapeEvaluator;
-  friend class TaylorExpansion;
+  friend class TaylorTranslation;
 
   [[nodiscard]] bool run(std::span<const Instruction> instructions, double* slots) const noexcept;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
@@ -14,8 +15,6 @@ constexpr std::int64_t most_multiplied = 1024;
 bool is_product(const Number& exponent) {
   return exponent.is_integer() && std::abs(exponent.numerator()) <= most_multiplied;
 }
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Groups of unknowns that the matrix couples, directly or through others.
 std::vector<std::vector<std::size_t>> coupled_groups(const Matrix& m) {

@@ -96,7 +96,7 @@ Expression Graph::intern(Node node) {
   spend_work();
   if (nodes_.size() >= max_nodes) throw Error(ErrorCode::too_large, "the expressions grow too large");
   const auto id = static_cast<NodeId>(nodes_.size());
-  lengths_.push_back(length_of(*this, node));
+  lengths_.push_back(length_of(node, nodes_, lengths_));
   nodes_.push_back(std::move(node));
   index_.emplace(hash, id);
   return {*this, id};
@@ -236,6 +236,13 @@ Expression pow(const Expression& base, const Expression& exponent) {
 Expression sqrt(const Expression& e) { return pow(e, Number::ratio(1, 2)); }
 Expression sin(const Expression& e) { return e.graph().call(Function::sin, e); }
 Expression cos(const Expression& e) { return e.graph().call(Function::cos, e); }
+
+std::size_t operation_count(const Expression& e) { return e.graph().length(e.id()).operations; }
+
+std::size_t written_length(const Expression& e) {
+  const Length length = e.graph().length(e.id());
+  return 2 * length.operations + length.fractions;
+}
 
 std::vector<NodeId> children(const Node& node) {
   return std::visit(

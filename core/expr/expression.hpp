@@ -10,62 +10,16 @@
 // multiplied out; that and every rewrite by an identity is simplify.hpp's.
 
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <span>
-#include <string>
 #include <string_view>
 #include <unordered_map>
-#include <variant>
 #include <vector>
 
-#include "core/expr/count.hpp"
-#include "core/expr/number.hpp"
-#include "core/numerics/function.hpp"
+#include "core/expr/length.hpp"
+#include "core/expr/node.hpp"
 
 namespace qdot {
-
-using NodeId = std::uint32_t;
-
-struct Literal {
-  Number value;
-  bool operator==(const Literal&) const = default;
-};
-struct Symbol {
-  std::string name;
-  bool operator==(const Symbol&) const = default;
-};
-/// Two or more terms, sorted by what stands behind their coefficient.
-struct Sum {
-  std::vector<NodeId> terms;
-  bool operator==(const Sum&) const = default;
-};
-/// coefficient times one or more factors, none of which is a literal, a product or shares its base with
-/// another.
-struct Product {
-  Number coefficient;
-  std::vector<NodeId> factors;
-  bool operator==(const Product&) const = default;
-};
-/// base^exponent with exponent != 0, 1. Symbolic exponents become exp(y log x).
-struct Power {
-  NodeId base;
-  Number exponent;
-  bool operator==(const Power&) const = default;
-};
-struct Call {
-  Function function;
-  NodeId argument;
-  bool operator==(const Call&) const = default;
-};
-
-using Node = std::variant<Literal, Symbol, Sum, Product, Power, Call>;
-
-/// Visitor made of lambdas, one a kind: std::visit(overloaded{...}, node) compiles only when it handles all.
-template <class... Cases>
-struct overloaded : Cases... {
-  using Cases::operator()...;
-};
 
 class Graph;
 
@@ -125,8 +79,12 @@ class Graph {
   std::unordered_multimap<std::size_t, NodeId> index_;
 };
 
-/// From the lengths of its children.
-[[nodiscard]] Length length_of(const Graph& graph, const Node& node);
+/// Additions, multiplications, divisions, powers and calls in e as it is written out.
+[[nodiscard]] std::size_t operation_count(const Expression& e);
+
+/// What is compared to find the shorter of two forms: an operation counts two, a coefficient that is not a
+/// whole number one.
+[[nodiscard]] std::size_t written_length(const Expression& e);
 
 /// Children of a node, in order.
 [[nodiscard]] std::vector<NodeId> children(const Node& node);

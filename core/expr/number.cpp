@@ -8,8 +8,6 @@ namespace {
 
 using Wide = __int128;
 
-constexpr std::int64_t largest_exact = std::int64_t{1} << 53;
-
 Wide greatest_divisor(Wide a, Wide b) {
   if (a < 0) a = -a;
   while (b != 0) {

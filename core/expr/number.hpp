@@ -6,6 +6,9 @@
 
 namespace qdot {
 
+/// Integers up to here are doubles, and so are their neighbours: numerators and denominators go no further.
+inline constexpr std::int64_t largest_exact = std::int64_t{1} << 53;
+
 class Number {
  public:
   constexpr Number() = default;

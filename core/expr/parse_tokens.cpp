@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t longest_excerpt = 40;
 constexpr std::size_t most_exact_digits = 16;  // one digit more marks a double
-constexpr std::int64_t largest_exact = std::int64_t{1} << 53;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }

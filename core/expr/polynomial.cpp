@@ -237,6 +237,8 @@ Expression to_expression(Graph& graph, const Polynomial& polynomial) {
   return graph.sum(terms);
 }
 
+Expression expand(const Expression& e) { return to_expression(e.graph(), multiplied_out(e)); }
+
 Monomial common_monomial(const Polynomial& polynomial) {
   Monomial common = polynomial.begin()->first;
   for (const auto& [monomial, coefficient] : polynomial) {

@@ -45,6 +45,8 @@ void add(Polynomial& sum, const Polynomial& other, const Number& factor = Number
 [[nodiscard]] Polynomial multiplied_out(const Expression& e);
 [[nodiscard]] Expression to_expression(Graph& graph, const Polynomial& polynomial);
 [[nodiscard]] Expression to_expression(Graph& graph, const Monomial& monomial);
+/// There and back: e as a sum of products, like terms collected. Exact.
+[[nodiscard]] Expression expand(const Expression& e);
 
 /// The largest monomial that all terms share: x^2 y + x^3 -> x^2; only what every term has in its numerator,
 /// or every term in its denominator.

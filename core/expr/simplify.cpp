@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/base/error.hpp"
-#include "core/expr/factor.hpp"
+#include "core/expr/factored_form.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/trigonometry.hpp"
 
@@ -23,7 +23,7 @@ struct Candidate {
 };
 
 Candidate candidate(Graph& graph, Polynomial polynomial) {
-  const Expression form = factored(graph, polynomial);
+  const Expression form = factored_form(graph, polynomial);
   return {std::move(polynomial), form, written_length(form)};
 }
 
@@ -53,8 +53,6 @@ bool arguments_depend(Graph& graph, const Polynomial& polynomial) {
 }
 
 }  // namespace
-
-Expression expand(const Expression& e) { return to_expression(e.graph(), multiplied_out(e)); }
 
 Expression simplify(const Expression& e) {
   Graph& graph = e.graph();

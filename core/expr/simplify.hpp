@@ -1,13 +1,9 @@
 #pragma once
 // Short forms of expressions, as one writes them by hand.
 
-#include "core/expr/count.hpp"
 #include "core/expr/expression.hpp"
 
 namespace qdot {
-
-/// e multiplied out into a sum of products, like terms collected. Exact.
-[[nodiscard]] Expression expand(const Expression& e);
 
 /// e in a short form: multiplied out, the identities sin^2 + cos^2 = 1, the addition theorems and the double
 /// angle used where they shorten, then common factors and squares taken out. Exact, with one assumption:

@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <set>
 
-#include "core/expr/simplify.hpp"
-
 namespace qdot {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/gait/gait_search.hpp"
 #include "core/numerics/dense_matrix.hpp"
 
 namespace qdot {
@@ -156,16 +157,16 @@ void name_kinds(std::vector<Gait>& gaits) {
   gaits[1].kind = Gait::Kind::long_step;
 }
 
-std::string reason(Search::Outcome outcome, const Impact& impact) {
+std::string reason(GaitSearch::Outcome outcome, const Impact& impact) {
   switch (outcome) {
-    case Search::Outcome::found:
+    case GaitSearch::Outcome::found:
       return "There are motions that repeat, but in none of them the next " + impact.event +
              " is the one that closes the stride.";
-    case Search::Outcome::nothing_recurs:
+    case GaitSearch::Outcome::nothing_recurs:
       return "No motion that repeats was found from the starts that are tried.";
-    case Search::Outcome::dies_away:
+    case GaitSearch::Outcome::dies_away:
       return "Nothing gives back what the impact takes: all motions that were tried shrink towards rest.";
-    case Search::Outcome::no_impact:
+    case GaitSearch::Outcome::no_impact:
       return "There are motions that repeat after a given time, but none of them meets " + impact.event +
              " then.";
   }
@@ -233,7 +234,7 @@ GaitStability stability(const Multipliers& multipliers) {
 Gaits periodic_gaits(const Dynamics& dynamics, std::span<const double> parameters) {
   SectionMap map(dynamics);
   map.set_parameters(parameters);
-  const Search search = search_gaits(map);
+  const GaitSearch search = search_gaits(map);
   Gaits result;
   for (const Recurrence& candidate : search.candidates) {
     auto gait = gait_near(map, dynamics, parameters, candidate);

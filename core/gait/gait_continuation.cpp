@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/gait/gait_family.hpp"
 #include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/root.hpp"
 
@@ -16,22 +17,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double step_rtol = 1e-9, coarse_rtol = 1e-13, fine_rtol = 1e-14;
-constexpr int start_values = 9, most_correctors = 8, most_points = 400;
-constexpr double first_advance = 0.02, least_advance = 1e-4, largest_advance = 0.06;
+constexpr int start_values = 9;
+constexpr Advances advances{
+    .first = 0.02, .least = 1e-4, .largest = 0.06, .least_cosine = 0.95, .most_points = 400};
 constexpr double least_size = 1e-5, least_duration = 0.05, largest_duration = 30;
-constexpr double difference_share = 1e-5;  // of the range, for derivatives by the parameter
 constexpr double near_curve = 0.02;
-constexpr double left_by_newton = 10;  // times rtol, of the unknowns
 
-/// A point on a curve of gaits; the tangent is in (u/|u|, log T, (p - from)/(to - from)).
-struct CurvePoint {
-  Recurrence at;
-  double p{};
-  VectorXd tangent;
-  MatrixXd section;  ///< D
-  Flow flow;
-};
-
+/// A function of D that changes its sign where gaits change their kind.
 using Test = double (*)(const MatrixXd&);
 
 double period_doubling(const MatrixXd& d) { return determinant(d + MatrixXd::Identity(d.rows(), d.cols())); }
@@ -62,20 +54,18 @@ class GaitCurves {
   GaitCurves(const Dynamics& dynamics, std::span<const double> parameters, std::size_t index, double from,
              double to)
       : dynamics_(dynamics),
-        parameters_(parameters.begin(), parameters.end()),
-        index_(index),
         from_(from),
         to_(to),
-        map_(dynamics) {
-    set(from);
-    k_ = map_.size();
-  }
+        map_(dynamics),
+        family_(map_, parameters, index, from, to, step_rtol),
+        coarse_(map_, parameters, index, from, to, coarse_rtol),
+        fine_(map_, parameters, index, from, to, fine_rtol) {}
 
   GaitBifurcations run() {
     for (int i = 0; i < start_values; ++i) {
       const double p = i + 1 == start_values ? to_ : from_ + (to_ - from_) * i / (start_values - 1);
-      set(p);
-      const Gaits found = periodic_gaits(dynamics_, parameters_);
+      family_.set(p);
+      const Gaits found = periodic_gaits(dynamics_, family_.parameters());
       if (result_.reason.empty()) result_.reason = found.reason;
       for (const Gait& gait : found.gaits) start(gait, p);
     }
@@ -85,22 +75,16 @@ class GaitCurves {
   }
 
  private:
-  void set(double p) {
-    parameters_[index_] = p;
-    map_.set_parameters(parameters_);
-  }
-
-  [[nodiscard]] VectorXd along_parameter() const { return VectorXd::Unit(k_ + 2, k_ + 1); }
+  using Place = GaitFamily::Place;
 
   void start(const Gait& gait, double p) {
-    set(p);
+    family_.set(p);
     VectorXd before(static_cast<Index>(gait.pre_impact.size()));
     for (Index i = 0; i < before.size(); ++i) before[i] = gait.pre_impact[static_cast<std::size_t>(i)].value;
-    const Recurrence at{map_.section(map_.in_units(before)), gait.step_time.value / map_.time_unit()};
-    if (is_known(at, p)) return;
-    const auto first = corrected(at, p, along_parameter(), step_rtol);
+    const Place at{{map_.section(map_.in_units(before)), gait.step_time.value / map_.time_unit()}, p};
+    if (is_known(at)) return;
+    const auto first = family_.point(at, family_.along_parameter());
     if (!first) return;
-    curves_.emplace_back();
     result_.branches.push_back({gait.kind, {}});
     follow(*first, -1);
     std::ranges::reverse(result_.branches.back().points);
@@ -108,174 +92,103 @@ class GaitCurves {
     follow(*first, 1);
   }
 
-  /// In the coordinates of the tangents, as seen from `at`.
-  [[nodiscard]] VectorXd place(const Recurrence& of, double p, const Recurrence& at) const {
-    VectorXd x(k_ + 2);
-    x << (of.u - at.u) / at.u.norm(), std::log(of.duration / at.duration), p / (to_ - from_);
-    return x;
-  }
-
-  [[nodiscard]] bool is_known(const Recurrence& at, double p) const {
-    const VectorXd here = place(at, p, at);
-    return std::ranges::any_of(curves_, [&](const std::vector<std::pair<CurvePoint, CurvePoint>>& curve) {
-      return std::ranges::any_of(curve, [&](const auto& piece) {
-        const VectorXd begin = place(piece.first.at, piece.first.p, at) - here;
-        const VectorXd chord = place(piece.second.at, piece.second.p, at) - here - begin;
-        const double share = std::clamp(-begin.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-        return (begin + share * chord).norm() < near_curve;
-      });
+  [[nodiscard]] bool is_known(const Place& at) const {
+    return std::ranges::any_of(pieces_, [&](const auto& piece) {
+      return distance_to_piece(family_.step_to(piece.first, at), family_.step_to(piece.second, at)) <
+             near_curve;
     });
   }
 
-  struct Equations {
-    Shooting shooting;
-    MatrixXd derivative;  ///< (k + 1) x (k + 2), by the coordinates of the tangents, over |u|
-    VectorXd residual;    ///< over |u|
-  };
-  std::optional<Equations> equations(const Recurrence& at, double p, double rtol) {
-    const double h = difference_share * (to_ - from_);
-    const double ahead = std::min(p + h, std::max(to_, p)), behind = std::max(p - h, std::min(from_, p));
-    set(ahead);
-    const auto a = shoot(map_, at, rtol);
-    set(behind);
-    const auto b = shoot(map_, at, rtol);
-    set(p);
-    auto shooting = shoot(map_, at, rtol);
-    if (!a || !b || !shooting || !(ahead > behind)) return std::nullopt;
-    const double size = at.u.norm();
-    MatrixXd derivative(k_ + 1, k_ + 2);
-    derivative << shooting->derivative.leftCols(k_), shooting->derivative.col(k_) * (at.duration / size),
-        (a->residual - b->residual) * ((to_ - from_) / (ahead - behind) / size);
-    VectorXd residual = shooting->residual / size;
-    return Equations{std::move(*shooting), std::move(derivative), std::move(residual)};
+  [[nodiscard]] bool belongs(const GaitOnCurve& point) {
+    const Recurrence& at = point.at.at;
+    return at.u.norm() > least_size && at.duration > least_duration && at.duration < largest_duration &&
+           map_.is_impact(point.linearization.flow);
   }
 
-  /// Newton's method across `direction` until the corrections are at the tolerance's level.
-  std::optional<CurvePoint> corrected(Recurrence at, double p, const VectorXd& direction, double rtol) {
-    double last = 1;
-    for (int i = 0; i < most_correctors; ++i) {
-      auto found = equations(at, p, rtol);
-      if (!found) return std::nullopt;
-      MatrixXd bordered(k_ + 2, k_ + 2);
-      bordered << found->derivative, direction.transpose();
-      VectorXd right = VectorXd::Zero(k_ + 2);
-      right.head(k_ + 1) = -found->residual;
-      const VectorXd step = solve(bordered, right);
-      const double length = step.norm();
-      if (!(length < 1)) return std::nullopt;
-      if (length < left_by_newton * rtol || (length < 1e-10 && length > 0.3 * last)) {
-        VectorXd tangent = solve(bordered, VectorXd::Unit(k_ + 2, k_ + 1)).normalized();
-        MatrixXd section = map_.derivative(found->shooting.flow);
-        return CurvePoint{at, p, std::move(tangent), std::move(section), std::move(found->shooting.flow)};
+  void follow(GaitOnCurve start, int way) {
+    start.tangent *= way;
+    const auto belongs_here = [&](const GaitOnCurve& point) { return belongs(point); };
+    const auto visit = [&](const GaitOnCurve& last, const GaitOnCurve& next, double advance) {
+      look_between(last, next, advance);
+      pieces_.emplace_back(last.at, next.at);
+      const double inside = std::clamp(next.at.p, from_, to_);
+      if (next.at.p == inside) {
+        note(next);
+        return true;
       }
-      at.u += at.u.norm() * step.head(k_);
-      at.duration *= std::exp(step[k_]);
-      p += (to_ - from_) * step[k_ + 1];
-      last = length;
-    }
-    return std::nullopt;
+      const auto end = family_.point({next.at.at, inside}, family_.along_parameter());
+      if (end && belongs(*end)) note(*end);
+      return false;
+    };
+    follow_curve(family_, std::move(start), family_.corrections(), advances, belongs_here, visit);
   }
 
-  std::optional<CurvePoint> ahead_of(const CurvePoint& from, double advance, double rtol) {
-    const VectorXd by = advance * from.tangent;
-    const Recurrence guess{from.at.u + from.at.u.norm() * by.head(k_), from.at.duration * std::exp(by[k_])};
-    return corrected(guess, from.p + (to_ - from_) * by[k_ + 1], from.tangent, rtol);
+  [[nodiscard]] std::size_t multiplier_count(const GaitOnCurve& point) {
+    return static_cast<std::size_t>(std::min(map_.dimension(point.linearization.flow), map_.size()));
   }
 
-  [[nodiscard]] bool belongs(const CurvePoint& point) {
-    return point.at.u.norm() > least_size && point.at.duration > least_duration &&
-           point.at.duration < largest_duration && map_.is_impact(point.flow);
-  }
-
-  void note(const CurvePoint& point) {
-    set(point.p);
-    const auto jump = map_.jump(point.at.u);
+  void note(const GaitOnCurve& point) {
+    family_.set(point.at.p);
+    const auto jump = map_.jump(point.at.at.u);
     if (!jump) return;
-    auto multipliers = sorted_eigenvalues(point.section);
-    multipliers.resize(static_cast<std::size_t>(std::min(map_.dimension(point.flow), k_)));
+    auto multipliers = sorted_eigenvalues(point.linearization.section);
+    multipliers.resize(multiplier_count(point));
     const bool stable = std::ranges::all_of(multipliers, [](const auto& m) { return std::abs(m) < 1; });
-    result_.branches.back().points.push_back({point.p, map_.in_si(jump->after),
-                                              point.at.duration * map_.time_unit(), std::move(multipliers),
+    result_.branches.back().points.push_back({point.at.p, map_.in_si(jump->after),
+                                              point.at.at.duration * map_.time_unit(), std::move(multipliers),
                                               stable});
   }
 
-  void follow(CurvePoint last, int way) {
-    last.tangent *= way;
-    double advance = first_advance;
-    for (int points = 0; points < most_points;) {
-      auto next = ahead_of(last, advance, step_rtol);
-      if (!next || !belongs(*next) || next->tangent.dot(last.tangent) < 0.95) {
-        advance /= 2;
-        if (advance < least_advance) return;
-        continue;
-      }
-      look_between(last, *next, advance);
-      curves_.back().emplace_back(last, *next);
-      if (next->p < from_ || next->p > to_) {
-        const auto end = corrected(next->at, std::clamp(next->p, from_, to_), along_parameter(), step_rtol);
-        if (end && belongs(*end)) note(*end);
-        return;
-      }
-      note(*next);
-      last = std::move(*next);
-      advance = std::min(1.5 * advance, largest_advance);
-      ++points;
-    }
-  }
-
-  void look_between(const CurvePoint& a, const CurvePoint& b, double advance) {
+  void look_between(const GaitOnCurve& a, const GaitOnCurve& b, double advance) {
     for (const auto& [kind, test] : tests) {
-      const SignChange bracket{0, test(a.section), advance, test(b.section)};
+      const SignChange bracket{0, test(a.linearization.section), advance, test(b.linearization.section)};
       if (bracket.value_before * bracket.value_after < 0) add_critical(kind, test, a, bracket);
     }
   }
 
-  void add_critical(CriticalGait::Kind kind, Test test, const CurvePoint& a, const SignChange& bracket) {
-    const auto rough = critical_point(test, a, bracket, coarse_rtol);
-    const auto point = critical_point(test, a, bracket, fine_rtol);
-    if (!rough || !point || point->p < from_ || point->p > to_) return;
-    CriticalGait critical{kind,
-                          point->p,
-                          2 * std::abs(point->p - rough->p) + 4e-16 * std::abs(point->p) +
-                              2 * left_by_newton * fine_rtol * (to_ - from_),
-                          {},
-                          {},
-                          {}};
-    critical.multipliers = sorted_eigenvalues(point->section);
+  void add_critical(CriticalGait::Kind kind, Test test, const GaitOnCurve& a, const SignChange& bracket) {
+    const auto rough = critical_point(coarse_, test, a, bracket);
+    const auto point = critical_point(fine_, test, a, bracket);
+    if (!rough || !point || point->at.p < from_ || point->at.p > to_) return;
+    const double p = point->at.p;
+    CriticalGait critical;
+    critical.kind = kind;
+    critical.value = p;
+    critical.error =
+        2 * std::abs(p - rough->at.p) + 4e-16 * std::abs(p) + 2 * left_by_newton * fine_rtol * (to_ - from_);
+    critical.multipliers = sorted_eigenvalues(point->linearization.section);
     const bool on_circle = std::ranges::any_of(critical.multipliers, [](const auto& m) {
       return m.imag() != 0 && std::abs(std::abs(m) - 1) < 1e-6;
     });
     if (kind == CriticalGait::Kind::neimark_sacker && !on_circle) return;  // a saddle with m_1 m_2 = 1
-    set(point->p);
-    critical.multipliers.resize(static_cast<std::size_t>(std::min(map_.dimension(point->flow), k_)));
-    critical.state = map_.in_si(map_.jump(point->at.u)->after);
-    critical.step_time = point->at.duration * map_.time_unit();
+    family_.set(p);
+    critical.multipliers.resize(multiplier_count(*point));
+    critical.state = map_.in_si(map_.jump(point->at.at.u)->after);
+    critical.step_time = point->at.at.duration * map_.time_unit();
     result_.critical.push_back(std::move(critical));
   }
 
   /// The zero of `test` along the curve.
-  std::optional<CurvePoint> critical_point(Test test, const CurvePoint& a, const SignChange& bracket,
-                                           double rtol) {
-    std::optional<CurvePoint> point;
+  static std::optional<GaitOnCurve> critical_point(GaitFamily& family, Test test, const GaitOnCurve& a,
+                                                   const SignChange& bracket) {
     bool failed = false;
     const auto value = [&](double advance) {
-      point = ahead_of(a, advance, rtol);
+      const auto point = family.ahead(a, advance);
       failed = failed || !point;
-      return point ? test(point->section) : std::nan("");
+      return point ? test(point->linearization.section) : std::nan("");
     };
     const SignChange place = find_sign_change(value, bracket);
     if (failed) return std::nullopt;
-    return ahead_of(a, place.after, rtol);
+    return family.ahead(a, place.after);
   }
 
   const Dynamics& dynamics_;
-  std::vector<double> parameters_;
-  std::size_t index_;
   double from_, to_;
   SectionMap map_;
-  Index k_{};
+  GaitFamily family_, coarse_,
+      fine_;  ///< with the errors of steps that the search, a check and the answer take
+  std::vector<std::pair<Place, Place>> pieces_;  ///< of all curves that were followed
   GaitBifurcations result_;
-  std::vector<std::vector<std::pair<CurvePoint, CurvePoint>>> curves_;
 };
 
 }  // namespace

@@ -2,14 +2,14 @@
 // Where gaits appear, vanish and lose their stability as one parameter changes.
 //
 // The gaits of a scene, R(u, T; p) = 0 (core/gait/shooting.hpp), form curves in (u, T, p). Each is
-// followed by its arclength, through folds, and a critical value is a zero along it of
+// followed by its arclength, through folds (core/gait/gait_family.hpp), and a critical value is a zero along
+// it of
 //
 //   det(D + 1)               period doubling: a multiplier is -1
 //   det(D - 1)               fold: a multiplier is 1, and two gaits meet
 //   prod_{i<j} (m_i m_j - 1) Neimark-Sacker: a pair of multipliers exp(+-i a), not real
 //
-// with D = dP/du and its eigenvalues m_i. Derivatives by the state are exact as everywhere; those by p, which
-// only decide how quickly Newton's method converges, are differences. Source: Yu. A. Kuznetsov, Elements of
+// with D = dP/du and its eigenvalues m_i. Source: Yu. A. Kuznetsov, Elements of
 // Applied Bifurcation Theory, 3rd ed., Springer 2004, sections 4.2, 5.4 and 10.2.
 
 #include <complex>

@@ -32,8 +32,8 @@ struct TableDeleter {
   void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
 };
 
-constexpr int attempts = 30;     // at one step: a quarter each time, they reach the round-off of t
-constexpr double shrink = 0.25;  // of a step whose stages left the domain of f
+constexpr int arkode_attempts = 30;  // at one step: a quarter each time, they reach the round-off of t
+constexpr double shrink = 0.25;      // of a step whose stages left the domain of f
 
 void set_prince_dormand(void* memory) {
   auto c = PrinceDormand::c;
@@ -66,7 +66,7 @@ class ArkodeStepper final : public Stepper {
     require_success(ARKStepSetUserData(memory, &evaluator_));
     require_success(ARKStepSStolerances(memory, request.tolerances.rtol, request.tolerances.atol));
     require_success(ARKStepSetStopTime(memory, request.t_end));
-    require_success(ARKStepSetMaxErrTestFails(memory, attempts));
+    require_success(ARKStepSetMaxErrTestFails(memory, arkode_attempts));
     require_success(ARKStepSetInterpolantDegree(memory, 1));  // unused, and so the cheapest
     set_prince_dormand(memory);
   }
@@ -146,7 +146,7 @@ class ArkodeStepper final : public Stepper {
 
   int evolve() {
     int flag{};
-    for (int i = 0; i < attempts; ++i) {
+    for (int i = 0; i < arkode_attempts; ++i) {
       flag = ARKStepEvolve(memory_.get(), request_.t_end, state_.get(), &t_, ARK_ONE_STEP);
       if (flag != ARK_UNREC_RHSFUNC_ERR) break;
       if (!start_over()) break;

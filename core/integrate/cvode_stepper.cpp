@@ -28,7 +28,7 @@ struct CvodeDeleter {
 
 // Attempts at one step. CVODE's defaults (7 and 10) give up while the step could still shrink: near the edge
 // of where f exists, or at a jump of f. A quarter each time, 30 of them reach the round-off of t.
-constexpr int attempts = 30;
+constexpr int cvode_attempts = 30;
 
 class CvodeStepper final : public Stepper {
  public:
@@ -48,8 +48,8 @@ class CvodeStepper final : public Stepper {
     require_success(CVodeSetUserData(memory, &evaluator_));
     require_success(CVodeSStolerances(memory, request.tolerances.rtol, request.tolerances.atol));
     require_success(CVodeSetStopTime(memory, request.t_end));
-    require_success(CVodeSetMaxErrTestFails(memory, attempts));
-    require_success(CVodeSetMaxConvFails(memory, attempts));
+    require_success(CVodeSetMaxErrTestFails(memory, cvode_attempts));
+    require_success(CVodeSetMaxConvFails(memory, cvode_attempts));
     family == CV_ADAMS ? correct_by_fixed_point() : correct_by_newton();
   }
 
@@ -132,8 +132,9 @@ class CvodeStepper final : public Stepper {
     return why;
   }
 
-  // The evaluator's own reason says more than a flag. What is left are attempts that all failed the error
-  // test or the corrector although f had values everywhere: no honest name but that the work led nowhere.
+  // The evaluator's own reason says more than a flag. What is left are cvode_attempts that all failed the
+  // error test or the corrector although f had values everywhere: no honest name but that the work led
+  // nowhere.
   Ending ending_of(int flag) const {
     if (flag == CV_MEM_FAIL) throw std::bad_alloc();
     if (evaluator_.trouble()) return *evaluator_.trouble();

@@ -8,12 +8,11 @@
 namespace qdot {
 namespace {
 
-constexpr std::size_t stages = GaussStages::stages;
 constexpr double root_15 = 3.8729833462074168852;
 constexpr double r = root_15 / 120;
-constexpr std::array<double, stages> nodes_of_gauss{0.5 - 12 * r, 0.5, 0.5 + 12 * r};
-constexpr std::array<double, stages> eighteen_b{5, 8, 5};
-constexpr std::array<std::array<double, stages>, stages> m{{{0, -8, -4}, {5, 0, -5}, {4, 8, 0}}};
+constexpr std::array<double, gauss_stages> nodes_of_gauss{0.5 - 12 * r, 0.5, 0.5 + 12 * r};
+constexpr std::array<double, gauss_stages> eighteen_b{5, 8, 5};
+constexpr std::array<std::array<double, gauss_stages>, gauss_stages> m{{{0, -8, -4}, {5, 0, -5}, {4, 8, 0}}};
 
 constexpr unsigned most_iterations = 40;
 constexpr unsigned most_newton_iterations = 40;
@@ -31,9 +30,9 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// 1 - h A (x) J.
 Eigen::MatrixXd stage_matrix(double h, const RowMajor& jacobian) {
   const Eigen::Index n = jacobian.rows();
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(stages * n, stages * n);
-  for (std::size_t i = 0; i < stages; ++i) {
-    for (std::size_t j = 0; j < stages; ++j) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(gauss_stages * n, gauss_stages * n);
+  for (std::size_t i = 0; i < gauss_stages; ++i) {
+    for (std::size_t j = 0; j < gauss_stages; ++j) {
       matrix.block(static_cast<Eigen::Index>(i) * n, static_cast<Eigen::Index>(j) * n, n, n) -=
           h * weight(i, j) * jacobian;
     }
@@ -43,14 +42,14 @@ Eigen::MatrixXd stage_matrix(double h, const RowMajor& jacobian) {
 
 }  // namespace
 
-const std::array<double, stages>& GaussStages::nodes() { return nodes_of_gauss; }
+const std::array<double, gauss_stages>& GaussStages::nodes() { return nodes_of_gauss; }
 
 GaussStages::GaussStages(Evaluator& evaluator, std::size_t dimension, bool has_jacobian)
     : evaluator_(evaluator),
       n_(dimension),
       has_jacobian_(has_jacobian),
-      increments_(stages * dimension),
-      attempt_(stages * dimension),
+      increments_(gauss_stages * dimension),
+      attempt_(gauss_stages * dimension),
       stage_(dimension),
       sizes_(dimension),
       components_(dimension) {}
@@ -90,8 +89,8 @@ Answer GaussStages::iterate_newton(const Beginning& begin, double h, std::span<d
   start_watching();
   RowMajor jacobian(n, n);
   Eigen::PartialPivLU<Eigen::MatrixXd> factors;
-  const Eigen::Map<const Eigen::VectorXd> increments(increments_.data(), stages * n);
-  Eigen::Map<Eigen::VectorXd> attempt(attempt_.data(), stages * n);
+  const Eigen::Map<const Eigen::VectorXd> increments(increments_.data(), gauss_stages * n);
+  Eigen::Map<Eigen::VectorXd> attempt(attempt_.data(), gauss_stages * n);
   while (iterations_ < most_newton_iterations) {
     if (iterations_ % jacobian_lasts == 0) {
       set_stage(begin, 1);
@@ -114,7 +113,7 @@ void GaussStages::set_stage(const Beginning& begin, std::size_t j) {
 }
 
 Answer GaussStages::evaluate(const Beginning& begin, double h, std::span<double> slopes) {
-  for (std::size_t j = 0; j < stages; ++j) {
+  for (std::size_t j = 0; j < gauss_stages; ++j) {
     set_stage(begin, j);
     const double t = begin.t + nodes_of_gauss[j] * h;
     const Answer answer = evaluator_.derivative(t, stage_, slopes.subspan(j * n_, n_));
@@ -126,9 +125,9 @@ Answer GaussStages::evaluate(const Beginning& begin, double h, std::span<double>
 void GaussStages::set_attempt(double h, std::span<const double> slopes) {
   for (std::size_t k = 0; k < n_; ++k) {
     const double half = rise(h, slopes, k) / 2;
-    for (std::size_t i = 0; i < stages; ++i) {
+    for (std::size_t i = 0; i < gauss_stages; ++i) {
       double rest = 0;
-      for (std::size_t j = 0; j < stages; ++j) rest += m[i][j] * slopes[j * n_ + k];
+      for (std::size_t j = 0; j < gauss_stages; ++j) rest += m[i][j] * slopes[j * n_ + k];
       attempt_[i * n_ + k] = half + h * r * rest;
     }
   }

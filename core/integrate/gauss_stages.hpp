@@ -20,10 +20,11 @@
 
 namespace qdot {
 
+inline constexpr std::size_t gauss_stages = 3;
+
 class GaussStages {
  public:
-  static constexpr std::size_t stages = 3;
-  [[nodiscard]] static const std::array<double, stages>& nodes();
+  [[nodiscard]] static const std::array<double, gauss_stages>& nodes();
 
   /// Where a step begins: at z + carried, where `carried` is what rounding has taken from z.
   struct Beginning {

@@ -12,7 +12,6 @@
 namespace qdot {
 namespace {
 
-constexpr std::size_t stages = GaussStages::stages;
 constexpr double same_step = 1e-9;  // a last step longer or shorter by this share of h is no step of its own
 
 RightHandSide in_stepped_variables(const RightHandSide& system) {
@@ -46,7 +45,7 @@ class GaussStepper final : public Stepper {
         evaluator_(stepped_, request.limits),
         stages_(evaluator_, system.dimension, static_cast<bool>(stepped_.jacobian)),
         now_{request.t_start, request.y_start, {}, request.y_start, {}},
-        guess_(stages * system.dimension) {
+        guess_(gauss_stages * system.dimension) {
     for (auto* values : {&now_.carried, &now_.slope, &attempt_.z, &attempt_.carried, &attempt_.slope}) {
       values->resize(system.dimension);
     }
@@ -133,25 +132,25 @@ class GaussStepper final : public Stepper {
   void set_guess(double h, double begin) {
     const double length = now_.t - before_.t;
     const std::size_t n = now_.z.size();
-    for (std::size_t j = 0; j < stages; ++j) {
+    for (std::size_t j = 0; j < gauss_stages; ++j) {
       const double x = length > 0 ? (begin - before_.t + GaussStages::nodes()[j] * h) / length : 1.0;
-      const std::array<double, stages + 1> weight = weights(x);
+      const std::array<double, gauss_stages + 1> weight = weights(x);
       for (std::size_t i = 0; i < n; ++i) {
-        double slope = weight[stages] * now_.slope[i];
-        for (std::size_t k = 0; k < stages; ++k) slope += weight[k] * slopes_[k * n + i];
+        double slope = weight[gauss_stages] * now_.slope[i];
+        for (std::size_t k = 0; k < gauss_stages; ++k) slope += weight[k] * slopes_[k * n + i];
         guess_[j * n + i] = slope;
       }
     }
   }
 
   /// Lagrange's polynomials of the nodes and of 1, at x.
-  static std::array<double, stages + 1> weights(double x) {
-    std::array<double, stages + 1> place{}, weight{};
+  static std::array<double, gauss_stages + 1> weights(double x) {
+    std::array<double, gauss_stages + 1> place{}, weight{};
     std::ranges::copy(GaussStages::nodes(), place.begin());
-    place[stages] = 1;
-    for (std::size_t k = 0; k <= stages; ++k) {
+    place[gauss_stages] = 1;
+    for (std::size_t k = 0; k <= gauss_stages; ++k) {
       weight[k] = 1;
-      for (std::size_t l = 0; l <= stages; ++l) {
+      for (std::size_t l = 0; l <= gauss_stages; ++l) {
         if (l != k) weight[k] *= (x - place[l]) / (place[k] - place[l]);
       }
     }

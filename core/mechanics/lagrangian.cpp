@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/expr/factor.hpp"
+#include "core/expr/factored_form.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/units.hpp"
@@ -129,18 +129,6 @@ int degree_in(const Monomial& monomial, const std::vector<Expression>& symbols) 
 
 }  // namespace
 
-std::vector<Replacement> Symbols::rates() const {
-  std::vector<Replacement> result;
-  for (const Varying* varying : {&coordinates, &inputs, &held}) {
-    for (std::size_t i = 0; i < varying->value.size(); ++i) {
-      result.emplace_back(varying->value[i], varying->rate[i]);
-      result.emplace_back(varying->rate[i], varying->second_rate[i]);
-    }
-  }
-  result.emplace_back(t, t.graph().number(1));
-  return result;
-}
-
 Lagrangian derive_lagrangian(const ParsedScene& scene) {
   Lagrangian result;
   result.graph = scene.graph;
@@ -226,7 +214,7 @@ Expression simplify_by_degree(const Expression& e, const Symbols& symbols) {
   for (const auto& [degree, part] : parts) {
     const Expression rest = simplify(to_expression(e.graph(), part));
     terms.push_back(degree == 0 ? rest
-                                : collected(e.graph(), multiplied_out(rest), symbols.coordinates.rate));
+                                : collected_form(e.graph(), multiplied_out(rest), symbols.coordinates.rate));
   }
   return e.graph().sum(terms);
 }

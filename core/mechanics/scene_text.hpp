@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "core/mechanics/dimension_check.hpp"
-#include "core/mechanics/parsed_scene.hpp"
+#include "core/mechanics/scene.hpp"
+#include "core/mechanics/symbols.hpp"
 
 namespace qdot {
 

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
@@ -56,7 +58,6 @@ constexpr Dimension dimension(int kg, int m, int s, int a = 0) {
   return {{Exponent{kg, 1}, Exponent{m, 1}, Exponent{s, 1}, Exponent{a, 1}}};
 }
 
-constexpr double pi = std::numbers::pi;
 constexpr Dimension mass = dimension(1, 0, 0);
 constexpr Dimension length = dimension(0, 1, 0);
 constexpr Dimension duration = dimension(0, 0, 1);

@@ -3,10 +3,11 @@
 #include <array>
 #include <cstdlib>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// An operation is within 10 u^2 = 10 2^-106 of the exact result; sine and cosine within some 30 of that.
 constexpr double unit = 0x1p-102;
 constexpr double wave_unit = 0x1p-97;
@@ -14,13 +15,13 @@ constexpr double wave_unit = 0x1p-97;
 constexpr double smallest_exact = 1e-250;
 
 /// Radii are added up in doubles that are rounded to nearest.
-double above(double radius) { return radius * (1 + 0x1p-48); }
+double slightly_above(double radius) { return radius * (1 + 0x1p-48); }
 
 Ball rounded(const DoubleDouble& middle, double radius, double relative = unit) {
   const double size = std::abs(middle.high);
   if (!std::isfinite(size)) return {DoubleDouble{}, infinity};
   const double underflow = size < smallest_exact ? 1e-300 : 0;
-  return {middle, above(radius + relative * size + underflow)};
+  return {middle, slightly_above(radius + relative * size + underflow)};
 }
 
 Interval interval_of(const Ball& a) {
@@ -68,7 +69,7 @@ Reduced reduced(const DoubleDouble& x) {
 }
 
 /// sin(a + phase pi/2).
-Ball wave(const Ball& a, long phase) {
+Ball sine_wave(const Ball& a, long phase) {
   static const std::array<DoubleDouble, terms> sine = alternating_inverse_factorials(1);
   static const std::array<DoubleDouble, terms> cosine = alternating_inverse_factorials(0);
   if (!a.is_finite() || a.magnitude() > 1e6) {
@@ -99,19 +100,19 @@ Ball Ball::literal(double value) { return of(Interval::literal(value)); }
 
 Ball Ball::of(const Interval& interval) {
   if (!interval.is_finite()) return {DoubleDouble{}, infinity};
-  return {interval.middle(), interval.width() == 0 ? 0 : above(interval.radius())};
+  return {interval.middle(), interval.width() == 0 ? 0 : slightly_above(interval.radius())};
 }
 
 double Ball::error() const {
   const double left = std::abs((middle - DoubleDouble(value())).high);
-  return above(left + radius);
+  return slightly_above(left + radius);
 }
 
 Ball operator+(const Ball& a, const Ball& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
   const DoubleDouble sum = a.middle + b.middle;
-  if (sum.high == 0 && std::isfinite(a.middle.high)) return {sum, above(a.radius + b.radius)};
+  if (sum.high == 0 && std::isfinite(a.middle.high)) return {sum, slightly_above(a.radius + b.radius)};
   return rounded(sum, a.radius + b.radius);
 }
 
@@ -120,7 +121,7 @@ Ball operator-(const Ball& a) { return {-a.middle, a.radius}; }
 Ball operator*(const Ball& a, const Ball& b) {
   if (a.is_zero() || b.is_zero()) return a.is_finite() && b.is_finite() ? Ball() : Ball({}, infinity);
   const double radius = (std::abs(a.middle.high) + a.radius) * b.radius + std::abs(b.middle.high) * a.radius;
-  return rounded(a.middle * b.middle, above(radius));
+  return rounded(a.middle * b.middle, slightly_above(radius));
 }
 
 Ball operator/(const Ball& a, const Ball& b) {
@@ -128,18 +129,18 @@ Ball operator/(const Ball& a, const Ball& b) {
   if (!(least > 0)) return {DoubleDouble{}, infinity};
   if (a.is_zero()) return {};
   const DoubleDouble quotient = a.middle / b.middle;
-  return rounded(quotient, above((a.radius + std::abs(quotient.high) * b.radius) / least));
+  return rounded(quotient, slightly_above((a.radius + std::abs(quotient.high) * b.radius) / least));
 }
 
 Ball sqrt(const Ball& a) {
   if (a.is_zero()) return {};
   const double least = a.middle.high * (1 - 0x1p-50) - a.radius;
   if (!(least > 0)) return {DoubleDouble{}, infinity};
-  return rounded(sqrt(a.middle), above(a.radius / std::sqrt(least)));
+  return rounded(sqrt(a.middle), slightly_above(a.radius / std::sqrt(least)));
 }
 
-Ball sin(const Ball& a) { return wave(a, 0); }
-Ball cos(const Ball& a) { return wave(a, 1); }
+Ball sin(const Ball& a) { return sine_wave(a, 0); }
+Ball cos(const Ball& a) { return sine_wave(a, 1); }
 
 Ball power(const Ball& a, double exponent) {
   const double twice = 2 * exponent;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_refinements = 4;
 /// What a correction as small as this leaves is its square.
 constexpr double converged = 0x1p-50;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double pi = 3.14159265358979323846;
 /// SLEEF's functions are within one unit in the last place of the true value.
 constexpr int units_of_functions = 2;
 
@@ -167,7 +167,7 @@ Interval power(const Interval& a, double exponent) {
   if (!(a.lower >= 0)) return Interval::whole();
   if (a.lower == 0) {  // exp(y log x) has no value at 0
     if (exponent < 0) return Interval::whole();
-    const Interval top = a.upper == 0 ? Interval(0) : power({a.upper, a.upper}, exponent);
+    const Interval top = a.upper == 0 ? Interval(0) : power(Interval(a.upper), exponent);
     return {0, top.upper};
   }
   return evaluate(Function::exp, Interval(exponent) * evaluate(Function::log, a));

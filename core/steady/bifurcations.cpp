@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/steady/bifurcation_systems.hpp"
-#include "core/steady/branches.hpp"
 
 namespace qdot {
 namespace {
@@ -351,18 +350,6 @@ class Search {
 };
 
 }  // namespace
-
-const char* name(BifurcationKind kind) {
-  switch (kind) {
-    case BifurcationKind::pitchfork:
-      return "pitchfork";
-    case BifurcationKind::saddle_node:
-      return "saddle_node";
-    case BifurcationKind::transcritical:
-      break;
-  }
-  return "transcritical";
-}
 
 Bifurcations bifurcations(const Dynamics& dynamics, std::span<const double> parameters,
                           std::span<const double> y, std::size_t index, double from, double to) {

@@ -11,29 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "core/steady/equilibria.hpp"
+#include "core/steady/branches.hpp"
 
 namespace qdot {
-
-enum class BifurcationKind { pitchfork, saddle_node, transcritical };
-[[nodiscard]] const char* name(BifurcationKind kind);
-
-struct CriticalValue {
-  BifurcationKind kind{};
-  double value{};  ///< of the parameter
-  double error{};
-  std::vector<double> y, errors;  ///< (q, q') there
-  /// False: round-off leaves a cluster instead of one proven point; the kind is what the numbers of
-  /// equilibria beside it say.
-  bool proven{true};
-};
-
-/// Equilibria that go over into each other, by ascending parameter.
-struct EquilibriumBranch {
-  std::vector<double> parameter;
-  std::vector<std::vector<double>> x;  ///< the coordinates, in the scene's order
-  std::vector<Stability> stability;
-};
 
 struct Bifurcations {
   std::vector<CriticalValue> critical;  ///< ascending

@@ -5,9 +5,17 @@
 #include <span>
 #include <vector>
 
-#include "core/steady/bifurcations.hpp"
+#include "core/steady/critical_value.hpp"
+#include "core/steady/equilibria.hpp"
 
 namespace qdot {
+
+/// Equilibria that go over into each other, by ascending parameter.
+struct EquilibriumBranch {
+  std::vector<double> parameter;
+  std::vector<std::vector<double>> x;  ///< the coordinates, in the scene's order
+  std::vector<Stability> stability;
+};
 
 /// All equilibria at one value of the parameter.
 using EquilibriaAt = std::function<std::vector<SteadyState>(double parameter)>;

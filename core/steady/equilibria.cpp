@@ -5,12 +5,11 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Zeros like to lie at 0 and pi: the region's ends lie beside them.
 constexpr double offset = 0.03;
 /// Some hundred do for most scenes; past this number the answer says that it is not complete.

@@ -7,6 +7,7 @@
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/dynamics/steady_state.hpp"
+#include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
 
 namespace qdot {
@@ -15,7 +16,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double pi = 3.14159265358979323846;
 /// Near a multiple zero Newton's iteration only shortens the way by some fixed factor a step.
 constexpr int most_steps = 200;
 constexpr double least_damping = 1e-4;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/steady/equilibrium.hpp"
-#include "core/steady/modes.hpp"
+#include "core/steady/mode.hpp"
 #include "core/steady/small_motions.hpp"
 
 namespace qdot {

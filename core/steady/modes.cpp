@@ -178,22 +178,6 @@ class Analysis {
 
 }  // namespace
 
-const char* name(ModeKind kind) {
-  switch (kind) {
-    case ModeKind::rigid:
-      return "rigid";
-    case ModeKind::neutral:
-      return "neutral";
-    case ModeKind::growth:
-      return "growth";
-    case ModeKind::decay:
-      return "decay";
-    case ModeKind::oscillation:
-      break;
-  }
-  return "oscillation";
-}
-
 const char* name(Stability stability) {
   switch (stability) {
     case Stability::stable:

@@ -5,12 +5,11 @@
 #include <functional>
 
 #include "core/compile/tape_evaluator.hpp"
+#include "core/numerics/constants.hpp"
 #include "core/steady/equilibria.hpp"
 
 namespace qdot {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 constexpr double widest_break = 1e-4;
 

@@ -8,10 +8,17 @@
 #include <optional>
 #include <vector>
 
-#include "core/steady/solve_for.hpp"
+#include "core/numerics/interval.hpp"
 #include "core/steady/steady_polynomial.hpp"
 
 namespace qdot {
+
+/// Positions of the one coordinate for which a value exists.
+struct SolvableRange {
+  double from{}, to{};  ///< an angle's `from` is in (-pi, pi], `to` above it, perhaps beyond pi
+  double from_error{}, to_error{};
+  bool from_included{}, to_included{};
+};
 
 /// No value for several coordinates or forces, forces that are no such polynomials of u, or a search given
 /// up.

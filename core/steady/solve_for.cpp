@@ -6,14 +6,11 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/numerics/constants.hpp"
 #include "core/steady/equilibria.hpp"
-#include "core/steady/solvable_ranges.hpp"
-#include "core/steady/steady_polynomial.hpp"
 
 namespace qdot {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string written(double value) {
   char text[32];

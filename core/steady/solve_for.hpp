@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/steady/solvable_ranges.hpp"
 #include "core/steady/stability.hpp"
 
 namespace qdot {
@@ -21,13 +22,6 @@ struct SolvedValue {
   double value{};
   double error{};
   SteadyStability stability;
-};
-
-/// Positions of the one coordinate for which a value exists.
-struct SolvableRange {
-  double from{}, to{};  ///< an angle's `from` is in (-pi, pi], `to` above it, perhaps beyond pi
-  double from_error{}, to_error{};
-  bool from_included{}, to_included{};
 };
 
 struct Solution {

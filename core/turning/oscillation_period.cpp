@@ -5,12 +5,13 @@
 #include <functional>
 #include <numbers>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
 using std::numbers::pi;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Relative. Both rules converge so fast that halving the step squares the error; what two sums differ by is
 /// the error of the coarser one.
 constexpr double agreement = 3e-8;

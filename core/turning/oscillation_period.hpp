@@ -9,8 +9,8 @@
 // Source: Trefethen, Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56 (2014) 385-458;
 // Takahasi, Mori, Double exponential formulas for numerical integration, Publ. RIMS 9 (1974) 721-741.
 
-#include "core/turning/turning_points.hpp"
-#include "core/turning/turning_search.hpp"
+#include "core/numerics/finding.hpp"
+#include "core/turning/energy_balance.hpp"
 
 namespace qdot {
 

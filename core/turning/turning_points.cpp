@@ -6,20 +6,19 @@
 
 #include "core/base/error.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/numerics/constants.hpp"
 #include "core/turning/oscillation_period.hpp"
 #include "core/turning/turning_search.hpp"
-#include "core/turning/validity_minimum.hpp"
 
 namespace qdot {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// u contains x only as x times a whole number, with something added.
 bool turns_whole(const Expression& u, const Expression& x) {
   const auto whole_multiple = [&](const Expression& term) {
-    const Scaled scaled = split_coefficient(term);
-    return scaled.coefficient.is_integer() && scaled.rest == x;
+    const auto* product = std::get_if<Product>(&term.node());
+    if (product == nullptr) return term == x;
+    return product->coefficient.is_integer() && product->factors == std::vector<NodeId>{x.id()};
   };
   if (whole_multiple(u)) return true;
   const auto* sum = std::get_if<Sum>(&u.node());

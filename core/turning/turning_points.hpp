@@ -11,23 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/dynamics.hpp"
 #include "core/dynamics/initial_place.hpp"
 #include "core/numerics/finding.hpp"
+#include "core/turning/validity_minimum.hpp"
 
 namespace qdot {
 
 /// libration: to and fro between two turning points. rotation: an angle that never turns. separatrix: the
 /// energy is that of a maximum of U, as far as numbers can tell. unbounded: it never turns on one side.
 enum class MotionKind { libration, rotation, separatrix, equilibrium, unbounded };
-
-/// The smallest value of one of the scene's `valid_while` quantities along the motion.
-struct ValidityMinimum {
-  std::size_t condition{};  ///< number of the condition in the scene
-  std::optional<double> value;
-  double x{}, x_dot{};  ///< where the coordinate is then
-  std::string reason;   ///< why there is no value
-};
 
 /// The answer of the energy integral.
 struct TurningPoints {

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_pieces = 5000;
 constexpr int most_narrowings = 2200;  ///< a bisection through all exponents
 constexpr double farthest = 1e150;

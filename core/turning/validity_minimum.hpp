@@ -3,10 +3,22 @@
 // energy integral describes: does the string stay taut?
 
 #include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
-#include "core/turning/turning_points.hpp"
+#include "core/dynamics/dynamics.hpp"
 
 namespace qdot {
+
+/// The smallest value of one of the scene's `valid_while` quantities along the motion.
+struct ValidityMinimum {
+  std::size_t condition{};  ///< number of the condition in the scene
+  std::optional<double> value;
+  double x{}, x_dot{};  ///< where the coordinate is then
+  std::string reason;   ///< why there is no value
+};
 
 /// A closed motion of one coordinate: phase -> (x, x'), one revolution of the phase being all of it.
 using PhasePath = std::function<std::pair<double, double>(double phase)>;

@@ -51,7 +51,7 @@ function fieldRow(name, schema, required) {
     element("td", {}, bounds(schema)),
     element("td", {}, "default" in schema ? element("code", {}, JSON.stringify(schema.default)) : ""),
     element("td", {}, schema.description || resolved(schema).description || "",
-      aliases ? element("span", { class: "about" }, ` Elsewhere called ${aliases.join(", ")}.`) : ""));
+      aliases ? element("span", { class: "about" }, ` Other programs call it ${aliases.join(", ")}; such a name is refused here, with the hint to write ${name}.`) : ""));
 }
 
 function fieldTable(caption, rows) {

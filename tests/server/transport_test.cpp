@@ -3,9 +3,9 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <httplib.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -18,13 +18,14 @@
 #include <thread>
 #include <vector>
 
+#include "server/engine.hpp"
+
 namespace qdot::server {
 namespace {
 
 using namespace std::chrono_literals;
 using testing::EndsWith;
 using testing::HasSubstr;
-using testing::Not;
 using testing::StartsWith;
 
 /// Echoes method, target and body; a refusal's status comes back as it is.
@@ -59,7 +60,7 @@ class RunningTransport {
   void begin(const Answering& answer, const std::shared_ptr<Exchange>& exchange) {
     answering_.emplace_back([answer, exchange] {
       try {
-        exchange->answer(answer(exchange->incoming));
+        exchange->answer(to_http(answer(exchange->incoming), {.method = "GET", .follow = exchange->follow}));
       } catch (const std::runtime_error&) {
         // Then nobody answers it.
       }
@@ -71,24 +72,21 @@ class RunningTransport {
   std::thread thread_;
 };
 
-class Client {
+constexpr const char* loopback = "127.0.0.1";
+
+/// A client that says what a well-behaved one would not: half a request, two at once.
+class RawClient {
  public:
-  explicit Client(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+  explicit RawClient(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   }
-  explicit Client(const std::string& path) : socket_(::socket(AF_UNIX, SOCK_STREAM, 0)) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    path.copy(address.sun_path, sizeof address.sun_path - 1);
-    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-  }
-  ~Client() { ::close(socket_); }
-  Client(const Client&) = delete;
-  Client& operator=(const Client&) = delete;
+  ~RawClient() { ::close(socket_); }
+  RawClient(const RawClient&) = delete;
+  RawClient& operator=(const RawClient&) = delete;
 
   void send(std::string_view bytes) const {
     EXPECT_EQ(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL), static_cast<ssize_t>(bytes.size()));
@@ -125,18 +123,21 @@ constexpr std::string_view close_after = "GET /last HTTP/1.1\r\nHost: a\r\nConne
 
 TEST(Transport, OneConnectionCarriesManyRequests) {
   RunningTransport server;
-  const Client client(server.port());
+  httplib::Client client(loopback, server.port());
+  client.set_keep_alive(true);
   for (int i = 0; i < 3; ++i) {
-    client.send("POST /p HTTP/1.1\r\nHost: a\r\nContent-Length: 4\r\n\r\nbody");
-    EXPECT_THAT(client.read_to("body\n"), HasSubstr("Connection: keep-alive\r\n\r\nPOST /p body"));
+    const auto answer = client.Post("/p", "body", "text/plain");
+    EXPECT_EQ(answer->get_header_value("Connection"), "keep-alive");
+    EXPECT_EQ(answer->body, "POST /p body\n");
+    EXPECT_EQ(server.transport().gauges().connections, 1u);
   }
-  client.send(close_after);
-  EXPECT_THAT(client.read_all(), EndsWith("Connection: close\r\n\r\nGET /last \n"));
+  client.set_keep_alive(false);
+  EXPECT_EQ(client.Get("/last")->get_header_value("Connection"), "close");
 }
 
 TEST(Transport, PipelinedRequestsAreAnsweredInOrder) {
   RunningTransport server;
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send(
       "\r\nGET /1 HTTP/1.1\r\nHost: a\r\n\r\nPOST /2 HTTP/1.1\r\nHost: a\r\nContent-Length: 1\r\n\r\nx" +
       std::string(close_after));
@@ -147,7 +148,7 @@ TEST(Transport, PipelinedRequestsAreAnsweredInOrder) {
 
 TEST(Transport, TheBodyOfAGetIsNotTheNextRequest) {
   RunningTransport server;
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send("GET /1 HTTP/1.1\r\nHost: a\r\nContent-Length: 22\r\n\r\n");
   client.send("GET /evil HTTP/1.1\r\n\r\n");
   client.send(close_after);
@@ -156,32 +157,23 @@ TEST(Transport, TheBodyOfAGetIsNotTheNextRequest) {
   EXPECT_EQ(rest.find("200 OK"), rest.rfind("200 OK")) << rest;
 }
 
-TEST(Transport, HeadHasTheHeadersOfGetAndNoBody) {
-  RunningTransport server;
-  const Client client(server.port());
-  client.send("HEAD /h HTTP/1.0\r\n\r\n");
-  const auto answer = client.read_all();
-  EXPECT_THAT(answer, HasSubstr("Content-Length: 9\r\n"));
-  EXPECT_THAT(answer, EndsWith("\r\n\r\n"));
-}
-
 TEST(Transport, ARefusedClientReadsWhyEvenWhenItIsStillSending) {
   RunningTransport server;
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send("POST /p HTTP/1.1\r\nHost: a\r\nContent-Length: 2000000\r\n\r\n" + std::string(100000, 'x'));
   EXPECT_THAT(client.read_to("refused\n"), StartsWith("HTTP/1.1 413 "));
 }
 
 TEST(Transport, AHeadWithoutEndIsRefused) {
   RunningTransport server;
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send("GET / HTTP/1.1\r\nA: " + std::string(max_head_bytes, 'a'));
   EXPECT_THAT(client.read_to("refused\n"), StartsWith("HTTP/1.1 431 "));
 }
 
 TEST(Transport, ContinueIsSaidBeforeTheBody) {
   RunningTransport server;
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send("POST /p HTTP/1.0\r\nExpect: 100-continue\r\nContent-Length: 4\r\n\r\n");
   EXPECT_EQ(client.read_to("\r\n\r\n"), "HTTP/1.1 100 Continue\r\n\r\n");
   client.send("body");
@@ -190,22 +182,22 @@ TEST(Transport, ContinueIsSaidBeforeTheBody) {
 
 TEST(Transport, WhatNobodyAnswersIsAPlain500) {
   RunningTransport server;
-  const Client client(server.port());
-  client.send("GET /throw HTTP/1.0\r\n\r\n");
-  const auto answer = client.read_all();
-  EXPECT_THAT(answer, StartsWith("HTTP/1.1 500 "));
-  EXPECT_THAT(answer, Not(HasSubstr("secret")));
+  const auto answer = httplib::Client(loopback, server.port()).Get("/throw");
+  EXPECT_EQ(answer->status, 500);
+  EXPECT_EQ(answer->body, "");
+  EXPECT_EQ(answer->headers.size(), 2u) << "Content-Length and Connection";
 }
 
 TEST(Transport, TheConnectionThatWaitedLongestGivesWay) {
   RunningTransport server(echo, {.port = 0, .connections = 2});
-  const Client first(server.port());
-  const Client second(server.port());
+  const RawClient first(server.port());
+  const RawClient second(server.port());
   for (const auto* client : {&first, &second}) {
     client->send("GET /idle HTTP/1.1\r\nHost: a\r\n\r\n");
     (void)client->read_to("/idle \n");
+    std::this_thread::sleep_for(100ms);  // the client has its answer a moment before the poller knows of it
   }
-  const Client third(server.port());
+  const RawClient third(server.port());
   third.send(close_after);
   EXPECT_THAT(third.read_all(), EndsWith("GET /last \n"));
   EXPECT_EQ(first.read_all(), "");
@@ -216,14 +208,14 @@ TEST(Transport, TheConnectionThatWaitedLongestGivesWay) {
 TEST(Transport, SlowAndSilentClientsAreToldSo) {
   constexpr Patience short_patience{.head = 100ms, .request = 300ms, .idle = 200ms};
   RunningTransport server(echo, {.port = 0, .patience = short_patience});
-  const Client silent(server.port());
-  const Client in_head(server.port());
-  const Client in_body(server.port());
+  const RawClient silent(server.port());
+  const RawClient in_head(server.port());
+  const RawClient in_body(server.port());
   in_head.send("GET / HTTP/1.1\r\nHos");
   in_body.send("POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\n\r\n1234");
   for (const auto* client : {&silent, &in_head, &in_body})
     EXPECT_THAT(client->read_all(), StartsWith("HTTP/1.1 408 "));
-  const Client idle(server.port());
+  const RawClient idle(server.port());
   idle.send("GET / HTTP/1.1\r\nHost: a\r\n\r\n");
   (void)idle.read_to("GET / \n");
   EXPECT_EQ(idle.read_all(), "") << "an idle connection just ends";
@@ -231,7 +223,7 @@ TEST(Transport, SlowAndSilentClientsAreToldSo) {
 
 TEST(Transport, AByteAtATimeIsTheSameRequest) {
   RunningTransport server;
-  const Client client(server.port());
+  const RawClient client(server.port());
   const std::string bytes =
       "POST /p HTTP/1.1\r\nHost: a\r\nContent-Length: 2\r\n\r\nxy" + std::string(close_after);
   for (const char& byte : bytes) client.send({&byte, 1});
@@ -247,20 +239,18 @@ api::Response large_answer(const Incoming&) { return {.status = 200, .body = lar
 
 TEST(Transport, ALargeAnswerReachesASlowReaderWhole) {
   RunningTransport server(large_answer, {.port = 0, .patience = {.write = 600s}});
-  const Client slow(server.port());
-  const Client quick(server.port());
+  const RawClient slow(server.port());
   slow.send(close_after);
   while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
   EXPECT_GT(server.transport().gauges().unsent_bytes, std::size_t{1} << 20);
-  quick.send(close_after);
-  EXPECT_TRUE(quick.read_large().ends_with("\r\n\r\n" + large));
+  EXPECT_TRUE(httplib::Client(loopback, server.port()).Get("/quick")->body == large);
   EXPECT_TRUE(slow.read_large().ends_with("\r\n\r\n" + large));
   while (server.transport().gauges().unsent_bytes != 0) std::this_thread::yield();
 }
 
 TEST(Transport, AReaderThatStopsIsCutOff) {
   RunningTransport server(large_answer, {.port = 0, .patience = {.write = 200ms}});
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send(close_after);
   while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
   while (server.transport().gauges().connections != 0) std::this_thread::sleep_for(1ms);
@@ -269,7 +259,7 @@ TEST(Transport, AReaderThatStopsIsCutOff) {
 
 TEST(Transport, AReaderThatIsSlowDoesNotHoldUpTheEnd) {
   RunningTransport server(large_answer, {.port = 0, .patience = {.write = 300ms}});
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send(close_after);
   while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
   std::atomic<bool> ended{false};
@@ -292,12 +282,12 @@ TEST(Transport, WhoeverWorksForAClientLearnsThatItLeft) {
     std::thread([&, exchange] {
       begun.count_down();
       while (!exchange->abandoned()) std::this_thread::sleep_for(1ms);
-      exchange->answer({.status = 503});
+      exchange->answer(Outgoing::out_of_memory());
       abandoned.count_down();
     }).detach();
   });
   std::thread poller([&] { transport.run(); });
-  std::optional<Client> client(transport.port());
+  std::optional<RawClient> client(transport.port());
   client->send("GET /slow HTTP/1.1\r\nHost: a\r\n\r\n");
   begun.wait();
   const auto left = Clock::now();
@@ -310,7 +300,7 @@ TEST(Transport, WhoeverWorksForAClientLearnsThatItLeft) {
 
 TEST(Transport, AClientThatOnlyStopsSendingGetsItsAnswer) {
   RunningTransport server;
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send("GET /half HTTP/1.1\r\nHost: a\r\n\r\n");
   client.stop_sending();
   EXPECT_THAT(client.read_all(), EndsWith("GET /half \n"));
@@ -320,12 +310,12 @@ TEST(Transport, AUnixSocketIsItsOwnersAlone) {
   const std::string path = testing::TempDir() + "qdot_transport_test.sock";
   {
     RunningTransport server(echo, {.port = {}, .unix_socket = path});
-    const Client client(path);
     struct stat found {};
     ASSERT_EQ(::stat(path.c_str(), &found), 0);
     EXPECT_EQ(found.st_mode & 0777, 0600u);
-    client.send(close_after);
-    EXPECT_THAT(client.read_all(), EndsWith("GET /last \n"));
+    httplib::Client client(path);
+    client.set_address_family(AF_UNIX);
+    EXPECT_EQ(client.Get("/u")->body, "GET /u \n");
     EXPECT_THROW(Transport({.port = {}, .unix_socket = path}, {}), std::runtime_error);
   }
   EXPECT_NE(::access(path.c_str(), F_OK), 0);
@@ -339,7 +329,7 @@ TEST(Transport, StopFinishesWhatIsInFlight) {
     released.wait();
     return echo(incoming);
   });
-  const Client client(server.port());
+  const RawClient client(server.port());
   client.send("GET /slow HTTP/1.1\r\nHost: a\r\n\r\n");
   begun.wait();
   std::thread stopper([&] { server.transport().stop(); });

@@ -28,7 +28,7 @@ TaylorExpansion::TaylorExpansion(const CompiledFunction& accelerations, std::spa
       kernel_(kernel_for(instruction_set)),
       workspace_(accelerations.bind(parameters)),
       accelerations_(accelerations.outputs()),
-      translation_(std::make_unique<Translation>(tape_, workspace_)) {}
+      translation_(std::make_unique<TaylorTranslation>(tape_, workspace_)) {}
 
 TaylorExpansion::~TaylorExpansion() = default;
 

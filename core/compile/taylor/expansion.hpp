@@ -17,6 +17,8 @@
 
 namespace qdot {
 
+class TaylorTranslation;
+
 /// Which kernels run. Both give the same bits; `automatic` takes the fastest that the processor has.
 enum class InstructionSet { automatic, plain };
 
@@ -40,13 +42,11 @@ class TaylorExpansion {
                                   std::span<double> coefficients);
 
  private:
-  class Translation;
-
   const CompiledFunction& tape_;
   taylor::Kernel kernel_;
   Workspace workspace_;
   std::vector<double> accelerations_;
-  std::unique_ptr<Translation> translation_;
+  std::unique_ptr<TaylorTranslation> translation_;
 };
 
 }  // namespace qdot

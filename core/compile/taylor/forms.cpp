@@ -15,7 +15,7 @@ std::size_t results(const Instruction& instruction) {
 
 }  // namespace
 
-void TaylorExpansion::Translation::find_forms() {
+void TaylorTranslation::find_forms() {
   for (std::size_t i = 0; i <= tape_.variables_; ++i) varies_[tape_.parameters_ + i] = true;
   for (const Instruction& instruction : tape_.body_) {
     for (std::size_t i = 0; i < results(instruction); ++i) varies_[instruction.out + i] = true;
@@ -25,7 +25,7 @@ void TaylorExpansion::Translation::find_forms() {
 }
 
 /// Something divided by a constant, such as f by a mass that does not change, is a sum too.
-bool TaylorExpansion::Translation::is_sum(const Instruction& instruction) const {
+bool TaylorTranslation::is_sum(const Instruction& instruction) const {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   switch (instruction.operation) {
     case Operation::sum_of_products:
@@ -39,8 +39,7 @@ bool TaylorExpansion::Translation::is_sum(const Instruction& instruction) const 
   }
 }
 
-TaylorExpansion::Translation::Form TaylorExpansion::Translation::form_of(
-    const Instruction& instruction) const {
+TaylorTranslation::Form TaylorTranslation::form_of(const Instruction& instruction) const {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   Form form;
   const auto add_term = [&](double factor, Slot x) {
@@ -75,7 +74,7 @@ TaylorExpansion::Translation::Form TaylorExpansion::Translation::form_of(
 }
 
 /// Backwards, so that what nothing needs does not need anything; then those that are needed once are put in.
-void TaylorExpansion::Translation::count_uses() {
+void TaylorTranslation::count_uses() {
   for (const Slot slot : tape_.outputs_) ++uses_[slot].otherwise;
   for (auto instruction = tape_.body_.rbegin(); instruction != tape_.body_.rend(); ++instruction) {
     count_uses_of(*instruction);
@@ -91,7 +90,7 @@ void TaylorExpansion::Translation::count_uses() {
   }
 }
 
-void TaylorExpansion::Translation::count_uses_of(const Instruction& instruction) {
+void TaylorTranslation::count_uses_of(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   const auto is_used = [&](Slot slot) { return uses_[slot].all() > 0; };
   bool needed = false;
@@ -126,7 +125,7 @@ void TaylorExpansion::Translation::count_uses_of(const Instruction& instruction)
   }
 }
 
-bool TaylorExpansion::Translation::is_needed(const Instruction& instruction) const {
+bool TaylorTranslation::is_needed(const Instruction& instruction) const {
   if (is_inlined(instruction.out)) return false;
   for (std::size_t i = 0; i < results(instruction); ++i) {
     if (uses_[instruction.out + i].all() > 0) return true;
@@ -135,20 +134,20 @@ bool TaylorExpansion::Translation::is_needed(const Instruction& instruction) con
 }
 
 /// Of a mass matrix, but for a constant: a slot, or what it is a multiple of.
-TaylorExpansion::Translation::Form::Term TaylorExpansion::Translation::entry(Slot slot) const {
+TaylorTranslation::Form::Term TaylorTranslation::entry(Slot slot) const {
   const Form& form = forms_[slot];
   const bool is_multiple = is_sum_[slot] && form.products.empty() && form.terms.size() == 1;
   return is_multiple ? form.terms[0] : Form::Term{1, slot};
 }
 
-bool TaylorExpansion::Translation::is_inlined(Slot slot) const {
+bool TaylorTranslation::is_inlined(Slot slot) const {
   if (!is_sum_[slot] || uses_[slot].all() != 1) return false;
   const bool is_short = forms_[slot].products.empty() && forms_[slot].terms.size() == 1;
   return uses_[slot].as_term == 1 || (uses_[slot].as_factor == 1 && is_short);
 }
 
 /// The forms of sums that come earlier in the tape are whole.
-void TaylorExpansion::Translation::inline_into(Form& form, double factor, Slot slot) const {
+void TaylorTranslation::inline_into(Form& form, double factor, Slot slot) const {
   if (!is_inlined(slot)) {
     form.terms.push_back({factor, slot});
     return;
@@ -160,7 +159,7 @@ void TaylorExpansion::Translation::inline_into(Form& form, double factor, Slot s
 }
 
 /// (a + b x) y = a y + b x y
-void TaylorExpansion::Translation::multiply_into(Form& form, double factor, Slot x, Slot y) const {
+void TaylorTranslation::multiply_into(Form& form, double factor, Slot x, Slot y) const {
   if (!is_inlined(x)) std::swap(x, y);
   if (!is_inlined(x)) {
     form.products.push_back({factor, x, y});
@@ -172,11 +171,11 @@ void TaylorExpansion::Translation::multiply_into(Form& form, double factor, Slot
 }
 
 /// Or the time.
-bool TaylorExpansion::Translation::is_coordinate(Slot slot) const {
+bool TaylorTranslation::is_coordinate(Slot slot) const {
   return slot >= tape_.parameters_ && slot <= tape_.parameters_ + tape_.variables_ / 2;
 }
 
-bool TaylorExpansion::Translation::has_rate_of_its_own(Slot slot) const {
+bool TaylorTranslation::has_rate_of_its_own(Slot slot) const {
   if (is_coordinate(slot)) return true;
   if (!is_sum_[slot] || !forms_[slot].products.empty()) return false;
   for (const auto& [factor, x] : forms_[slot].terms) {

@@ -10,7 +10,7 @@ namespace qdot {
 using taylor::Kind;
 using taylor::Step;
 
-bool TaylorExpansion::Translation::invert(System& system, const Workspace& slots) {
+bool TaylorTranslation::invert(System& system, const Workspace& slots) {
   std::vector<double>& m = system.matrix;
   for (std::size_t i = 0; i < m.size(); ++i) m[i] = slots[system.matrix_slots[i]];
   if (system.has_determinant) {
@@ -31,7 +31,7 @@ bool TaylorExpansion::Translation::invert(System& system, const Workspace& slots
 }
 
 /// Rows that are no slots, and reciprocals of what a step divides by.
-void TaylorExpansion::Translation::start_own_rows(const Step& step) {
+void TaylorTranslation::start_own_rows(const Step& step) {
   switch (step.kind) {
     case Kind::sum_0_1:  // 1 + u^2 or 1 - u^2, where it is a row of our own
       if (!is_row_of_slot(step.out)) {
@@ -53,7 +53,7 @@ void TaylorExpansion::Translation::start_own_rows(const Step& step) {
   }
 }
 
-bool TaylorExpansion::Translation::start(const Workspace& slots) {
+bool TaylorTranslation::start(const Workspace& slots) {
   for (System& system : systems_) {
     if (!invert(system, slots)) return false;
   }

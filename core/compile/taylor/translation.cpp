@@ -20,7 +20,7 @@ Kind sum_kind(std::size_t terms, std::size_t products) {
 
 }  // namespace
 
-TaylorExpansion::Translation::Translation(const CompiledFunction& tape, const Workspace& constants)
+TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspace& constants)
     : tape_(tape),
       constants_(constants),
       varies_(tape.slots_),
@@ -52,11 +52,9 @@ TaylorExpansion::Translation::Translation(const CompiledFunction& tape, const Wo
   for (const Slot slot : tape.outputs_) started_.push_back(slot);
 }
 
-double* TaylorExpansion::Translation::row(std::size_t index) {
-  return rows_.data() + first_ + index * taylor::stride;
-}
+double* TaylorTranslation::row(std::size_t index) { return rows_.data() + first_ + index * taylor::stride; }
 
-void TaylorExpansion::Translation::translate(const Instruction& instruction) {
+void TaylorTranslation::translate(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   Step step;
   step.out = row(instruction.out);
@@ -96,7 +94,7 @@ void TaylorExpansion::Translation::translate(const Instruction& instruction) {
   steps_.push_back(step);
 }
 
-void TaylorExpansion::Translation::add_sum(const Form& form, double* out) {
+void TaylorTranslation::add_sum(const Form& form, double* out) {
   std::vector<taylor::Term> terms;
   std::vector<taylor::Product> products;
   for (const auto& [factor, x] : form.terms) terms.push_back({factor, row(x)});
@@ -111,12 +109,12 @@ void TaylorExpansion::Translation::add_sum(const Form& form, double* out) {
   steps_.push_back(step);
 }
 
-const double* TaylorExpansion::Translation::rate_row_of(Slot slot) {
+const double* TaylorTranslation::rate_row_of(Slot slot) {
   const auto index = slot - static_cast<Slot>(tape_.parameters_);
   return index == 0 ? one_ : row(slot + tape_.variables_ / 2);
 }
 
-const double* TaylorExpansion::Translation::rate_row(Slot argument) {
+const double* TaylorTranslation::rate_row(Slot argument) {
   if (is_coordinate(argument)) return rate_row_of(argument);
   Step step;
   step.out = new_row();
@@ -134,7 +132,7 @@ const double* TaylorExpansion::Translation::rate_row(Slot argument) {
   return step.out;
 }
 
-void TaylorExpansion::Translation::translate_call(const Instruction& instruction, Step& step) {
+void TaylorTranslation::translate_call(const Instruction& instruction, Step& step) {
   const Slot u = tape_.operands_[instruction.first];
   switch (instruction.function) {
     case Function::log:
@@ -168,7 +166,7 @@ void TaylorExpansion::Translation::translate_call(const Instruction& instruction
 }
 
 /// w = 1 + u^2, or the root of 1 - u^2.
-void TaylorExpansion::Translation::translate_arc(const Instruction& instruction, Step& step) {
+void TaylorTranslation::translate_arc(const Instruction& instruction, Step& step) {
   const Slot u = tape_.operands_[instruction.first];
   const bool is_atan = instruction.function == Function::atan;
   step.kind = Kind::arc;
@@ -186,7 +184,7 @@ void TaylorExpansion::Translation::translate_arc(const Instruction& instruction,
   step.y = root.out;
 }
 
-void TaylorExpansion::Translation::translate_solve(const Instruction& instruction) {
+void TaylorTranslation::translate_solve(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   const std::size_t n = instruction.linear;
   for (std::size_t i = 1; i < n; ++i) started_.push_back(static_cast<Slot>(instruction.out + i));

@@ -11,14 +11,15 @@
 #include <span>
 #include <vector>
 
-#include "core/compile/taylor/expansion.hpp"
+#include "core/compile/compiled_function.hpp"
+#include "core/compile/taylor/kernels.hpp"
 #include "core/numerics/linear_system.hpp"
 
 namespace qdot {
 
-class TaylorExpansion::Translation {
+class TaylorTranslation {
  public:
-  Translation(const CompiledFunction& tape, const Workspace& constants);
+  TaylorTranslation(const CompiledFunction& tape, const Workspace& constants);
 
   /// Coefficients 0, from the slots of an evaluation. False where a mass matrix has no inverse.
   [[nodiscard]] bool start(const Workspace& slots);

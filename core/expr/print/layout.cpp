@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
+
+#include "core/base/error.hpp"
 
 namespace qdot {
 namespace {
@@ -215,6 +218,20 @@ WrittenTerm Layout::term(NodeId id) const {
     }
   }
   return result;
+}
+
+bool takes_inner_exponent(Function function) {
+  return function != Function::exp && function != Function::log && function != Function::abs &&
+         function != Function::sign;
+}
+
+bool is_bare(const Layout& layout, NodeId argument, bool bracket_follows) {
+  return std::holds_alternative<Symbol>(layout.graph().node(argument)) && !bracket_follows;
+}
+
+std::string bounded(std::string written) {
+  if (written.size() <= longest_print) return written;
+  throw Error(ErrorCode::too_large, "the formula is too long to be written out");
 }
 
 }  // namespace qdot

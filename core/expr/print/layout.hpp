@@ -2,6 +2,7 @@
 // What all printers share: the order of terms and factors, and what stands above and below a fraction bar.
 
 #include <compare>
+#include <cstddef>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -66,6 +67,18 @@ class Layout {
   const Notation& notation_;
   std::unordered_map<NodeId, Traits> traits_;
 };
+
+/// Whether f^n(x) is a usual way to write f(x)^n: sin^2(x).
+[[nodiscard]] bool takes_inner_exponent(Function function);
+
+/// Whether an argument may stand without brackets, sin x: a symbol, and no factor in brackets follows.
+[[nodiscard]] bool is_bare(const Layout& layout, NodeId argument, bool bracket_follows);
+
+/// The bound on a printed form: sharing in the graph may stand for an exponentially long formula.
+inline constexpr std::size_t longest_print = std::size_t{1} << 20;
+
+/// `written`, unless it passes longest_print; then throws Error(too_large).
+[[nodiscard]] std::string bounded(std::string written);
 
 /// Whether a number >= 0 is better written as a decimal: 981/100 as 9.81, but 3/4 and 53/6 as they are.
 [[nodiscard]] bool prefers_decimal(const Number& value);

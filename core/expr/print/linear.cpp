@@ -10,6 +10,9 @@
 namespace qdot {
 namespace {
 
+/// The forms that are written on one line.
+enum class Language { text, sympy, maxima, c };
+
 /// How tightly the outermost operator of a piece of text binds.
 enum class Binding { sum, product, power, atom };
 
@@ -38,7 +41,7 @@ std::string at_least(const Piece& piece, Binding binding) {
 
 class LinearWriter {
  public:
-  LinearWriter(const Layout& layout, Form form) : layout_(layout), form_(form) {}
+  LinearWriter(const Layout& layout, Language language) : layout_(layout), language_(language) {}
 
   Piece write(NodeId id) const {
     const Node& node = layout_.graph().node(id);
@@ -104,9 +107,9 @@ class LinearWriter {
     const Piece base = write(power.base);
     if (power.exponent.is_one()) return base;
     if (power.exponent == Number::ratio(1, 2)) return {"sqrt" + bracketed(base.text)};
-    if (form_ == Form::c) return c_power(power, base);
+    if (language_ == Language::c) return c_power(power, base);
     const Piece exponent = fraction(Number(power.exponent));
-    const std::string sign = form_ == Form::sympy ? "**" : "^";
+    const std::string sign = language_ == Language::sympy ? "**" : "^";
     return {at_least(base, Binding::atom) + sign + at_least(exponent, Binding::atom), Binding::power};
   }
 
@@ -130,7 +133,8 @@ class LinearWriter {
   /// over/under, where `over` may be a decimal if `under` is 1.
   Piece fraction(const Number& over, const Number& under) const {
     if (under.is_one()) return number(over);
-    if (form_ == Form::sympy) return {"Rational(" + number(over).text + ", " + number(under).text + ")"};
+    if (language_ == Language::sympy)
+      return {"Rational(" + number(over).text + ", " + number(under).text + ")"};
     return {number(over).text + "/" + number(under).text, Binding::product};
   }
 
@@ -139,8 +143,8 @@ class LinearWriter {
     if (value.is_exact() && !value.is_integer() && !writes_decimals()) {
       return fraction(Number(value.numerator()), Number(value.denominator()));
     }
-    if (form_ == Form::text && !value.is_exact()) return {double_text(value)};
-    return {decimal_text(value) + (form_ == Form::c && value.is_integer() ? ".0" : "")};
+    if (language_ == Language::text && !value.is_exact()) return {double_text(value)};
+    return {decimal_text(value) + (language_ == Language::c && value.is_integer() ? ".0" : "")};
   }
 
   /// A decimal that parse reads as a double: a short one would be an exact number.
@@ -155,22 +159,22 @@ class LinearWriter {
     return text;
   }
 
-  [[nodiscard]] bool writes_decimals() const { return form_ == Form::text || form_ == Form::c; }
+  [[nodiscard]] bool writes_decimals() const {
+    return language_ == Language::text || language_ == Language::c;
+  }
 
   std::string symbol(const std::string& name) const {
     const auto keyword = [&](const auto& words) {
       return std::find(words.begin(), words.end(), name) != words.end();
     };
-    switch (form_) {
-      case Form::sympy:
+    switch (language_) {
+      case Language::sympy:
         return keyword(python_keywords) ? name + "_" : name;
-      case Form::maxima:
+      case Language::maxima:
         return name == "pi" ? "%pi" : name;
-      case Form::c:
+      case Language::c:
         return name == "pi" ? c_pi() : keyword(c_keywords) ? name + "_" : name;
-      case Form::text:
-      case Form::latex:
-      case Form::mathml:
+      case Language::text:
         break;
     }
     return name;
@@ -181,7 +185,7 @@ class LinearWriter {
 
   std::string call(const Call& call) const {
     const std::string argument = write(call.argument).text;
-    if (form_ == Form::c && call.function == Function::sign) {
+    if (language_ == Language::c && call.function == Function::sign) {
       const std::string x = bracketed(argument);
       return "((" + x + " > 0) - (" + x + " < 0))";
     }
@@ -189,21 +193,37 @@ class LinearWriter {
   }
 
   std::string_view function_name(Function function) const {
-    const bool sympy = form_ == Form::sympy;
+    const bool sympy = language_ == Language::sympy;
     if (function == Function::abs && sympy) return "Abs";
-    if (function == Function::abs && form_ == Form::c) return "fabs";
-    if (function == Function::sign && form_ == Form::maxima) return "signum";
+    if (function == Function::abs && language_ == Language::c) return "fabs";
+    if (function == Function::sign && language_ == Language::maxima) return "signum";
     return name(function);
   }
 
   const Layout& layout_;
-  Form form_;
+  Language language_;
 };
+
+std::string linear_form(const Layout& layout, NodeId id, Language language) {
+  return LinearWriter(layout, language).write(id).text;
+}
 
 }  // namespace
 
-std::string linear_form(const Layout& layout, NodeId id, Form form) {
-  return LinearWriter(layout, form).write(id).text;
+std::string text_form(const Layout& layout, NodeId id, const Notation&) {
+  return linear_form(layout, id, Language::text);
+}
+
+std::string sympy_form(const Layout& layout, NodeId id, const Notation&) {
+  return linear_form(layout, id, Language::sympy);
+}
+
+std::string maxima_form(const Layout& layout, NodeId id, const Notation&) {
+  return linear_form(layout, id, Language::maxima);
+}
+
+std::string c_form(const Layout& layout, NodeId id, const Notation&) {
+  return linear_form(layout, id, Language::c);
 }
 
 }  // namespace qdot

@@ -154,7 +154,7 @@ class MathmlWriter {
 
 }  // namespace
 
-std::string mathml_form(const Layout& layout, NodeId id) {
+std::string mathml_form(const Layout& layout, NodeId id, const Notation&) {
   return bounded("<math xmlns=\"http://www.w3.org/1998/Math/MathML\">" + row(MathmlWriter(layout).write(id)) +
                  "</math>");
 }

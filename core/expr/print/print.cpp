@@ -1,38 +1,50 @@
 #include "core/expr/print/print.hpp"
 
-#include "core/base/error.hpp"
+#include <algorithm>
+#include <array>
+
 #include "core/expr/print/forms.hpp"
 
 namespace qdot {
+namespace {
 
-std::string bounded(std::string written) {
-  if (written.size() <= longest_print) return written;
-  throw Error(ErrorCode::too_large, "the formula is too long to be written out");
+std::string sympy_equation(const std::string& left, const std::string& right) {
+  return "Eq(" + left + ", " + right + ")";
 }
 
-bool takes_inner_exponent(Function function) {
-  return function != Function::exp && function != Function::log && function != Function::abs &&
-         function != Function::sign;
+std::string c_equation(const std::string& left, const std::string& right) { return left + " == " + right; }
+
+/// One <math> element from two.
+std::string mathml_equation(const std::string& left, const std::string& right) {
+  constexpr std::string_view end = "</math>";
+  return left.substr(0, left.rfind(end)) + "<mo>=</mo>" + right.substr(right.find('>') + 1);
 }
 
-bool is_bare(const Layout& layout, NodeId argument, bool bracket_follows) {
-  return std::holds_alternative<Symbol>(layout.graph().node(argument)) && !bracket_follows;
+const PrintForm& record_of(Form form) { return *std::ranges::find(print_forms(), form, &PrintForm::form); }
+
+}  // namespace
+
+std::span<const PrintForm> print_forms() {
+  static constexpr std::array forms{
+      PrintForm{Form::text, "text", text_form},
+      PrintForm{Form::latex, "latex", latex_form},
+      PrintForm{Form::mathml, "mathml", mathml_form, mathml_equation},
+      PrintForm{Form::sympy, "sympy", sympy_form, sympy_equation},
+      PrintForm{Form::maxima, "maxima", maxima_form},
+      PrintForm{Form::c, "c", c_form, c_equation},
+  };
+  return forms;
 }
 
 std::string print(const Expression& e, Form form, const Notation& notation) {
-  const Layout layout(e, notation);
-  switch (form) {
-    case Form::latex:
-      return latex_form(layout, e.id(), notation);
-    case Form::mathml:
-      return mathml_form(layout, e.id());
-    case Form::text:
-    case Form::sympy:
-    case Form::maxima:
-    case Form::c:
-      return linear_form(layout, e.id(), form);
-  }
-  return {};
+  return record_of(form).print(Layout(e, notation), e.id(), notation);
+}
+
+std::string print_equation(const Expression& left, const Expression& right, Form form,
+                           const Notation& notation) {
+  const PrintForm& record = record_of(form);
+  const std::string first = print(left, form, notation), second = print(right, form, notation);
+  return record.equation == nullptr ? first + " = " + second : record.equation(first, second);
 }
 
 }  // namespace qdot

@@ -8,13 +8,16 @@
 // minus, the first positive term goes to the front: 1 - cos(phi), k*(l - l0). The order depends on names and
 // the notation only, never on the history of the graph.
 
-#include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "core/expr/expression.hpp"
 #include "core/expr/print/notation.hpp"
 
 namespace qdot {
+
+class Layout;
 
 enum class Form {
   text,    ///< what parse reads back, exactly: parse(print(e)) == e
@@ -25,10 +28,24 @@ enum class Form {
   c        ///< C99 with <math.h>: 3.0/4.0*m*x*x; names as they are, C's keywords with a _ behind
 };
 
-/// The bound on a printed form: sharing in the graph may stand for an exponentially long formula.
-inline constexpr std::size_t longest_print = std::size_t{1} << 20;
+/// A form is added by writing its printer (forms.hpp) and its record; requests and documents take its name
+/// from here.
+struct PrintForm {
+  Form form{};
+  std::string_view name;  ///< "sympy"
+  std::string (*print)(const Layout& layout, NodeId id, const Notation& notation){};
+  /// Two printed sides as an equation; nullptr: with " = " between them.
+  std::string (*equation)(const std::string& left, const std::string& right){};
+};
 
-/// Throws Error(too_large) when the form passes `longest_print` bytes.
+/// All forms, text first.
+[[nodiscard]] std::span<const PrintForm> print_forms();
+
+/// Throws Error(too_large) when the form passes `longest_print` bytes (layout.hpp).
 [[nodiscard]] std::string print(const Expression& e, Form form, const Notation& notation = {});
+
+/// left = right, as the form has it: "Eq(x, y)" for SymPy. Throws as print does.
+[[nodiscard]] std::string print_equation(const Expression& left, const Expression& right, Form form,
+                                         const Notation& notation = {});
 
 }  // namespace qdot

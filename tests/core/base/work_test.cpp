@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/expr/parse.hpp"
-#include "core/expr/simplify.hpp"
+#include "core/expr/polynomial.hpp"
 
 namespace qdot {
 namespace {

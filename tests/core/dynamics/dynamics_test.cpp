@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <latch>
 #include <thread>
 
 #include "tests/support/agreement.hpp"
@@ -156,6 +157,28 @@ TEST(Dynamics, GivesTheSameBitsInEightThreads) {
   for (std::thread& thread : threads) thread.join();
   for (const auto& result : states) EXPECT_EQ(result, states[0]);
   EXPECT_EQ(states[0].size(), 66u);
+}
+
+/// A test that waited for the derivation would hang.
+TEST(Dynamics, AnswersALightQuestionWhileAnotherIsStillBeingDerived) {
+  const auto model = test::model_of("spring_pendulum");
+  const Dynamics dynamics(model);
+  const SimulationRequest request = test::request_for(*model, {}, {0});
+  std::latch began(1), go_on(1);
+  std::thread heavy([&] {
+    (void)dynamics.derived<int>("heavy", request.parameters, [&](const Statics&) {
+      began.count_down();
+      go_on.wait();
+      return 1;
+    });
+  });
+  began.wait();
+  EXPECT_EQ(values_at(dynamics, energy_columns(*model), request.parameters, 0, request.y_start).size(), 4u);
+  EXPECT_EQ(dynamics.accelerations().outputs(), model->degrees_of_freedom());
+  EXPECT_EQ(*dynamics.derived<int>("light", request.parameters, [](const Statics&) { return 2; }), 2);
+  go_on.count_down();
+  heavy.join();
+  EXPECT_EQ(*dynamics.derived<int>("heavy", request.parameters, [](const Statics&) { return 3; }), 1);
 }
 
 }  // namespace

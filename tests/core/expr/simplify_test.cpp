@@ -7,6 +7,7 @@
 #include "core/expr/linear.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/parse_tokens.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/expr/print/print.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_polynomial.hpp"

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "core/gait/gait.hpp"
+#include "core/gait/gait_search.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/scenes.hpp"

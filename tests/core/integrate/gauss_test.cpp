@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/integrate/integrate.hpp"
 #include "core/integrate/methods.hpp"
 #include "tests/core/integrate/systems.hpp"
 

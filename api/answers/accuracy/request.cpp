@@ -1,0 +1,58 @@
+#include "api/answers/accuracy/request.hpp"
+
+#include "api/answers/motion_fields.hpp"
+#include "api/contract/text_checks.hpp"
+
+namespace qdot::api {
+namespace {
+
+using R = AccuracyRequest;
+
+void check(R& request, Findings& findings) {
+  const Scene* scene = request.system.scene.get();
+  if (scene == nullptr) return;
+  if (!findings.has_error_at({"t_start", "t_end", "samples", "dt", "times"})) {
+    read_grid(request, 1 + 2 * static_cast<std::int64_t>(scene->coordinates.size()), findings);
+  }
+  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  if (findings.echo().contains("methods") && request.methods.empty()) {
+    findings.report("methods", "empty", "'methods' needs at least one.");
+  }
+  check_impacts(request, findings);
+}
+
+Json names_of_methods() {
+  Json names = Json::array();
+  for (const MethodRecord& record : methods()) names.push_back(record.name);
+  return names;
+}
+
+RequestTable<R> make_table() {
+  std::vector<RequestField<R>> fields{system_field<R>(), parameters_field<R>(), initial_field<R>(),
+                                      inputs_field<R>()};
+  append_grid_fields(fields);
+  const std::vector<RequestField<R>> rest{
+      impacts_field<R>(),
+      choices("methods", &R::methods, words_of_methods(), "the integrators to compare; " + methods_in_words(),
+              {.default_value = names_of_methods(), .aliases = {"method", "solvers"}}),
+      number("max_error", &R::max_error, {"1", {limits::least_error, 1}},
+             "the error to recommend a method for; without this field 1e-3, 1e-6, 1e-9 and 1e-12",
+             {.aliases = {"max_abs_error", "error", "global_error"}}),
+      boolean("measure", &R::measure,
+              "measure the CPU time of each run too, and recommend by it; the answer then differs from time "
+              "to time",
+              {.default_value = false}),
+      digits_field<R>(),
+  };
+  fields.insert(fields.end(), rest.begin(), rest.end());
+  return RequestTable<R>(std::move(fields), {ways_of_grid}, check);
+}
+
+}  // namespace
+
+const RequestTable<R>& accuracy_table() {
+  static const RequestTable<R> table = make_table();
+  return table;
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,188 @@
+#include "core/steady/bifurcations.hpp"
+#include "api/answers/bifurcations/request.hpp"
+#include "api/answers/steady_json.hpp"
+#include "core/gait/gait_continuation.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr const char* method =
+    "Critical points are the zeros of square systems in the coordinates and the parameter, all of them found "
+    "by "
+    "interval arithmetic; errors are proven bounds.";
+constexpr const char* cluster =
+    "Round-off hides what happens within the error; the kind is told by the numbers of equilibria beside it.";
+
+const char* kind_name(CriticalGait::Kind kind) {
+  switch (kind) {
+    case CriticalGait::Kind::period_doubling:
+      return "period_doubling";
+    case CriticalGait::Kind::fold:
+      return "fold";
+    case CriticalGait::Kind::neimark_sacker:
+      break;
+  }
+  return "neimark_sacker";
+}
+
+const char* kind_name(Gait::Kind kind) {
+  switch (kind) {
+    case Gait::Kind::short_step:
+      return "short";
+    case Gait::Kind::long_step:
+      return "long";
+    case Gait::Kind::other:
+      break;
+  }
+  return "other";
+}
+
+class BifurcationsAnswer {
+ public:
+  BifurcationsAnswer(const Dynamics& dynamics, const ResolvedState& state, const BifurcationsRequest& request)
+      : dynamics_(dynamics),
+        scene_(dynamics.model().scene),
+        state_(state),
+        request_(request),
+        digits_(request.digits.value_or(shortest_digits)) {
+    for (const Symbol& p : symbols(scene_, SymbolRole::parameter)) {
+      if (p.name == request_.parameter) break;
+      ++index_;
+    }
+  }
+
+  Json body() {
+    units_ = steady_units(scene_);
+    for (const char* name : {"value", "error"}) units_[name] = scene_.parameters[index_].unit;
+    units_[request_.parameter] = scene_.parameters[index_].unit;
+    Json body = scene_.impact ? of_gaits() : of_equilibria();
+    body["units"] = std::move(units_);
+    return body;
+  }
+
+ private:
+  Json of_equilibria() {
+    const Bifurcations found =
+        bifurcations(dynamics_, state_.parameters, state_.y, index_, request_.from, request_.to);
+    Json body{{"of", "equilibria"}, {"critical", Json::array()}, {"complete", found.complete}};
+    for (const CriticalValue& c : found.critical) body["critical"].push_back(critical(c));
+    if (!found.reason.empty()) body["reason"] = found.reason;
+    if (!found.degenerate.empty()) {
+      body["degenerate"] = found.degenerate;
+      body["degenerate_reason"] =
+          "At these values a force vanishes in every position, so equilibria are not isolated points.";
+    }
+    body["branches"] = Json::array();
+    for (std::size_t i = 0; i < found.branches.size(); ++i)
+      body["branches"].push_back(branch(i, found.branches[i]));
+    body["method"] = method;
+    return body;
+  }
+
+  [[nodiscard]] Json critical(const CriticalValue& c) const {
+    Json json{{"value", c.value},
+              {"kind", name(c.kind)},
+              {"state", state_json(scene_, c.y)},
+              {"error", written_error(c.value, c.error, digits_)},
+              {"state_error", state_json(scene_, c.errors)}};
+    for (auto& [name, error] : json["state_error"].items()) {
+      error = written_error(json["state"][name].get<double>(), error.get<double>(), digits_);
+    }
+    if (!c.proven) json["note"] = cluster;
+    return json;
+  }
+
+  [[nodiscard]] Json branch(std::size_t id, const EquilibriumBranch& branch) const {
+    Json json{{"id", id}, {request_.parameter, branch.parameter}};
+    for (std::size_t i = 0; i < scene_.coordinates.size(); ++i) {
+      Json& column = json[scene_.coordinates[i].name] = Json::array();
+      for (const std::vector<double>& x : branch.x) column.push_back(x[i]);
+    }
+    json["stability"] = Json::array();
+    for (const Stability stability : branch.stability) json["stability"].push_back(name(stability));
+    return json;
+  }
+
+  Json of_gaits() {
+    const GaitBifurcations found =
+        critical_gaits(dynamics_, state_.parameters, index_, request_.from, request_.to);
+    Json body{{"of", "gaits"}, {"critical", Json::array()}};
+    for (const CriticalGait& c : found.critical) {
+      body["critical"].push_back({{"value", c.value},
+                                  {"kind", kind_name(c.kind)},
+                                  {"state", state_json(scene_, c.state)},
+                                  {"error", written_error(c.value, c.error, digits_)},
+                                  {"step_time", c.step_time},
+                                  {"multipliers", multipliers(c.multipliers)}});
+    }
+    if (!found.reason.empty()) {
+      body["reason"] = found.reason;
+    } else if (found.critical.empty()) {
+      body["reason"] = "No gait that was followed changes its stability or meets another in this range.";
+    }
+    body["branches"] = Json::array();
+    for (std::size_t i = 0; i < found.branches.size(); ++i)
+      body["branches"].push_back(branch(i, found.branches[i]));
+    units_["step_time"] = "s";
+    units_["re"] = units_["im"] = "1";
+    return body;
+  }
+
+  static Json multipliers(const std::vector<std::complex<double>>& values) {
+    Json json = Json::array();
+    for (const auto& m : values) json.push_back({{"re", m.real()}, {"im", m.imag()}});
+    return json;
+  }
+
+  [[nodiscard]] Json branch(std::size_t id, const GaitBranch& branch) const {
+    Json json{{"id", id}, {"kind", kind_name(branch.kind)}, {request_.parameter, Json::array()}};
+    const std::vector<Symbol> names = symbols(scene_, SymbolRole::initial);
+    for (const GaitPoint& point : branch.points) {
+      json[request_.parameter].push_back(point.parameter);
+      for (std::size_t i = 0; i < names.size(); ++i) json[names[i].name].push_back(point.state[i]);
+      json["step_time"].push_back(point.step_time);
+      json["stability"].push_back(point.stable ? "stable" : "unstable");
+    }
+    return json;
+  }
+
+  const Dynamics& dynamics_;
+  const Scene& scene_;
+  const ResolvedState& state_;
+  const BifurcationsRequest& request_;
+  int digits_;
+  std::size_t index_{};
+  Json units_;
+};
+
+Response answer(const Resolved<BifurcationsRequest>& resolved, Call& call, Models& models) {
+  const auto& [request, echo] = resolved;
+  const ResolvedSystem system = resolved_system(request.system, echo, models);
+  const Json body = BifurcationsAnswer(*system.dynamics, system.state, request).body();
+  call.timing.lap("solve");
+  return written_answer(call, system.scene(), system.echo, body, request.digits);
+}
+
+/// A parameter moves around its default: a speed of rotation where there is one.
+std::optional<Json> example(const Scene& scene, const Json& parameters) {
+  const Parameter* moving = nullptr;
+  for (const Parameter& parameter : scene.parameters) {
+    if (parameters.value(parameter.name, 0.0) == 0) continue;
+    if (moving == nullptr || parameter.unit == "rad/s") moving = &parameter;
+  }
+  if (moving == nullptr) return std::nullopt;
+  const double value = parameters[moving->name];
+  return Json{{"parameter", moving->name}, {"from", value / 2}, {"to", 2 * value}};
+}
+
+}  // namespace
+
+Endpoint bifurcations_endpoint() {
+  return {.name = "bifurcations",
+          .help = "Critical values of a parameter",
+          .question = question(bifurcations_table(), answer),
+          .cost = {.milliseconds = 100},
+          .example = example};
+}
+
+}  // namespace qdot::api

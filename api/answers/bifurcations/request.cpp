@@ -1,0 +1,54 @@
+#include "api/answers/bifurcations/request.hpp"
+
+#include <algorithm>
+
+#include "api/contract/text_checks.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+using R = BifurcationsRequest;
+
+void check(R& request, Findings& findings) {
+  if (!request.system.scene) return;
+  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  if (findings.has_error_at({"parameter"})) return;
+  std::vector<std::string> allowed;
+  for (const Symbol& p : symbols(*request.system.scene, SymbolRole::parameter)) allowed.push_back(p.name);
+  if (std::ranges::find(allowed, request.parameter) == allowed.end()) {
+    FieldError error =
+        unknown_name(findings.root().below("parameter"),
+                     request.system.scene->name + " has no parameter " + in_quotes(request.parameter) + ".",
+                     request.parameter, std::move(allowed));
+    error.code = "unknown_symbol";
+    findings.add(std::move(error));
+  } else if (!findings.has_error_at({"from", "to"}) && !(request.from < request.to)) {
+    findings.report("to", "out_of_range", "'to' must be larger than 'from'.");
+  }
+}
+
+}  // namespace
+
+const RequestTable<BifurcationsRequest>& bifurcations_table() {
+  static const RequestTable<R> table(
+      {
+          system_field<R>(),
+          parameters_field<R>(),
+          initial_field<R>(),
+          inputs_field<R>(),
+          {detail::info("parameter", TextKind{limits::name_bytes}, "the parameter that moves",
+                        {.need = Need::required, .aliases = {"control", "vary", "sweep", "lambda"}}),
+           [](R& request, const Json& name) { request.parameter = name.get<std::string>(); }},
+          parameter_value("from", &R::from, "parameter", "where it begins, in its own unit",
+                          {.need = Need::required, .aliases = {"start", "min", "lower"}}),
+          parameter_value("to", &R::to, "parameter", "where it ends",
+                          {.need = Need::required, .aliases = {"end", "stop", "max", "upper"}}),
+          digits_field<R>(),
+      },
+      {}, check);
+  return table;
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "api/json/embedded_file.hpp"
+
+namespace qdot::api {
+
+/// The JSON file of each endpoint's folder.
+[[nodiscard]] std::span<const EmbeddedFile> endpoint_files();
+
+}  // namespace qdot::api

@@ -1,0 +1,58 @@
+#pragma once
+// An endpoint is one record. Routes, the GET twin, /openapi.json, /docs, the command line, the appraisal of a
+// request and the capabilities of a system all follow from it. To add one, write a folder beside this file,
+//
+//   energy/request.hpp   the request as a struct, its table, and the declaration of the record
+//   energy/request.cpp   the table (api/contract/request_table.hpp): fields with units, defaults and meaning
+//   energy/energy.cpp    the answer, and the record
+//   energy/energy.json   what OpenAPI says: tag, operation, summary, description, examples, and the name and
+//                        schema of the answer
+//
+// and name the record in endpoints.cpp.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "api/answers/answers.hpp"
+#include "api/answers/models.hpp"
+#include "api/contract/answering.hpp"
+#include "api/contract/request_table.hpp"
+#include "api/http/routes.hpp"
+
+namespace qdot::api {
+
+/// What can be asked, and how a request becomes an answer.
+struct Question {
+  const FieldSet* fields{};
+  std::function<Handler(const FindSystem& find_system, Models& models)> handler{};
+};
+
+/// Both from one table. What core throws while `answer` runs becomes a problem (guarded).
+template <class Request>
+Question question(const RequestTable<Request>& table,
+                  Response (*answer)(const Resolved<Request>& resolved, Call& call, Models& models)) {
+  return {&table.set(), [&table, answer](const FindSystem& find_system, Models& models) {
+            return answering<Request>(table, find_system,
+                                      [answer, &models](const Resolved<Request>& resolved, Call& call) {
+                                        return guarded(call, [&] { return answer(resolved, call, models); });
+                                      });
+          }};
+}
+
+/// The members of a request beside `system`, for a scene whose parameters have these values; no value where
+/// the scene has nothing to ask about.
+using Example = std::optional<Json> (*)(const Scene& scene, const Json& parameters);
+
+struct Endpoint {
+  std::string_view name{};  ///< "energy": the address is /v1/energy, the command `qdot energy`
+  std::string_view help{};  ///< one line for `qdot --help`
+  Question question{};
+  Cost cost{};
+  Example example{[](const Scene&, const Json&) { return std::optional(Json::object()); }};
+  std::vector<std::string> offers{"application/json"};  ///< media types, the default first
+};
+
+}  // namespace qdot::api

@@ -1,0 +1,191 @@
+#include "api/answers/equations/request.hpp"
+#include "core/expr/simplify.hpp"
+#include "core/mechanics/canonical.hpp"
+#include "core/mechanics/conserved.hpp"
+#include "core/mechanics/dimensionless.hpp"
+#include "core/mechanics/notation.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr const char* too_long = "It would be too long to write out; compute with M q_ddot = f instead.";
+
+class EquationsAnswer {
+ public:
+  EquationsAnswer(const Model& model, Form form)
+      : model_(model), form_(form), notation_(notation_of(model.scene)), own_(copied(model.lagrangian)) {}
+
+  Json body() {
+    const EquationsOfMotion equations = derive_equations(own_);
+    write_energies();
+    body_["generalized_forces"] = by_coordinate("", own_.generalized_forces);
+    body_["equations_of_motion"] = implicit(equations);
+    attempt("accelerations", [&] { return accelerations(equations); });
+    body_["mass_matrix"] = matrix(mass_matrix(own_));
+    body_["momenta"] = by_coordinate("p_", conjugate_momenta(own_));
+    body_["jacobi_integral"] = written(jacobi_integral(own_));
+    attempt("hamiltonian", [&] { return optional(hamiltonian(own_), too_long); });
+    body_["ignorable_coordinates"] = names(ignorable_coordinates(own_));
+    attempt("routhian", [&] { return reduced(); });
+    body_["conserved"] = conserved();
+    body_["validity"] = validity();
+    attempt("dimensionless", [&] { return dimensionless(); });
+    if (!reasons_.empty()) body_["reasons"] = std::move(reasons_);
+    return std::move(body_);
+  }
+
+ private:
+  [[nodiscard]] std::string written(const Expression& e) const { return print(e, form_, notation_); }
+  [[nodiscard]] const std::string& coordinate(std::size_t i) const {
+    return model_.scene.coordinates[i].name;
+  }
+
+  /// The part, or null with the reason why there is none.
+  void attempt(const std::string& name, const std::function<Json()>& make) {
+    body_[name] = nullptr;
+    try {
+      body_[name] = make();
+    } catch (const Error& error) {
+      reasons_[name] = error.code() == ErrorCode::not_applicable ? error.what() : too_long;
+    }
+  }
+
+  [[nodiscard]] Json optional(const std::optional<Expression>& e, const char* why_not) const {
+    if (!e) throw Error(ErrorCode::not_applicable, why_not);
+    return written(*e);
+  }
+
+  [[nodiscard]] Json by_coordinate(const std::string& prefix,
+                                   const std::vector<Expression>& expressions) const {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < expressions.size(); ++i)
+      json[prefix + coordinate(i)] = written(expressions[i]);
+    return json;
+  }
+
+  [[nodiscard]] Json names(const std::vector<std::size_t>& coordinates) const {
+    Json array = Json::array();
+    for (const std::size_t i : coordinates) array.push_back(coordinate(i));
+    return array;
+  }
+
+  void write_energies() {
+    const auto part = [&](const std::optional<Expression>& e) {
+      return optional(e, "The scene gives only its Lagrangian, so T and V are not known apart.");
+    };
+    attempt("T", [&] { return part(own_.kinetic_energy); });
+    attempt("V", [&] { return part(own_.potential_energy); });
+    body_["L"] = written(own_.lagrangian);
+  }
+
+  [[nodiscard]] Json implicit(const EquationsOfMotion& equations) const {
+    Json array = Json::array();
+    for (std::size_t i = 0; i < equations.equations.size(); ++i) {
+      const Equation& e = equations.equations[i];
+      array.push_back({{"coordinate", coordinate(i)},
+                       {"equation", print_equation(e.left, e.right, form_, notation_)},
+                       {"left", written(e.left)},
+                       {"right", written(e.right)},
+                       {"divided_by", written(e.divided_by)}});
+    }
+    return array;
+  }
+
+  [[nodiscard]] Json accelerations(const EquationsOfMotion& equations) const {
+    const std::vector<Expression> solution = solved(equations);
+    if (solution.empty()) throw Error(ErrorCode::not_applicable, too_long);
+    Json json = Json::object();
+    for (std::size_t i = 0; i < solution.size(); ++i) json[coordinate(i) + "_ddot"] = written(solution[i]);
+    return json;
+  }
+
+  [[nodiscard]] Json matrix(const Matrix& entries) const {
+    Json array = Json::array();
+    for (const auto& row : entries) {
+      Json line = Json::array();
+      for (const Expression& entry : row) line.push_back(written(entry));
+      array.push_back(std::move(line));
+    }
+    return array;
+  }
+
+  [[nodiscard]] Json reduced() const {
+    const auto found = routhian(own_);
+    if (!found)
+      throw Error(ErrorCode::not_applicable, "There is no ignorable coordinate to leave others with.");
+    Json rates = Json::object();
+    for (std::size_t k = 0; k < found->ignored.size(); ++k) {
+      rates[coordinate(found->ignored[k]) + "_dot"] = written(found->rates[k]);
+    }
+    return {{"R", written(found->routhian)}, {"ignored", names(found->ignored)}, {"rates", std::move(rates)}};
+  }
+
+  [[nodiscard]] Json conserved() {
+    Json array = Json::array();
+    for (const ConservedQuantity& quantity : conserved_quantities(own_, model_.scene)) {
+      array.push_back({{"name", quantity.name}, {"value", written(quantity.value)}, {"why", quantity.why}});
+    }
+    if (const std::string why = why_energy_changes(own_); !why.empty())
+      reasons_["energy_not_conserved"] = why;
+    return array;
+  }
+
+  [[nodiscard]] Json validity() const {
+    Json array = Json::array();
+    for (std::size_t i = 0; i < model_.validity.size(); ++i) {
+      const ValidityCondition& condition = model_.scene.valid_while[i];
+      array.push_back(
+          {{"name", condition.name}, {"value", written(model_.validity[i])}, {"message", condition.message}});
+    }
+    return array;
+  }
+
+  [[nodiscard]] Json dimensionless() const {
+    const auto form = dimensionless_form(model_.scene, model_.parsed, own_);
+    if (!form)
+      throw Error(ErrorCode::not_applicable, "The parameters do not span the dimensions of the scene.");
+    Json groups = Json::object();
+    for (const DimensionlessGroup& group : form->groups) groups[group.name] = written(group.value);
+    Json units = Json::array();
+    for (const Expression& unit : form->units) units.push_back(written(unit));
+    Json momenta = Json::object();
+    for (std::size_t i = 0; i < model_.degrees_of_freedom(); ++i) {
+      const Expression momentum = differentiate(form->lagrangian, own_.symbols.coordinates.rate[i]);
+      momenta["p_" + model_.scene.coordinates[i].name] = written(simplify(momentum));
+    }
+    return {{"set_to_one", std::move(units)},
+            {"groups", std::move(groups)},
+            {"energy_unit", written(form->energy_unit)},
+            {"time_unit", written(form->time_unit)},
+            {"L", written(form->lagrangian)},
+            {"momenta", std::move(momenta)}};
+  }
+
+  const Model& model_;
+  Form form_;
+  Notation notation_;
+  Lagrangian own_;  ///< on a graph of its own
+  Json body_ = Json::object();
+  Json reasons_ = Json::object();
+};
+
+Response answer(const Resolved<EquationsRequest>& resolved, Call& call, Models& models) {
+  const auto& [request, echo] = resolved;
+  const std::shared_ptr<const Dynamics> dynamics = models.of(request.system);
+  const std::string kept_as = "equations/" + std::to_string(static_cast<int>(request.form));
+  const Json body = models.remembered(*request.system.scene, kept_as, [&] {
+    return EquationsAnswer(dynamics->model(), request.form).body();
+  });
+  call.timing.lap("solve");
+  return written_answer(call, dynamics->model().scene, echo, body);
+}
+
+}  // namespace
+
+Endpoint equations_endpoint() {
+  return {.name = "equations",
+          .help = "Lagrangian, equations of motion and what is conserved",
+          .question = question(equations_table(), answer)};
+}
+
+}  // namespace qdot::api

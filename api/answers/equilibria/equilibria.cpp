@@ -1,0 +1,259 @@
+#include <algorithm>
+#include <cmath>
+
+#include "api/answers/equilibria/request.hpp"
+#include "api/answers/steady_json.hpp"
+#include "api/json/text.hpp"
+#include "core/steady/equilibria.hpp"
+#include "core/steady/solve_for.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr const char* method =
+    "Interval arithmetic: branch and bound with Krawczyk's operator over one turn of each angle and the "
+    "whole "
+    "domain of each other coordinate. 'complete' means that no other equilibrium exists there; errors are "
+    "proven bounds.";
+constexpr const char* multiple =
+    "A multiple zero of the forces, or several too close to be told apart in double precision: all of them "
+    "lie "
+    "within the error. Given is the place where the forces are least.";
+
+class EquilibriaAnswer {
+ public:
+  EquilibriaAnswer(const Dynamics& dynamics, const ResolvedState& state, int digits)
+      : dynamics_(dynamics), scene_(dynamics.model().scene), state_(state), digits_(digits) {}
+
+  Json body() {
+    const Equilibria found = equilibria(dynamics_, state_.parameters, state_.y);
+    units_ = steady_units(scene_);
+    Json body = Json::object();
+    body["equilibria"] = Json::array();
+    for (const SteadyState& steady : found.states) body["equilibria"].push_back(entry(steady));
+    body["complete"] = found.complete;
+    if (!found.reason.empty()) body["reason"] = found.reason;
+    body["searched"] = searched(found);
+    if (!found.free.empty()) put_free(body, found);
+    if (!found.momenta.empty()) put_momenta(body, found);
+    body["method"] = method;
+    units_["residual"] = "SI unit of the generalized forces";
+    body["units"] = std::move(units_);
+    return body;
+  }
+
+ private:
+  Json entry(const SteadyState& steady) {
+    Json json{{"state", state_json(scene_, steady.y)}, {"error", errors(steady)}};
+    put_stability(json, steady.stability, digits_);
+    json["residual"] = std::isfinite(steady.residual) ? Json(steady.residual) : Json(nullptr);
+    if (!steady.simple) json["note"] = multiple;
+    put_validity(json, steady);
+    return json;
+  }
+
+  [[nodiscard]] Json errors(const SteadyState& steady) const {
+    const Json names = state_json(scene_, steady.y);
+    Json json = Json::object();
+    std::size_t i = 0;
+    for (const auto& [name, value] : names.items()) {
+      json[name] = written_error(steady.y[i], steady.errors[i], digits_);
+      ++i;
+    }
+    return json;
+  }
+
+  /// Whether a string is taut there, say.
+  void put_validity(Json& json, const SteadyState& steady) {
+    if (scene_.valid_while.empty()) return;
+    const std::vector<qdot::Column> columns = validity_columns(dynamics_.model());
+    try {
+      const std::vector<double> values = values_at(dynamics_, columns, state_.parameters, 0, steady.y);
+      json["valid"] = std::ranges::all_of(values, [](double value) { return value >= 0; });
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        json["validity"][columns[i].name] = values[i];
+        units_[columns[i].name] = columns[i].unit;
+      }
+    } catch (const Error&) {  // nothing is known of a condition that has no value there
+      json["valid"] = nullptr;
+    }
+  }
+
+  [[nodiscard]] Json searched(const Equilibria& found) const {
+    const Box region = search_region(dynamics_.model(), found.problem);
+    Json json = Json::object();
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      const std::size_t j = found.problem.forces->unknowns[k];
+      const Coordinate& q = scene_.coordinates[found.problem.statics->reduction.kept[j]];
+      json[q.name] =
+          found.problem.forces->turns[j] ? Json("one turn") : Json{region[k].lower, region[k].upper};
+    }
+    return json;
+  }
+
+  void put_free(Json& body, const Equilibria& found) const {
+    std::string names;
+    body["free"] = Json::array();
+    for (const std::size_t i : found.free) {
+      body["free"].push_back(scene_.coordinates[i].name);
+      names += (names.empty() ? "" : ", ") + scene_.coordinates[i].name;
+    }
+    body["free_reason"] = "No force depends on " + names +
+                          ": every value belongs to an equilibrium; given are those of 'initial'.";
+  }
+
+  void put_momenta(Json& body, const Equilibria& found) {
+    const std::vector<std::size_t>& ignored = found.problem.statics->reduction.ignored;
+    for (std::size_t k = 0; k < ignored.size(); ++k) {
+      const std::string name = "p_" + scene_.coordinates[ignored[k]].name;
+      body["momenta"][name] = found.momenta[k];
+      units_[name] = momentum_unit(scene_, ignored[k]);
+    }
+    body["momenta_reason"] =
+        "These are steady motions: the ignorable coordinates move uniformly, with the momenta of 'initial'.";
+  }
+
+  const Dynamics& dynamics_;
+  const Scene& scene_;
+  const ResolvedState& state_;
+  int digits_;
+  Json units_;
+};
+
+class SolutionAnswer {
+ public:
+  SolutionAnswer(const Dynamics& dynamics, const ResolvedState& state, const EquilibriaRequest& request,
+                 int digits)
+      : dynamics_(dynamics),
+        scene_(dynamics.model().scene),
+        state_(state),
+        unknown_(*request.solve_for),
+        digits_(digits) {}
+
+  Json body() {
+    const Solution solution = solve_for(dynamics_, state_.parameters, state_.y, unknown_);
+    Json body = Json::object();
+    if (solution.values.empty()) {
+      body[unknown_] = nullptr;
+      body["error"] = nullptr;
+      body["reason"] = solution.reason;
+    } else {
+      const SolvedValue& first = solution.values.front();
+      body[unknown_] = first.value;
+      body["error"] = written_error(first.value, first.error, digits_);
+      put_stability(body, first.stability, digits_);
+    }
+    put_all(body, solution);
+    if (solution.ranges) put_ranges(body, *solution.ranges);
+    body["units"] = units();
+    return body;
+  }
+
+ private:
+  void put_all(Json& body, const Solution& solution) const {
+    body["all"] = Json::array();
+    for (const SolvedValue& solved : solution.values) {
+      Json json{{unknown_, solved.value}, {"error", written_error(solved.value, solved.error, digits_)}};
+      put_stability(json, solved.stability, digits_);
+      body["all"].push_back(std::move(json));
+    }
+  }
+
+  void put_ranges(Json& body, const std::vector<SolvableRange>& ranges) const {
+    body["ranges"] = Json::array();
+    for (const SolvableRange& range : ranges) {
+      body["ranges"].push_back({{"from", range.from},
+                                {"to", range.to},
+                                {"from_included", range.from_included},
+                                {"to_included", range.to_included},
+                                {"from_error", written_error(range.from, range.from_error, digits_)},
+                                {"to_error", written_error(range.to, range.to_error, digits_)}});
+    }
+    body["ranges_reason"] =
+        "Positions for which a value of " + unknown_ +
+        " in its domain exists; an end that is not included is where it grows without bound, "
+        "or leaves the domain.";
+  }
+
+  [[nodiscard]] Json units() const {
+    Json units = steady_units(scene_);
+    for (const Symbol& p : symbols(scene_, SymbolRole::parameter)) units[p.name] = p.unit;
+    units["error"] = units[unknown_];
+    if (scene_.coordinates.size() == 1) {
+      for (const char* name : {"from", "to", "from_error", "to_error"})
+        units[name] = scene_.coordinates[0].unit;
+    }
+    return units;
+  }
+
+  const Dynamics& dynamics_;
+  const Scene& scene_;
+  const ResolvedState& state_;
+  std::string unknown_;
+  int digits_;
+};
+
+/// Puts the position into the state, and into the echo. What it lacks and the forces depend on is missing.
+std::vector<FieldError> take_position(const Dynamics& dynamics, const EquilibriaRequest& request,
+                                      const Place& root, ResolvedState& state, Json& echo) {
+  const Scene& scene = dynamics.model().scene;
+  const std::vector<std::string> names = solvable_names(dynamics, state.parameters);
+  if (std::ranges::find(names, *request.solve_for) == names.end()) {
+    FieldError error =
+        root.below("solve_for")
+            .error("not_applicable", *request.solve_for +
+                                         " is zero in every equilibrium: its coordinate is not "
+                                         "ignorable.");
+    error.allowed = names;
+    return {error};
+  }
+  std::vector<FieldError> errors;
+  const std::vector<std::size_t> needed = needed_coordinates(dynamics, state.parameters, *request.solve_for);
+  Json position = Json::object();
+  for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
+    const std::string& name = scene.coordinates[i].name;
+    const auto given_in = [&](const auto& values) {
+      return std::ranges::find(values, name, &std::pair<std::string, double>::first);
+    };
+    const auto at = given_in(request.system.position);
+    if (at != request.system.position.end()) {
+      state.y[i] = at->second;
+    } else if (given_in(request.system.initial) == request.system.initial.end()) {
+      if (std::ranges::find(needed, i) == needed.end()) continue;
+      errors.push_back(
+          root.below("at").below(name).error("missing", "'at' needs " + name + ", on which forces depend."));
+      continue;
+    }
+    position[name] = state.y[i];
+  }
+  echo["at"] = std::move(position);
+  return errors;
+}
+
+Response answer(const Resolved<EquilibriaRequest>& resolved, Call& call, Models& models) {
+  const EquilibriaRequest& request = resolved.request;
+  ResolvedSystem system = resolved_system(request.system, resolved.echo, models);
+  const Dynamics& dynamics = *system.dynamics;
+  const int digits = request.digits.value_or(shortest_digits);
+  if (request.solve_for) {
+    auto errors = take_position(dynamics, request, Place(road_of(call)), system.state, system.echo);
+    if (!errors.empty())
+      return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
+  } else {
+    system.echo.erase("at");
+  }
+  const Json body = request.solve_for ? SolutionAnswer(dynamics, system.state, request, digits).body()
+                                      : EquilibriaAnswer(dynamics, system.state, digits).body();
+  call.timing.lap("solve");
+  return written_answer(call, system.scene(), system.echo, body, digits);
+}
+
+}  // namespace
+
+Endpoint equilibria_endpoint() {
+  return {.name = "equilibria",
+          .help = "All equilibria, or the parameter that makes a position one",
+          .question = question(equilibria_table(), answer)};
+}
+
+}  // namespace qdot::api

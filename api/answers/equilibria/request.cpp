@@ -1,0 +1,65 @@
+#include "api/answers/equilibria/request.hpp"
+
+#include <algorithm>
+
+#include "api/contract/text_checks.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+using R = EquilibriaRequest;
+
+/// Parameters and velocities; of the velocities only those of ignorable coordinates can be solved for, which
+/// the scene alone does not tell.
+void check_unknown(const R& request, Findings& findings) {
+  std::vector<std::string> allowed;
+  for (const Symbol& p : symbols(*request.system.scene, SymbolRole::parameter)) allowed.push_back(p.name);
+  for (const Coordinate& q : request.system.scene->coordinates) allowed.push_back(q.name + "_dot");
+  if (std::ranges::find(allowed, *request.solve_for) != allowed.end()) return;
+  FieldError error =
+      unknown_name(findings.root().below("solve_for"),
+                   "'solve_for' names a parameter or the velocity of an ignorable coordinate; " +
+                       in_quotes(*request.solve_for) + " is neither.",
+                   *request.solve_for, std::move(allowed));
+  error.code = "unknown_symbol";
+  findings.add(std::move(error));
+}
+
+void check(R& request, Findings& findings) {
+  if (!request.system.scene) return;
+  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  if (request.solve_for) {
+    check_unknown(request, findings);
+  } else if (!request.system.position.empty()) {
+    findings.report(
+        "at", "not_applicable",
+        "'at' is the position that 'solve_for' is asked for; without it all equilibria are found.");
+  }
+}
+
+}  // namespace
+
+const RequestTable<EquilibriaRequest>& equilibria_table() {
+  static const RequestTable<R> table(
+      {
+          system_field<R>(),
+          parameters_field<R>(),
+          initial_field<R>(),
+          inputs_field<R>(),
+          {detail::info(
+               "solve_for", TextKind{limits::name_bytes},
+               "the parameter, or the velocity of an ignorable coordinate, that is to make the position "
+               "'at' an equilibrium",
+               {.aliases = {"solve", "unknown", "for", "parameter"}}),
+           [](R& request, const Json& name) { request.solve_for = name.get<std::string>(); }},
+          symbols_field<R>(SymbolRole::position, "the position that 'solve_for' is asked for",
+                           {"position", "where", "equilibrium"}),
+          digits_field<R>(),
+      },
+      {}, check);
+  return table;
+}
+
+}  // namespace qdot::api

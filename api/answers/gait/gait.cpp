@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include "api/answers/gait/request.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr const char* undecided =
+    "The largest multiplier has the magnitude 1 within its error, so that linearization does not decide.";
+
+const char* name(Gait::Kind kind) {
+  switch (kind) {
+    case Gait::Kind::short_step:
+      return "short";
+    case Gait::Kind::long_step:
+      return "long";
+    case Gait::Kind::other:
+      break;
+  }
+  return "other";
+}
+
+class GaitAnswer {
+ public:
+  GaitAnswer(const Scene& scene, int digits) : scene_(scene), digits_(digits) {}
+
+  [[nodiscard]] Json gait_json(const Gait& gait) const {
+    Json json{{"kind", name(gait.kind)},
+              {"state", values(gait.state)},
+              {"pre_impact", values(gait.pre_impact)},
+              {"step_time", gait.step_time.value}};
+    if (gait.step_length) json["step_length"] = gait.step_length->value;
+    Json& multipliers = json["multipliers"] = Json::array();
+    for (const auto& multiplier : gait.multipliers)
+      multipliers.push_back({{"re", multiplier.real()}, {"im", multiplier.imag()}});
+    json["stable"] = gait.stability == GaitStability::stable;
+    if (gait.stability == GaitStability::undecided) {
+      json["stable"] = nullptr;
+      json["reason"] = undecided;
+    }
+    json["residual"] = gait.residual;
+    json["error"] = errors(gait);
+    return json;
+  }
+
+  [[nodiscard]] Json units() const {
+    Json units = Json::object();
+    for (const Symbol& symbol : symbols(scene_, SymbolRole::initial)) units[symbol.name] = symbol.unit;
+    units.update(Json{{"step_time", "s"}, {"step_length", "m"}, {"multipliers", "1"}});
+    return units;
+  }
+
+ private:
+  /// The error of a value as it is written.
+  [[nodiscard]] double written_error(double value, double error) const {
+    return error + std::abs(rounded(value, digits_) - value);
+  }
+  [[nodiscard]] double written_error(const Uncertain& number) const {
+    return written_error(number.value, number.error);
+  }
+
+  [[nodiscard]] Json values(const std::vector<Uncertain>& state) const {
+    std::vector<double> y;
+    for (const Uncertain& number : state) y.push_back(number.value);
+    return state_json(scene_, y);
+  }
+
+  [[nodiscard]] Json errors_of(const std::vector<Uncertain>& state) const {
+    std::vector<double> y;
+    for (const Uncertain& number : state) y.push_back(written_error(number));
+    return state_json(scene_, y);
+  }
+
+  [[nodiscard]] Json errors(const Gait& gait) const {
+    Json error{{"state", errors_of(gait.state)},
+               {"pre_impact", errors_of(gait.pre_impact)},
+               {"step_time", written_error(gait.step_time)}};
+    if (gait.step_length) error["step_length"] = written_error(*gait.step_length);
+    Json& multipliers = error["multipliers"] = Json::array();
+    for (std::size_t i = 0; i < gait.multipliers.size(); ++i) {
+      const double re = gait.multipliers[i].real(), im = gait.multipliers[i].imag();
+      multipliers.push_back(gait.multiplier_errors[i] +
+                            std::hypot(rounded(re, digits_) - re, rounded(im, digits_) - im));
+    }
+    return error;
+  }
+
+  const Scene& scene_;
+  int digits_;
+};
+
+std::string no_such(Gait::Kind kind, const Gaits& found) {
+  if (found.gaits.empty()) return found.reason;
+  return std::string(
+             "Only one gait was found, which is neither the long nor the short one of two; leave out ") +
+         "'gait' to see it (" + name(kind) + " was asked for).";
+}
+
+Response answer(const Resolved<GaitRequest>& resolved, Call& call, Models& models) {
+  const GaitRequest& request = resolved.request;
+  ResolvedSystem system = resolved_system(request.system, resolved.echo, models);
+  system.echo.erase("initial");  // a gait starts where it must
+  Gaits found = periodic_gaits(*system.dynamics, system.state.parameters);
+  std::string reason = found.reason;
+  if (request.gait) {
+    const auto others = [&](const Gait& gait) { return gait.kind != *request.gait; };
+    if (std::ranges::all_of(found.gaits, others)) reason = no_such(*request.gait, found);
+    std::erase_if(found.gaits, others);
+  }
+  call.timing.lap("solve");
+  const GaitAnswer answer(system.scene(), request.digits.value_or(shortest_digits));
+  Json gaits = Json::array();
+  for (const Gait& gait : found.gaits) gaits.push_back(answer.gait_json(gait));
+  Json body{{"gaits", std::move(gaits)}};
+  if (found.gaits.empty()) body["reason"] = reason;
+  body["units"] = answer.units();
+  return written_answer(call, system.scene(), system.echo, body, request.digits);
+}
+
+}  // namespace
+
+Endpoint gait_endpoint() {
+  return {.name = "gait",
+          .help = "Periodic gaits of a walker",
+          .question = question(gait_table(), answer),
+          .cost = {.milliseconds = 20}};
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,203 @@
+#include "api/answers/modes/request.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/expr/calculus.hpp"
+#include "core/expr/parse.hpp"
+#include "core/mechanics/units.hpp"
+#include "core/steady/modes.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr const char* coinciding =
+    "Eigenvalues coincide here, and no bound of the error could be proven; about half of the digits are "
+    "good.";
+constexpr const char* not_isolated =
+    "The equilibrium is not isolated to first order, so no bound of its error could be proven.";
+
+/// The place that a request names, what it leaves out taken from the initial state.
+std::optional<std::vector<double>> guess_of(const Scene& scene, const SystemChoice& choice,
+                                            const std::vector<double>& y) {
+  if (choice.equilibrium.empty()) return std::nullopt;
+  std::vector<double> guess(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(y.size() / 2));
+  for (const auto& [name, value] : choice.equilibrium) {
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+      if (scene.coordinates[i].name == name) guess[i] = value;
+    }
+  }
+  return guess;
+}
+
+/// The value of an expression of the parameters.
+double value_of(const Model& model, std::span<const double> parameters, const std::string& text) {
+  Graph graph;
+  std::vector<std::string> names;
+  for (const Parameter& p : model.scene.parameters) names.push_back(p.name);
+  const Expression e = parse(text, graph, names);
+  std::vector<Assignment> values;
+  for (std::size_t i = 0; i < names.size(); ++i) values.emplace_back(graph.symbol(names[i]), parameters[i]);
+  return evaluate(e, values);
+}
+
+class ModesAnswer {
+ public:
+  ModesAnswer(const Model& model, std::span<const double> parameters, const Modes& modes, int digits)
+      : scene_(model.scene), modes_(modes), digits_(digits) {
+    for (const Coordinate& q : scene_.coordinates) {
+      scales_.push_back(q.scale.empty() ? 1 : value_of(model, parameters, q.scale));
+      scaled_units_.push_back(q.scale.empty() ? q.unit : "m");
+    }
+    if (scene_.scales) unit_of_time_ = value_of(model, parameters, scene_.scales->time);
+  }
+
+  Json body() {
+    Json body = Json::object();
+    body["equilibrium"] = equilibrium();
+    body["coordinates"] = Json::array();
+    for (const Coordinate& q : scene_.coordinates) body["coordinates"].push_back(q.name);
+    body["mass_matrix"] = matrix(modes_.mass);
+    body["stiffness_matrix"] = matrix(modes_.stiffness);
+    body["gyroscopic_matrix"] = matrix(modes_.gyroscopic);
+    if (!modes_.damping.empty()) body["damping_matrix"] = matrix(modes_.damping);
+    body["modes"] = Json::array();
+    for (const Mode& mode : modes_.modes) body["modes"].push_back(mode_json(mode));
+    body["units"] = units();
+    return body;
+  }
+
+ private:
+  [[nodiscard]] std::size_t size() const { return scene_.coordinates.size(); }
+
+  /// The error of a value as it is written.
+  [[nodiscard]] Json written_error(double value, const std::optional<double>& error) const {
+    if (!error) return nullptr;
+    return *error + std::abs(rounded(value, digits_) - value);
+  }
+
+  [[nodiscard]] Json equilibrium() const {
+    Json json{{"state", state_json(scene_, modes_.y)}, {"stability", name(modes_.stability)}};
+    if (!modes_.undecided.empty()) json["nonlinear"] = modes_.undecided;
+    Json error = state_json(scene_, modes_.y);
+    std::size_t i = 0;
+    bool proven = true;
+    for (auto& [coordinate, value] : error.items()) {
+      value = written_error(modes_.y[i], modes_.y_error[i]);
+      proven = proven && modes_.y_error[i].has_value();
+      ++i;
+    }
+    json["error"] = std::move(error);
+    if (!proven) json["reason"] = not_isolated;
+    return json;
+  }
+
+  [[nodiscard]] Json matrix(const std::vector<double>& entries) const {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < size(); ++i) {
+      Json row = Json::array();
+      for (std::size_t j = 0; j < size(); ++j) row.push_back(entries.empty() ? 0 : entries[i * size() + j]);
+      rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+  [[nodiscard]] Json mode_json(const Mode& mode) const {
+    const bool swings = mode.omega != 0;
+    Json json{{"kind", name(mode.kind)}, {"omega", mode.omega}, {"f", mode.omega / (2 * std::numbers::pi)}};
+    if (swings) json["period"] = 2 * std::numbers::pi / mode.omega;
+    const bool has_rate = mode.kind == ModeKind::growth || mode.kind == ModeKind::decay;
+    if (has_rate) json["rate"] = mode.rate;
+    const bool about_rate = has_rate && !swings;
+    json["error"] =
+        about_rate ? written_error(mode.rate, mode.rate_error) : written_error(mode.omega, mode.omega_error);
+    if (has_rate && swings) json["rate_error"] = written_error(mode.rate, mode.rate_error);
+    if (json["error"].is_null()) json["reason"] = coinciding;
+    if (unit_of_time_ && std::isfinite(*unit_of_time_) && mode.lambda)
+      json["lambda"] = *mode.lambda * *unit_of_time_ * *unit_of_time_;
+    if (mode.multiplicity > 1) json["multiplicity"] = mode.multiplicity;
+    json["shape"] = shape_json(mode.shape);
+    if (has_one_unit()) json["shape_scaled"] = shape_json(scaled(mode.shape));
+    return json;
+  }
+
+  [[nodiscard]] bool has_one_unit() const {
+    return std::all_of(scaled_units_.begin(), scaled_units_.end(),
+                       [&](const std::string& unit) { return unit == scaled_units_[0]; });
+  }
+
+  [[nodiscard]] std::vector<std::complex<double>> scaled(std::vector<std::complex<double>> shape) const {
+    for (std::size_t i = 0; i < shape.size(); ++i) shape[i] *= scales_[i];
+    const auto first = std::find_if(shape.begin(), shape.end(), [](const auto& c) { return c != 0.0; });
+    const double unit = first == shape.end() ? 1 : first->real();
+    for (auto& component : shape) component /= unit;
+    return shape;
+  }
+
+  [[nodiscard]] Json shape_json(const std::vector<std::complex<double>>& shape) const {
+    const bool in_step =
+        std::all_of(shape.begin(), shape.end(), [](const auto& component) { return component.imag() == 0; });
+    Json json = Json::object();
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      Json& component = json[scene_.coordinates[i].name];
+      component = shape[i].real();
+      if (!in_step) component = {{"re", shape[i].real()}, {"im", shape[i].imag()}};
+    }
+    return json;
+  }
+
+  /// J s^power over the units of two coordinates.
+  [[nodiscard]] Json matrix_units(int power) const {
+    Json rows = Json::array();
+    for (const Coordinate& a : scene_.coordinates) {
+      Json row = Json::array();
+      for (const Coordinate& b : scene_.coordinates) {
+        const Dimension action = parse_unit("J")->dimension * pow(parse_unit("s")->dimension, power);
+        row.push_back(to_text(action / (parse_unit(a.unit)->dimension * parse_unit(b.unit)->dimension)));
+      }
+      rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+  [[nodiscard]] Json units() const {
+    Json units = Json::object();
+    for (const Symbol& symbol : symbols(scene_, SymbolRole::initial)) units[symbol.name] = symbol.unit;
+    units["mass_matrix"] = matrix_units(2);
+    units["stiffness_matrix"] = matrix_units(0);
+    units["gyroscopic_matrix"] = matrix_units(1);
+    if (!modes_.damping.empty()) units["damping_matrix"] = matrix_units(1);
+    units.update(Json{{"omega", "rad/s"}, {"f", "Hz"}, {"period", "s"}, {"rate", "1/s"}, {"lambda", "1"}});
+    return units;
+  }
+
+  const Scene& scene_;
+  const Modes& modes_;
+  int digits_;
+  std::vector<double> scales_;
+  std::vector<std::string> scaled_units_;
+  std::optional<double> unit_of_time_;
+};
+
+Response answer(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
+  const auto& [request, echo] = resolved;
+  const ResolvedSystem system = resolved_system(request.system, echo, models);
+  const auto& [parameters, y] = system.state;
+  const Modes modes =
+      normal_modes(*system.dynamics, parameters, y, guess_of(system.scene(), request.system, y));
+  const int digits = request.digits.value_or(shortest_digits);
+  const Json body = ModesAnswer(system.model(), parameters, modes, digits).body();
+  call.timing.lap("solve");
+  return written_answer(call, system.scene(), system.echo, body, digits);
+}
+
+}  // namespace
+
+Endpoint modes_endpoint() {
+  return {.name = "modes",
+          .help = "Equilibrium, natural frequencies and mode shapes",
+          .question = question(modes_table(), answer)};
+}
+
+}  // namespace qdot::api

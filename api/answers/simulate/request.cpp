@@ -1,0 +1,183 @@
+#include "api/answers/simulate/request.hpp"
+
+#include <algorithm>
+
+#include "api/answers/motion_fields.hpp"
+#include "api/contract/text_checks.hpp"
+#include "core/integrate/run.hpp"
+
+namespace qdot::api {
+namespace {
+
+using R = SimulateRequest;
+
+/// Strides alone: the grid ends with the last of them, which the motion has to tell.
+bool has_open_end(const R& request) { return request.steps && !request.t_end && request.times.empty(); }
+
+void check_grid(R& request, Findings& findings) {
+  if (has_open_end(request)) return;
+  read_grid(request, column_count(*request.system.scene, request.include), findings);
+}
+
+bool has_fixed_step(const MethodRecord& method) { return method.step == MethodRecord::Step::fixed; }
+
+/// "method gauss": those whose step has a fixed length; the other methods choose theirs.
+std::string methods_of_fixed_step() {
+  std::string names;
+  for (const MethodRecord& method : methods()) {
+    if (has_fixed_step(method)) names += (names.empty() ? "method " : " or ") + std::string(method.name);
+  }
+  return names;
+}
+
+void check_step(const R& request, Findings& findings) {
+  const MethodRecord& method = record_of(request.method);
+  const bool is_fixed = has_fixed_step(method);
+  if (is_fixed && !request.h && !findings.has_error_at({"h"})) {
+    findings.report("h", "missing",
+                    "'h' is missing: method " + std::string(method.name) +
+                        " steps by a fixed h, in place of tolerances or an error wanted.");
+  }
+  if (!request.h) return;
+  if (!is_fixed && !findings.has_error_at({"method"})) {
+    findings.report("h", "not_applicable",
+                    "'h' is the step of " + methods_of_fixed_step() + "; other methods choose their own.");
+  }
+  const auto most = static_cast<double>(Limits{}.max_steps);
+  if (is_fixed && request.t_end && (*request.t_end - request.t_start) / *request.h > most) {
+    findings.report(
+        "h", "too_many",
+        "Steps of this length are too many: a motion may take " + std::to_string(Limits{}.max_steps) + ".");
+  }
+}
+
+/// What goes with an rtol that is asked for to the last digits must not undo it.
+void complete_tolerances(R& request, Findings& findings) {
+  if (!findings.is_defaulted("atol")) return;
+  request.atol = std::min(request.atol, 1e-3 * request.rtol);
+  findings.echo()["atol"] = request.atol;
+}
+
+/// The grid is checked only when its own fields could be read; the others do not matter to it.
+void check(R& request, Findings& findings) {
+  const Scene* scene = request.system.scene.get();
+  if (scene == nullptr) return;
+  if (!findings.has_error_at({"t_start", "t_end", "samples", "dt", "times", "include"})) {
+    check_grid(request, findings);
+  } else if (!findings.has_error_at({"t_start", "t_end"}) && request.t_end &&
+             *request.t_end <= request.t_start) {
+    findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
+  }
+  if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
+  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  check_step(request, findings);
+  complete_tolerances(request, findings);
+  if (request.steps && (!scene->impact || !request.impacts)) {
+    findings.report(
+        "steps", "not_applicable",
+        scene->impact ? "Without impacts there are no strides." : scene->name + " does not walk.");
+  }
+  const bool has_goal = request.accuracy || request.max_error || request.max_evaluations;
+  if (!request.verify && has_goal) {
+    findings.report("verify", "exclusive", "An error that is wanted must be measured: leave 'verify' out.");
+  }
+  check_impacts(request, findings);
+}
+
+/// `auto` leaves the choice to the service: the first method reaches every accuracy with the least work.
+Words<Method> words_of_choice() {
+  Words<Method> words = words_of_methods();
+  words.insert(words.begin(), {"auto", words.front().second});
+  return words;
+}
+
+RequestTable<R> make_table() {
+  std::vector<RequestField<R>> fields{system_field<R>(), parameters_field<R>(), initial_field<R>(),
+                                      inputs_field<R>()};
+  append_grid_fields(fields);
+  const std::vector<RequestField<R>> rest{
+      choices("include", &R::include,
+              {{"energy", Extra::energy},
+               {"momenta", Extra::momenta},
+               {"positions", Extra::positions},
+               {"accelerations", Extra::accelerations},
+               {"validity", Extra::validity}},
+              "columns beside t, the coordinates and the velocities",
+              {.default_value = Json::array(), .aliases = {"columns", "outputs", "extra"}}),
+      list("events", &R::events, TextKind{limits::expression_bytes}, limits::events,
+           "events to report: theta=0, theta=0+ (only while it rises), theta=0- (only while it falls)",
+           {.default_value = Json::array()}),
+      on_invalid_field<R>("what to do where the model stops holding, such as at a slack string"),
+      impacts_field<R>(),
+      integer("steps", &R::steps, {1, limits::strides},
+              "number of a walker's strides after which the motion is complete; given beside t_end or "
+              "instead of it",
+              {.aliases = {"strides", "n_steps", "impacts_count"}}),
+      choice("method", &R::method, words_of_choice(), "the integrator; " + methods_in_words(),
+             {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}}),
+      number("h", &R::h, {"s", {.lower = 0, .lower_open = true}},
+             "step of " + methods_of_fixed_step() +
+                 ", in place of tolerances; the last one ends at t_end and may be shorter",
+             {.aliases = {"fixed_step"}}),
+      number("rtol", &R::rtol, {"1", {limits::least_rtol, limits::largest_rtol}}, "relative local tolerance",
+             {.default_value = 1e-9,
+              .aliases = {"reltol", "rel_tol", "tol", "tolerance", "relative_tolerance"}}),
+      number("atol", &R::atol, {"1", {.lower = 0, .upper = limits::largest_atol, .lower_open = true}},
+             "absolute local tolerance, in each column's own unit; 1e-12, or rtol/1000 where that is less",
+             {.default_value = 1e-12, .aliases = {"abstol", "abs_tol", "absolute_tolerance"}}),
+      choice("accuracy", &R::accuracy,
+             {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"accurate", Preset::accurate}},
+             "the error that is promised, relative to each column's largest magnitude: 1e-3, 1e-6 or 1e-9",
+             {.aliases = {"preset", "quality", "precision_goal"}}),
+      number("max_error", &R::max_error, {"1", {limits::least_error, 1}},
+             "the largest global error that you accept, in each column's own unit, for coordinates and "
+             "velocities in "
+             "all rows",
+             {.aliases = {"max_abs_error", "error", "global_error"}}),
+      integer("max_evaluations", &R::max_evaluations, {1, limits::evaluations},
+              "the work allowed, as a number of evaluations of the accelerations, those that measure the "
+              "error included",
+              {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),
+      boolean("verify", &R::verify, "whether the error of the answer is measured", {.default_value = true}),
+      digits_field<R>(),
+      choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
+             "form of the answer; without this field the Accept header decides"),
+  };
+  fields.insert(fields.end(), rest.begin(), rest.end());
+  const OneOf accuracy{.ways = {{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}, {"h"}}};
+  return RequestTable<R>(std::move(fields), {ways_of_grid, accuracy}, check);
+}
+
+}  // namespace
+
+const RequestTable<SimulateRequest>& simulate_table() {
+  static const RequestTable<R> table = make_table();
+  return table;
+}
+
+std::int64_t column_count(const Scene& scene, const std::vector<Extra>& include) {
+  const std::size_t coordinates = scene.coordinates.size();
+  std::size_t count = 1 + 2 * coordinates;
+  for (const Extra extra : include) {
+    switch (extra) {
+      case Extra::energy:
+        count += 1;
+        break;
+      case Extra::momenta:
+        count += coordinates;
+        break;
+      case Extra::accelerations:
+        count += coordinates;
+        break;
+      case Extra::validity:
+        count += scene.valid_while.size() + scene.reports.size();
+        break;
+      case Extra::positions:
+        for (const Point& point : scene.points) count += point.components.size();
+        break;
+    }
+  }
+  return static_cast<std::int64_t>(count);
+}
+
+}  // namespace qdot::api

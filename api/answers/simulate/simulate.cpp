@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <cmath>
+
+#include "api/answers/integration_failure.hpp"
+#include "api/answers/simulate/request.hpp"
+#include "api/answers/simulate/terms.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr const char* csv_type = "text/csv";
+constexpr const char* ndjson_type = "application/x-ndjson";
+
+class SimulationAnswer {
+ public:
+  SimulationAnswer(const Resolved<SimulateRequest>& resolved, Call& call, Models& models)
+      : request_(resolved.request),
+        call_(call),
+        system_(resolved_system(request_.system, resolved.echo, models)) {}
+
+  Response response() {
+    run();
+    call_.timing.lap("solve");
+    if (has_failed(result_.ending)) {
+      const bool allowed_too_little = request_.max_evaluations && result_.ending == Ending::step_limit;
+      return integration_failure(call_, scene(), result_.ending, result_.t, result_.y,
+                                 allowed_too_little ? "'max_evaluations' is not enough for this motion, even "
+                                                      "at the loosest tolerance."
+                                                    : "");
+    }
+    make_table();
+    Response answer = format() == Format::json ? json() : rows();
+    answer.evaluations = measured_.evaluations;
+    call_.timing.lap("encode");
+    return answer;
+  }
+
+ private:
+  [[nodiscard]] const Dynamics& dynamics() const { return *system_.dynamics; }
+  [[nodiscard]] const Scene& scene() const { return system_.scene(); }
+  [[nodiscard]] int digits() const { return request_.digits.value_or(shortest_digits); }
+  [[nodiscard]] Format format() const {
+    if (request_.format) return *request_.format;
+    if (call_.accepted == csv_type) return Format::csv;
+    return call_.accepted == ndjson_type ? Format::ndjson : Format::json;
+  }
+
+  void run() {
+    SimulationRequest core = core_request(request_, dynamics(), system_.state);
+    columns_ = core.columns;
+    if (core.grid.empty()) core.grid = grid_of_strides(request_, dynamics(), core);
+    grid_ = core.grid;
+    measured_ = simulate_with_error(dynamics(), core, goal_of(request_));
+  }
+
+  void add_column(const std::string& name, const std::string& unit, std::vector<double> values) {
+    units_[name] = unit;
+    values_.push_back(std::move(values));
+    table_.push_back({name, values_.back()});
+  }
+
+  /// Column k of `rows` of `width` numbers.
+  [[nodiscard]] std::vector<double> column(const std::vector<double>& rows, std::size_t width,
+                                           std::size_t k) const {
+    std::vector<double> values(result_.rows);
+    for (std::size_t i = 0; i < result_.rows; ++i) values[i] = rows[i * width + k];
+    return values;
+  }
+
+  void make_table() {
+    const std::vector<Symbol> state = symbols(scene(), SymbolRole::initial);
+    values_.reserve(1 + state.size() + columns_.size());
+    const auto rows = static_cast<std::ptrdiff_t>(result_.rows);
+    add_column("t", "s", {grid_.begin(), grid_.begin() + rows});
+    for (std::size_t k = 0; k < state.size(); ++k) {
+      add_column(state[k].name, state[k].unit, column(result_.states, state.size(), k));
+    }
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      add_column(columns_[k].name, columns_[k].unit, column(result_.columns, columns_.size(), k));
+    }
+  }
+
+  [[nodiscard]] const char* status() const { return result_.stop ? "stopped" : "complete"; }
+
+  /// Row by row, as CSV or NDJSON; how the motion ended stands in the headers.
+  Response rows() {
+    const bool csv = format() == Format::csv;
+    Response response{.status = 200,
+                      .content_type = csv ? csv_type : ndjson_type,
+                      .headers = {{"X-Qdot-Status", status()}},
+                      .body = csv ? to_csv(table_, digits()) : to_ndjson(table_, digits())};
+    if (result_.stop) response.headers["X-Qdot-Stop"] = result_.stop->reason;
+    if (!measured_.max_abs_error.empty()) {
+      std::string errors = to_text(max_abs_errors());
+      errors.pop_back();
+      response.headers["X-Qdot-Max-Abs-Error"] = errors;
+    }
+    return response;
+  }
+
+  Response json() {
+    JsonWriter writer(call_.layout);
+    writer.begin_object();
+    write_head(writer, scene(), system_.echo);
+    writer.member("status", status());
+    if (result_.stop) {
+      writer.member(
+          "stop",
+          {{"reason", result_.stop->reason}, {"t", result_.stop->t}, {"message", result_.stop->message}},
+          digits());
+    }
+    writer.member("t_reached", result_.t, digits());
+    writer.key("trajectory");
+    writer.columns(table_, digits());
+    writer.member("units", units_);
+    write_events(writer);
+    if (scene().impact && request_.impacts) writer.member("strides", strides_json(), digits());
+    writer.member("accuracy", accuracy_json());
+    writer.member("diagnostics", diagnostics_json());
+    writer.end_object();
+    return {
+        .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
+  }
+
+  /// One after the other: all of them as one value would take many times the memory of their text.
+  void write_events(JsonWriter& writer) const {
+    writer.key("events");
+    writer.begin_array();
+    for (const EventRecord& event : result_.events) {
+      writer.value({{"name", event.name}, {"t", event.t}, {"state", state_json(scene(), event.y)}}, digits());
+    }
+    writer.end_array();
+  }
+
+  [[nodiscard]] Json strides_json() const {
+    Json array = Json::array();
+    for (const StrideRecord& stride : result_.strides) {
+      array.push_back({{"t", stride.t},
+                       {"step_time", stride.step_time},
+                       {"pre_impact", state_json(scene(), stride.before)},
+                       {"state", state_json(scene(), stride.after)}});
+    }
+    return array;
+  }
+
+  [[nodiscard]] Json accuracy_json() const {
+    Json json{{"method", record_of(result_.method).name}};
+    if (request_.h) {
+      json["h"] = *request_.h;
+      json["symplectic"] = result_.symplectic;
+    } else {
+      json["rtol"] = measured_.tolerances.rtol;
+      json["atol"] = measured_.tolerances.atol;
+    }
+    json["max_abs_error"] = nullptr;
+    json["horizon"] = nullptr;
+    std::string reason = measured_.reason;
+    if (measured_.max_abs_error.empty()) {
+      if (!request_.verify) reason = "The error was not measured, as 'verify' is false.";
+    } else {
+      json["max_abs_error"] = max_abs_errors();
+      if (measured_.horizon) json["horizon"] = *measured_.horizon;
+      json["verified_by"] = record_of(measured_.verified_by).name;
+    }
+    if (measured_.meets_request) {
+      const bool rounded_away =
+          *measured_.meets_request && request_.max_error && !within(*request_.max_error, json);
+      json["meets_request"] = *measured_.meets_request && !rounded_away;
+      if (rounded_away) reason = "The digits asked for round more away than the error wanted.";
+    }
+    if (!reason.empty()) json["reason"] = reason;
+    return json;
+  }
+
+  [[nodiscard]] static bool within(double wanted, const Json& accuracy) {
+    const Json& errors = accuracy["max_abs_error"];
+    return std::all_of(errors.begin(), errors.end(),
+                       [&](const Json& e) { return e.get<double>() <= wanted; });
+  }
+
+  /// What `digits` rounds away is an error of the answer too.
+  [[nodiscard]] Json max_abs_errors() const {
+    Json json = Json::object();
+    for (std::size_t k = 0; k < measured_.max_abs_error.size(); ++k) {
+      const Column& column = table_[1 + k];
+      double lost = 0;
+      for (std::size_t i = 0; digits() != shortest_digits && i < column.values.size(); ++i) {
+        lost = std::max(lost, std::abs(rounded(column.values[i], digits()) - column.values[i]));
+      }
+      json[column.name] = measured_.max_abs_error[k] + lost;
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json diagnostics_json() const {
+    Json conserved = Json::array();
+    for (const ConservedRecord& record : result_.conserved) {
+      Json entry{{"name", record.name},
+                 {"unit", record.unit},
+                 {"initial", record.initial},
+                 {"max_abs_drift", record.max_abs_drift}};
+      if (record.max_rel_drift) {
+        entry["max_rel_drift"] = *record.max_rel_drift;
+      } else {
+        entry["max_rel_drift"] = nullptr;
+        entry["reason"] = "The initial value is 0.";
+      }
+      conserved.push_back(std::move(entry));
+    }
+    return {{"conserved", std::move(conserved)},
+            {"steps", result_.steps},
+            {"rhs_evaluations", result_.evaluations},
+            {"total_evaluations", measured_.evaluations}};
+  }
+
+  const SimulateRequest& request_;
+  Call& call_;
+  ResolvedSystem system_;
+  std::vector<double> grid_;
+  std::vector<qdot::Column> columns_;
+  MeasuredSimulation measured_;
+  const Simulation& result_{measured_.simulation};
+  std::vector<std::vector<double>> values_;
+  std::vector<Column> table_;
+  Json units_ = Json::object();
+};
+
+Response answer(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
+  return SimulationAnswer(resolved, call, models).response();
+}
+
+}  // namespace
+
+Endpoint simulate_endpoint() {
+  return {.name = "simulate",
+          .help = "The trajectory of a system",
+          .question = question(simulate_table(), answer),
+          .cost = {.motion = Cost::Motion::always},
+          .example =
+              [](const Scene&, const Json&) {
+                return std::optional(Json{{"t_end", 10}});
+              },
+          .offers = {"application/json", csv_type, ndjson_type}};
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,133 @@
+#include "api/answers/simulate/terms.hpp"
+
+#include <cmath>
+
+#include "api/answers/integration_failure.hpp"
+#include "api/answers/time_grid.hpp"
+#include "api/json/limits.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr double promised(Preset preset) {
+  switch (preset) {
+    case Preset::fast:
+      return 1e-3;
+    case Preset::balanced:
+      return 1e-6;
+    case Preset::accurate:
+      break;
+  }
+  return 1e-9;
+}
+
+std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra>& include) {
+  std::vector<qdot::Column> columns;
+  const auto append = [&](std::vector<qdot::Column> more) {
+    columns.insert(columns.end(), more.begin(), more.end());
+  };
+  for (const Extra extra : include) {
+    switch (extra) {
+      case Extra::energy:
+        columns.push_back(model.energy ? qdot::Column{"energy", "J", *model.energy}
+                                       : qdot::Column{"h", "J", model.jacobi});
+        break;
+      case Extra::momenta:
+        append(momentum_columns(model));
+        break;
+      case Extra::positions:
+        append(position_columns(model));
+        break;
+      case Extra::accelerations:
+        append(acceleration_columns(model));
+        break;
+      case Extra::validity:
+        append(validity_columns(model));
+        append(report_columns(model));
+        break;
+    }
+  }
+  return columns;
+}
+
+/// The time [s] that so many strides get. No walker needs as much, and one that stands still has to end some
+/// time.
+double patience(const Model& model, std::span<const double> parameters, std::int64_t strides) {
+  constexpr double units_of_time_per_stride = 100;
+  double unit = 1;
+  if (const auto& scales = model.parsed.scales) {
+    std::vector<Assignment> values;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      values.emplace_back(model.parsed.symbols.parameters[i], parameters[i]);
+    }
+    unit = evaluate(scales->time, values);
+  }
+  if (!std::isfinite(unit)) unit = 1;
+  return units_of_time_per_stride * unit * static_cast<double>(strides);
+}
+
+}  // namespace
+
+AccuracyGoal goal_of(const SimulateRequest& request) {
+  AccuracyGoal goal;
+  goal.verify = request.verify;
+  if (request.accuracy) {
+    goal.kind = AccuracyGoal::Kind::relative;
+    goal.value = promised(*request.accuracy);
+  } else if (request.max_error) {
+    goal.kind = AccuracyGoal::Kind::absolute;
+    goal.value = *request.max_error;
+  } else if (request.max_evaluations) {
+    goal.kind = AccuracyGoal::Kind::work;
+    goal.evaluations = static_cast<std::uint64_t>(*request.max_evaluations);
+  }
+  return goal;
+}
+
+SimulationRequest core_request(const SimulateRequest& request, const Dynamics& dynamics,
+                               const ResolvedState& state) {
+  SimulationRequest core;
+  core.parameters = state.parameters;
+  core.y_start = state.y;
+  core.t_start = request.t_start;
+  if (request.steps) core.strides = static_cast<std::size_t>(*request.steps);
+  core.t_end = request.t_end ? *request.t_end
+                             : core.t_start + patience(dynamics.model(), state.parameters, *request.steps);
+  core.grid = request.grid;
+  core.columns = columns_of(dynamics.model(), request.include);
+  core.events = request.events;
+  core.on_invalid = request.on_invalid;
+  core.impacts = request.impacts ? Impacts::apply : Impacts::ignore;
+  core.method = request.method;
+  if (request.h) core.h = *request.h;
+  if (request.rtol > 0) core.tolerances = {request.rtol, request.atol};  // else a goal decides
+  return core;
+}
+
+std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynamics& dynamics,
+                                    SimulationRequest core) {
+  core.columns.clear();
+  core.events.clear();
+  core.grid = {core.t_start};
+  const Simulation first = simulate(dynamics, core);
+  if (has_failed(first.ending)) return core.grid;  // the second run fails as this one
+  if (!first.stop && first.strides.size() < *core.strides) {
+    throw Error(ErrorCode::not_applicable, "Only " + std::to_string(first.strides.size()) +
+                                               " strides happen within " + std::to_string(core.t_end) +
+                                               " s: give t_end.");
+  }
+  if (!request.dt) {
+    const auto grid = time_grid(
+        {.t_start = core.t_start, .t_end = first.t, .samples = request.samples, .dt = {}, .times = {}});
+    return std::holds_alternative<GridError>(grid) ? core.grid : std::get<std::vector<double>>(grid);
+  }
+  std::vector<double> grid;
+  for (std::int64_t i = 0; i < limits::rows; ++i) {
+    const double t = core.t_start + static_cast<double>(i) * *request.dt;
+    if (t > first.t) break;
+    grid.push_back(t);
+  }
+  return grid;
+}
+
+}  // namespace qdot::api

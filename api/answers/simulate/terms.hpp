@@ -1,0 +1,24 @@
+#pragma once
+// What the words of a request for a motion mean in core's terms.
+
+#include <vector>
+
+#include "api/answers/answers.hpp"
+#include "api/answers/simulate/request.hpp"
+#include "core/motion/ladder.hpp"
+
+namespace qdot::api {
+
+[[nodiscard]] AccuracyGoal goal_of(const SimulateRequest& request);
+
+/// The grid is empty where the last of the strides that were asked for ends the motion; t_end is then an
+/// instant that is surely later.
+[[nodiscard]] SimulationRequest core_request(const SimulateRequest& request, const Dynamics& dynamics,
+                                             const ResolvedState& state);
+
+/// Rows from the start to the last impact, or to the fall before it, as a first run finds it. Throws
+/// Error(not_applicable) when there are not so many impacts.
+[[nodiscard]] std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynamics& dynamics,
+                                                  SimulationRequest core);
+
+}  // namespace qdot::api

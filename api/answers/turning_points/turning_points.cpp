@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <numbers>
+
+#include "api/answers/integration_failure.hpp"
+#include "api/answers/turning_points/request.hpp"
+#include "core/base/error.hpp"
+#include "core/expr/print/print.hpp"
+#include "core/expr/simplify.hpp"
+#include "core/mechanics/notation.hpp"
+#include "core/motion/trajectory_extrema.hpp"
+#include "core/turning/turning_points.hpp"
+
+namespace qdot::api {
+namespace {
+
+const char* name_of(MotionKind motion) {
+  switch (motion) {
+    case MotionKind::libration:
+      return "libration";
+    case MotionKind::rotation:
+      return "rotation";
+    case MotionKind::separatrix:
+      return "separatrix";
+    case MotionKind::equilibrium:
+      return "equilibrium";
+    case MotionKind::unbounded:
+      break;
+  }
+  return "unbounded";
+}
+
+const char* name_of(InitialPlace place) {
+  switch (place) {
+    case InitialPlace::minimum:
+      return "min";
+    case InitialPlace::maximum:
+      return "max";
+    case InitialPlace::equilibrium:
+      return "equilibrium";
+    case InitialPlace::between:
+      break;
+  }
+  return "between";
+}
+
+/// A request that needs one more field.
+Response missing(Call& call, const std::string& field, const std::string& why) {
+  const FieldError error = Place(road_of(call)).below(field).error("missing", why);
+  return to_response(invalid_request({error}), call.target.path, call.layout);
+}
+
+/// U(x) = E with its symbols: {"text": ..., "latex": ...}.
+Json equation_json(const Scene& scene, const Reduction& reduction, const std::string& energy) {
+  Reduction own = reduction;
+  Graph graph = *reduction.graph;
+  const Expression routhian = graph.adopt(reduction.routhian);
+  for (auto* symbols : {&own.x_dot, &own.x_ddot}) {
+    for (Expression& symbol : *symbols) symbol = graph.adopt(symbol);
+  }
+  std::vector<Replacement> rest;
+  for (const Expression& x_dot : own.x_dot) rest.emplace_back(x_dot, graph.number(0));
+  const Expression potential = simplify(Number(-1) * substitute(routhian, rest));
+  const Notation notation = notation_of(scene);
+  return {{"text", print(potential, Form::text, notation) + " = " + energy},
+          {"latex", print(potential, Form::latex, notation) + " = " + energy}};
+}
+
+class TurningPointsAnswer {
+ public:
+  TurningPointsAnswer(const Resolved<TurningPointsRequest>& resolved, Call& call, Models& models)
+      : request_(resolved.request),
+        call_(call),
+        models_(models),
+        system_(resolved_system(request_.system, resolved.echo, models)) {}
+
+  Response response() {
+    const std::vector<std::size_t> candidates = candidate_coordinates();
+    if (request_.coordinate.empty() && candidates.size() != 1) {
+      return missing(call_, "coordinate",
+                     scene().name + " has several coordinates that turn: give the one that is meant.");
+    }
+    coordinate_ = request_.coordinate.empty() ? candidates[0] : index_of(request_.coordinate);
+    system_.echo["coordinate"] = coordinate().name;
+    const std::string why_not = why_not_by_energy(dynamics(), system_.state.parameters, coordinate_);
+    if (why_not.empty()) {
+      answer_by_energy();
+    } else if (!request_.t_end) {
+      return missing(call_, "t_end",
+                     "Here " + why_not +
+                         ", so the motion has to be followed: give 't_end', the time up to "
+                         "which its extrema are wanted.");
+    } else if (std::optional<Response> failure = answer_by_trajectory(why_not)) {
+      return *failure;
+    }
+    call_.timing.lap("solve");
+    return written();
+  }
+
+ private:
+  [[nodiscard]] const Dynamics& dynamics() const { return *system_.dynamics; }
+  [[nodiscard]] const Scene& scene() const { return system_.scene(); }
+  [[nodiscard]] const Coordinate& coordinate() const { return scene().coordinates[coordinate_]; }
+
+  [[nodiscard]] std::size_t index_of(const std::string& name) const {
+    const auto& all = scene().coordinates;
+    return static_cast<std::size_t>(std::ranges::find(all, name, &Coordinate::name) - all.begin());
+  }
+
+  /// Those that are not ignorable; all where the time enters the equations.
+  [[nodiscard]] std::vector<std::size_t> candidate_coordinates() const {
+    try {
+      return dynamics().statics(system_.state.parameters)->reduction.kept;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::not_applicable) throw;
+    }
+    std::vector<std::size_t> all(scene().coordinates.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    return all;
+  }
+
+  void put(const std::string& name, const std::optional<double>& value, const std::string& unit) {
+    body_[name] = value ? Json(*value) : Json(nullptr);
+    units_[name] = unit;
+  }
+
+  void put_extremum(const std::string& suffix, const Finding& extremum) {
+    const std::string name = coordinate().name + suffix;
+    put(name, extremum.value, coordinate().unit);
+    if (coordinate().unit == "rad") {
+      const auto degrees = [](double x) { return x * (180 / std::numbers::pi); };
+      put(name + "_deg", extremum.value ? std::optional(degrees(*extremum.value)) : std::nullopt, "deg");
+    }
+    if (extremum.value) errors_[name] = extremum.error;
+    if (!extremum.reason.empty()) reasons_[name] = extremum.reason;
+  }
+
+  void put_extrema(const Finding& maximum, const Finding& minimum, InitialPlace initial) {
+    put_extremum("_max", maximum);
+    put_extremum("_min", minimum);
+    body_["initial_is"] = name_of(initial);
+  }
+
+  void put_motion(const std::optional<MotionKind>& motion, const std::string& reason) {
+    body_["motion"] = motion ? Json(name_of(*motion)) : Json(nullptr);
+    if (!motion) reasons_["motion"] = reason;
+  }
+
+  void answer_by_energy() {
+    const TurningPoints found = turning_points(dynamics(), system_.state.parameters, system_.state.y);
+    body_["coordinate"] = coordinate().name;
+    put_motion(found.motion, found.motion_reason);
+    body_["method"] = "energy";
+    put_extrema(found.maximum, found.minimum, found.initial);
+    if (!found.stability.empty()) body_["stability"] = found.stability;
+    put("period", found.period.value, "s");
+    if (found.period.value) errors_["period"] = found.period.error;
+    if (!found.period.reason.empty()) reasons_["period"] = found.period.reason;
+    put_constants(found);
+    put_validity(found);
+    if (!found.notes.empty()) body_["notes"] = found.notes;
+  }
+
+  void put_constants(const TurningPoints& found) {
+    const Reduction& reduction = dynamics().statics(system_.state.parameters)->reduction;
+    const auto conserved = dynamics().conserved(system_.state.parameters);
+    const bool is_energy = std::ranges::any_of(
+        conserved->quantities, [](const ConservedQuantity& quantity) { return quantity.name == "energy"; });
+    const std::string energy = is_energy ? "E" : "h";
+    std::string key = "turning_points";
+    for (const double p : system_.state.parameters) key += p == 0 ? '0' : '1';
+    body_["equation"] = models_.remembered(*request_.system.scene, key,
+                                           [&] { return equation_json(scene(), reduction, energy); });
+    Json constants{{energy, *found.energy.value}};
+    units_[energy] = "J";
+    errors_[energy] = found.energy.error;
+    for (std::size_t k = 0; k < found.momenta.size(); ++k) {
+      const std::string name = "p_" + scene().coordinates[reduction.ignored[k]].name;
+      constants[name] = found.momenta[k];
+      units_[name] = momentum_unit(scene(), reduction.ignored[k]);
+    }
+    body_["constants"] = std::move(constants);
+  }
+
+  void put_validity(const TurningPoints& found) {
+    if (found.validity.empty()) return;
+    Json validity = Json::object();
+    for (const ValidityMinimum& least : found.validity) {
+      const ValidityCondition& condition = scene().valid_while[least.condition];
+      units_[condition.name] = condition.unit;
+      if (least.value) {
+        validity[condition.name] = {
+            {"min", *least.value},
+            {"at", {{coordinate().name, least.x}, {coordinate().name + "_dot", least.x_dot}}},
+            {"holds", *least.value >= 0}};
+        if (*least.value < 0) validity[condition.name]["message"] = condition.message;
+      } else {
+        validity[condition.name] = {{"min", nullptr}, {"holds", nullptr}, {"reason", least.reason}};
+      }
+    }
+    body_["validity"] = std::move(validity);
+  }
+
+  /// The response of a run that failed, if it did.
+  std::optional<Response> answer_by_trajectory(const std::string& why) {
+    ExtremaRequest core;
+    core.parameters = system_.state.parameters;
+    core.y_start = system_.state.y;
+    core.coordinate = coordinate_;
+    core.t_start = request_.t_start;
+    core.t_end = *request_.t_end;
+    core.on_invalid = request_.on_invalid;
+    core.impacts = request_.impacts ? Impacts::apply : Impacts::ignore;
+    const TrajectoryExtrema found = trajectory_extrema(dynamics(), core);
+    if (has_failed(found.ending)) {
+      return integration_failure(call_, scene(), found.ending, found.t, found.y);
+    }
+    body_["coordinate"] = coordinate().name;
+    put_motion(std::nullopt, "Kinds of motion are told by the energy integral; here " + why + ".");
+    body_["method"] = "trajectory";
+    put_extrema(found.maximum, found.minimum, found.initial);
+    put("t_max", found.t_maximum, "s");
+    put("t_min", found.t_minimum, "s");
+    put("t_reached", found.t, "s");
+    body_["status"] = found.stop ? "stopped" : "complete";
+    if (found.stop) {
+      body_["stop"] = {
+          {"reason", found.stop->reason}, {"t", found.stop->t}, {"message", found.stop->message}};
+    }
+    return std::nullopt;
+  }
+
+  Response written() {
+    body_["error"] = std::move(errors_);
+    if (!reasons_.empty()) body_["reason"] = std::move(reasons_);
+    body_["units"] = std::move(units_);
+    return written_answer(call_, scene(), system_.echo, body_, request_.digits);
+  }
+
+  const TurningPointsRequest& request_;
+  Call& call_;
+  Models& models_;
+  ResolvedSystem system_;
+  std::size_t coordinate_{};
+  Json body_ = Json::object();
+  Json units_ = Json::object();
+  Json errors_ = Json::object();
+  Json reasons_ = Json::object();
+};
+
+Response answer(const Resolved<TurningPointsRequest>& resolved, Call& call, Models& models) {
+  return TurningPointsAnswer(resolved, call, models).response();
+}
+
+/// About an angle rather than a length.
+std::optional<Json> example(const Scene& scene, const Json&) {
+  const auto angle = std::ranges::find(scene.coordinates, "rad", &Coordinate::unit);
+  const Coordinate& turning = angle == scene.coordinates.end() ? scene.coordinates.front() : *angle;
+  return Json{{"coordinate", turning.name}, {"t_end", 10}};
+}
+
+}  // namespace
+
+Endpoint turning_points_endpoint() {
+  return {.name = "turning_points",
+          .help = "The largest and the least value of a coordinate",
+          .question = question(turning_points_table(), answer),
+          .cost = {.motion = Cost::Motion::up_to_t_end},
+          .example = example};
+}
+
+}  // namespace qdot::api

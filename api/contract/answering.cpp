@@ -1,0 +1,46 @@
+#include "api/contract/answering.hpp"
+
+#include "api/json/text.hpp"
+#include "api/json/writer.hpp"
+
+namespace qdot::api {
+namespace {
+
+Problem unsupported(const std::string& content_type) {
+  return {.kind = ProblemKind::unsupported_media_type,
+          .detail = "A body is JSON in UTF-8, Content-Type: application/json; this one says " +
+                    in_quotes(content_type) + "."};
+}
+
+/// The query of a POST.
+void add_query(const std::vector<std::pair<std::string, std::string>>& query, Submission& submission) {
+  for (const auto& [name, value] : query) {
+    const Place place = Place(Road::query).below(name);
+    if (name != "format") {
+      submission.errors.push_back(
+          place.error("unknown_field", "A POST says " + in_quotes(name) + " in its body."));
+    } else if (submission.fields.contains(name)) {
+      submission.errors.push_back(place.error("duplicate_field", "'format' stands twice in the request."));
+    } else {
+      submission.fields[name] = value;
+    }
+  }
+}
+
+}  // namespace
+
+Response json_response(const Json& body, Layout layout) {
+  return {.status = 200, .content_type = "application/json", .body = to_text(body, layout)};
+}
+
+std::variant<Submission, Problem> submission_of(const Call& call, const JsonLimits& limits) {
+  if (call.request.method != "POST") return submission_of_query(call.target.query);
+  const auto header = call.request.headers.find("content-type");
+  const std::string content_type = header == call.request.headers.end() ? "" : header->second;
+  if (body_type(content_type, call.request.body) == BodyType::unsupported) return unsupported(content_type);
+  auto submission = submission_of_body(call.request.body, limits);
+  if (auto* read = std::get_if<Submission>(&submission)) add_query(call.target.query, *read);
+  return submission;
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,46 @@
+#pragma once
+// Compiled functions of a model's motions, its inputs replaced by functions of time. Each function takes the
+// parameters first (CompiledFunction::bind), then t and the state y = (q, q'). Nothing is kept here; Dynamics
+// (core/dynamics/dynamics.hpp) keeps what several questions want.
+//
+//   M(q,t) q'' = f(q,q',t)
+//   M dq''/dy = df/dy - dM/dy q''      for every component of y
+//
+// All throw Error(syntax | unknown_symbol | too_large) for an input that does not parse.
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/compile/compiled_function.hpp"
+#include "core/dynamics/inputs.hpp"
+#include "core/mechanics/model.hpp"
+
+namespace qdot {
+
+/// q'', n outputs.
+[[nodiscard]] CompiledFunction accelerations_of(const Model& model, const InputTexts& inputs);
+
+/// d(q', q'')/d(q, q'), 2n x 2n by rows.
+[[nodiscard]] CompiledFunction jacobian_of(const Model& model, const InputTexts& inputs);
+
+/// Expressions of a graph that was copied from the model's, as they are along motions: q'' solved for, inputs
+/// replaced.
+[[nodiscard]] CompiledFunction compiled_along_motion(const Model& model, const InputTexts& inputs,
+                                                     const Graph& graph,
+                                                     std::span<const Expression> expressions);
+
+/// An event: the function whose zero it is, which way that is crossed, and optionally where a zero counts
+/// (when > 0).
+struct CompiledEvent {
+  CompiledFunction value;
+  Crossing direction{Crossing::either};
+  std::optional<CompiledFunction> when;
+};
+
+/// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the direction;
+/// or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
+[[nodiscard]] CompiledEvent compiled_event(const Model& model, const InputTexts& inputs,
+                                           const std::string& text);
+
+}  // namespace qdot

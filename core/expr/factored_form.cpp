@@ -1,0 +1,207 @@
+#include "core/expr/factored_form.hpp"
+
+#include <algorithm>
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t worthwhile_saving = 3;
+/// Up to so many terms alternatives are compared; beyond, the first choice is taken.
+constexpr std::size_t most_compared = 24;
+/// Brackets within brackets in which alternatives are compared: each multiplies the work by two to four.
+constexpr int compared_levels = 4;
+
+/// Where the factors are looked for, and in how many levels of brackets from here on alternatives are
+/// compared.
+struct Depth {
+  Graph& graph;
+  int levels{compared_levels};
+  [[nodiscard]] Depth inside() const { return {graph, std::max(levels - 1, 0)}; }
+};
+
+Expression factored_form(Depth place, const Polynomial& polynomial);
+Expression grouped(Depth place, const Polynomial& polynomial);
+
+Number size_of(const Number& number) { return number.is_negative() ? -number : number; }
+
+/// The coefficient of which all others are whole multiples, if there is one.
+std::optional<Number> common_coefficient(const Polynomial& polynomial) {
+  Number least = size_of(polynomial.begin()->second);
+  for (const auto& [monomial, coefficient] : polynomial) least = std::min(least, size_of(coefficient));
+  for (const auto& [monomial, coefficient] : polynomial) {
+    if (!(coefficient / least).is_integer()) return std::nullopt;
+  }
+  return least;
+}
+
+bool all_negative(const Polynomial& polynomial) {
+  return std::all_of(polynomial.begin(), polynomial.end(),
+                     [](const auto& term) { return term.second.is_negative(); });
+}
+
+/// Numbers worth taking out: the commonest and the least coefficient, one, and what divides them all.
+std::vector<Number> numeric_factors(const Polynomial& polynomial) {
+  if (polynomial.size() > most_compared) return {common_coefficient(polynomial).value_or(Number(1))};
+  Number least = size_of(polynomial.begin()->second);
+  Number divisor = least;
+  std::map<Number, int> times;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    if (!coefficient.is_exact()) return {Number(1)};
+    least = std::min(least, size_of(coefficient));
+    divisor = gcd(divisor, coefficient);
+    ++times[size_of(coefficient)];
+  }
+  const auto commonest = std::max_element(times.begin(), times.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::vector<Number> factors;
+  for (const Number& number : {commonest->first, least, Number(1), divisor}) {
+    if (std::find(factors.begin(), factors.end(), number) == factors.end()) factors.push_back(number);
+  }
+  return factors;
+}
+
+std::vector<Number> numbers_in_front(Depth place, const Polynomial& polynomial) {
+  if (place.levels > 0) return numeric_factors(polynomial);
+  return {common_coefficient(polynomial).value_or(Number(1))};
+}
+
+/// A power of one symbol or bracket that many terms share, and how many.
+struct Shared {
+  Atom atom{};
+  std::size_t terms{};
+};
+
+/// Those that most terms share, at most two: the first and the last of equals.
+std::vector<Shared> most_shared(const Polynomial& polynomial) {
+  std::map<NodeId, Shared> shared;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    for (const Atom& atom : monomial) {
+      if (atom.p < 0) continue;
+      Shared& entry = shared.try_emplace(atom.base, Shared{atom, 0}).first->second;
+      ++entry.terms;
+      if (atom.p * entry.atom.q < entry.atom.p * atom.q) entry.atom = atom;
+    }
+  }
+  std::vector<Shared> best;
+  for (const auto& [base, entry] : shared) {
+    if (entry.terms < 2 || (!best.empty() && entry.terms < best[0].terms)) continue;
+    if (!best.empty() && entry.terms > best[0].terms) best.clear();
+    if (best.size() == 2) best.pop_back();
+    best.push_back(entry);
+  }
+  return best;
+}
+
+/// The polynomial without its common monomial and number.
+Expression primitive(Depth place, const Polynomial& polynomial) {
+  if (polynomial.size() > 2) {
+    if (const auto root = exact_root(polynomial)) return pow(factored_form(place, *root), Number(2));
+  }
+  return grouped(place, polynomial);
+}
+
+/// polynomial = common (rest), with the number in front that makes the whole shortest.
+Expression with_common_factor(Depth place, const Polynomial& polynomial, const Monomial& common) {
+  const Number sign(all_negative(polynomial) ? -1 : 1);
+  const Polynomial rest = scaled(polynomial, inverse(common), sign);
+  const Expression front = to_expression(place.graph, common);
+  Expression best;
+  std::size_t least = static_cast<std::size_t>(-1);
+  for (const Number& number : numbers_in_front(place, rest)) {
+    const Polynomial bracket = scaled(rest, {}, Number(1) / number);
+    const Expression candidate = (sign * number) * front * primitive(place.inside(), bracket);
+    const std::size_t cost = written_length(candidate);
+    if (cost < least) {
+      least = cost;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+Polynomial terms_with(const Polynomial& polynomial, const Atom& atom) {
+  Polynomial found;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    const bool has = std::any_of(monomial.begin(), monomial.end(),
+                                 [&](const Atom& a) { return a.base == atom.base && a.p > 0; });
+    if (has) found.emplace_hint(found.end(), monomial, coefficient);
+  }
+  return found;
+}
+
+/// The terms that share the atom in a bracket of their own, the others beside it.
+Expression grouped_by(Depth place, const Polynomial& polynomial, const Atom& atom) {
+  const Polynomial group = terms_with(polynomial, atom);
+  Polynomial others = polynomial;
+  add(others, group, Number(-1));
+  if (others.empty()) return with_common_factor(place, polynomial, Monomial{atom});
+  const Monomial front = common_monomial(group);
+  const Polynomial bracket = scaled(group, inverse(front), 1);
+  if (const auto quotient = exact_quotient(others, bracket)) {
+    Polynomial cofactor = *quotient;
+    add(cofactor, front, 1);
+    return factored_form(place, cofactor) * factored_form(place, bracket);
+  }
+  return with_common_factor(place, group, front) + factored_form(place, others);
+}
+
+Expression grouped(Depth place, const Polynomial& polynomial) {
+  const std::vector<Shared> shared = most_shared(polynomial);
+  if (shared.empty()) return to_expression(place.graph, polynomial);
+  const bool one = shared.size() == 1 || polynomial.size() > most_compared || place.levels == 0;
+  if (one) return grouped_by(place, polynomial, shared.back().atom);  // parameters come last
+  const Expression last = grouped_by(place.inside(), polynomial, shared.back().atom);
+  const Expression first = grouped_by(place.inside(), polynomial, shared.front().atom);
+  return written_length(first) < written_length(last) ? first : last;
+}
+
+Expression factored_form(Depth place, const Polynomial& polynomial) {
+  if (polynomial.size() < 2) return to_expression(place.graph, polynomial);
+  const Monomial common = common_monomial(polynomial);
+  const bool worthwhile = common.size() * (polynomial.size() - 1) >= worthwhile_saving;
+  if (common.empty() || worthwhile || common_coefficient(polynomial)) {
+    return with_common_factor(place, polynomial, common);
+  }
+  return to_expression(place.graph, polynomial);
+}
+
+}  // namespace
+
+Expression factored_form(Graph& graph, const Polynomial& polynomial) {
+  return factored_form(Depth{graph}, polynomial);
+}
+
+Expression collected_form(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {
+  const auto is_chosen = [&](const Atom& atom) {
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](const Expression& s) { return s.id() == atom.base; });
+  };
+  if (polynomial.empty()) return graph.number(0);
+  Monomial common = common_monomial(polynomial);
+  std::erase_if(common, is_chosen);
+  std::map<Monomial, Polynomial, LeadingFirst> parts;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    Monomial chosen = monomial;
+    std::erase_if(chosen, [&](const Atom& atom) { return !is_chosen(atom); });
+    add(parts[chosen], monomial * inverse(chosen) * inverse(common), coefficient);
+  }
+  const auto written = [&](const Monomial& front, const Number& divisor) {
+    std::vector<Expression> terms;
+    for (const auto& [chosen, part] : parts) {
+      terms.push_back(factored_form(graph, scaled(part, front, Number(1) / divisor)) *
+                      to_expression(graph, chosen));
+    }
+    return graph.sum(terms);
+  };
+  const bool worthwhile = common.size() * (parts.size() - 1) >= worthwhile_saving;
+  const auto coefficient = common_coefficient(polynomial);
+  if (parts.size() == 1 || common.empty() || !(worthwhile || coefficient)) return written(common, Number(1));
+  Expression best = to_expression(graph, common) * written({}, Number(1));
+  for (const Number& number : numeric_factors(polynomial)) {
+    const Expression candidate = number * to_expression(graph, common) * written({}, number);
+    if (written_length(candidate) < written_length(best)) best = candidate;
+  }
+  return best;
+}
+
+}  // namespace qdot

@@ -1,0 +1,30 @@
+#pragma once
+// The symbols that the expressions of a scene are made of.
+
+#include <vector>
+
+#include "core/expr/calculus.hpp"
+
+namespace qdot {
+
+/// A vector's 2 or 3 components in the inertial frame.
+using Vector = std::vector<Expression>;
+
+/// The symbols of a scene: q, q_dot, q_ddot in the order of its coordinates, the time t, and so on.
+/// Inputs and held lengths vary in time too: x[i], x_dot[i] and x_ddot[i] stand for them and their
+/// derivatives.
+struct Symbols {
+  struct Varying {
+    std::vector<Expression> value, rate, second_rate;
+  };
+  Varying coordinates;
+  Expression t;
+  Varying inputs;
+  Varying held;
+  std::vector<Expression> parameters;
+
+  /// (x, x') for everything that varies along a motion, the time with rate 1: the chain rule's d/dt.
+  [[nodiscard]] std::vector<Replacement> rates() const;
+};
+
+}  // namespace qdot

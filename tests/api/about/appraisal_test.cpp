@@ -1,0 +1,90 @@
+#include "api/about/appraisal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "api/answers/endpoints.hpp"
+#include "api/json/limits.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// What the service's route to an endpoint is, as far as an appraisal looks at it.
+const Route& route_to(const std::string& address) {
+  static std::map<std::string, Route> routes;
+  return routes.try_emplace(address, Route{.pattern = address, .cost = endpoint_at(address)->cost})
+      .first->second;
+}
+Appraisal of(const std::string& address, const std::string& body) {
+  return appraise(route_to(address), {.method = "POST", .target = address, .body = body});
+}
+Appraisal of_query(const std::string& query) {
+  return appraise(route_to("/v1/simulate"), {.method = "GET", .target = "/v1/simulate?" + query});
+}
+std::string motion(const std::string& more) { return R"({"system": "cart_pendulum", )" + more + "}"; }
+
+TEST(Appraisal, ALongerMotionCostsMore) {
+  double before = 0;
+  for (const char* end : {"1", "10", "100", "1000"}) {
+    const double cost = of("/v1/simulate", motion(R"("t_end": )" + std::string(end))).milliseconds;
+    EXPECT_GT(cost, before);
+    before = cost;
+  }
+  EXPECT_EQ(of("/v1/simulate", motion(R"("t_end": 10)")).weight, Weight::light);
+  EXPECT_EQ(of("/v1/simulate", motion(R"("t_end": 1000)")).weight, Weight::heavy);
+}
+
+TEST(Appraisal, SoDoRowsColumnsEventsAndDearMethods) {
+  const double plain = of("/v1/simulate", motion(R"("t_end": 10)")).milliseconds;
+  for (const char* more :
+       {R"("samples": 100000)", R"("dt": 1e-4)", R"("samples": 5000, "include": ["energy", "momenta"])",
+        R"("events": ["theta=0", "x=0"])", R"("method": "bdf")", R"("t_start": -500)"}) {
+    EXPECT_GT(of("/v1/simulate", motion(R"("t_end": 10, )" + std::string(more))).milliseconds, plain) << more;
+  }
+  const auto large = of("/v1/simulate", motion(R"("t_end": 10, "samples": 100000)"));
+  EXPECT_GT(large.bytes, std::size_t{10} << 20);
+}
+
+TEST(Appraisal, BothRoadsAreAppraisedAlike) {
+  const auto body = of("/v1/simulate", motion(R"("t_end": "2 min", "samples": 300)"));
+  const auto query = of_query("system=cart_pendulum&t_end=2%20min&samples=300");
+  EXPECT_DOUBLE_EQ(body.milliseconds, query.milliseconds);
+  EXPECT_EQ(body.weight, Weight::heavy);
+}
+
+TEST(Appraisal, ASystemThatTheRequestBringsHasToBeDerived) {
+  const auto chain = [](int links) {
+    std::string coordinates;
+    for (int i = 0; i < links; ++i) coordinates += R"(,{"name": "x"})";
+    return of("/v1/energy", R"({"system": {"coordinates": [)" + coordinates.substr(1) + "]}}");
+  };
+  EXPECT_EQ(chain(1).weight, Weight::light);
+  EXPECT_EQ(chain(8).weight, Weight::heavy);
+}
+
+TEST(Appraisal, WhatCannotBeReadIsCheapUnlessItIsLarge) {
+  for (const char* body :
+       {"", "{", "[]", "null", R"({"t_end": "soon", "samples": {}, "times": 3, "system": []})",
+        R"({"t_end": 1e999})", R"({"dt": 0, "t_end": []})"}) {
+    const auto found = of("/v1/simulate", body);
+    EXPECT_EQ(found.weight, Weight::light) << body;
+    EXPECT_GT(found.milliseconds, 0) << body;
+  }
+  EXPECT_EQ(of("/v1/simulate", "{" + std::string(20000, ' ') + "}").weight, Weight::heavy);
+  EXPECT_EQ(of("/v1/simulate", std::string(limits::large_body_bytes + 1, ' ')).weight, Weight::light);
+}
+
+TEST(Appraisal, ExtremeNumbersStayFinite) {
+  for (const char* more : {R"("t_end": 1e308, "t_start": -1e308)", R"("t_end": 1, "dt": 1e-308)",
+                           R"("t_end": 1, "samples": 1e308)", R"("steps": 1e300)", R"("times": [1e308])"}) {
+    const auto found = of("/v1/simulate", motion(more));
+    EXPECT_GT(found.milliseconds, 0) << more;
+    EXPECT_LT(found.milliseconds, 1e4) << more;
+    EXPECT_LT(found.bytes, std::size_t{1} << 30) << more;
+  }
+}
+
+}  // namespace
+}  // namespace qdot::api
