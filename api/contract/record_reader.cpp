@@ -83,16 +83,18 @@ class Reader {
   RecordReading read(const FieldSet& set, const Json& object, const Place& place) {
     RecordReading reading;
     refuse_unknown_fields(set, object, place);
+    auto& resolved = static_cast<Json::object_t::Container&>(reading.resolved.get_ref<Json::object_t&>());
+    resolved.reserve(set.fields.size());
     for (const FieldInfo& field : set.fields) {
-      if (object.contains(field.name)) {
-        std::optional<Json> value =
-            read_any(field.kind, field.name, object[field.name], place.below(field.name));
-        if (value) reading.resolved[field.name] = std::move(*value);
+      const auto given = object.find(field.name);
+      if (given != object.end()) {
+        std::optional<Json> value = read_any(field.kind, field.name, *given, place.below(field.name));
+        if (value) resolved.emplace_back(field.name, std::move(*value));
       } else if (field.need == Need::required) {
         refuse(place.of_missing(field.name), "missing",
                "'" + field.name + "' is missing: " + field.description);
       } else if (!field.default_value.is_null() && !another_way_is_given(set, field.name, object)) {
-        reading.resolved[field.name] = field.default_value;
+        resolved.emplace_back(field.name, field.default_value);
         reading.defaulted.push_back(field.name);
       }
     }

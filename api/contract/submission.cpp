@@ -6,33 +6,29 @@
 
 namespace qdot::api {
 
-Place Place::of_document() {
-  Place place(Road::body);
-  place.name_ = root_pointer;
-  return place;
+Place Place::of_document() { return {Road::body, std::string(root_pointer)}; }
+
+std::string Place::words() const {
+  if (above_ == nullptr) return words_;
+  const bool is_index = index_ != no_index;
+  if (road_ == Road::query) return is_index ? above_->words() : printable(key_, limits::name_bytes);
+  std::string above = above_->words();
+  if (above.empty()) above = root_pointer;
+  return is_index ? api::below(std::move(above), index_) : api::below(std::move(above), key_);
 }
 
-Place Place::below(std::string_view key) const {
-  Place place(road_);
-  place.name_ = road_ == Road::query ? printable(key, limits::name_bytes)
-                                     : api::below(name_.empty() ? std::string(root_pointer) : name_, key);
-  return place;
+Place Place::of_missing(std::string_view field) const {
+  const bool is_request = above_ == nullptr && words_.empty();
+  return is_request ? below(field) : *this;
 }
-
-Place Place::below(std::size_t index) const {
-  Place place(*this);
-  if (road_ == Road::body) place.name_ = api::below(name_, index);
-  return place;
-}
-
-Place Place::of_missing(std::string_view field) const { return name_.empty() ? below(field) : *this; }
 
 FieldError Place::error(std::string code, std::string detail) const {
   FieldError error{.code = std::move(code), .detail = std::move(detail)};
+  std::string words = this->words();
   if (road_ == Road::query) {
-    error.parameter = name_;
+    error.parameter = std::move(words);
   } else {
-    error.pointer = name_.empty() ? std::string(root_pointer) : name_;
+    error.pointer = words.empty() ? std::string(root_pointer) : std::move(words);
   }
   return error;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // A request before anything is known about it: an object of named values that came along one of two roads.
 
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -22,7 +23,9 @@ struct Submission {
   std::vector<FieldError> errors{};  ///< what is wrong already: names that were given twice
 };
 
-/// Where a value is, in the words of its road: "#/parameters/kk", or the query's parameter "kk".
+/// Where a value is, in the words of its road: "#/parameters/kk", or the query's parameter "kk". The words
+/// are put together only for an error: until then a place refers to the place above it and to its own key,
+/// which have to live as long. A place below a temporary one keeps its words.
 class Place {
  public:
   /// The whole request.
@@ -30,8 +33,16 @@ class Place {
   /// The whole of a document that is no request, such as the file of a scene.
   [[nodiscard]] static Place of_document();
 
-  [[nodiscard]] Place below(std::string_view key) const;
-  [[nodiscard]] Place below(std::size_t index) const;
+  [[nodiscard]] Place below(std::string_view key) const& { return {*this, key, no_index}; }
+  [[nodiscard]] Place below(std::size_t index) const& { return {*this, {}, index}; }
+  [[nodiscard]] Place below(std::string_view key) && {
+    return {road_, std::as_const(*this).below(key).words()};
+  }
+  [[nodiscard]] Place below(std::size_t index) && {
+    return {road_, std::as_const(*this).below(index).words()};
+  }
+  template <std::same_as<std::string> Temporary>
+  Place below(Temporary&& key) const = delete;
   /// Where a field is missed. In a request it is the field itself, so that a body and a query are told the
   /// same; in an object inside, or in a document, the object, because a pointer leads to something sent.
   [[nodiscard]] Place of_missing(std::string_view field) const;
@@ -40,8 +51,18 @@ class Place {
   [[nodiscard]] FieldError error(std::string code, std::string detail) const;
 
  private:
+  static constexpr auto no_index = static_cast<std::size_t>(-1);
+
+  Place(Road road, std::string words) : road_(road), words_(std::move(words)) {}
+  Place(const Place& above, std::string_view key, std::size_t index)
+      : road_(above.road_), above_(&above), key_(key), index_(index) {}
+  [[nodiscard]] std::string words() const;
+
   Road road_;
-  std::string name_;  ///< pointer or parameter; empty: the whole request
+  const Place* above_{};
+  std::string_view key_{};
+  std::size_t index_{no_index};
+  std::string words_{};  ///< where there is no place above: pointer or parameter; empty: the whole request
 };
 
 /// One JSON object.
