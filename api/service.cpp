@@ -260,7 +260,7 @@ Response Service::handle(const Request& request) const noexcept {
       response.headers["Retry-After"] = "1";
       return response;
     } catch (...) {
-      // Whatever it was, its text stays here: it may hold library names or the request.
+      // The text of the exception is not sent, because it may hold library names or the request.
       return to_response({.kind = ProblemKind::internal, .detail = "This should not have happened."},
                          request.target);
     }

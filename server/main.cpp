@@ -18,7 +18,8 @@ namespace {
 
 using namespace qdot::server;
 
-/// Set by the callback of the command that was typed, and run once all its options are known to be right.
+/// What the typed command does. The callback of the command sets it, and it runs once all options are known
+/// to be right.
 using Action = std::function<ExitCode()>;
 
 constexpr int max_port = 65535;
@@ -40,7 +41,7 @@ void add_address(CLI::App& command, std::string& host, Port& port, int lowest_po
       ->envname("QDOT_UNIX_SOCKET");
 }
 
-/// The environment alone: other users see the words of a command line.
+/// Only the environment can give the token, because other users see the words of a command line.
 std::string token_of_environment() {
   const char* token = std::getenv("QDOT_TOKEN");
   return token == nullptr ? "" : token;

@@ -4,16 +4,15 @@
 //
 //   [{"at": "/T", "value": "1/2*m*l^2*theta_dot^2"}, {"at": "/theta_max", "value": "0.9622"}].
 //
-// All of them have to agree, each by the rule for what the answer has there:
-//   a number      is the printed decimal, to half a unit of its last digit; or the value of the printed
-//   expression
-//                 with the request's parameters, to 1e-9 of itself; or it satisfies the printed equation in
-//                 its own name to 1e-9 of the largest side
-//   an expression has the printed one's value, to 1e-9 of itself, for several values of all symbols
-//   an equation   is the printed one times a factor that is free of accelerations: for several states, the
-//   ratio of
-//                 the two residuals (left - right) is the same, to 1e-9, whatever the accelerations
-//   names         of a list, or of an object's members, are the printed ones in their order
+// All of these have to agree. The rule depends on what the answer has at the place:
+//
+//   number      It rounds to the printed decimal (half a unit of the last digit); or it is the value of the
+//               printed expression with the request's parameters, to 1e-9 of itself; or it solves the
+//               printed equation in its own name, to 1e-9 of the larger side or of 1.
+//   expression  It has the value of the printed one, to 1e-9 of itself, at several states.
+//   equation    It is the printed one but for a factor without accelerations: in each of several states the
+//               two residuals (left - right) have the same ratio for all accelerations, to 1e-9.
+//   names       Those of a list, or of an object's members, are the printed ones in their order.
 
 #include "api/json/json.hpp"
 

@@ -9,7 +9,7 @@ namespace qdot::api {
 /// Name, title and problem of each, in the catalogue's order.
 [[nodiscard]] Json system_list(const Catalogue& catalogue);
 
-/// One whole: symbols with unit, default, domain and meaning; events; endings; what it can be asked
+/// All about one: symbols with unit, default, domain and meaning; events; endings; what it can be asked
 /// (api/about/capabilities.hpp); and the scene itself, which a request may carry changed. Defaults are
 /// expressions of the parameters, as in the scene.
 [[nodiscard]] Json system_description(const CatalogueEntry& entry, const Json& capabilities);

@@ -30,7 +30,7 @@ struct Question {
   std::function<Handler(const FindSystem& find_system, Models& models)> handler{};
 };
 
-/// Both from one table. What core throws while `answer` runs becomes a problem (guarded).
+/// Makes both from one table. What core throws while `answer` runs becomes a problem (guarded).
 template <class Request>
 Question question(const RequestTable<Request>& table,
                   Response (*answer)(const Resolved<Request>& resolved, Call& call, Models& models)) {

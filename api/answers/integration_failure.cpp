@@ -3,7 +3,7 @@
 namespace qdot::api {
 namespace {
 
-/// How a run that failed in its numbers is explained.
+/// The explanation of a run that failed.
 struct Failure {
   const char* reason;
   const char* detail;

@@ -1,5 +1,5 @@
 #pragma once
-// Runs that ended in their numbers, as problems.
+// Problems for runs that failed numerically.
 
 #include <span>
 
@@ -8,10 +8,11 @@
 
 namespace qdot::api {
 
-/// Whether a run ended in its numbers and not in the nature of the system.
+/// Whether a run failed numerically, rather than reaching its end or an event of the system.
 [[nodiscard]] bool has_failed(Ending ending);
-/// The problem of such a run, which came as far as the state y at t. `detail` says it better than the ending
-/// alone can.
+
+/// The problem of such a run, which came as far as the state y at t. `detail`, where given, replaces the
+/// explanation that belongs to the ending.
 [[nodiscard]] Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
                                            std::span<const double> y, const std::string& detail = "");
 

@@ -1,6 +1,6 @@
 #pragma once
-// The compiled systems: each of the catalogue once, on first use; a scene that a request carries, for that
-// request.
+// Compiled systems. Those of the catalogue are compiled once, on first use; a scene that a request carries is
+// compiled for that request.
 
 #include <functional>
 #include <memory>
@@ -34,7 +34,7 @@ class Models {
   MadeOnce<std::pair<const Scene*, std::string>, Json> documents_;
 };
 
-/// What core throws, as a problem of the request `whole`; the one place where it is translated.
+/// What core throws, as a problem of the request `whole`. Core's errors are translated here and nowhere else.
 [[nodiscard]] Problem problem_of(const Error& error, const Place& whole);
 
 }  // namespace qdot::api

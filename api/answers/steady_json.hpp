@@ -1,5 +1,5 @@
 #pragma once
-// Equilibria as JSON, for the endpoints that speak of them.
+// Equilibria as JSON, for the endpoints whose answers have them.
 
 #include "api/json/json.hpp"
 #include "core/steady/equilibria.hpp"
@@ -9,7 +9,7 @@ namespace qdot::api {
 /// Puts `stability`, `eigenvalues`, `rate2` with its error and, where undecided, `nonlinear` into `json`.
 void put_stability(Json& json, const SteadyStability& stability, int digits);
 
-/// What is added to an error by writing the value with so many digits.
+/// The error of a value that is written with so many digits; null where that is not finite.
 [[nodiscard]] Json written_error(double value, double error, int digits);
 
 /// Units of the state's components, and of the numbers that put_stability puts.

@@ -1,6 +1,6 @@
 #pragma once
-// The instants of a trajectory, as asked: `samples` (rows, both ends in), `dt`, or `times`. The grid is
-// sacred: an answer has exactly these instants.
+// The instants of a trajectory, as a request gives them: `samples` (the number of rows, both ends included),
+// `dt`, or `times`. An answer has exactly these instants.
 
 #include <cstdint>
 #include <optional>

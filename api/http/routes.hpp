@@ -15,7 +15,7 @@
 
 namespace qdot::api {
 
-/// How long the parts of an answer took, for the Server-Timing header; bodies know nothing of time.
+/// How long the parts of an answer took, for the Server-Timing header. Bodies must not depend on time.
 class Timing {
  public:
   /// Ends a part: the time since the one before belongs to `name`.

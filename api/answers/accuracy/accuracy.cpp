@@ -54,7 +54,7 @@ class AccuracyAnswer {
   }
 
  private:
-  /// A method is given up at its first run that was broken off.
+  /// Runs all trials; a method is given up at its first run that was broken off.
   void run_all() {
     for (const Method method : request_.methods) {
       for (const Trial& trial : study_.trials(method)) {

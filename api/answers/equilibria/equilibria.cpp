@@ -63,7 +63,7 @@ class EquilibriaAnswer {
     return json;
   }
 
-  /// Whether a string is taut there, say.
+  /// Whether the conditions of the model hold there, such as that a string is taut.
   void put_validity(Json& json, const SteadyState& steady) {
     if (scene_.valid_while.empty()) return;
     const std::vector<qdot::Column> columns = validity_columns(dynamics_.model());
@@ -193,7 +193,8 @@ class SolutionAnswer {
   int digits_;
 };
 
-/// Puts the position into the state, and into the echo. What it lacks and the forces depend on is missing.
+/// Puts the position into the state and into the echo. Returns an error for each coordinate that the position
+/// lacks although forces depend on it.
 std::vector<FieldError> take_position(const Dynamics& dynamics, const EquilibriaRequest& request,
                                       const Place& root, ResolvedState& state, Json& echo) {
   const Scene& scene = dynamics.model().scene;

@@ -11,7 +11,8 @@ namespace {
 
 using R = SimulateRequest;
 
-/// Strides alone: the grid ends with the last of them, which the motion has to tell.
+/// Whether only strides were asked for. The grid then ends with the last of them, and only the motion tells
+/// when that is.
 bool has_open_end(const R& request) { return request.steps && !request.t_end && request.times.empty(); }
 
 void check_grid(R& request, Findings& findings) {
@@ -51,7 +52,7 @@ void check_step(const R& request, Findings& findings) {
   }
 }
 
-/// What goes with an rtol that is asked for to the last digits must not undo it.
+/// The default of atol must not undo a very small rtol.
 void complete_tolerances(R& request, Findings& findings) {
   if (!findings.is_defaulted("atol")) return;
   request.atol = std::min(request.atol, 1e-3 * request.rtol);

@@ -82,7 +82,7 @@ class SimulationAnswer {
 
   [[nodiscard]] const char* status() const { return result_.stop ? "stopped" : "complete"; }
 
-  /// Row by row, as CSV or NDJSON; how the motion ended stands in the headers.
+  /// The trajectory row by row, as CSV or NDJSON; headers say how the motion ended.
   Response rows() {
     const bool csv = format() == Format::csv;
     Response response{.status = 200,
@@ -122,7 +122,8 @@ class SimulationAnswer {
         .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
   }
 
-  /// One after the other: all of them as one value would take many times the memory of their text.
+  /// Writes one event after the other, because all of them as one JSON value would take many times the memory
+  /// of their text.
   void write_events(JsonWriter& writer) const {
     writer.key("events");
     writer.begin_array();
