@@ -66,6 +66,19 @@ class ExitCodes(unittest.TestCase):
         self.assertEqual(qdot("--help").returncode, OK)
         self.assertEqual(qdot("simulate", "--help").returncode, OK)
 
+    def test_help_of_a_command_explains_every_field(self):
+        document = json.loads(qdot("openapi").stdout)
+        paths = [path for path, methods in document["paths"].items() if "post" in methods]
+        self.assertGreaterEqual(len(paths), 9)
+        for path in paths:
+            text = " ".join(qdot(path.removeprefix("/v1/"), "--help").stdout.decode().split())
+            for parameter in document["paths"][path]["get"]["parameters"]:
+                if "name" in parameter:
+                    with self.subTest(path=path, field=parameter["name"]):
+                        meaning = parameter["description"].split("; each stands alone")[0]
+                        self.assertIn(f" {parameter['name']} {meaning} (", text)
+        self.assertIn("(number in s > 0)", qdot("simulate", "--help").stdout.decode())
+
     def test_usage(self):
         for arguments in ([], ["no_such_command"], ["simulate", "--no-such-option"], ["simulate", "no_equals_sign"],
                           ["simulate", "=value"], ["simulate", "--request", "/no/such/file"],

@@ -11,7 +11,7 @@ namespace {
 std::vector<std::string> options(const std::string& address, const std::string& field) {
   const Kind& kind = endpoint_at(address)->question.fields->find(field)->kind;
   const auto* list = std::get_if<ListKind>(&kind);
-  return (list == nullptr ? std::get<ChoiceKind>(kind) : std::get<ChoiceKind>(list->element)).options;
+  return (list == nullptr ? std::get<ChoiceKind>(kind) : std::get<ChoiceKind>(*list->element)).options;
 }
 
 TEST(Endpoints, EachRecordIsWholeAndHasANameOfItsOwn) {

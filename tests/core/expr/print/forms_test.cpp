@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/expr/parse.hpp"
@@ -139,6 +141,26 @@ TEST(PrintC, HasNoIntegerDivisionAndNoNeedlessPow) {
                            {"9.81", "9.81"},
                            {"1e20*x", "1e+20*x"},
                        });
+}
+
+TEST(PrintForms, EachHasANameOfItsOwn) {
+  std::set<std::string_view> found;
+  for (const PrintForm& form : print_forms()) EXPECT_TRUE(found.insert(form.name).second) << form.name;
+  EXPECT_GE(found.size(), 6U);
+}
+
+TEST(PrintForms, EachWritesEquationsInItsOwnWay) {
+  Graph graph;
+  const Expression left = parse("2*g", graph, names), right = parse("k", graph, names);
+  const auto equation = [&](Form form) { return print_equation(left, right, form, notation); };
+  EXPECT_EQ(equation(Form::text), "2*g = k");
+  EXPECT_EQ(equation(Form::latex), "2 g = k");
+  EXPECT_EQ(equation(Form::maxima), "2*g = k");
+  EXPECT_EQ(equation(Form::sympy), "Eq(2*g, k)");
+  EXPECT_EQ(equation(Form::c), "2.0*g == k");
+  const std::string math = equation(Form::mathml);
+  EXPECT_TRUE(math.ends_with("<mi>g</mi></mrow><mo>=</mo><mrow><mi>k</mi></mrow></math>")) << math;
+  EXPECT_EQ(math.find("<math"), math.rfind("<math"));
 }
 
 TEST(Notation, TakesNamesApart) {
