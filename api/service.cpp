@@ -25,7 +25,7 @@
 namespace qdot::api {
 namespace {
 
-/// `pretty` is taken out of the query: it is said of every answer. "?pretty" and "?pretty=true" ask for it.
+/// Takes `pretty` out of the query, because every address knows it. "?pretty" and "?pretty=true" ask for it.
 Layout take_layout(Target& target) {
   Layout layout = Layout::compact;
   std::erase_if(target.query, [&](const auto& parameter) {
@@ -44,7 +44,8 @@ std::string header(const Request& request, const std::string& name) {
 
 Response no_content(const std::string& allow) { return {.status = 204, .headers = {{"Allow", allow}}}; }
 
-/// What a GET answered can be kept and asked again: the same request has the same bytes.
+/// A client may keep the answer to a GET and ask whether it still holds, because the same request has the
+/// same bytes.
 void add_entity_tag(const Request& request, Response& response) {
   const std::string tag = entity_tag(response.body);
   response.headers["ETag"] = tag;
@@ -64,116 +65,91 @@ struct Service::Impl {
       : metrics(options.metrics), pages(options.pages), catalogue(Catalogue::built_in()) {
     if (!options.scenes_directory.empty()) catalogue = catalogue.with_directory(options.scenes_directory);
     add_documents();
-    add_systems();
-    add_practice_sheet();
     add_endpoints();
   }
 
-  /// An address whose answer is one document.
-  void add_document(const std::string& pattern, Json document) {
-    routes.add({"GET", pattern, [document = std::move(document)](Call& call) {
-                  return json_response(document, call.layout);
-                }});
+  void get(std::string pattern, Handler handler, std::vector<std::string> offers = {"application/json"},
+           Cost cost = {}) {
+    routes.add({"GET", std::move(pattern), std::move(handler), std::move(offers), cost});
   }
 
+  /// An address whose answer is one document.
+  void get(std::string pattern, Json document) {
+    get(std::move(pattern),
+        [document = std::move(document)](Call& call) { return json_response(document, call.layout); });
+  }
+
+  /// What is said of them is in api/about/addresses.
   void add_documents() {
     add_index();
-    add_pages();
-    for (const char* probe : {"/healthz", "/livez", "/readyz"}) add_document(probe, {{"status", "ok"}});
-    add_document("/version", {{"service_version", service_version()}});
-    add_document("/v1/limits", limits_json());
-    routes.add({"GET",
-                "/v1/scene-schema",
-                [](Call& call) {
-                  Response response = json_response(scene_schema(), call.layout);
-                  response.content_type = call.accepted;
-                  return response;
-                },
-                {"application/json", "application/schema+json"}});
-    routes.add({"GET", "/openapi.json", [this](Call& call) {
-                  return Response{.content_type = "application/json", .body = openapi(call.layout)};
-                }});
-    if (metrics) {
-      routes.add({"GET",
-                  "/metrics",
-                  [this](Call& call) {
-                    return Response{.content_type = call.accepted + "; version=0.0.4", .body = metrics()};
-                  },
-                  {"text/plain"}});
+    for (const Page& page : pages) {
+      if (page.path == "/") continue;
+      get(std::string(page.path), [&page](Call&) { return answer_page(page); },
+          {std::string(page.content_type)});
     }
-    add_problem_types();
-  }
-
-  [[nodiscard]] const Page* page_at(std::string_view path) const {
-    const auto found = std::ranges::find(pages, path, &Page::path);
-    return found == pages.end() ? nullptr : &*found;
+    for (const char* probe : {"/healthz", "/livez", "/readyz"}) get(probe, Json{{"status", "ok"}});
+    get("/version", Json{{"service_version", service_version()}});
+    get("/v1/limits", limits_json());
+    const auto answer_scene_schema = [](Call& call) {
+      Response response = json_response(scene_schema(), call.layout);
+      response.content_type = call.accepted;
+      return response;
+    };
+    get("/v1/scene-schema", answer_scene_schema, {"application/json", "application/schema+json"});
+    get("/openapi.json", [this](Call& call) {
+      return Response{.content_type = "application/json", .body = openapi(call.layout)};
+    });
+    if (metrics) {
+      const auto answer_metrics = [this](Call& call) {
+        return Response{.content_type = call.accepted + "; version=0.0.4", .body = metrics()};
+      };
+      get("/metrics", answer_metrics, {"text/plain"});
+    }
+    get("/errors/{name}", answer_problem_type, {"application/json", "text/html"});
+    get("/v1/systems", system_list(catalogue));
+    get("/v1/systems/{name}", [this](Call& call) { return answer_system(call); });
+    get("/v1/problems", exercise_list());
+    get("/v1/problems/{number}", [this](Call& call) { return answer_exercise(call); }, {"application/json"},
+        {.milliseconds = 4});
   }
 
   void add_index() {
-    const Page* page = page_at("/");
+    const auto found = std::ranges::find(pages, "/", &Page::path);
+    const Page* page = found == pages.end() ? nullptr : &*found;
     std::vector<std::string> offers{"application/json"};
     if (page != nullptr) offers.emplace_back(page->content_type);
-    routes.add({"GET", "/",
-                [this, page](Call& call) {
-                  if (page != nullptr && call.accepted == page->content_type) return answer_page(*page);
-                  return json_response(index_json(routes), call.layout);
-                },
-                offers});
-  }
-
-  void add_pages() {
-    for (const Page& page : pages) {
-      if (page.path == "/") continue;
-      routes.add({"GET",
-                  std::string(page.path),
-                  [&page](Call&) { return answer_page(page); },
-                  {std::string(page.content_type)}});
-    }
-  }
-
-  void add_problem_types() {
-    routes.add({"GET",
-                "/errors/{name}",
-                [](Call& call) {
-                  const ProblemType* type = find_problem_type(call.captures[0]);
-                  if (type == nullptr) return not_found(call);
-                  if (call.accepted == "text/html") return problem_page(*type);
-                  return json_response(problem_type_json(*type), call.layout);
-                },
-                {"application/json", "text/html"}});
-  }
-
-  void add_systems() {
-    add_document("/v1/systems", system_list(catalogue));
-    routes.add({"GET", "/v1/systems/{name}", [this](Call& call) {
-                  if (const CatalogueEntry* entry = catalogue.find(call.captures[0])) {
-                    return json_response(system_description(*entry, capabilities(*entry)), call.layout);
-                  }
-                  return not_found(call, "There is no system " + in_quotes(call.captures[0]) +
-                                             "; /v1/systems lists them.");
-                }});
-  }
-
-  Json capabilities(const CatalogueEntry& entry) {
-    return models.remembered(entry.scene, "capabilities", [&] {
-      return capabilities_json(entry, [this](const Request& request) { return answer(request); });
-    });
-  }
-
-  void add_practice_sheet() {
-    add_document("/v1/problems", exercise_list());
-    const Handler handler = [this](Call& call) {
-      const auto ask = [this](const Request& request) { return answer(request); };
-      if (const auto exercise = answered_exercise(call.captures[0], ask)) {
-        return json_response(*exercise, call.layout);
-      }
-      return not_found(call, "The practice sheet has no problem " + in_quotes(call.captures[0]) +
-                                 "; /v1/problems lists them.");
+    const auto answer_index = [this, page](Call& call) {
+      if (page != nullptr && call.accepted == page->content_type) return answer_page(*page);
+      return json_response(index_json(routes), call.layout);
     };
-    routes.add({.method = "GET",
-                .pattern = "/v1/problems/{number}",
-                .handler = handler,
-                .cost = {.milliseconds = 4}});
+    get("/", answer_index, offers);
+  }
+
+  static Response answer_problem_type(Call& call) {
+    const ProblemType* type = find_problem_type(call.captures[0]);
+    if (type == nullptr) return not_found(call);
+    if (call.accepted == "text/html") return problem_page(*type);
+    return json_response(problem_type_json(*type), call.layout);
+  }
+
+  Response answer_system(Call& call) {
+    const CatalogueEntry* entry = catalogue.find(call.captures[0]);
+    if (entry == nullptr) {
+      return not_found(call,
+                       "There is no system " + in_quotes(call.captures[0]) + "; /v1/systems lists them.");
+    }
+    const Json capabilities = models.remembered(entry->scene, "capabilities", [&] {
+      return capabilities_json(*entry, [this](const Request& request) { return answer(request); });
+    });
+    return json_response(system_description(*entry, capabilities), call.layout);
+  }
+
+  Response answer_exercise(Call& call) {
+    const auto exercise =
+        answered_exercise(call.captures[0], [this](const Request& request) { return answer(request); });
+    if (exercise) return json_response(*exercise, call.layout);
+    return not_found(call, "The practice sheet has no problem " + in_quotes(call.captures[0]) +
+                               "; /v1/problems lists them.");
   }
 
   /// POST and its GET twin.
@@ -187,7 +163,7 @@ struct Service::Impl {
     }
   }
 
-  /// Made when it is first asked for: the command line seldom does.
+  /// It is made when it is first asked for, which the command line seldom does.
   const std::string& openapi(Layout layout) const {
     std::call_once(openapi_is_made, [this] {
       const Json document = openapi_document(routes, catalogue);

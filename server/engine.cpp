@@ -16,6 +16,8 @@ namespace qdot::server {
 namespace {
 
 constexpr std::size_t worth_compressing = 1024;
+/// httplib compresses thoroughly: 50 ms for 1 MiB. What is longer would overrun the deadline of its request.
+constexpr std::size_t compressed_in_time = std::size_t{1} << 20;
 
 /// "gzip;q=0.5": its quality, 1 without one.
 double quality(std::string_view parameters) {
@@ -78,7 +80,7 @@ class Engine final : httplib::Server {
  private:
   [[nodiscard]] bool compresses() const {
     return response_.status == 200 && response_.body.size() >= worth_compressing &&
-           accepts_gzip(form_.accept_encoding);
+           response_.body.size() <= compressed_in_time && accepts_gzip(form_.accept_encoding);
   }
 
   void begin(httplib::Response& answer) {

@@ -39,7 +39,7 @@ class Interview {
 /// Everything that `include` can add to a trajectory.
 Json all_extras(const Endpoint& simulate) {
   const FieldInfo* include = simulate.question.fields->find("include");
-  return std::get<ChoiceKind>(std::get<ListKind>(include->kind).element).options;
+  return std::get<ChoiceKind>(*std::get<ListKind>(include->kind).element).options;
 }
 
 /// Name and unit of every column that a trajectory can have. They are read off the answer for a motion that

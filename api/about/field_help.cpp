@@ -38,6 +38,8 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string in_words(const Kind& kind);
+
 /// What a field takes: "number in s > 0".
 struct InWords {
   std::string operator()(const NumberKind& kind) const {
@@ -50,7 +52,7 @@ struct InWords {
   std::string operator()(const TextKind&) const { return "text"; }
   std::string operator()(const ChoiceKind& kind) const { return "one of " + joined(kind.options); }
   std::string operator()(const ListKind& kind) const {
-    return "with commas between, each " + std::visit(*this, kind.element);
+    return "with commas between, each " + in_words(*kind.element);
   }
   std::string operator()(const SystemKind&) const { return "name"; }
   std::string operator()(const SymbolsKind& kind) const {
@@ -61,7 +63,17 @@ struct InWords {
   std::string operator()(const ParameterValueKind& kind) const {
     return "number in the unit of '" + kind.parameter + "'";
   }
+  /// A scene's kinds: no request on a command line has them.
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "value";
+  }
 };
+
+std::string in_words(const Kind& kind) {
+  const KindVariant& variant = kind;
+  return std::visit(InWords{}, variant);
+}
 
 std::string defaults(const FieldInfo& field) {
   if (field.need == Need::required) return "; required";
@@ -85,8 +97,7 @@ std::string beside_name(std::string_view text) {
 std::string in_words(const FieldInfo& field) {
   std::string name = "  " + field.name;
   name.resize(std::max(margin, name.size() + 1), ' ');
-  return name +
-         beside_name(field.description + " (" + std::visit(InWords{}, field.kind) + defaults(field) + ")");
+  return name + beside_name(field.description + " (" + in_words(field.kind) + defaults(field) + ")");
 }
 
 }  // namespace

@@ -47,6 +47,12 @@ Json state_json(const Scene& scene, std::span<const double> y) {
   return json;
 }
 
+Json state_units(const Scene& scene) {
+  Json units = Json::object();
+  for (const Symbol& symbol : symbols(scene, SymbolRole::initial)) units[symbol.name] = symbol.unit;
+  return units;
+}
+
 void write_head(JsonWriter& writer, const Scene& scene, const Json& echo) {
   writer.member("system", scene.name);
   writer.member("model_version", scene.model_version);

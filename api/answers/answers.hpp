@@ -40,6 +40,9 @@ struct ResolvedSystem {
 /// {"q": ..., "q_dot": ...}: a state by name, in the scene's order.
 [[nodiscard]] Json state_json(const Scene& scene, std::span<const double> y);
 
+/// {"q": "rad", "q_dot": "rad/s"}: the units of a state by name.
+[[nodiscard]] Json state_units(const Scene& scene);
+
 /// The beginning of every answer: system, versions and the resolved request.
 void write_head(JsonWriter& writer, const Scene& scene, const Json& echo);
 

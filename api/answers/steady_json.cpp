@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "api/contract/system_choice.hpp"
+#include "api/answers/answers.hpp"
 #include "api/json/writer.hpp"
 
 namespace qdot::api {
@@ -26,8 +26,7 @@ void put_stability(Json& json, const SteadyStability& stability, int digits) {
 }
 
 Json steady_units(const Scene& scene) {
-  Json units = Json::object();
-  for (const Symbol& symbol : symbols(scene, SymbolRole::initial)) units[symbol.name] = symbol.unit;
+  Json units = state_units(scene);
   units["rate2"] = units["rate2_error"] = "1/s^2";
   units["re"] = units["im"] = "1/s";
   return units;

@@ -58,6 +58,7 @@ void check_events(const Scene& scene, const std::vector<std::string>& events, Fi
 }
 
 void check_inputs(const SystemChoice& choice, Findings& findings) {
+  if (!choice.scene || findings.has_error_at({"inputs"})) return;
   const std::vector<std::string> allowed = input_symbols(*choice.scene);
   for (const auto& [name, text] : choice.inputs) {
     check_text(findings.root().below("inputs").below(name), allowed, findings, [&, &text = text] {

@@ -1,5 +1,6 @@
 #pragma once
-// Rules about the expressions in a request, which need the system's symbols but no mechanics.
+// Rules about the expressions in a request. They need the symbols of the system, but no mechanics; what they
+// find becomes an error of the request.
 
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@ namespace qdot::api {
 /// parameters.
 void check_events(const Scene& scene, const std::vector<std::string>& events, Findings& findings);
 
-/// Each input is an expression in t and the parameters.
+/// Each input is an expression in t and the parameters. Finds nothing more where the system or the field
+/// `inputs` is wrong already.
 void check_inputs(const SystemChoice& choice, Findings& findings);
 
 }  // namespace qdot::api

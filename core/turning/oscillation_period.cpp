@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
-
-using std::numbers::pi;
 
 /// Relative. Both rules converge so fast that halving the step squares the error; what two sums differ by is
 /// the error of the coarser one.

@@ -163,8 +163,7 @@ class AccuracyAnswer {
   }
 
   [[nodiscard]] Json units() const {
-    Json units = Json::object();
-    for (const Symbol& symbol : symbols(scene_, SymbolRole::initial)) units[symbol.name] = symbol.unit;
+    Json units = state_units(scene_);
     if (request_.measure) units["cpu_us"] = "us";
     return units;
   }

@@ -14,7 +14,7 @@ void check(R& request, Findings& findings) {
   if (!findings.has_error_at({"t_start", "t_end", "samples", "dt", "times"})) {
     read_grid(request, 1 + 2 * static_cast<std::int64_t>(scene->coordinates.size()), findings);
   }
-  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  check_inputs(request.system, findings);
   if (findings.echo().contains("methods") && request.methods.empty()) {
     findings.report("methods", "empty", "'methods' needs at least one.");
   }

@@ -1,5 +1,6 @@
 #include "core/steady/bifurcations.hpp"
 #include "api/answers/bifurcations/request.hpp"
+#include "api/answers/gait/request.hpp"
 #include "api/answers/steady_json.hpp"
 #include "core/gait/gait_continuation.hpp"
 
@@ -23,18 +24,6 @@ const char* kind_name(CriticalGait::Kind kind) {
       break;
   }
   return "neimark_sacker";
-}
-
-const char* kind_name(Gait::Kind kind) {
-  switch (kind) {
-    case Gait::Kind::short_step:
-      return "short";
-    case Gait::Kind::long_step:
-      return "long";
-    case Gait::Kind::other:
-      break;
-  }
-  return "other";
 }
 
 class BifurcationsAnswer {
@@ -135,7 +124,7 @@ class BifurcationsAnswer {
   }
 
   [[nodiscard]] Json branch(std::size_t id, const GaitBranch& branch) const {
-    Json json{{"id", id}, {"kind", kind_name(branch.kind)}, {request_.parameter, Json::array()}};
+    Json json{{"id", id}, {"kind", name(branch.kind)}, {request_.parameter, Json::array()}};
     const std::vector<Symbol> names = symbols(scene_, SymbolRole::initial);
     for (const GaitPoint& point : branch.points) {
       json[request_.parameter].push_back(point.parameter);

@@ -13,7 +13,7 @@ using R = BifurcationsRequest;
 
 void check(R& request, Findings& findings) {
   if (!request.system.scene) return;
-  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  check_inputs(request.system, findings);
   if (findings.has_error_at({"parameter"})) return;
   std::vector<std::string> allowed;
   for (const Symbol& p : symbols(*request.system.scene, SymbolRole::parameter)) allowed.push_back(p.name);

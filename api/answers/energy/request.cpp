@@ -17,10 +17,7 @@ const RequestTable<EnergyRequest>& energy_table() {
                  {.default_value = 0.0, .aliases = {"time", "t0", "t_start"}}),
           digits_field<R>(),
       },
-      {}, [](R& request, Findings& findings) {
-        if (request.system.scene && !findings.has_error_at({"inputs"}))
-          check_inputs(request.system, findings);
-      });
+      {}, [](R& request, Findings& findings) { check_inputs(request.system, findings); });
   return table;
 }
 

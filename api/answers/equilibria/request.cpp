@@ -29,7 +29,7 @@ void check_unknown(const R& request, Findings& findings) {
 
 void check(R& request, Findings& findings) {
   if (!request.system.scene) return;
-  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  check_inputs(request.system, findings);
   if (request.solve_for) {
     check_unknown(request, findings);
   } else if (!request.system.position.empty()) {

@@ -9,18 +9,6 @@ namespace {
 constexpr const char* undecided =
     "The largest multiplier has the magnitude 1 within its error, so that linearization does not decide.";
 
-const char* name(Gait::Kind kind) {
-  switch (kind) {
-    case Gait::Kind::short_step:
-      return "short";
-    case Gait::Kind::long_step:
-      return "long";
-    case Gait::Kind::other:
-      break;
-  }
-  return "other";
-}
-
 class GaitAnswer {
  public:
   GaitAnswer(const Scene& scene, int digits) : scene_(scene), digits_(digits) {}
@@ -45,21 +33,15 @@ class GaitAnswer {
   }
 
   [[nodiscard]] Json units() const {
-    Json units = Json::object();
-    for (const Symbol& symbol : symbols(scene_, SymbolRole::initial)) units[symbol.name] = symbol.unit;
+    Json units = state_units(scene_);
     units.update(Json{{"step_time", "s"}, {"step_length", "m"}, {"multipliers", "1"}});
     return units;
   }
 
  private:
-  /// The error of a value as it is written.
-  [[nodiscard]] double written_error(double value, double error) const {
-    return error + std::abs(rounded(value, digits_) - value);
-  }
   [[nodiscard]] double written_error(const Uncertain& number) const {
-    return written_error(number.value, number.error);
+    return number.error + std::abs(rounded(number.value, digits_) - number.value);
   }
-
   [[nodiscard]] Json values(const std::vector<Uncertain>& state) const {
     std::vector<double> y;
     for (const Uncertain& number : state) y.push_back(number.value);

@@ -2,6 +2,18 @@
 
 namespace qdot::api {
 
+const char* name(Gait::Kind kind) {
+  switch (kind) {
+    case Gait::Kind::short_step:
+      return "short";
+    case Gait::Kind::long_step:
+      return "long";
+    case Gait::Kind::other:
+      break;
+  }
+  return "other";
+}
+
 const RequestTable<GaitRequest>& gait_table() {
   using R = GaitRequest;
   static const RequestTable<R> table({

@@ -14,6 +14,9 @@ struct GaitRequest {
   std::optional<int> digits{};
 };
 
+/// The long and the short gait have their names by their step times; a single one is "other".
+[[nodiscard]] const char* name(Gait::Kind kind);
+
 [[nodiscard]] const RequestTable<GaitRequest>& gait_table();
 
 [[nodiscard]] Endpoint gait_endpoint();

@@ -162,8 +162,7 @@ class ModesAnswer {
   }
 
   [[nodiscard]] Json units() const {
-    Json units = Json::object();
-    for (const Symbol& symbol : symbols(scene_, SymbolRole::initial)) units[symbol.name] = symbol.unit;
+    Json units = state_units(scene_);
     units["mass_matrix"] = matrix_units(2);
     units["stiffness_matrix"] = matrix_units(0);
     units["gyroscopic_matrix"] = matrix_units(1);

@@ -18,10 +18,7 @@ const RequestTable<ModesRequest>& modes_table() {
           inputs_field<R>(),
           digits_field<R>(),
       },
-      {}, [](R& request, Findings& findings) {
-        if (request.system.scene && !findings.has_error_at({"inputs"}))
-          check_inputs(request.system, findings);
-      });
+      {}, [](R& request, Findings& findings) { check_inputs(request.system, findings); });
   return table;
 }
 

@@ -69,7 +69,7 @@ void check(R& request, Findings& findings) {
     findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
   }
   if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
-  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  check_inputs(request.system, findings);
   check_step(request, findings);
   complete_tolerances(request, findings);
   if (request.steps && (!scene->impact || !request.impacts)) {

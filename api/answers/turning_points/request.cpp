@@ -27,7 +27,7 @@ void check(R& request, Findings& findings) {
   }
   if (!request.system.scene) return;
   if (!findings.has_error_at({"coordinate"})) check_coordinate(request, findings);
-  if (!findings.has_error_at({"inputs"})) check_inputs(request.system, findings);
+  check_inputs(request.system, findings);
   check_impacts(request, findings);
 }
 
