@@ -1,37 +1,47 @@
 #pragma once
 // The stages in order. Everything after the scene is a pure function of it.
 //
-//   Scene                what is where, as text                          core/mechanics/scene.hpp
-//     parse_scene          every symbol known, every dimension checked   core/mechanics/parsed_scene.hpp
+//   Scene                what is where, as text                        core/mechanics/scene.hpp
+//     parse_scene          every symbol known, every dimension checked core/mechanics/parsed_scene.hpp
 //   ParsedScene
-//     derive_lagrangian    T, V, Q from positions; L = T - V             core/mechanics/lagrangian.hpp
+//     derive_lagrangian    T, V, Q from positions; L = T - V           core/mechanics/lagrangian.hpp
 //   Lagrangian
-//     derive_equations     M(q,t) q'' = f(q,q',t) core/mechanics/equations_of_motion.hpp
+//     derive_equations     M(q,t) q'' = f(q,q',t)                      core/mechanics/equations_of_motion.hpp
 //   EquationsOfMotion
-//     build_model          the four above in one call                    core/mechanics/model.hpp
+//     build_model          the four above in one call                  core/mechanics/model.hpp
 //   Model
-//     Dynamics             tapes for q'', Jacobian, columns, events      core/dynamics/dynamics.hpp
-//   CompiledFunction                                                     core/compile/compiled_function.hpp
-//     integrate            stepping, events, sampling                    core/integrate/integrate.hpp
+//     accelerations_of     tapes for q'', Jacobian, columns, events    core/dynamics/motion_functions.hpp
+//   CompiledFunction                                                   core/compile/compiled_function.hpp
+//     Dynamics             what questions share, made once and kept    core/dynamics/dynamics.hpp
+//     integrate            stepping, events, sampling                  core/integrate/integrate.hpp
 //   Run
-//     simulate             a motion with its columns and how it ended    core/motion/simulation.hpp
+//     simulate             a motion with its columns and how it ended  core/motion/simulation.hpp
 //   Simulation
 //
-// Beside the road:
-//   what is conserved and why (mechanics/conserved.hpp), momenta, Hamiltonian and Routhian
-//   (mechanics/canonical.hpp), dimensionless form (mechanics/dimensionless.hpp), printing (expr/print.hpp)
-//   the error of a motion, measured                                    core/motion/ladder.hpp
-//   questions that need no motion: without ignorable coordinates       core/mechanics/reduction.hpp
-//     compiled at rest                                                 core/dynamics/statics.hpp
-//     in intervals, balls and divided differences                      core/compile/tape_evaluator.hpp
-//     equilibria and what holds them                                   core/steady/equilibria.hpp
-//     small motions about them                                         core/steady/modes.hpp
-//     where their number or stability changes                          core/steady/bifurcations.hpp
-//     how far a motion of one coordinate goes                          core/turning/turning_points.hpp
+// Beside the road, of a Lagrangian:
+//   what is conserved, and why                                         core/mechanics/conserved.hpp
+//   momenta, Hamiltonian and Routhian                                  core/mechanics/canonical.hpp
+//   dimensionless form                                                 core/mechanics/dimensionless.hpp
+//   printing                                                           core/expr/print/print.hpp
+// Of a motion:
+//   its error, measured                                                core/motion/ladder.hpp
 //   motions with impacts that repeat                                   core/gait/gait.hpp
+//   such motions followed while a parameter changes                    core/gait/gait_continuation.hpp
+// Questions that need no motion:
+//   without ignorable coordinates                                      core/mechanics/reduction.hpp
+//   with the parameters that are zero                                  core/dynamics/specialization.hpp
+//   compiled at rest                                                   core/dynamics/statics.hpp
+//   in intervals, balls and divided differences                        core/compile/tape_evaluator.hpp
+//   equilibria and what holds them                                     core/steady/equilibria.hpp
+//   small motions about them                                           core/steady/modes.hpp
+//   where their number or stability changes                            core/steady/bifurcations.hpp
+//   how far a motion of one coordinate goes                            core/turning/turning_points.hpp
+//
+// The rooms, and which may use which: core/CMakeLists.txt.
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/gait/gait.hpp"
+#include "core/gait/gait_continuation.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/conserved.hpp"
 #include "core/mechanics/dimensionless.hpp"

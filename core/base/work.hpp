@@ -1,18 +1,20 @@
 #pragma once
 // What a question may cost, and whether anyone still waits for its answer. The thread that computes knows
-// both, so that algebra and searches far below the question need not hand them on. Integrations have bounds
-// of their own (core/integrate/integrate.hpp) and only look whether they are awaited.
+// both, so that algebra and searches far below the question need not pass them on. An integration has its own
+// bounds on steps and evaluations (core/integrate/run.hpp); of this it uses only check_interruption().
 
 #include <cstdint>
 #include <functional>
 
 namespace qdot {
 
-/// Nobody waits for the answer any more. Not an Error: after this nothing else is tried.
+/// Thrown when nobody waits for the answer any more. It is not an Error, so that nothing else is tried after
+/// it.
 struct Interrupted {};
 
-/// While it lives, what its thread computes may cost `units`: steps of algebra, such as a product of two
-/// terms or an operation on intervals, each well under a microsecond. Scopes nest; the innermost counts.
+/// While it lives, what its thread computes may cost `units`. A unit is one step of algebra, such as a
+/// product of two terms or an operation on intervals, and takes well under a microsecond. Scopes nest; work
+/// counts against the innermost. `interrupted` says whether nobody waits any more.
 class WorkScope {
  public:
   explicit WorkScope(std::uint64_t units, std::function<bool()> interrupted = {});
@@ -30,11 +32,11 @@ class WorkScope {
   WorkScope* outer_;
 };
 
-/// Counts; without a scope nothing is bounded. Throws Error(too_large) past the bound and, every few thousand
-/// units, Interrupted.
+/// Counts the units against the innermost scope of this thread; without a scope nothing is bounded. Throws
+/// Error(too_large) past the bound. Every few thousand units it checks for an interruption, too.
 void spend_work(std::uint64_t units = 1);
 
-/// Throws Interrupted when the scope is told that nobody waits.
+/// Throws Interrupted if the scope's `interrupted` says that nobody waits any more.
 void check_interruption();
 
 }  // namespace qdot

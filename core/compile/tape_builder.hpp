@@ -1,6 +1,6 @@
 #pragma once
-// From expressions to a tape. Shared nodes are computed once; what depends on parameters alone goes to the
-// prologue; sums take the products of their terms with them.
+// From expressions to a tape. Shared nodes are computed once, what depends on parameters alone goes to the
+// prologue, and a sum computes the products in its terms with it.
 
 #include <map>
 #include <optional>
@@ -26,7 +26,7 @@ class TapeBuilder {
     std::vector<std::vector<Expression>> right_hand_sides;  ///< k columns of n
     std::vector<Expression> unknowns;
   };
-  /// Slots of the solutions, k columns of n. Unknowns that no equation couples are solved apart.
+  /// Slots of the solutions, k columns of n. Unknowns that no equation couples are solved for separately.
   std::vector<std::vector<Slot>> solve(const LinearSystem& system);
 
   [[nodiscard]] Slot slot(const Expression& e);

@@ -1,6 +1,6 @@
 #pragma once
-// A tape evaluated in other numbers than doubles: in intervals, to enclose its values; in differences, to
-// compare two places without cancellation.
+// A tape evaluated in other numbers than doubles: in intervals or balls, to enclose its values; in divided
+// differences, to compare two places without cancellation.
 
 #include <cassert>
 #include <span>

@@ -1,27 +1,23 @@
 #include "core/dynamics/columns.hpp"
 
 #include <array>
+#include <numeric>
 
 namespace qdot {
 
-std::vector<Column> energy_columns(const Model& model) {
+std::vector<Column> momentum_columns(const Model& model, const std::vector<std::size_t>& coordinates) {
   std::vector<Column> columns;
-  if (const Lagrangian& l = model.lagrangian; l.kinetic_energy) {
-    columns.push_back({"T", "J", *l.kinetic_energy});
-    columns.push_back({"V", "J", *l.potential_energy});
-    columns.push_back({"energy", "J", *model.energy});
-  }
-  columns.push_back({"h", "J", model.jacobi});
-  return columns;
-}
-
-std::vector<Column> momentum_columns(const Model& model) {
-  std::vector<Column> columns;
-  for (std::size_t i = 0; i < model.degrees_of_freedom(); ++i) {
+  for (const std::size_t i : coordinates) {
     columns.push_back(
         {"p_" + model.scene.coordinates[i].name, momentum_unit(model.scene, i), model.momenta[i]});
   }
   return columns;
+}
+
+std::vector<Column> momentum_columns(const Model& model) {
+  std::vector<std::size_t> all(model.degrees_of_freedom());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return momentum_columns(model, all);
 }
 
 std::vector<Column> position_columns(const Model& model) {

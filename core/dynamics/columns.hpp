@@ -1,5 +1,5 @@
 #pragma once
-// The quantities of a model that can be asked for along a motion: the groups of the contract's `include`.
+// The quantities of a model that can be asked for along a motion.
 
 #include <string>
 #include <vector>
@@ -15,8 +15,10 @@ struct Column {
   Expression value;  ///< in t, q, q', q'', the parameters and inputs; of the model's graph
 };
 
-[[nodiscard]] std::vector<Column> energy_columns(const Model& model);        ///< T, V, T + V and h
-[[nodiscard]] std::vector<Column> momentum_columns(const Model& model);      ///< p_i = dL/dq_i'
+[[nodiscard]] std::vector<Column> momentum_columns(const Model& model);  ///< p_i = dL/dq_i'
+/// The momenta of some coordinates, such as the ignored ones of a reduction.
+[[nodiscard]] std::vector<Column> momentum_columns(const Model& model,
+                                                   const std::vector<std::size_t>& coordinates);
 [[nodiscard]] std::vector<Column> position_columns(const Model& model);      ///< of the scene's named points
 [[nodiscard]] std::vector<Column> acceleration_columns(const Model& model);  ///< q''
 [[nodiscard]] std::vector<Column> validity_columns(const Model& model);      ///< the scene's `valid_while`

@@ -22,8 +22,8 @@ using Replacement = std::pair<Expression, Expression>;  ///< symbol, what stands
 
 using Assignment = std::pair<Expression, double>;
 
-/// The value of e, walking its nodes; the slow second road beside the compiled tape. Unassigned symbols are
-/// NaN, `pi` is known.
+/// The value of e, found by walking its nodes: slower than a compiled tape, and a check of it. Symbols
+/// without a value are NaN; `pi` is known.
 [[nodiscard]] double evaluate(const Expression& e, std::span<const Assignment> values);
 
 }  // namespace qdot

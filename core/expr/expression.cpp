@@ -237,8 +237,6 @@ Expression sqrt(const Expression& e) { return pow(e, Number::ratio(1, 2)); }
 Expression sin(const Expression& e) { return e.graph().call(Function::sin, e); }
 Expression cos(const Expression& e) { return e.graph().call(Function::cos, e); }
 
-std::size_t operation_count(const Expression& e) { return e.graph().length(e.id()).operations; }
-
 std::size_t written_length(const Expression& e) {
   const Length length = e.graph().length(e.id());
   return 2 * length.operations + length.fractions;

@@ -57,7 +57,7 @@ class Graph {
 
   Graph();
   [[nodiscard]] Expression number(const Number& value);
-  /// The symbol `name`, made on first use. Symbols made earlier come first in sign conventions: theta -
+  /// The symbol `name`, made on first use. A difference leads with the symbol that was made first: theta -
   /// gamma.
   [[nodiscard]] Expression symbol(std::string_view name);
   [[nodiscard]] Expression sum(std::span<const Expression> terms);
@@ -78,9 +78,6 @@ class Graph {
   std::vector<Length> lengths_;
   std::unordered_multimap<std::size_t, NodeId> index_;
 };
-
-/// Additions, multiplications, divisions, powers and calls in e as it is written out.
-[[nodiscard]] std::size_t operation_count(const Expression& e);
 
 /// What is compared to find the shorter of two forms: an operation counts two, a coefficient that is not a
 /// whole number one.

@@ -11,16 +11,15 @@ constexpr std::size_t most_compared = 24;
 /// Brackets within brackets in which alternatives are compared: each multiplies the work by two to four.
 constexpr int compared_levels = 4;
 
-/// Where the factors are looked for, and in how many levels of brackets from here on alternatives are
-/// compared.
-struct Depth {
+/// A level of brackets, and in how many levels from there on alternatives are compared.
+struct FactorLevel {
   Graph& graph;
-  int levels{compared_levels};
-  [[nodiscard]] Depth inside() const { return {graph, std::max(levels - 1, 0)}; }
+  int depth{compared_levels};
+  [[nodiscard]] FactorLevel inside() const { return {graph, std::max(depth - 1, 0)}; }
 };
 
-Expression factored_form(Depth place, const Polynomial& polynomial);
-Expression grouped(Depth place, const Polynomial& polynomial);
+Expression factored_form(FactorLevel level, const Polynomial& polynomial);
+Expression grouped(FactorLevel level, const Polynomial& polynomial);
 
 Number size_of(const Number& number) { return number.is_negative() ? -number : number; }
 
@@ -60,8 +59,8 @@ std::vector<Number> numeric_factors(const Polynomial& polynomial) {
   return factors;
 }
 
-std::vector<Number> numbers_in_front(Depth place, const Polynomial& polynomial) {
-  if (place.levels > 0) return numeric_factors(polynomial);
+std::vector<Number> numbers_in_front(FactorLevel level, const Polynomial& polynomial) {
+  if (level.depth > 0) return numeric_factors(polynomial);
   return {common_coefficient(polynomial).value_or(Number(1))};
 }
 
@@ -93,23 +92,23 @@ std::vector<Shared> most_shared(const Polynomial& polynomial) {
 }
 
 /// The polynomial without its common monomial and number.
-Expression primitive(Depth place, const Polynomial& polynomial) {
+Expression primitive(FactorLevel level, const Polynomial& polynomial) {
   if (polynomial.size() > 2) {
-    if (const auto root = exact_root(polynomial)) return pow(factored_form(place, *root), Number(2));
+    if (const auto root = exact_root(polynomial)) return pow(factored_form(level, *root), Number(2));
   }
-  return grouped(place, polynomial);
+  return grouped(level, polynomial);
 }
 
 /// polynomial = common (rest), with the number in front that makes the whole shortest.
-Expression with_common_factor(Depth place, const Polynomial& polynomial, const Monomial& common) {
+Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, const Monomial& common) {
   const Number sign(all_negative(polynomial) ? -1 : 1);
   const Polynomial rest = scaled(polynomial, inverse(common), sign);
-  const Expression front = to_expression(place.graph, common);
+  const Expression front = to_expression(level.graph, common);
   Expression best;
   std::size_t least = static_cast<std::size_t>(-1);
-  for (const Number& number : numbers_in_front(place, rest)) {
+  for (const Number& number : numbers_in_front(level, rest)) {
     const Polynomial bracket = scaled(rest, {}, Number(1) / number);
-    const Expression candidate = (sign * number) * front * primitive(place.inside(), bracket);
+    const Expression candidate = (sign * number) * front * primitive(level.inside(), bracket);
     const std::size_t cost = written_length(candidate);
     if (cost < least) {
       least = cost;
@@ -130,45 +129,45 @@ Polynomial terms_with(const Polynomial& polynomial, const Atom& atom) {
 }
 
 /// The terms that share the atom in a bracket of their own, the others beside it.
-Expression grouped_by(Depth place, const Polynomial& polynomial, const Atom& atom) {
+Expression grouped_by(FactorLevel level, const Polynomial& polynomial, const Atom& atom) {
   const Polynomial group = terms_with(polynomial, atom);
   Polynomial others = polynomial;
   add(others, group, Number(-1));
-  if (others.empty()) return with_common_factor(place, polynomial, Monomial{atom});
+  if (others.empty()) return with_common_factor(level, polynomial, Monomial{atom});
   const Monomial front = common_monomial(group);
   const Polynomial bracket = scaled(group, inverse(front), 1);
   if (const auto quotient = exact_quotient(others, bracket)) {
     Polynomial cofactor = *quotient;
     add(cofactor, front, 1);
-    return factored_form(place, cofactor) * factored_form(place, bracket);
+    return factored_form(level, cofactor) * factored_form(level, bracket);
   }
-  return with_common_factor(place, group, front) + factored_form(place, others);
+  return with_common_factor(level, group, front) + factored_form(level, others);
 }
 
-Expression grouped(Depth place, const Polynomial& polynomial) {
+Expression grouped(FactorLevel level, const Polynomial& polynomial) {
   const std::vector<Shared> shared = most_shared(polynomial);
-  if (shared.empty()) return to_expression(place.graph, polynomial);
-  const bool one = shared.size() == 1 || polynomial.size() > most_compared || place.levels == 0;
-  if (one) return grouped_by(place, polynomial, shared.back().atom);  // parameters come last
-  const Expression last = grouped_by(place.inside(), polynomial, shared.back().atom);
-  const Expression first = grouped_by(place.inside(), polynomial, shared.front().atom);
+  if (shared.empty()) return to_expression(level.graph, polynomial);
+  const bool one = shared.size() == 1 || polynomial.size() > most_compared || level.depth == 0;
+  if (one) return grouped_by(level, polynomial, shared.back().atom);  // parameters come last
+  const Expression last = grouped_by(level.inside(), polynomial, shared.back().atom);
+  const Expression first = grouped_by(level.inside(), polynomial, shared.front().atom);
   return written_length(first) < written_length(last) ? first : last;
 }
 
-Expression factored_form(Depth place, const Polynomial& polynomial) {
-  if (polynomial.size() < 2) return to_expression(place.graph, polynomial);
+Expression factored_form(FactorLevel level, const Polynomial& polynomial) {
+  if (polynomial.size() < 2) return to_expression(level.graph, polynomial);
   const Monomial common = common_monomial(polynomial);
   const bool worthwhile = common.size() * (polynomial.size() - 1) >= worthwhile_saving;
   if (common.empty() || worthwhile || common_coefficient(polynomial)) {
-    return with_common_factor(place, polynomial, common);
+    return with_common_factor(level, polynomial, common);
   }
-  return to_expression(place.graph, polynomial);
+  return to_expression(level.graph, polynomial);
 }
 
 }  // namespace
 
 Expression factored_form(Graph& graph, const Polynomial& polynomial) {
-  return factored_form(Depth{graph}, polynomial);
+  return factored_form(FactorLevel{graph}, polynomial);
 }
 
 Expression collected_form(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {

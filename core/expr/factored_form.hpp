@@ -1,5 +1,5 @@
 #pragma once
-// Short factored forms of multiplied-out expressions.
+// Multiplied-out expressions written short again, with common factors in front of brackets.
 
 #include <span>
 

@@ -35,8 +35,4 @@ struct TextLimits {
 /// as ?.
 [[nodiscard]] std::string excerpt(std::string_view text);
 
-/// How long a formula is: its additions, subtractions, multiplications, divisions, powers and calls. A sign
-/// counts nothing, and neither does a fraction of two numbers (3/4*m, x^(1/2)).
-[[nodiscard]] std::size_t operation_count_of_text(std::string_view text);
-
 }  // namespace qdot

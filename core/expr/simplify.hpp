@@ -5,8 +5,8 @@
 
 namespace qdot {
 
-/// e in a short form: multiplied out, the identities sin^2 + cos^2 = 1, the addition theorems and the double
-/// angle used where they shorten, then common factors and squares taken out. Exact, with one assumption:
+/// e in a short form. It is multiplied out; sin^2 + cos^2 = 1, the addition theorems and the double angle are
+/// used where they shorten it; then common factors and squares are taken out. Exact, with one assumption:
 /// factors cancel (x/x = 1), so the result may be regular where e was 0/0.
 [[nodiscard]] Expression simplify(const Expression& e);
 

@@ -108,8 +108,7 @@ std::optional<Uncertain> step_length(const Dynamics& dynamics, std::span<const d
   const auto by = shift(before, points(dynamics, parameters, values_of(gait.state)));
   if (!by || by->norm() < 1e-9 * before.cwiseAbs().maxCoeff()) return std::nullopt;
   double error = 4 * epsilon * by->norm();
-  for (std::size_t i = 0; i < y.size();
-       ++i) {  // how the points move with each component, by a small change of it
+  for (std::size_t i = 0; i < y.size(); ++i) {  // how far the points move with component i
     std::vector<double> moved = y;
     const double change = 1e-6 * std::max(1.0, std::abs(y[i]));
     moved[i] += change;

@@ -6,9 +6,9 @@
 // multipliers as there are components only those of the section's own dimension are given: an impact that
 // forgets part of the state makes the others 0.
 //
-// A gait whose stride crosses the impact's surface earlier in the impact's direction, where its condition
-// does not hold, is left out: a walker that stands nearly upright while its swing leg swings to and fro
-// through the floor (there are infinitely many of those, with multipliers of e^9 and more).
+// Gaits are left out whose stride crosses the impact's surface earlier in the impact's direction, at a place
+// where its condition does not hold: a walker that stands nearly upright while its swing leg swings to and
+// fro through the floor. There are infinitely many of those, with multipliers of e^9 and more.
 //
 // Source: M. Garcia, A. Chatterjee, A. Ruina, M. Coleman, The simplest walking model: stability, complexity,
 // and scaling, J. Biomech. Eng. 120 (1998) 281-288; T. McGeer, Passive dynamic walking, Int. J. Robotics
@@ -61,7 +61,7 @@ struct Gaits {
   std::string reason;       ///< why there is none
 };
 
-/// All that are found (see search_gaits). Throws Error(not_applicable) as SectionMap does.
+/// All that are found (core/gait/gait_search.hpp says how). Throws Error(not_applicable) as SectionMap does.
 [[nodiscard]] Gaits periodic_gaits(const Dynamics& dynamics, std::span<const double> parameters);
 
 /// A gait in the scene's units, as far as double precision holds it, and how far that is.

@@ -54,7 +54,8 @@ struct GaitBifurcations {
 
 /// Critical values of parameter number `index` in [from, to], from < to, the others as given. Branches are
 /// those that start from a gait found at one of nine equidistant values, both ends among them, and end where
-/// the parameter leaves the range or the stride no longer closes with the impact. Throws as SectionMap does.
+/// the parameter leaves the range or the stride no longer closes with the impact. Throws
+/// Error(not_applicable) as SectionMap does.
 [[nodiscard]] GaitBifurcations critical_gaits(const Dynamics& dynamics, std::span<const double> parameters,
                                               std::size_t index, double from, double to);
 

@@ -96,8 +96,10 @@ void SectionMap::compile() {
 void SectionMap::set_parameters(std::span<const double> parameters) {
   parameters_.assign(parameters.begin(), parameters.end());
   set_units();
-  accelerations_workspace_ = dynamics_.accelerations().bind(parameters);
-  jacobian_workspace_ = dynamics_.jacobian().bind(parameters);
+  accelerations_ = &dynamics_.accelerations();
+  jacobian_ = &dynamics_.jacobian();
+  accelerations_workspace_ = accelerations_->bind(parameters);
+  jacobian_workspace_ = jacobian_->bind(parameters);
   impact_workspace_ = impact_->bind(parameters);
   surface_workspace_ = surface_->bind(parameters);
   watches_.clear();
@@ -178,8 +180,7 @@ bool SectionMap::add_surface(Flow& flow) {
 Evaluation SectionMap::rates(std::span<const double> y, std::span<double> out) {
   const std::size_t n = si_.size() / 2;
   for (std::size_t i = 0; i < 2 * n; ++i) si_[i] = y[i] * unit_[to_index(i)];
-  const Evaluation evaluation =
-      dynamics_.accelerations().evaluate(0, si_, accelerations_workspace_, out.subspan(n, n));
+  const Evaluation evaluation = accelerations_->evaluate(0, si_, accelerations_workspace_, out.subspan(n, n));
   for (std::size_t i = 0; i < n; ++i) {
     out[i] = y[n + i];
     out[n + i] *= time_unit_ / unit_[to_index(n + i)];
@@ -189,7 +190,7 @@ Evaluation SectionMap::rates(std::span<const double> y, std::span<double> out) {
 
 Evaluation SectionMap::variational_rates(std::span<const double> y, std::span<double> out) {
   if (const Evaluation evaluation = rates(y, out); evaluation != Evaluation::ok) return evaluation;
-  const Evaluation evaluation = dynamics_.jacobian().evaluate(0, si_, jacobian_workspace_, block_);
+  const Evaluation evaluation = jacobian_->evaluate(0, si_, jacobian_workspace_, block_);
   const Index width = unit_.size(), n = width / 2;
   Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
       block_.data(), width, width);

@@ -116,6 +116,8 @@ class SectionMap {
   const Dynamics& dynamics_;
   std::vector<Eigen::Index> components_;  ///< of the state, those in u
   std::vector<double> parameters_;
+  const CompiledFunction* accelerations_{};
+  const CompiledFunction* jacobian_{};
   std::shared_ptr<const CompiledFunction> impact_, surface_;
   Workspace accelerations_workspace_, jacobian_workspace_, impact_workspace_, surface_workspace_;
   std::vector<Watch> watches_;  ///< the impact is the last; empty until asked for

@@ -4,10 +4,12 @@
 // An event is a change of sign: g has one strict sign, later the other. Zeros between the two do not matter,
 // so a function that touches zero and turns back does not count, and one that is exactly zero at a step's end
 // is decided when it leaves zero. Each step is looked at in `pieces` pieces of equal length; two crossings
-// within one piece are not seen. A pole (tan) changes sign too, but its values grow towards the place: it
-// does not count. A zero at t_start does not fire, whether g is exactly zero there or crosses within 1e-9 of
-// the first step: so it goes when a motion restarts where an earlier one was ended by the same event. It
-// fires when it crosses later.
+// within one piece are not seen. A pole, such as tan has, changes sign too, but its values grow towards the
+// place, and so it does not count.
+//
+// A zero at t_start does not count either, whether g is exactly zero there or crosses within 1e-9 of the
+// first step. That is where a motion goes on after the same event has ended an earlier one. Later crossings
+// count.
 
 #include <cstddef>
 #include <optional>
@@ -20,7 +22,7 @@
 
 namespace qdot {
 
-/// That one run reports; one more is an Error(too_large).
+/// How many occurrences one run reports at most; one more is an Error(too_large).
 inline constexpr std::size_t most_occurrences = 50'000;
 
 class EventSearch {

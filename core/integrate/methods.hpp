@@ -20,7 +20,7 @@ struct MethodRecord {
   std::unique_ptr<Stepper> (*make)(const RightHandSide& system, const RunRequest& request){};
 };
 
-/// The best first.
+/// All of them, the best first.
 [[nodiscard]] std::span<const MethodRecord> methods();
 
 [[nodiscard]] const MethodRecord& record_of(Method method);

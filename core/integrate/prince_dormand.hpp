@@ -1,8 +1,9 @@
 #pragma once
 // The explicit Runge-Kutta pair RK8(7)13M of Prince and Dormand: order 8, embedded error estimate of order 7.
 //
-//   k_i = f(t + c_i h, y + h sum_{j<i} a_ij k_j),   y(t + h) = y + h sum_i b_i k_i,   error = h sum_i (b_i -
-//   d_i) k_i
+//   k_i = f(t + c_i h, y + h sum_{j<i} a_ij k_j)
+//   y(t + h) = y + h sum_i b_i k_i
+//   error = h sum_i (b_i - d_i) k_i
 //
 // Source: P. J. Prince, J. R. Dormand, High order embedded Runge-Kutta formulae, J. Comp. Appl. Math. 7
 // (1981) 67-75, Table 2. All 200 order conditions up to order 8 (115 of them of order 8 itself), and the 85

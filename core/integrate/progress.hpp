@@ -10,16 +10,16 @@
 
 namespace qdot {
 
-/// Watches each step of a run. Two things end it:
-/// - 1000 steps that advance t by less than 1e-9 of the span: step_limit (a sliding discontinuity, say), but
-/// blow_up if
-///   |y| meanwhile grew to twice its largest value before them (a singularity approached at a tight
-///   tolerance);
-/// - steps so short that t + h = t, 10 in a row. If f had no value at a place tried meanwhile, that is the
-/// reason.
-///   Otherwise the state tells: if it moves noticeably while t stands still, it is no function of t any more,
-///   which is a singularity (y' = y^2 at its pole, a fall into 1/r^2): blow_up. If not, only the tolerances
-///   can want such steps: tolerance.
+/// Watches each step of a run. Two things end it.
+///
+/// 1000 steps that advance t by less than 1e-9 of the span. They are called step_limit (a sliding
+/// discontinuity, say), but blow_up if |y| meanwhile grew to twice its largest value before them (a
+/// singularity approached at a tight tolerance).
+///
+/// 10 steps in a row so short that t + h = t. If f had no value at a place tried meanwhile, that is the
+/// reason. Otherwise the state tells. If it moves noticeably while t stands still, it is no function of t any
+/// more: a singularity (y' = y^2 at its pole, a fall into 1/r^2), which is called blow_up. If it does not
+/// move, only the tolerances can want such steps, and the ending is called tolerance.
 class ProgressGuard {
  public:
   explicit ProgressGuard(const RunRequest& request);

@@ -14,10 +14,10 @@
 
 namespace qdot {
 
-/// y' = f(t, y). A place where f has no value is reported by the answer; it is tried again nearer. What a
+/// y' = f(t, y). Where f has no value, it says so by its Evaluation, and a shorter step is tried. What a
 /// function throws ends the run and reaches the caller of integrate(). Values that are not finite count as
-/// nonfinite even if the answer is ok. Called with y finite, |y_i| <= max_magnitude and t_start <= t <= t_end
-/// only.
+/// nonfinite even if the Evaluation is ok. f is only ever called with y finite, |y_i| <= max_magnitude and
+/// t_start <= t <= t_end.
 struct RightHandSide {
   std::size_t dimension{};
   std::function<Evaluation(double t, std::span<const double> y, std::span<double> derivative)> derivative{};
@@ -47,13 +47,16 @@ struct EventFunction {
   std::function<bool(double t, std::span<const double> y)> condition{};
 };
 
-/// adams: CVODE, order 1 to 12, cheapest in evaluations when they are dear. bdf: CVODE, order 1 to 5, for
-/// stiff systems (strong damping). erk: ARKODE, order 8, the fastest of the three on small oscillating
-/// systems; a row of the grid costs it 12 evaluations, and watching events about 10 a step.
-/// taylor: Taylor series of order 16 or 20; the fewest and longest steps, its polynomial for dense output,
-/// and round-off kept low.
-/// gauss: implicit Gauss collocation of order 6 with a fixed step; symplectic in canonical variables, so that
-/// energy errors stay bounded however long the motion.
+/// - taylor: Taylor series of order 16 or 20. It takes the fewest and longest steps, its polynomial is the
+///   dense output, and it keeps round-off low.
+/// - adams: CVODE, order 1 to 12, with the fewest evaluations of the three of SUNDIALS.
+/// - bdf: CVODE, order 1 to 5, for stiff systems (strong damping).
+/// - erk: ARKODE, order 8, the fastest of these three on small oscillating systems. A row of the grid costs
+/// it
+///   12 evaluations, and watching events about 10 a step.
+/// - gauss: implicit Gauss collocation of order 6 with a fixed step. It is symplectic in canonical variables,
+/// so
+///   that energy errors stay bounded however long the motion.
 enum class Method { adams, bdf, erk, taylor, gauss };
 
 /// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and
@@ -63,8 +66,8 @@ struct Tolerances {
   double atol{1e-12};
 };
 
-/// Deterministic bounds on the work. Whether the answer is still awaited (core/base/work.hpp) is looked at
-/// every 64 evaluations.
+/// Bounds on the work, the same on every machine. Every 64 evaluations a run also looks whether its answer is
+/// still awaited (core/base/work.hpp).
 struct Limits {
   std::uint64_t max_steps{250'000};
   std::uint64_t max_evaluations{12'000'000};  ///< of f and of its Jacobian together
@@ -88,8 +91,7 @@ struct RunRequest {
 enum class Ending {
   reached_end,
   event,          ///< a terminal event
-  step_limit,     ///< max_steps or max_evaluations spent, 1000 steps without progress, or no step accepted at
-                  ///< all
+  step_limit,     ///< max_steps or max_evaluations spent, no progress in 1000 steps, or no step accepted
   nonfinite,      ///< f became infinite or undefined
   singular_mass,  ///< the mass matrix lost its inverse
   tolerance,      ///< the tolerances ask for more than double precision holds, or the span is below 1e-140

@@ -2,8 +2,8 @@
 // A Taylor method of fixed order N with variable step.
 //
 //   y(t + s) = sum_k c_k s^k,   c_k from RightHandSide::expansion
-//   h = min_i min((w_i / |c_i,N-1|)^(1/(N-1)), (w_i / |c_i,N|)^(1/N)),   w_i = atol + rtol (|y_i| + h'
-//   |y_i'|)
+//   h = min_i min((w_i / |c_i,N-1|)^(1/(N-1)), (w_i / |c_i,N|)^(1/N))
+//   w_i = atol + rtol (|y_i| + h' |y_i'|)
 // with h' the step before: the last two terms of every component are as large as the tolerance. Steps are
 // long, a third of an oscillation, and the polynomial is the dense output, at no cost. Source of the step:
 // Jorba, Zou, Experimental Mathematics 14 (2005) 99, section 3 (with a scale for each component instead of

@@ -1,10 +1,10 @@
 #pragma once
 // Lagrange's equations d/dt dL/dq_i' - dL/dq_i = Q_i, linear in the accelerations: M(q,t) q'' = f(q,q',t).
 //
-// Each equation is divided by the factor that all its terms share, as one does by hand: m l^2 in the walker's
-// phi equation, which makes the massless foot regular. Dividing assumes the factor is not zero; where it can
-// be (a coordinate, a bracket such as 1/2 + sin(theta)), the equation says the same everywhere else. The rows
-// of M are divided each by its own factor, so M is not symmetric.
+// Each equation is divided by the factor that all its terms share, as one does by hand: m l^2 in the equation
+// of a leg whose foot has the mass m, which stays regular when the foot loses its mass. Dividing assumes the
+// factor is not zero; where it can be (a coordinate, a bracket such as 1/2 + sin(theta)), the equation says
+// the same everywhere else. The rows of M are divided each by its own factor, so M is not symmetric.
 
 #include <optional>
 #include <vector>

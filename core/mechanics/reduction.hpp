@@ -31,9 +31,10 @@ struct Reduction {
 };
 
 /// Works on a graph of its own. What is ignorable depends on the parameters: ask for the Lagrangian with the
-/// vanishing ones replaced by 0. An equation may vanish with them, such as that of a leg whose foot loses its
-/// mass; then its limit stands there: left - right of Lagrange's equation of that coordinate, divided by its
-/// factors before they vanished. `divided` has these, in order of the coordinates, in the Lagrangian's graph.
+/// vanishing ones replaced by 0. An equation may vanish with them, such as that of a pendulum whose bob loses
+/// its mass. Its limit then takes its place: left - right of Lagrange's equation of that coordinate, divided
+/// by its common factor before that vanished. `divided` has these for all coordinates in order, in the
+/// Lagrangian's graph.
 [[nodiscard]] Reduction derive_reduction(const Lagrangian& lagrangian,
                                          const std::vector<Expression>& divided = {});
 

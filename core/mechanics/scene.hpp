@@ -28,7 +28,7 @@ struct Domain {
 
 struct Parameter {
   std::string name;
-  std::string unit;           ///< "kg", "N/m", "rad/s", "1"; see core/mechanics/dimension.hpp
+  std::string unit;           ///< "kg", "N/m", "rad/s", "1"; see core/mechanics/dimension_check.hpp
   std::string default_value;  ///< a number or an expression of the other parameters, "2*m"
   Domain domain;
   std::string meaning;

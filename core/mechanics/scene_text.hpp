@@ -1,5 +1,5 @@
 #pragma once
-// The texts of a scene one at a time: what each may speak of, and what dimension it must have.
+// Reading the texts of a scene one at a time: which symbols each may use, and which dimension it must have.
 
 #include <optional>
 #include <set>
@@ -12,7 +12,7 @@
 
 namespace qdot {
 
-/// What an expression may speak of; each includes the ones before it.
+/// Which symbols an expression may use; each kind includes the ones before it.
 enum class Context {
   parameters,     ///< the parameters
   time,           ///< and t

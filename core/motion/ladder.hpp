@@ -10,10 +10,11 @@
 // motion, the rounding that both runs have in common included. There a third run starts on the other side, so
 // that the difference is not small by chance.
 //
-// Method gauss has a step in place of tolerances: its check is the tightest there is, and it climbs nothing.
+// Method gauss has a step in place of tolerances: it is checked by the tightest run there is, and does not
+// climb.
 //
-// A wanted error is reached by climbing: from the error at one tolerance follows the next, until the wanted
-// error is met, the allowed work is spent, or the last rung is reached.
+// A wanted error is reached by climbing: the error at one tolerance tells the next one to try, until the
+// wanted error is met, the allowed work is spent, or the last rung is reached.
 
 #include <optional>
 #include <string>
@@ -50,9 +51,9 @@ struct MeasuredSimulation {
   std::uint64_t evaluations{};  ///< of all runs
 };
 
-/// Method taylor is replaced where a force has a kink (erk) and where damping is strong (bdf):
-/// Simulation::method. For goals other than
-/// tolerances the request's tolerances are ignored. Throws std::invalid_argument for gauss with such a goal.
+/// Method taylor is replaced by erk where a force has a kink, and by bdf where damping is strong;
+/// Simulation::method says which one was used. For goals other than tolerances the request's tolerances are
+/// ignored. Throws std::invalid_argument for gauss with such a goal.
 [[nodiscard]] MeasuredSimulation simulate_with_error(const Dynamics& dynamics,
                                                      const SimulationRequest& request,
                                                      const AccuracyGoal& goal);

@@ -192,9 +192,9 @@ class Simulator {
   /// Goes on from the state after the impact; false when the motion is over there anyway.
   bool apply_impact() {
     std::vector<double> after = after_impact();
-    const double begin = result_.strides.empty() ? request_.t_start : result_.strides.back().t;
-    result_.strides.push_back({result_.t, result_.t - begin, result_.y, after});
-    if (result_.t >= request_.t_end || result_.strides.size() == request_.strides) {
+    const double begin = result_.sections.empty() ? request_.t_start : result_.sections.back().t;
+    result_.sections.push_back({result_.t, result_.t - begin, result_.y, after});
+    if (result_.t >= request_.t_end || result_.sections.size() == request_.end_after_impacts) {
       result_.ending = Ending::reached_end;
       return false;
     }

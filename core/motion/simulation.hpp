@@ -20,7 +20,7 @@ struct SimulationRequest {
   std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};
   Impacts impacts{Impacts::apply};
-  std::optional<std::size_t> strides{};  ///< the motion is complete after so many impacts, at least one
+  std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one
   Method method{Method::adams};
   unsigned taylor_order{};  ///< 0: by the tolerance
   Tolerances tolerances;    ///< not of gauss
@@ -34,11 +34,11 @@ struct EventRecord {
   std::vector<double> y;  ///< before the impact, where the event is one
 };
 
-/// From one impact to the next.
-struct StrideRecord {
-  double t{};                         ///< of the impact that ends it
-  double step_time{};                 ///< since the impact before, or since t_start
-  std::vector<double> before, after;  ///< the state just before that impact and just after it
+/// A section of the motion that an impact ended.
+struct SectionRecord {
+  double t{};                         ///< of that impact
+  double duration{};                  ///< since the impact before, or since t_start
+  std::vector<double> before, after;  ///< the state just before the impact and just after it
 };
 
 /// Why a motion ended before t_end in the nature of the system.
@@ -61,12 +61,12 @@ struct Simulation {
   std::vector<double> states;   ///< rows x 2n, row-major
   std::vector<double> columns;  ///< rows x request.columns, row-major
   std::vector<EventRecord> events;
-  std::vector<StrideRecord> strides;  ///< the one that an impact at t_end itself ends included
+  std::vector<SectionRecord> sections;  ///< in order, one that an impact at t_end itself ended included
   std::optional<Stop> stop;
-  Ending ending{
-      Ending::reached_end};  ///< `event` when stopped; anything but that and reached_end is a failure
-  double t{};                ///< how far it came
-  std::vector<double> y;     ///< the state there, before an impact that ends the motion
+  /// `event` when stopped; anything but that and reached_end is a failure.
+  Ending ending{Ending::reached_end};
+  double t{};             ///< how far it came
+  std::vector<double> y;  ///< the state there, before an impact that ends the motion
   std::vector<ConservedRecord> conserved;
   Method method{};  ///< the one used: erk for taylor where a force has a kink (abs, sign)
   /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an

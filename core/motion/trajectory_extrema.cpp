@@ -11,14 +11,14 @@ constexpr Tolerances fine{.rtol = 1e-13, .atol = 1e-15};
 constexpr Tolerances coarse{.rtol = 1e-11, .atol = 1e-13};
 
 /// A place where the coordinate may be largest or smallest.
-struct Candidate {
+struct PossibleExtremum {
   double t, x;
 };
 
 /// A motion with its candidates, in order of time; there is always one.
 struct Followed {
   TrajectoryExtrema ending;
-  std::vector<Candidate> candidates;
+  std::vector<PossibleExtremum> candidates;
 };
 
 class Follower {
@@ -71,25 +71,25 @@ class Follower {
   const Dynamics& dynamics_;
   const ExtremaRequest& request_;
   TrajectoryExtrema result_;
-  std::vector<Candidate> candidates_;
+  std::vector<PossibleExtremum> candidates_;
 };
 
 /// Up or down: the extremum is the largest of sign x.
 double extreme(const Followed& motion, double sign) {
   double most = sign * motion.candidates[0].x;
-  for (const Candidate& candidate : motion.candidates) most = std::max(most, sign * candidate.x);
+  for (const PossibleExtremum& candidate : motion.candidates) most = std::max(most, sign * candidate.x);
   return sign * most;
 }
 
 /// The first candidate that cannot be told from the extremum; what two integrations disagree about is its
 /// error. Of motions that end differently nothing is certain.
-Candidate chosen(const Followed& motion, const Followed& other, double sign, Finding& extremum) {
+PossibleExtremum chosen(const Followed& motion, const Followed& other, double sign, Finding& extremum) {
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
   const double most = extreme(motion, sign);
   const double error = std::abs(most - extreme(other, sign)) + round_off * std::abs(most);
-  const Candidate first =
+  const PossibleExtremum first =
       *std::find_if(motion.candidates.begin(), motion.candidates.end(),
-                    [&](const Candidate& candidate) { return sign * (most - candidate.x) <= error; });
+                    [&](const PossibleExtremum& candidate) { return sign * (most - candidate.x) <= error; });
   if (motion.ending.ending == other.ending.ending) {
     extremum = {first.x, 2 * error, ""};
   } else {
@@ -104,8 +104,8 @@ TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequ
   const Followed motion = Follower(dynamics, request).follow(fine);
   const Followed other = Follower(dynamics, request).follow(coarse);
   TrajectoryExtrema result = motion.ending;
-  const Candidate top = chosen(motion, other, 1, result.maximum);
-  const Candidate bottom = chosen(motion, other, -1, result.minimum);
+  const PossibleExtremum top = chosen(motion, other, 1, result.maximum);
+  const PossibleExtremum bottom = chosen(motion, other, -1, result.minimum);
   result.t_maximum = top.t;
   result.t_minimum = bottom.t;
   if (top.t == request.t_start) {

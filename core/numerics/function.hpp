@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 13> function_names{
   return std::nullopt;
 }
 
-/// Value by functions that give the same bits on every x86-64 machine (core/compile/elementary.hpp).
+/// Value by functions that give the same bits on every x86-64 machine (SLEEF's deterministic ones).
 [[nodiscard]] double evaluate(Function function, double argument);
 
 }  // namespace qdot

@@ -42,7 +42,7 @@ struct Interval {
 [[nodiscard]] Interval operator*(const Interval& a, const Interval& b);
 [[nodiscard]] Interval operator/(const Interval& a, const Interval& b);
 
-/// a a: not below zero, other than a * a.
+/// The squares of all numbers in a. It is never below zero, which a * a, whose operands vary apart, can be.
 [[nodiscard]] Interval square(const Interval& a);
 [[nodiscard]] Interval sqrt(const Interval& a);
 [[nodiscard]] Interval sin(const Interval& a);

@@ -12,10 +12,10 @@ inline constexpr std::size_t largest_system = 16;
 /// The order of the rows that pivoting chose.
 using RowOrder = std::array<std::size_t, largest_system>;
 
-/// Factors M (n x n, by rows) in place. False as below.
+/// Replaces M (n x n, by rows) by its triangular factors. False as for solve_linear.
 [[nodiscard]] bool factor_linear(std::size_t n, std::span<double> m, RowOrder& row) noexcept;
 
-/// One right-hand side b -> x through the factors.
+/// Replaces one right-hand side b by the solution x, with the factors of M.
 void substitute_linear(std::size_t n, std::span<const double> m, const RowOrder& row,
                        std::span<double> b) noexcept;
 

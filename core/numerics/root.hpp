@@ -21,7 +21,7 @@ struct SignChange {
 /// optimality (the ITP method), ACM TOMS 47 (2021) 5, section 2.
 [[nodiscard]] SignChange find_sign_change(const std::function<double(double)>& function, SignChange bracket);
 
-/// The resolution of such places near t: four units in the last place.
+/// How near to each other such places can be told apart at t: four units in the last place.
 [[nodiscard]] double time_round_off(double t);
 
 }  // namespace qdot

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t most_systems = 200;
 
-class Derivation {
+class SystemsDerivation {
  public:
-  Derivation(const Reduction& reduction, const SteadyForces& forces, std::size_t place)
+  SystemsDerivation(const Reduction& reduction, const SteadyForces& forces, std::size_t place)
       : forces_(forces), graph_(*forces.graph) {
     for (const Expression& c : reduction.constants) constants_.push_back(graph_.adopt(c));
     p_ = constants_[place];
@@ -123,7 +123,7 @@ class Derivation {
 
 BifurcationSystems derive_bifurcation_systems(const Reduction& reduction, const SteadyForces& forces,
                                               std::size_t place) {
-  return Derivation(reduction, forces, place).run();
+  return SystemsDerivation(reduction, forces, place).run();
 }
 
 }  // namespace qdot

@@ -29,7 +29,7 @@ struct BifurcationSystems {
   bool depends{};  ///< some force depends on p
 };
 
-/// `place` is p's among the constants, whose value there is not looked at.
+/// `place`: which of the reduction's constants p is. Throws Error(not_applicable) for too many systems.
 [[nodiscard]] BifurcationSystems derive_bifurcation_systems(const Reduction& reduction,
                                                             const SteadyForces& forces, std::size_t place);
 

@@ -3,32 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/steady/bifurcation_systems.hpp"
+#include "core/steady/critical_zeros.hpp"
 
 namespace qdot {
 namespace {
 
-/// For several coordinates the search of (x, p) grows quickly; where it ends, the answer says so.
-constexpr std::size_t most_boxes = 20'000;
-
-struct Found {
-  BifurcationSystem::Kind kind{};
-  Box x;
-  Interval p;
-  bool simple{};
-};
-
-bool overlap(const Box& a, const Box& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (is_empty(intersection(a[i], b[i]))) return false;
-  }
-  return true;
-}
-
-class Search {
+class CriticalSearch {
  public:
-  Search(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> y,
-         std::size_t index, double from, double to)
+  CriticalSearch(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> y,
+                 std::size_t index, double from, double to)
       : dynamics_(dynamics), y_(y.begin(), y.end()), index_(index), from_(from), to_(to) {
     std::vector<double> present(parameters.begin(), parameters.end());
     if (present[index] == 0) present[index] = to != 0 ? to : from;  // it must not count as vanishing
@@ -54,9 +37,13 @@ class Search {
     if (!systems_->depends) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
     } else {
-      find_degenerate();
-      for (const BifurcationSystem& system : systems_->systems) search(system);
-      classify();
+      const CriticalZeros found = critical_zeros(dynamics_.model(), problem_, *systems_, {from_, to_});
+      result_.degenerate = found.degenerate;
+      result_.complete = found.complete;
+      if (!found.complete) {
+        result_.reason = "The search was given up before it was finished, so critical values may be missing.";
+      }
+      classify(found.zeros);
       if (result_.critical.empty() && result_.reason.empty()) {
         result_.reason = "No equilibrium appears, vanishes or meets another in this range.";
       }
@@ -107,7 +94,7 @@ class Search {
       last = state;
     }
     if (!last) return;
-    Found found{BifurcationSystem::Kind::meeting, {}, {low, high}, false};
+    CriticalZero found{BifurcationSystem::Kind::meeting, {}, {low, high}, false};
     for (const std::size_t j : unknowns()) found.x.push_back(last->enclosure[j]);
     if (const auto kind = kind_seen(found)) add(*kind, found);
   }
@@ -142,92 +129,6 @@ class Search {
     return result;
   }
 
-  void find_degenerate() {
-    std::vector<Interval> place(unknowns().size() + 1);
-    for (std::size_t k = 0; k < systems_->vanishing.outputs(); ++k) {
-      const auto along = [&](const CompiledFunction& function) {
-        return [&, k](std::span<const Interval> p, std::span<Interval> out) {
-          std::vector<Interval> all(function.outputs());
-          place.back() = p[0];
-          TapeEvaluator<Interval>(function, problem_.constants)(place, all);
-          out[0] = all[k];
-        };
-      };
-      const SquareSystem system{1, along(systems_->vanishing), along(systems_->vanishing_slopes)};
-      for (const IsolatedZero& zero : isolate_zeros(system, {Interval(from_, to_)}).zeros) {
-        if (is_empty(intersection(zero.enclosure[0], {from_, to_}))) continue;
-        result_.degenerate.push_back(representative(zero.enclosure[0]));
-      }
-    }
-    std::sort(result_.degenerate.begin(), result_.degenerate.end());
-    result_.degenerate.erase(std::unique(result_.degenerate.begin(), result_.degenerate.end()),
-                             result_.degenerate.end());
-  }
-
-  void search(const BifurcationSystem& system) {
-    TapeEvaluator<Interval> values(system.values, problem_.constants);
-    TapeEvaluator<Interval> jacobian(system.jacobian, problem_.constants);
-    Box region = search_region(dynamics_.model(), problem_);
-    region.emplace_back(from_, to_);
-    std::vector<double> scales(region.size(), 1.0);
-    scales.back() = std::max(std::abs(from_), std::abs(to_));
-    const Isolation isolation = isolate_zeros({region.size(), [&](auto x, auto out) { values(x, out); },
-                                               [&](auto x, auto out) { jacobian(x, out); }},
-                                              region, scales, most_boxes);
-    if (!isolation.complete) {
-      result_.complete = false;
-      result_.reason = "The search was given up before it was finished, so critical values may be missing.";
-    }
-    for (const IsolatedZero& zero : isolation.zeros) {
-      Found found{system.kind,
-                  {zero.enclosure.begin(), zero.enclosure.end() - 1},
-                  zero.enclosure.back(),
-                  zero.simple};
-      if (is_empty(intersection(found.p, {from_, to_}))) continue;
-      for (std::size_t k = 0; k < found.x.size(); ++k) {
-        if (problem_.forces->turns[unknowns()[k]]) found.x[k] = reduced_angle(found.x[k]);
-      }
-      if (is_degenerate(found) || is_outside(found)) continue;
-      if (!found.simple && joins_cluster(found)) continue;
-      const bool known = std::any_of(found_.begin(), found_.end(), [&](const Found& other) {
-        return other.kind == found.kind && overlap(other.x, found.x) &&
-               !is_empty(intersection(other.p, found.p));
-      });
-      if (!known) found_.push_back(std::move(found));
-    }
-  }
-
-  /// Unresolved boxes side by side are one multiple zero.
-  bool joins_cluster(const Found& found) {
-    constexpr double apart = 1e-3;
-    for (Found& other : found_) {
-      if (other.simple || other.kind != found.kind) continue;
-      bool close = std::abs(other.p.middle() - found.p.middle()) < apart * (to_ - from_);
-      for (std::size_t k = 0; k < found.x.size(); ++k) {
-        close = close && std::abs(other.x[k].middle() - found.x[k].middle()) < apart;
-      }
-      if (!close) continue;
-      for (std::size_t k = 0; k < found.x.size(); ++k) other.x[k] = hull(other.x[k], found.x[k]);
-      other.p = hull(other.p, found.p);
-      return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] bool is_degenerate(const Found& found) const {
-    return std::any_of(result_.degenerate.begin(), result_.degenerate.end(),
-                       [&](double p) { return found.p.contains(p); });
-  }
-
-  [[nodiscard]] bool is_outside(const Found& found) const {
-    for (std::size_t k = 0; k < found.x.size(); ++k) {
-      const Domain& domain = dynamics_.model().scene.coordinates[kept()[unknowns()[k]]].domain;
-      if (domain.lower_open ? found.x[k].lower <= domain.lower : found.x[k].upper < domain.lower) return true;
-      if (domain.upper_open ? found.x[k].upper >= domain.upper : found.x[k].lower > domain.upper) return true;
-    }
-    return false;
-  }
-
   /// Where a force vanishes everywhere, equilibria are no points of a curve; where not all can be found,
   /// there are no curves from there on.
   [[nodiscard]] std::vector<SteadyState> column(double p) {
@@ -242,13 +143,10 @@ class Search {
   }
 
   /// A meeting where one of the two folds is a pitchfork; a fold alone is a saddle-node.
-  void classify() {
-    if (!result_.complete) widen_clusters();
-    for (const Found& here : found_) {
-      const bool meets = std::any_of(found_.begin(), found_.end(), [&](const Found& other) {
-        return other.kind != here.kind && overlap(other.x, here.x) &&
-               !is_empty(intersection(other.p, here.p));
-      });
+  void classify(const std::vector<CriticalZero>& zeros) {
+    for (const CriticalZero& here : zeros) {
+      const bool meets = std::ranges::any_of(
+          zeros, [&](const CriticalZero& other) { return other.kind != here.kind && overlap(other, here); });
       if (meets && here.kind == BifurcationSystem::Kind::fold) continue;  // told by the meeting
       BifurcationKind kind = meets                                        ? BifurcationKind::pitchfork
                              : here.kind == BifurcationSystem::Kind::fold ? BifurcationKind::saddle_node
@@ -266,23 +164,8 @@ class Search {
               });
   }
 
-  /// A search that was given up may have seen a part of a cluster only. Rounding hides a multiple zero within
-  /// the square root of 2^-53 in x, and its square in p.
-  void widen_clusters() {
-    constexpr double hidden = 1e-6;
-    for (Found& found : found_) {
-      if (found.simple) continue;
-      for (Interval& x : found.x) {
-        const double reach = hidden * (1 + x.magnitude());
-        x = Interval(x.lower - reach, x.upper + reach);
-      }
-      const double reach = hidden * hidden * found.p.magnitude();
-      found.p = Interval(found.p.lower - reach, found.p.upper + reach);
-    }
-  }
-
   /// By how many equilibria are near on either side.
-  std::optional<BifurcationKind> kind_seen(const Found& here) {
+  std::optional<BifurcationKind> kind_seen(const CriticalZero& here) {
     const double aside = 1e-4 * (to_ - from_) + 10 * here.p.width();
     const std::size_t before = near(here, here.p.lower - aside);
     const std::size_t after = near(here, here.p.upper + aside);
@@ -292,7 +175,7 @@ class Search {
     return before >= 2 ? std::optional(BifurcationKind::transcritical) : std::nullopt;
   }
 
-  std::size_t near(const Found& here, double p) {
+  std::size_t near(const CriticalZero& here, double p) {
     constexpr double reach = 0.2;
     std::size_t count = 0;
     for (const SteadyState& state : at(p).states) {
@@ -308,7 +191,7 @@ class Search {
     return count;
   }
 
-  void add(BifurcationKind kind, const Found& found) {
+  void add(BifurcationKind kind, const CriticalZero& found) {
     CriticalValue critical;
     critical.kind = kind;
     critical.value = found.p.middle();
@@ -344,7 +227,6 @@ class Search {
   double from_, to_;
   SteadyProblem problem_;
   std::shared_ptr<const BifurcationSystems> systems_;
-  std::vector<Found> found_;
   bool gave_up_{};
   Bifurcations result_;
 };
@@ -353,7 +235,7 @@ class Search {
 
 Bifurcations bifurcations(const Dynamics& dynamics, std::span<const double> parameters,
                           std::span<const double> y, std::size_t index, double from, double to) {
-  return Search(dynamics, parameters, y, index, from, to).run();
+  return CriticalSearch(dynamics, parameters, y, index, from, to).run();
 }
 
 }  // namespace qdot

@@ -13,7 +13,7 @@ constexpr int least_columns = 8;
 /// A critical point is the end of a curve whose last point is that near, for coordinates of size one.
 constexpr double reach = 0.5;
 
-struct Point {
+struct SampledState {
   std::vector<double> x;
   Stability stability{};
 };
@@ -78,7 +78,7 @@ class Tracer {
   }
 
   void add_column(double p) {
-    std::vector<Point> points;
+    std::vector<SampledState> points;
     for (const SteadyState& state : equilibria_at_(p)) {
       const auto half = static_cast<std::ptrdiff_t>(state.y.size() / 2);
       points.push_back({{state.y.begin(), state.y.begin() + half}, state.stability.stability});
@@ -114,7 +114,7 @@ class Tracer {
     open_ = std::move(still_open);
   }
 
-  static void append(EquilibriumBranch& branch, double p, const Point& point) {
+  static void append(EquilibriumBranch& branch, double p, const SampledState& point) {
     branch.parameter.push_back(p);
     branch.x.push_back(point.x);
     branch.stability.push_back(point.stability);
@@ -136,11 +136,11 @@ class Tracer {
     return best;
   }
 
-  [[nodiscard]] static Point point_of(const CriticalValue& c) {
+  [[nodiscard]] static SampledState point_of(const CriticalValue& c) {
     return {{c.y.begin(), c.y.begin() + static_cast<std::ptrdiff_t>(c.y.size() / 2)}, Stability::neutral};
   }
 
-  std::size_t begin(double p, const Point& point) {
+  std::size_t begin(double p, const SampledState& point) {
     EquilibriumBranch branch;
     if (const CriticalValue* c = critical_near(point.x, last_, p); c != nullptr && c->value < p) {
       append(branch, c->value, point_of(*c));

@@ -17,9 +17,9 @@ constexpr std::size_t most_boxes = 20'000;
 
 Interval full_turn() { return {std::nextafter(2 * pi, 0), std::nextafter(2 * pi, 7)}; }
 
-class Search {
+class RegionSearch {
  public:
-  Search(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y)
+  RegionSearch(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y)
       : dynamics_(dynamics),
         y_(y.begin(), y.end()),
         problem_(problem),
@@ -266,7 +266,7 @@ double distance_bound(double x, const Interval& enclosure) {
 }
 
 Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y) {
-  Equilibria result = Search(dynamics, problem, y).run();
+  Equilibria result = RegionSearch(dynamics, problem, y).run();
   StabilityAnalysis analysis(dynamics, result.problem);
   for (SteadyState& state : result.states) state.stability = analysis.at(state.enclosure);
   return result;

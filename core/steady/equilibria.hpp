@@ -17,7 +17,7 @@
 
 namespace qdot {
 
-/// Where coordinates that are no angles are searched [m]: beyond it nothing is claimed.
+/// How far out coordinates that are no angles are searched [m]; nothing is claimed beyond.
 inline constexpr double largest_length = 1e15;
 
 struct SteadyState {
@@ -40,7 +40,8 @@ struct Equilibria {
   SteadyProblem problem;
 };
 
-/// `y` gives the ignored coordinates their momenta and the free ones their values. Throws as steady_problem.
+/// The state `y` gives the ignored coordinates their momenta and the free ones their values. Throws what
+/// steady_problem throws.
 [[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, std::span<const double> parameters,
                                     std::span<const double> y);
 
@@ -56,6 +57,7 @@ struct Equilibria {
 
 /// The number inside that is meant: 0 or pi where the interval holds it, else its middle.
 [[nodiscard]] double representative(const Interval& x);
+/// The largest distance of x from a point of the enclosure.
 [[nodiscard]] double distance_bound(double x, const Interval& enclosure);
 
 }  // namespace qdot

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
-#include "core/compile/tape_evaluator.hpp"
-#include "core/dynamics/steady_state.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
+#include "core/steady/steady_state.hpp"
 
 namespace qdot {
 namespace {
@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 /// Near a multiple zero Newton's iteration only shortens the way by some fixed factor a step.
 constexpr int most_steps = 200;
 constexpr double least_damping = 1e-4;
-/// Of a coordinate's size: no step in doubles is shorter.
+/// Of a coordinate's size. No step in doubles is shorter.
 constexpr double settled = 1e-15;
 /// Where the last step is that short, an iteration that no longer improves has arrived.
 constexpr double arrived = 1e-6;
@@ -40,10 +40,10 @@ std::vector<double> values_of(std::span<const Ball> balls) {
   return values;
 }
 
-class Search {
+class NewtonSearch {
  public:
-  Search(const Dynamics& dynamics, const Statics& statics, std::span<const Ball> constants,
-         std::span<const double> guess)
+  NewtonSearch(const Dynamics& dynamics, const Statics& statics, std::span<const Ball> constants,
+               std::span<const double> guess)
       : dynamics_(dynamics),
         statics_(statics),
         enclosed_constants_(constants.begin(), constants.end()),
@@ -223,87 +223,10 @@ class Search {
     return std::all_of(conditions.begin(), conditions.end(), [](double c) { return c >= 0; });
   }
 
-  /// Newton's iteration with g in twice the digits, and Krawczyk's operator around where it ends.
   std::optional<Equilibrium> enclosure(const VectorXd& start) {
-    TapeEvaluator<Ball> forces(statics_.forces, enclosed_constants_);
     const auto inverse = inverse_stiffness(start);
     if (!inverse) return std::nullopt;
-    std::vector<Ball> x(start.data(), start.data() + start.size());
-    for (int pass = 0; pass < 3; ++pass) {
-      const std::vector<Ball> step = correction(*inverse, x, forces);
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] = Ball((x[i] - step[i]).middle, 0);
-    }
-    std::vector<double> left;
-    for (const Ball& step : correction(*inverse, x, forces)) left.push_back(step.magnitude());
-    const bool isolated = contract(*inverse, left, x);
-    Equilibrium result{x, isolated};
-    if (!result.isolated) return degenerate(result.x, left, forces);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      result.x[i] = x[i].contains_zero() ? Ball(DoubleDouble{}, x[i].magnitude()) : x[i];
-      if (free_[i]) result.x[i] = x[i];
-    }
-    return without_forces(result.x, forces) ? std::optional(result) : std::nullopt;
-  }
-
-  /// K^-1 g, nothing for coordinates that stay.
-  [[nodiscard]] std::vector<Ball> correction(const MatrixXd& inverse, const std::vector<Ball>& x,
-                                             TapeEvaluator<Ball>& forces) const {
-    std::vector<Ball> g(x.size()), result(x.size());
-    forces(x, g);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      for (std::size_t j = 0; j < x.size() && !free_[i]; ++j)
-        result[i] = result[i] + Ball(inverse(index(i), index(j))) * g[j];
-    }
-    return result;
-  }
-
-  /// Gives the points x radii r with |C g| + |I - C K(x +- r)| r <= r, which proves one zero inside; or not.
-  [[nodiscard]] bool contract(const MatrixXd& inverse, const std::vector<double>& left,
-                              std::vector<Ball>& x) const {
-    constexpr int attempts = 4;
-    const std::size_t n = x.size();
-    TapeEvaluator<Ball> stiffness(statics_.stiffness, enclosed_constants_);
-    std::vector<double> reach = left;
-    std::vector<Ball> trial = x;
-    std::vector<Ball> k(n * n);
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-      for (std::size_t i = 0; i < n; ++i)
-        if (!free_[i]) trial[i].radius = 2 * reach[i] + 0x1p-100 * std::abs(x[i].middle.high) + 1e-290;
-      stiffness(trial, k);
-      bool inside = true;
-      for (std::size_t i = 0; i < n; ++i) {
-        reach[i] = left[i];
-        for (std::size_t j = 0; j < n && !free_[i]; ++j) {
-          Ball rest = i == j ? 1 : 0;
-          for (std::size_t l = 0; l < n; ++l) rest = rest - Ball(inverse(index(i), index(l))) * k[l * n + j];
-          reach[i] += rest.magnitude() * trial[j].radius;
-        }
-        inside = inside && (free_[i] || reach[i] * (1 + 1e-10) <= trial[i].radius);
-      }
-      if (!inside) continue;
-      x = trial;
-      return true;
-    }
-    return false;
-  }
-
-  /// K does not decide here. A coordinate that is nearly zero may be zero exactly.
-  std::optional<Equilibrium> degenerate(std::vector<Ball> x, const std::vector<double>& left,
-                                        TapeEvaluator<Ball>& forces) const {
-    std::vector<Ball> rounded = x;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (std::abs(x[i].middle.high) < arrived * sizes_[i]) rounded[i] = 0;
-    }
-    if (without_forces(rounded, forces)) return Equilibrium{rounded, false};
-    for (std::size_t i = 0; i < x.size(); ++i) x[i].radius = 2 * left[i];
-    return without_forces(x, forces) ? std::optional(Equilibrium{x, false}) : std::nullopt;
-  }
-
-  static bool without_forces(const std::vector<Ball>& x, TapeEvaluator<Ball>& forces) {
-    std::vector<Ball> g(x.size());
-    forces(x, g);
-    return std::all_of(g.begin(), g.end(),
-                       [](const Ball& force) { return force.is_finite() && force.contains_zero(); });
+    return enclosed_equilibrium(statics_, enclosed_constants_, {start, *inverse, free_, sizes_});
   }
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
@@ -331,7 +254,7 @@ class Search {
 Equilibrium find_equilibrium(const Dynamics& dynamics, const Statics& statics,
                              std::span<const Ball> constants, std::span<const double> guess,
                              EquilibriumSearch search) {
-  Search from(dynamics, statics, constants, guess);
+  NewtonSearch from(dynamics, statics, constants, guess);
   if (search == EquilibriumSearch::stable) {
     if (const auto found = from.stable()) return *found;
   }

@@ -3,24 +3,15 @@
 // coordinates that are not ignorable.
 //
 // It is found by Newton's iteration with K = dg/dx, damped so that each step shortens the next (Deuflhard,
-// Newton Methods for Nonlinear Problems, 2004, 3.3), polished to twice the digits of doubles, and enclosed by
-// Krawczyk's operator. Coordinates that no force depends on stay where the guess has them.
+// Newton Methods for Nonlinear Problems, 2004, 3.3), and then proven (core/steady/equilibrium_enclosure.hpp).
+// Coordinates that no force depends on stay where the guess has them.
 
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "core/dynamics/dynamics.hpp"
-#include "core/numerics/ball.hpp"
+#include "core/steady/equilibrium_enclosure.hpp"
 
 namespace qdot {
-
-struct Equilibrium {
-  std::vector<Ball> x;  ///< encloses it, where it is isolated
-  /// Proven to be the only one nearby, apart from moving along the coordinates that no force depends on.
-  /// Otherwise x is a place without forces, as far as rounding lets one see.
-  bool isolated{};
-};
 
 enum class EquilibriumSearch {
   nearest,  ///< Newton's iteration from the guess, whatever the stability there

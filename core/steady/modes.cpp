@@ -81,10 +81,8 @@ class Analysis {
 
   void add_momenta() {
     if (reduction().ignored.empty()) return;
-    const std::vector<Column> all = momentum_columns(dynamics_.model());
-    std::vector<Column> momenta;
-    for (const std::size_t c : reduction().ignored) momenta.push_back(all[c]);
-    const Balls p = evaluated(*dynamics_.columns(momenta), constants_, Balls(y_.begin(), y_.end()));
+    const auto momenta = dynamics_.columns(momentum_columns(dynamics_.model(), reduction().ignored));
+    const Balls p = evaluated(*momenta, constants_, Balls(y_.begin(), y_.end()));
     constants_.insert(constants_.end(), p.begin(), p.end());
   }
 

@@ -20,8 +20,8 @@ struct SolvableRange {
   bool from_included{}, to_included{};
 };
 
-/// No value for several coordinates or forces, forces that are no such polynomials of u, or a search given
-/// up.
+/// Ascending. No value for several coordinates or forces, for forces that are no such polynomials of u, and
+/// where the search was given up.
 [[nodiscard]] std::optional<std::vector<SolvableRange>> solvable_ranges(const SteadyPolynomial& polynomial,
                                                                         std::span<const Interval> constants,
                                                                         const Domain& of_unknown,

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 #include "core/base/error.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/steady/equilibria.hpp"
+#include "core/steady/quadratic_roots.hpp"
 
 namespace qdot {
 namespace {
@@ -43,6 +45,57 @@ std::shared_ptr<const SteadyPolynomial> polynomial_of(const Dynamics& dynamics,
   });
 }
 
+/// Why no value was found.
+enum class Obstacle {
+  none,
+  not_in_balance,   ///< a force does not vanish, whatever u is
+  does_not_matter,  ///< no force depends on u here
+  undefined,        ///< the forces have no finite value
+  no_finite_value,
+  no_real_value,
+  negative_square,  ///< u^2 would have to be negative
+  none_in_domain,   ///< no zero of a force that is no polynomial of u
+  no_common_value,  ///< no value makes all the forces vanish
+  outside_domain
+};
+
+/// Values that make the forces vanish; none with the obstacle and what its sentence names.
+struct Candidates {
+  Obstacle obstacle{Obstacle::none};
+  std::vector<Interval> values;
+  std::string coordinate;
+  double number{};
+};
+
+/// Empty where there is no obstacle. `u`: the unknown's name; `at`: the position in words.
+std::string sentence(const Candidates& found, const std::string& u, const std::string& at) {
+  switch (found.obstacle) {
+    case Obstacle::none:
+      break;
+    case Obstacle::not_in_balance:
+      return found.coordinate + " is not in balance at " + at + ", whatever " + u + " is.";
+    case Obstacle::does_not_matter:
+      return "Every value does: " + u + " does not matter at " + at + ".";
+    case Obstacle::undefined:
+      return "The forces have no finite value at " + at + ".";
+    case Obstacle::no_finite_value:
+      return "No finite " + u + " holds " + at + ": to within rounding it is a position that " + u +
+             " approaches as it grows without bound.";
+    case Obstacle::no_real_value:
+      return "No real " + u + " holds " + at + ".";
+    case Obstacle::negative_square:
+      return "No real " + u + " holds " + at + ": " + u + "^2 would have to be " + written(found.number) +
+             ".";
+    case Obstacle::none_in_domain:
+      return "No " + u + " in its domain holds " + at + ".";
+    case Obstacle::no_common_value:
+      return "No single value of " + u + " balances all forces at " + at + ".";
+    case Obstacle::outside_domain:
+      return u + " would have to be " + written(found.number) + ", which is outside its domain.";
+  }
+  return "";
+}
+
 class Solver {
  public:
   Solver(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> y,
@@ -64,8 +117,13 @@ class Solver {
   }
 
   Solution run() {
-    const auto solved = solve();
-    if (solved) keep(*solved);
+    Candidates found = candidates();
+    keep(found.values);
+    if (result_.values.empty() && !found.values.empty()) {
+      found.obstacle = Obstacle::outside_domain;
+      found.number = found.values[0].middle();
+    }
+    result_.reason = sentence(found, unknown_, at_position());
     result_.ranges = solvable_ranges(*polynomial_, constants_, domain_, position_domain());
     return std::move(result_);
   }
@@ -84,42 +142,31 @@ class Solver {
     return text;
   }
 
-  /// All candidates that satisfy every equation, before the domain is asked; none with a reason.
-  std::optional<std::vector<Interval>> solve() {
+  /// All candidates that satisfy every equation, before the domain is asked.
+  [[nodiscard]] Candidates candidates() const {
     const std::vector<Interval> c = coefficients(x_);
     const std::vector<Interval> near = coefficients(near_);
     std::optional<std::size_t> chosen;
     for (std::size_t k = 0; k < polynomial_->forces.size(); ++k) {
       const SteadyPolynomial::Force& force = polynomial_->forces[k];
-      const std::span<const Interval> here(&c[3 * k], 3);
-      const bool matters = force.depends && !(force.degree && is_zero(here[1]) && is_zero(here[2]));
+      const bool matters = force.depends && !(force.degree && is_zero(c[3 * k + 1]) && is_zero(c[3 * k + 2]));
       if (matters) {
         if (!chosen) chosen = k;
       } else if (!near[3 * k].contains(0.0)) {
-        return none(coordinate_of(force) + " is not in balance at " + at_position() + ", whatever " +
-                    unknown_ + " is.");
+        return {Obstacle::not_in_balance, {}, coordinate_of(force), 0};
       }
     }
-    if (!chosen) {
-      return none("Every value does: " + unknown_ + " does not matter at " + at_position() + ".");
-    }
-    std::vector<Interval> found = polynomial_->forces[*chosen].degree
-                                      ? roots({&c[3 * *chosen], 3}, {&near[3 * *chosen], 3})
-                                      : searched(*chosen);
-    std::erase_if(found, [&](const Interval& u) { return !satisfies_others(u, *chosen); });
-    if (found.empty() && result_.reason.empty()) {
-      return none("No single value of " + unknown_ + " balances all forces at " + at_position() + ".");
-    }
+    if (!chosen) return {Obstacle::does_not_matter, {}, "", 0};
+    Candidates found = polynomial_->forces[*chosen].degree
+                           ? roots({&c[3 * *chosen], 3}, {&near[3 * *chosen], 3})
+                           : searched(*chosen);
+    std::erase_if(found.values, [&](const Interval& u) { return !satisfies_others(u, *chosen); });
+    if (found.values.empty() && found.obstacle == Obstacle::none) found.obstacle = Obstacle::no_common_value;
     return found;
   }
 
   [[nodiscard]] std::string coordinate_of(const SteadyPolynomial::Force& force) const {
     return scene_.coordinates[statics_->reduction.kept[force.equation]].name;
-  }
-
-  std::nullopt_t none(std::string reason) {
-    result_.reason = std::move(reason);
-    return std::nullopt;
   }
 
   [[nodiscard]] std::vector<Interval> coefficients(std::span<const Interval> x) const {
@@ -128,54 +175,19 @@ class Solver {
     return c;
   }
 
-  /// c0 + c1 u + c2 u^2 = 0. `near`: the coefficients for all positions that the given one may stand for.
-  std::vector<Interval> roots(std::span<const Interval> c, std::span<const Interval> near) {
-    for (const Interval& coefficient : c) {
-      if (coefficient.is_finite()) continue;
-      none("The forces have no finite value at " + at_position() + ".");
-      return {};
-    }
-    if (is_zero(c[2])) return linear_root(c, near);
-    if (near[2].contains(0.0)) return no_finite_value();
-    if (is_zero(c[1])) return opposite_roots(c);
-    const Interval discriminant = square(c[1]) - Interval(4) * c[2] * c[0];
-    if (discriminant.upper < 0) return no_real_value();
-    const Interval root = sqrt(Interval(std::max(discriminant.lower, 0.0), discriminant.upper));
-    if (discriminant.lower <= 0 || c[1].contains(0.0)) {
-      return {(-c[1] - root) / (Interval(2) * c[2]), (-c[1] + root) / (Interval(2) * c[2])};
-    }
-    const Interval q = (c[1].lower > 0 ? -c[1] - root : -c[1] + root) / Interval(2);  // no cancellation
-    return {q / c[2], c[0] / q};
-  }
-
-  std::vector<Interval> linear_root(std::span<const Interval> c, std::span<const Interval> near) {
-    return near[1].contains(0.0) ? no_finite_value() : std::vector<Interval>{-c[0] / c[1]};
-  }
-
-  std::vector<Interval> opposite_roots(std::span<const Interval> c) {
-    const Interval w = -c[0] / c[2];
-    if (w.upper < 0) {
-      none("No real " + unknown_ + " holds " + at_position() + ": " + unknown_ + "^2 would have to be " +
-           written(w.middle()) + ".");
-      return {};
-    }
-    const Interval root = sqrt(Interval(std::max(w.lower, 0.0), w.upper));
-    if (root.lower == 0) return {hull(root, -root)};  // to within rounding one value, 0
-    return {root, -root};
-  }
-
-  std::vector<Interval> no_real_value() {
-    none("No real " + unknown_ + " holds " + at_position() + ".");
-    return {};
-  }
-  std::vector<Interval> no_finite_value() {
-    none("No finite " + unknown_ + " holds " + at_position() + ": to within rounding it is a position that " +
-         unknown_ + " approaches as it grows without bound.");
-    return {};
+  [[nodiscard]] static Candidates roots(std::span<const Interval> c, std::span<const Interval> near) {
+    QuadraticRoots found = quadratic_roots(c, near);
+    using Outcome = QuadraticRoots::Outcome;
+    static const std::map<Outcome, Obstacle> obstacles{{Outcome::found, Obstacle::none},
+                                                       {Outcome::undefined, Obstacle::undefined},
+                                                       {Outcome::at_infinity, Obstacle::no_finite_value},
+                                                       {Outcome::not_real, Obstacle::no_real_value},
+                                                       {Outcome::negative_square, Obstacle::negative_square}};
+    return {obstacles.at(found.outcome), std::move(found.values), "", found.square};
   }
 
   /// A force that is no such polynomial: all its zeros along u.
-  std::vector<Interval> searched(std::size_t k) {
+  [[nodiscard]] Candidates searched(std::size_t k) const {
     TapeEvaluator<Interval> values(polynomial_->values, constants_);
     TapeEvaluator<Interval> derivatives(polynomial_->derivatives, constants_);
     std::vector<Interval> place = x_;
@@ -191,16 +203,13 @@ class Solver {
     const Interval turn{-3.2, 3.2};  // a turn and a little more
     Interval region{std::max(domain_.lower, -largest_length), std::min(domain_.upper, largest_length)};
     if (polynomial_->u_turns) region = intersection(turn, region);
-    const Isolation isolation = isolate_zeros({1, along(values), along(derivatives)}, {region});
-    std::vector<Interval> found;
-    for (const IsolatedZero& zero : isolation.zeros) {
+    Candidates found;
+    for (const IsolatedZero& zero : isolate_zeros({1, along(values), along(derivatives)}, {region}).zeros) {
       const Interval u = polynomial_->u_turns ? reduced_angle(zero.enclosure[0]) : zero.enclosure[0];
-      const bool known = std::any_of(found.begin(), found.end(), [&](const Interval& other) {
-        return !is_empty(intersection(other, u));
-      });
-      if (!known) found.push_back(u);
+      const auto is_same = [&](const Interval& other) { return !is_empty(intersection(other, u)); };
+      if (std::ranges::none_of(found.values, is_same)) found.values.push_back(u);
     }
-    if (found.empty()) none("No " + unknown_ + " in its domain holds " + at_position() + ".");
+    if (found.values.empty()) found.obstacle = Obstacle::none_in_domain;
     return found;
   }
 
@@ -229,9 +238,6 @@ class Solver {
       if ((a.value >= 0) != (b.value >= 0)) return a.value >= 0;
       return std::abs(a.value) < std::abs(b.value);
     });
-    if (!result_.values.empty() || found.empty()) return;
-    result_.reason =
-        unknown_ + " would have to be " + written(found[0].middle()) + ", which is outside its domain.";
   }
 
   SolvedValue solved(const Interval& u) {

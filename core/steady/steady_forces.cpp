@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_evaluator.hpp"
+#include "core/expr/full_turn.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 
@@ -31,11 +31,6 @@ std::map<NodeId, Fraction> poles_of(Graph& graph, const Polynomial& polynomial,
     }
   }
   return poles;
-}
-
-bool is_whole(const Expression& e) {
-  const Number* number = e.number();
-  return number != nullptr && number->is_integer();
 }
 
 bool has_negative_power(const Expression& e, std::span<const Expression> variables) {
@@ -87,32 +82,13 @@ std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph) 
   return rates;
 }
 
-bool has_full_turn(const Expression& e, const Expression& x) {
-  Graph& graph = e.graph();
-  std::set<NodeId> seen;
-  std::vector<NodeId> left{e.id()};
-  while (!left.empty()) {
-    const NodeId id = left.back();
-    left.pop_back();
-    if (id == x.id()) return false;
-    if (!seen.insert(id).second) continue;
-    if (const auto* call = std::get_if<Call>(&graph.node(id))) {
-      const bool wave = call->function == Function::sin || call->function == Function::cos ||
-                        call->function == Function::tan;
-      const Expression argument(graph, call->argument);
-      if (wave && is_whole(simplify(differentiate(argument, x)))) continue;
-    }
-    for (const NodeId child : children(graph.node(id))) left.push_back(child);
-  }
-  return true;
-}
-
 SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
                                   std::span<const Expression> absent) {
   const Reduction& reduction = statics.reduction;
   SteadyForces result;
-  result.graph = std::make_shared<Graph>(*reduction.graph);
-  Graph& graph = *result.graph;
+  const auto own = std::make_shared<Graph>(*reduction.graph);
+  Graph& graph = *own;
+  result.graph = own;
   std::vector<Replacement> zeros;
   for (const Expression& symbol : absent) zeros.emplace_back(graph.adopt(symbol), graph.number(0));
   const auto without_absent = [&](const Expression& e) {
@@ -151,12 +127,9 @@ namespace {
 /// y.
 std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& statics,
                                  std::span<const double> parameters, std::span<const double> y) {
-  std::vector<Column> columns;
-  const std::vector<Column> all = momentum_columns(dynamics.model());
-  for (const std::size_t c : statics.reduction.ignored) columns.push_back(all[c]);
-  std::vector<Interval> momenta(columns.size());
-  if (columns.empty()) return momenta;
-  const auto function = dynamics.columns(columns);
+  std::vector<Interval> momenta(statics.reduction.ignored.size());
+  if (momenta.empty()) return momenta;
+  const auto function = dynamics.columns(momentum_columns(dynamics.model(), statics.reduction.ignored));
   const std::vector<Interval> bound(parameters.begin(), parameters.end());
   const std::vector<Interval> state(y.begin(), y.end());
   TapeEvaluator<Interval>(*function, bound)(state, momenta);

@@ -10,25 +10,21 @@
 
 namespace qdot {
 
-/// e times its denominators, of those that contain one of the variables; e itself where there are none.
+/// e times those of its denominators that contain one of the variables; e itself where there are none.
 [[nodiscard]] Expression numerator_of(const Expression& e, std::span<const Expression> variables);
 
 /// The velocities of the ignored coordinates at rest, in `graph`, a copy of the reduction's.
 [[nodiscard]] std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph);
 
-/// Whether e is the same after x has grown by 2 pi: x stands only in sines, cosines and tangents of whole
-/// multiples of x. Says no where it cannot see that.
-[[nodiscard]] bool has_full_turn(const Expression& e, const Expression& x);
-
-/// What Statics has, once more with what is known to vanish left out: a steady motion without momentum has no
-/// centrifugal wall. Functions of Statics' constants and x.
+/// What Statics has, derived once more without the momenta that are known to vanish: a steady motion without
+/// momentum has no centrifugal wall. Functions of Statics' constants and x.
 struct SteadyForces {
   std::vector<std::size_t> unknowns;   ///< places in x of the coordinates that some force depends on
   std::vector<std::size_t> free;       ///< the other places: any value does
   std::vector<std::size_t> equations;  ///< places in g of the forces that do not vanish identically
   std::vector<bool> turns;             ///< for each x: an angle whose full turn changes no force
   std::vector<Expression> rest;        ///< g, in `graph`
-  std::shared_ptr<Graph> graph;        ///< for derivations, by one thread at a time
+  std::shared_ptr<const Graph> graph;  ///< threads share it; derivations work on a copy
   CompiledFunction forces;             ///< g
   CompiledFunction stiffness;          ///< K_ij = dg_i/dx_j by rows
   CompiledFunction ignored_rates;      ///< q_c'
@@ -50,7 +46,7 @@ struct SteadyProblem {
 };
 
 /// With the momenta of the ignored coordinates in the state y = (q, q'). Throws Error(not_applicable) where
-/// the time enters, Error(invalid_state) where a momentum has no finite value.
+/// the time enters the equations, and Error(invalid_state) where a momentum has no finite value.
 [[nodiscard]] SteadyProblem steady_problem(const Dynamics& dynamics, std::span<const double> parameters,
                                            std::span<const double> y);
 

@@ -4,6 +4,7 @@
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_builder.hpp"
+#include "core/expr/full_turn.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/steady/steady_forces.hpp"
@@ -11,9 +12,9 @@
 namespace qdot {
 namespace {
 
-class Derivation {
+class PolynomialDerivation {
  public:
-  Derivation(const Model& model, const Statics& statics, const std::string& unknown)
+  PolynomialDerivation(const Model& model, const Statics& statics, const std::string& unknown)
       : model_(model), statics_(statics), reduction_(statics.reduction), graph_(*reduction_.graph) {
     for (const Expression& x : reduction_.x) x_.push_back(graph_.adopt(x));
     const std::size_t parameters = reduction_.constants.size() - reduction_.ignored.size();
@@ -139,7 +140,7 @@ class Derivation {
 
 SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics,
                                           const std::string& unknown) {
-  return Derivation(model, statics, unknown).run();
+  return PolynomialDerivation(model, statics, unknown).run();
 }
 
 }  // namespace qdot

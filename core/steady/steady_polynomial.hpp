@@ -1,6 +1,6 @@
 #pragma once
-// The forces at rest as functions of one unknown number u, a parameter or the velocity of an ignorable
-// coordinate, all ignorable coordinates moving with given velocities instead of momenta.
+// The forces at rest as functions of one unknown number u, which is a parameter or the velocity of an
+// ignorable coordinate. All ignorable coordinates move with given velocities here, not with given momenta.
 
 #include <optional>
 #include <span>

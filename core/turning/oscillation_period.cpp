@@ -74,8 +74,8 @@ std::optional<Finding> double_exponential(const Integrand& f) {
   Interval sum = term(0);
   Interval coarse = Interval::whole();
   for (double h = coarsest_step; h >= finest_step; h /= 2) {
-    const double stride = h == coarsest_step ? h : 2 * h;
-    for (double t = h; t < last_step; t += stride) sum = sum + term(t) + term(-t);
+    const double apart = h == coarsest_step ? h : 2 * h;
+    for (double t = h; t < last_step; t += apart) sum = sum + term(t) + term(-t);
     if (!sum.is_finite()) return std::nullopt;
     const Interval fine = sum * Interval(h);
     if (const auto found = settled(coarse, fine)) return found;

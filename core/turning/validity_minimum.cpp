@@ -21,10 +21,7 @@ class State {
         std::span<const double> momenta, std::span<const double> y0)
       : reduction_(reduction), momenta_(momenta), y_(y0.begin(), y0.end()) {
     if (momenta.empty()) return;
-    const std::vector<Column> all = momentum_columns(dynamics.model());
-    std::vector<Column> columns;
-    for (const std::size_t c : reduction.ignored) columns.push_back(all[c]);
-    function_ = dynamics.columns(columns);
+    function_ = dynamics.columns(momentum_columns(dynamics.model(), reduction.ignored));
     workspace_ = function_->bind(parameters);
   }
 

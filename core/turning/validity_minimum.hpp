@@ -2,13 +2,13 @@
 // The smallest values of the scene's `valid_while` quantities along a motion of one coordinate that the
 // energy integral describes: does the string stay taut?
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/dynamics/dynamics.hpp"
+#include "core/turning/phase_path.hpp"
 
 namespace qdot {
 
@@ -20,11 +20,8 @@ struct ValidityMinimum {
   std::string reason;   ///< why there is no value
 };
 
-/// A closed motion of one coordinate: phase -> (x, x'), one revolution of the phase being all of it.
-using PhasePath = std::function<std::pair<double, double>(double phase)>;
-
-/// Sampled at 32 phases, the smallest one refined by parabolas. `momenta`: those of `reduction.ignored`,
-/// which give the ignored velocities; `y0` gives the ignored coordinates.
+/// Sampled at 32 phases of the path, the smallest value refined by parabolas. `momenta`: those of
+/// `reduction.ignored`, which give the ignored velocities; `y0` gives the ignored coordinates.
 [[nodiscard]] std::vector<ValidityMinimum> validity_minima(const Dynamics& dynamics,
                                                            const Reduction& reduction,
                                                            std::span<const double> parameters,

@@ -18,6 +18,18 @@ inline constexpr std::array all_methods{Method::adams, Method::bdf, Method::erk,
 inline constexpr Method best_method = Method::erk;
 inline constexpr Tolerances best_tolerances{1e-13, 1e-15};
 
+/// T, V, T + V and h, as far as the scene knows them apart.
+inline std::vector<Column> energy_columns(const Model& model) {
+  std::vector<Column> columns;
+  if (const Lagrangian& l = model.lagrangian; l.kinetic_energy) {
+    columns.push_back({"T", "J", *l.kinetic_energy});
+    columns.push_back({"V", "J", *l.potential_energy});
+    columns.push_back({"energy", "J", *model.energy});
+  }
+  columns.push_back({"h", "J", model.jacobi});
+  return columns;
+}
+
 /// count + 1 instants from 0 to t_end.
 inline std::vector<double> instants(double t_end, int count) {
   std::vector<double> grid;

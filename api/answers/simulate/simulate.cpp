@@ -135,9 +135,9 @@ class SimulationAnswer {
 
   [[nodiscard]] Json strides_json() const {
     Json array = Json::array();
-    for (const StrideRecord& stride : result_.strides) {
+    for (const SectionRecord& stride : result_.sections) {
       array.push_back({{"t", stride.t},
-                       {"step_time", stride.step_time},
+                       {"step_time", stride.duration},
                        {"pre_impact", state_json(scene(), stride.before)},
                        {"state", state_json(scene(), stride.after)}});
     }

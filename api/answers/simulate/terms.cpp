@@ -90,7 +90,7 @@ SimulationRequest core_request(const SimulateRequest& request, const Dynamics& d
   core.parameters = state.parameters;
   core.y_start = state.y;
   core.t_start = request.t_start;
-  if (request.steps) core.strides = static_cast<std::size_t>(*request.steps);
+  if (request.steps) core.end_after_impacts = static_cast<std::size_t>(*request.steps);
   core.t_end = request.t_end ? *request.t_end
                              : core.t_start + patience(dynamics.model(), state.parameters, *request.steps);
   core.grid = request.grid;
@@ -111,8 +111,8 @@ std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynami
   core.grid = {core.t_start};
   const Simulation first = simulate(dynamics, core);
   if (has_failed(first.ending)) return core.grid;  // the second run fails as this one
-  if (!first.stop && first.strides.size() < *core.strides) {
-    throw Error(ErrorCode::not_applicable, "Only " + std::to_string(first.strides.size()) +
+  if (!first.stop && first.sections.size() < *core.end_after_impacts) {
+    throw Error(ErrorCode::not_applicable, "Only " + std::to_string(first.sections.size()) +
                                                " strides happen within " + std::to_string(core.t_end) +
                                                " s: give t_end.");
   }

@@ -2,7 +2,7 @@
 // What the Taylor kernels work on. A slot of the tape becomes a row of coefficients, once in order and once
 // reversed, so that the Cauchy product sum_j x_j y_{k-j} is a dot product of two runs of memory.
 //
-// The kernels are compiled twice, for AVX2 and for plain x86-64 (taylor_kernels_*.cpp). Both add in the same
+// The kernels are compiled twice, for AVX2 and for plain x86-64 (kernels_*.cpp). Both add in the same
 // order, four partial sums that are joined at the end, and neither contracts multiply-adds, so their bits
 // agree.
 

@@ -1,11 +1,11 @@
 #pragma once
 // From a tape to what the Taylor kernels work on.
 //
-// At orders above 0 constants vanish, so that a sum keeps only what varies, its factors as numbers. A sum
-// that is needed once, as a term of another, becomes part of it; so does a + b x that is needed once, as a
-// factor. The rate of an argument u of sin, cos and
-// others is the row of velocities where u is a coordinate, a sum of those where u is a sum of coordinates:
-// then nothing waits for u itself.
+// At orders above 0 constants vanish, so that a sum keeps only what varies, with numbers for factors. A sum
+// that is needed only once, as a term of another, becomes part of that; so does a + b x that is needed only
+// once, as a factor. Functions such as sin and cos need the rate of their argument u. Where u is a coordinate
+// that is the row of its velocity, and where u is a sum of coordinates a sum of such rows, so that nothing
+// waits for u itself.
 
 #include <deque>
 #include <span>

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/expr/parse_tokens.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/dimensionless.hpp"
 #include "core/mechanics/notation.hpp"
+#include "tests/support/operation_count.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot {
@@ -130,8 +130,9 @@ std::string printed(const Model& model, Quantity quantity, std::size_t index) {
 /// Both sides of an equation together.
 std::size_t operations(const std::string& text) {
   const std::size_t equals = text.find(" = ");
-  if (equals == std::string::npos) return operation_count_of_text(text);
-  return operation_count_of_text(text.substr(0, equals)) + operation_count_of_text(text.substr(equals + 3));
+  if (equals == std::string::npos) return test::operation_count_of_text(text);
+  return test::operation_count_of_text(text.substr(0, equals)) +
+         test::operation_count_of_text(text.substr(equals + 3));
 }
 
 class PrintedForm : public testing::TestWithParam<Printed> {};
@@ -162,14 +163,14 @@ TEST(PrintedForm, OfTheDimensionlessWalkerIsNoLongerThanTheSheets) {
       "1/2*(1 + 4*mu*sin(phi/2)^2)*theta_dot^2 - 2*mu*sin(phi/2)^2*theta_dot*phi_dot + 1/2*mu*phi_dot^2 - "
       "cos(theta - gamma) - 2*mu*sin(phi/2)*sin(phi/2 - theta + gamma)";
   const std::string derived = text_of(form->lagrangian, *model);
-  EXPECT_LE(operation_count_of_text(derived), operation_count_of_text(sheet)) << derived;
+  EXPECT_LE(test::operation_count_of_text(derived), test::operation_count_of_text(sheet)) << derived;
 }
 
 /// T and V apart, as the sheet writes every one of its Lagrangians.
 TEST(PrintedForm, OfTheLagrangianIsNoLongerThanItsTwoEnergies) {
   for (const std::string& system : test::practice_systems()) {
     const auto model = test::model_of(system);
-    const auto count = [&](const Expression& e) { return operation_count_of_text(text_of(e, *model)); };
+    const auto count = [&](const Expression& e) { return test::operation_count_of_text(text_of(e, *model)); };
     const std::size_t apart =
         count(*model->lagrangian.kinetic_energy) + count(*model->lagrangian.potential_energy) + 1;
     EXPECT_LE(count(model->lagrangian.lagrangian), apart) << system;

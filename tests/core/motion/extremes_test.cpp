@@ -67,7 +67,7 @@ TEST_P(ExtremeMotion, HasNumbersOrANamedEnding) {
     request.method = method;
     request.tolerances = {1e-8, 1e-10};
     request.limits.max_evaluations = 50'000;
-    request.columns = energy_columns(*model);
+    request.columns = test::energy_columns(*model);
     try {
       const Simulation motion = simulate(dynamics, request);
       expect_numbers(motion.states, "states");

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/motion/ladder.hpp"
 #include "core/integrate/integrate.hpp"
+#include "core/motion/ladder.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/system_test.hpp"
 
@@ -139,7 +139,7 @@ TEST(GaussOnScenes, EnergyErrorStaysBoundedOverAHundredThousandPeriods) {
   request.h = h;
   request.limits.max_steps = steps;
   request.limits.max_evaluations = 100ULL * steps;
-  for (const Column& column : energy_columns(*model))
+  for (const Column& column : test::energy_columns(*model))
     if (column.name == "h") request.columns.push_back(column);  // the Jacobi integral: the arm is driven
   const Simulation motion = simulate(Dynamics(model), request);
   ASSERT_EQ(motion.ending, Ending::reached_end);
@@ -158,7 +158,7 @@ TEST(GaussOnScenes, RoundOffOfTheEnergyIsAWalkAndNoDrift) {
       *model, {{"m", 1}, {"k", 40}, {"l0", 1}, {"l", 1.2}, {"theta", 0.7}}, test::instants(500, 1000));
   request.method = Method::gauss;
   request.h = 0.005;
-  request.columns = {energy_columns(*model)[2]};
+  request.columns = {test::energy_columns(*model)[2]};
   const Simulation motion = simulate(Dynamics(model), request);
   ASSERT_EQ(motion.ending, Ending::reached_end);
   EXPECT_LT(largest_energy_error(motion, 0, motion.rows), 1e-12);
@@ -215,10 +215,10 @@ TEST(GaussOnScenes, TheMasslessFeetOfTheWalkerHaveNoMomentaOfTheirOwn) {
     const Simulation motion = simulate(dynamics, request);
     EXPECT_EQ(motion.symplectic, m > 0);
     ASSERT_EQ(motion.rows, best.rows) << m;
-    ASSERT_EQ(motion.strides.size(), best.strides.size()) << m;
-    EXPECT_TRUE(m > 0 || motion.strides.size() >= 2);
-    for (std::size_t i = 0; i < motion.strides.size(); ++i)
-      EXPECT_NEAR(motion.strides[i].t, best.strides[i].t, 1e-8);
+    ASSERT_EQ(motion.sections.size(), best.sections.size()) << m;
+    EXPECT_TRUE(m > 0 || motion.sections.size() >= 2);
+    for (std::size_t i = 0; i < motion.sections.size(); ++i)
+      EXPECT_NEAR(motion.sections[i].t, best.sections[i].t, 1e-8);
     EXPECT_LT(test::difference(motion, best), 1e-7) << m;
   }
 }

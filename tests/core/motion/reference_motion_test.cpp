@@ -126,8 +126,8 @@ TEST_P(ReferenceValues, AreFound) {
   const auto model = test::model_of(json.at("system"));
   const Dynamics dynamics(model, inputs_in(json));
   std::vector<Column> columns{{"lagrangian", "J", model->lagrangian.lagrangian}};
-  for (const auto& group : {energy_columns(*model), momentum_columns(*model), acceleration_columns(*model),
-                            validity_columns(*model)})
+  for (const auto& group : {test::energy_columns(*model), momentum_columns(*model),
+                            acceleration_columns(*model), validity_columns(*model)})
     columns.insert(columns.end(), group.begin(), group.end());
   const SimulationRequest request = test::request_for(*model, given_in(json), {0});
   const std::vector<double> values =

@@ -10,8 +10,8 @@
 
 #include "core/base/error.hpp"
 #include "core/expr/parse.hpp"
-#include "core/expr/parse_tokens.hpp"
 #include "core/expr/print/print.hpp"
+#include "tests/support/operation_count.hpp"
 #include "tests/support/random_expression.hpp"
 
 namespace qdot {
@@ -213,18 +213,18 @@ TEST(PrintText, ExponentiallyLongFormsAreRefused) {
 }
 
 TEST(OperationCountOfText, CountsWhatAReaderCounts) {
-  EXPECT_EQ(operation_count_of_text("m*g*l*sin(theta)"), 4u);
-  EXPECT_EQ(operation_count_of_text("1/2*m*l^2"), 3u);
-  EXPECT_EQ(operation_count_of_text("-x"), 0u);
-  EXPECT_EQ(operation_count_of_text("x - -y"), 1u);
-  EXPECT_EQ(operation_count_of_text("x^(1/2)"), 1u);
-  EXPECT_EQ(operation_count_of_text("x^-2"), 1u);
-  EXPECT_EQ(operation_count_of_text("x**2"), 1u);
-  EXPECT_EQ(operation_count_of_text("x/3/4"), 2u);
-  EXPECT_EQ(operation_count_of_text("3/4^2"), 2u);
-  EXPECT_EQ(operation_count_of_text("b^2/(2*m*l^2)"), 5u);
-  EXPECT_EQ(operation_count_of_text("53/3"), 0u);
-  EXPECT_EQ(operation_count_of_text("theta"), 0u);
+  EXPECT_EQ(test::operation_count_of_text("m*g*l*sin(theta)"), 4u);
+  EXPECT_EQ(test::operation_count_of_text("1/2*m*l^2"), 3u);
+  EXPECT_EQ(test::operation_count_of_text("-x"), 0u);
+  EXPECT_EQ(test::operation_count_of_text("x - -y"), 1u);
+  EXPECT_EQ(test::operation_count_of_text("x^(1/2)"), 1u);
+  EXPECT_EQ(test::operation_count_of_text("x^-2"), 1u);
+  EXPECT_EQ(test::operation_count_of_text("x**2"), 1u);
+  EXPECT_EQ(test::operation_count_of_text("x/3/4"), 2u);
+  EXPECT_EQ(test::operation_count_of_text("3/4^2"), 2u);
+  EXPECT_EQ(test::operation_count_of_text("b^2/(2*m*l^2)"), 5u);
+  EXPECT_EQ(test::operation_count_of_text("53/3"), 0u);
+  EXPECT_EQ(test::operation_count_of_text("theta"), 0u);
 }
 
 }  // namespace

@@ -1,19 +1,8 @@
-#include "core/dynamics/steady_state.hpp"
+#include "core/steady/steady_state.hpp"
 
 #include "core/base/error.hpp"
 
 namespace qdot {
-
-std::vector<double> constants_at(const Dynamics& dynamics, const Statics& statics,
-                                 std::span<const double> parameters, std::span<const double> y) {
-  std::vector<Column> momenta;
-  const std::vector<Column> all = momentum_columns(dynamics.model());
-  for (const std::size_t c : statics.reduction.ignored) momenta.push_back(all[c]);
-  std::vector<double> constants(parameters.begin(), parameters.end());
-  if (momenta.empty()) return constants;
-  for (const double p : values_at(dynamics, momenta, parameters, 0, y)) constants.push_back(p);
-  return constants;
-}
 
 std::vector<double> steady_state(const Statics& statics, std::span<const double> constants,
                                  std::span<const double> x, std::span<const double> y) {

@@ -1,0 +1,124 @@
+#include "core/steady/critical_zeros.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qdot {
+namespace {
+
+/// For several coordinates the search of (x, p) grows quickly; where it ends, the answer says so.
+constexpr std::size_t most_boxes = 20'000;
+
+std::vector<double> degenerate_values(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                      const Interval& range) {
+  std::vector<double> found;
+  std::vector<Interval> place(problem.forces->unknowns.size() + 1);
+  for (std::size_t k = 0; k < systems.vanishing.outputs(); ++k) {
+    const auto along = [&](const CompiledFunction& function) {
+      return [&, k](std::span<const Interval> p, std::span<Interval> out) {
+        std::vector<Interval> all(function.outputs());
+        place.back() = p[0];
+        TapeEvaluator<Interval>(function, problem.constants)(place, all);
+        out[0] = all[k];
+      };
+    };
+    const SquareSystem system{1, along(systems.vanishing), along(systems.vanishing_slopes)};
+    for (const IsolatedZero& zero : isolate_zeros(system, {range}).zeros) {
+      if (is_empty(intersection(zero.enclosure[0], range))) continue;
+      found.push_back(representative(zero.enclosure[0]));
+    }
+  }
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+bool is_outside(const CriticalZero& zero, const Model& model, const SteadyProblem& problem) {
+  for (std::size_t k = 0; k < zero.x.size(); ++k) {
+    const std::size_t i = problem.statics->reduction.kept[problem.forces->unknowns[k]];
+    const Domain& domain = model.scene.coordinates[i].domain;
+    if (domain.lower_open ? zero.x[k].lower <= domain.lower : zero.x[k].upper < domain.lower) return true;
+    if (domain.upper_open ? zero.x[k].upper >= domain.upper : zero.x[k].lower > domain.upper) return true;
+  }
+  return false;
+}
+
+/// Unresolved boxes side by side are one multiple zero.
+bool joins_cluster(std::vector<CriticalZero>& zeros, const CriticalZero& zero, const Interval& range) {
+  constexpr double apart = 1e-3;
+  for (CriticalZero& other : zeros) {
+    if (other.simple || other.kind != zero.kind) continue;
+    bool close = std::abs(other.p.middle() - zero.p.middle()) < apart * (range.upper - range.lower);
+    for (std::size_t k = 0; k < zero.x.size(); ++k) {
+      close = close && std::abs(other.x[k].middle() - zero.x[k].middle()) < apart;
+    }
+    if (!close) continue;
+    for (std::size_t k = 0; k < zero.x.size(); ++k) other.x[k] = hull(other.x[k], zero.x[k]);
+    other.p = hull(other.p, zero.p);
+    return true;
+  }
+  return false;
+}
+
+Isolation isolated(const Model& model, const SteadyProblem& problem, const BifurcationSystem& system,
+                   const Interval& range) {
+  TapeEvaluator<Interval> values(system.values, problem.constants);
+  TapeEvaluator<Interval> jacobian(system.jacobian, problem.constants);
+  Box region = search_region(model, problem);
+  region.push_back(range);
+  std::vector<double> scales(region.size(), 1.0);
+  scales.back() = std::max(std::abs(range.lower), std::abs(range.upper));
+  return isolate_zeros(
+      {region.size(), [&](auto x, auto out) { values(x, out); }, [&](auto x, auto out) { jacobian(x, out); }},
+      region, scales, most_boxes);
+}
+
+/// A search that was given up may have seen a part of a cluster only. Rounding hides a multiple zero within
+/// the square root of 2^-53 in x, and its square in p.
+void widen_clusters(std::vector<CriticalZero>& zeros) {
+  constexpr double hidden = 1e-6;
+  for (CriticalZero& zero : zeros) {
+    if (zero.simple) continue;
+    for (Interval& x : zero.x) {
+      const double reach = hidden * (1 + x.magnitude());
+      x = Interval(x.lower - reach, x.upper + reach);
+    }
+    const double reach = hidden * hidden * zero.p.magnitude();
+    zero.p = Interval(zero.p.lower - reach, zero.p.upper + reach);
+  }
+}
+
+}  // namespace
+
+bool overlap(const CriticalZero& a, const CriticalZero& b) {
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
+    if (is_empty(intersection(a.x[i], b.x[i]))) return false;
+  }
+  return !is_empty(intersection(a.p, b.p));
+}
+
+CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
+                             const BifurcationSystems& systems, const Interval& range) {
+  CriticalZeros result;
+  result.degenerate = degenerate_values(problem, systems, range);
+  for (const BifurcationSystem& system : systems.systems) {
+    const Isolation isolation = isolated(model, problem, system, range);
+    result.complete = result.complete && isolation.complete;
+    for (const auto& [enclosure, simple] : isolation.zeros) {
+      CriticalZero zero{system.kind, {enclosure.begin(), enclosure.end() - 1}, enclosure.back(), simple};
+      if (is_empty(intersection(zero.p, range))) continue;
+      for (std::size_t k = 0; k < zero.x.size(); ++k) {
+        if (problem.forces->turns[problem.forces->unknowns[k]]) zero.x[k] = reduced_angle(zero.x[k]);
+      }
+      const auto is_there = [&](double p) { return zero.p.contains(p); };
+      if (std::ranges::any_of(result.degenerate, is_there) || is_outside(zero, model, problem)) continue;
+      if (!simple && joins_cluster(result.zeros, zero, range)) continue;
+      const auto is_same = [&](const CriticalZero& o) { return o.kind == zero.kind && overlap(o, zero); };
+      if (std::ranges::none_of(result.zeros, is_same)) result.zeros.push_back(std::move(zero));
+    }
+  }
+  if (!result.complete) widen_clusters(result.zeros);
+  return result;
+}
+
+}  // namespace qdot

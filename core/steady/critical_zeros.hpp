@@ -1,0 +1,33 @@
+#pragma once
+// Where equilibria appear, vanish or meet as one parameter p moves through a range: all zeros in (x, p) of
+// the systems of core/steady/bifurcation_systems.hpp, by interval arithmetic
+// (core/numerics/root_isolation.hpp).
+
+#include <vector>
+
+#include "core/steady/bifurcation_systems.hpp"
+#include "core/steady/equilibria.hpp"
+
+namespace qdot {
+
+struct CriticalZero {
+  BifurcationSystem::Kind kind{};
+  Box x;  ///< of the unknowns; angles in (-pi, pi]
+  Interval p;
+  bool simple{};  ///< proven to be one simple zero; otherwise a cluster that rounding does not resolve
+};
+
+/// Whether both may be the same place.
+[[nodiscard]] bool overlap(const CriticalZero& a, const CriticalZero& b);
+
+struct CriticalZeros {
+  std::vector<CriticalZero> zeros;
+  /// Values of p at which a force vanishes everywhere, ascending; zeros there are left out.
+  std::vector<double> degenerate;
+  bool complete{true};  ///< false: the search was given up, and some may be missing
+};
+
+[[nodiscard]] CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
+                                           const BifurcationSystems& systems, const Interval& range);
+
+}  // namespace qdot

@@ -1,0 +1,48 @@
+#include "core/turning/motion_kind.hpp"
+
+namespace qdot {
+
+Finding extremum_at(const MotionBound& bound, const std::string& name) {
+  const double place = bound.place.middle();
+  const auto none = [](const std::string& reason) { return Finding{std::nullopt, 0, reason}; };
+  switch (bound.kind) {
+    case MotionBound::Kind::turning:
+      return {place, bound.place.radius(), ""};
+    case MotionBound::Kind::asymptote:
+      return {place, bound.place.radius(),
+              "The energy is that of a maximum of the effective potential there, as far as double precision "
+              "tells: it is approached, not reached."};
+    case MotionBound::Kind::full_turn:
+      return none(name + " never turns: the kinetic energy stays positive over a whole turn.");
+    case MotionBound::Kind::unbounded:
+      return none(name + " never turns on this side: the kinetic energy stays positive all the way.");
+    case MotionBound::Kind::domain_end:
+      return none("The motion reaches the end of the range in which " + name + " describes a configuration.");
+    case MotionBound::Kind::unresolved:
+      break;
+  }
+  return none("Beyond " + std::to_string(place) +
+              " double precision cannot tell whether the motion turns; the potential is singular or almost "
+              "flat there.");
+}
+
+std::string why_not_periodic(MotionKind kind) {
+  switch (kind) {
+    case MotionKind::separatrix:
+      return "The motion takes for ever to reach the maximum of the potential.";
+    case MotionKind::equilibrium:
+      return "The system stays at rest.";
+    case MotionKind::unbounded:
+    case MotionKind::libration:
+    case MotionKind::rotation:
+      break;
+  }
+  return "The motion does not come back.";
+}
+
+std::string why_rest_is_undecided(const std::string& name) {
+  return "In double precision the force on " + name +
+         " cannot be told from zero here, so neither can rest from a slow motion.";
+}
+
+}  // namespace qdot
