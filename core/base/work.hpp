@@ -8,8 +8,8 @@
 
 namespace qdot {
 
-/// Thrown when nobody waits for the answer any more. It is not an Error, so that nothing else is tried after
-/// it.
+/// Thrown when nobody waits for the answer any more.
+/// It is not an Error, so that nothing else is tried after it.
 struct Interrupted {};
 
 /// While it lives, what its thread computes may cost `units`. A unit is one step of algebra, such as a

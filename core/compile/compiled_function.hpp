@@ -1,6 +1,6 @@
 #pragma once
-// A compiled function: a flat tape of instructions on numbered slots, evaluated in a workspace of the
-// caller's.
+// A compiled function: a flat tape of instructions on numbered slots,
+// evaluated in a workspace of the caller's.
 //
 // The tape is immutable and shared by threads; every thread brings its own Workspace. Slots hold the
 // parameters, the time, the variables, then literals and what follows; what depends on parameters alone is

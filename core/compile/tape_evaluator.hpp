@@ -11,9 +11,8 @@
 
 namespace qdot {
 
-/// For one tape without `solve`, at time 0, and one set of parameters. T has T::literal(double), the
-/// operators
-/// + * /, and square, sqrt, sin, cos, power(T, double), evaluate(Function, T).
+/// For one tape without `solve`, at time 0, and one set of parameters.
+/// T has T::literal(double), +, *, /, square, sqrt, sin, cos, power(T, double) and evaluate(Function, T).
 template <class T>
 class TapeEvaluator {
  public:

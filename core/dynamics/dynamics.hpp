@@ -43,8 +43,8 @@ class Dynamics {
   /// Functions for questions that need no motion; they depend on the parameters that are 0. Throws
   /// Error(not_applicable) where the time enters the equations.
   [[nodiscard]] std::shared_ptr<const Statics> statics(std::span<const double> parameters) const;
-  /// What `make` derives from the statics for one purpose, made once for each key and each set of vanishing
-  /// parameters.
+  /// What `make` derives from the statics for one purpose,
+  /// made once for each key and each set of vanishing parameters.
   template <class T, class Make>
   [[nodiscard]] std::shared_ptr<const T> derived(const std::string& key, std::span<const double> parameters,
                                                  const Make& make) const {

@@ -8,8 +8,8 @@
 
 namespace qdot {
 
-/// For each input of the scene an expression in t and the parameters. An empty text, or none, means the
-/// default.
+/// For each input of the scene an expression in t and the parameters.
+/// An empty text, or none, means the default.
 using InputTexts = std::vector<std::string>;
 
 /// Each input u and its derivatives u', u'' as functions of time, in `graph`, a copy of the model's. Throws

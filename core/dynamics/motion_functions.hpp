@@ -24,8 +24,8 @@ namespace qdot {
 /// d(q', q'')/d(q, q'), 2n x 2n by rows.
 [[nodiscard]] CompiledFunction jacobian_of(const Model& model, const InputTexts& inputs);
 
-/// Expressions of a graph that was copied from the model's, as they are along motions: q'' solved for, inputs
-/// replaced.
+/// Expressions of a graph that was copied from the model's, as they are along motions:
+/// q'' solved for, inputs replaced.
 [[nodiscard]] CompiledFunction compiled_along_motion(const Model& model, const InputTexts& inputs,
                                                      const Graph& graph,
                                                      std::span<const Expression> expressions);

@@ -42,8 +42,8 @@ struct WatchRequest {
   Impacts impacts{Impacts::apply};
 };
 
-/// All that a request watches, in the order in which simultaneous ones count. Throws what Dynamics::event
-/// throws.
+/// All that a request watches, in the order in which simultaneous ones count.
+/// Throws what Dynamics::event throws.
 [[nodiscard]] std::vector<Watch> watches(const Dynamics& dynamics, const WatchRequest& request);
 
 }  // namespace qdot

@@ -57,8 +57,8 @@ class Graph {
 
   Graph();
   [[nodiscard]] Expression number(const Number& value);
-  /// The symbol `name`, made on first use. A difference leads with the symbol that was made first: theta -
-  /// gamma.
+  /// The symbol `name`, made on first use. A difference leads with the symbol that was made first:
+  /// theta - gamma.
   [[nodiscard]] Expression symbol(std::string_view name);
   [[nodiscard]] Expression sum(std::span<const Expression> terms);
   [[nodiscard]] Expression product(std::span<const Expression> factors);

@@ -27,8 +27,8 @@ struct Sum {
   std::vector<NodeId> terms;
   bool operator==(const Sum&) const = default;
 };
-/// coefficient times one or more factors, none of which is a literal, a product or shares its base with
-/// another.
+/// coefficient times one or more factors, none of which is a literal,
+/// a product or shares its base with another.
 struct Product {
   Number coefficient;
   std::vector<NodeId> factors;

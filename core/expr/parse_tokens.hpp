@@ -31,8 +31,8 @@ struct TextLimits {
 /// Error(too_large) beyond a limit.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text, const TextLimits& limits = {});
 
-/// "text", or the beginning of it when it is longer than 40 bytes, quoted, with what is not printable ASCII
-/// as ?.
+/// "text", or the beginning of it when it is longer than 40 bytes, quoted,
+/// with what is not printable ASCII as ?.
 [[nodiscard]] std::string excerpt(std::string_view text);
 
 }  // namespace qdot

@@ -1,9 +1,9 @@
 #pragma once
 // Where gaits appear, vanish and lose their stability as one parameter changes.
 //
-// The gaits of a scene, R(u, T; p) = 0 (core/gait/shooting.hpp), form curves in (u, T, p). Each is
-// followed by its arclength, through folds (core/gait/gait_family.hpp), and a critical value is a zero along
-// it of
+// The gaits of a scene, R(u, T; p) = 0 (core/gait/shooting.hpp), form curves in (u, T, p).
+// Each is followed by its arclength, through folds (core/gait/gait_family.hpp),
+// and a critical value is a zero along it of
 //
 //   det(D + 1)               period doubling: a multiplier is -1
 //   det(D - 1)               fold: a multiplier is 1, and two gaits meet

@@ -33,8 +33,8 @@ class GaitFamily {
 
   [[nodiscard]] std::optional<Linearization> linearized(const Place& place);
   [[nodiscard]] std::optional<Place> moved(const Place& place, const Eigen::VectorXd& step) const;
-  /// The point at `place` or next to it across `direction`, where Newton's method leaves no more than
-  /// rounding.
+  /// The point at `place` or next to it across `direction`,
+  /// where Newton's method leaves no more than rounding.
   [[nodiscard]] std::optional<CurvePoint<GaitFamily>> point(const Place& place,
                                                             const Eigen::VectorXd& direction);
   /// The point at distance `advance` from another one.

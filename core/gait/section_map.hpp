@@ -60,8 +60,8 @@ class SectionMap {
  public:
   static constexpr double longest_stride = 100;  ///< in units of time of the scene
 
-  /// Throws Error(not_applicable) for a scene without an impact, and where the motion depends on time
-  /// explicitly.
+  /// Throws Error(not_applicable) for a scene without an impact,
+  /// and where the motion depends on time explicitly.
   explicit SectionMap(const Dynamics& dynamics);
 
   /// Call before anything else, and again for other parameters.

@@ -3,11 +3,11 @@
 // ARKODE 5.4.1, "ARKStep".
 //
 // Three things are done differently from what the library offers, each for a measured reason:
-// - ARKStep, not ERKStep, which in this version reuses the last stage as f(t, y) and so loses up to five
-// orders.
+// - ARKStep, not ERKStep, which in this version reuses the last stage as f(t, y)
+//   and so loses up to five orders.
 // - Dense output by RungeKuttaFan: the library's Hermite polynomials have degree 5 at most.
-// - A stage at which f has no value ends an explicit run; here the step is tried again from its beginning,
-// shorter.
+// - A stage at which f has no value ends an explicit run of the library's;
+//   here the step is tried again from its beginning, shorter.
 
 #include <arkode/arkode_arkstep.h>
 

@@ -1,7 +1,7 @@
 // Adams and BDF by CVODE, one internal step at a time. The dense output is the method's own Nordsieck
 // polynomial and has its order. Source: A. C. Hindmarsh et al., SUNDIALS, ACM TOMS 31 (2005) 363-396; User
-// Documentation for CVODE 6.4.1, sections "CVODE solver function", "Interpolated output function",
-// "User-supplied functions".
+// Documentation for CVODE 6.4.1, sections "CVODE solver function",
+// "Interpolated output function", "User-supplied functions".
 
 #include <cvode/cvode.h>
 #include <cvode/cvode_ls.h>

@@ -32,8 +32,8 @@ class Evaluator {
   /// df/dy, row-major n x n.
   [[nodiscard]] Answer jacobian(double t, std::span<const double> y, std::span<double> jacobian) noexcept;
 
-  /// Why f last refused, since forget_trouble(); empty if it never did. A limit, once spent, is not
-  /// forgotten.
+  /// Why f last refused, since forget_trouble(); empty if it never did.
+  /// A limit, once spent, is not forgotten.
   [[nodiscard]] std::optional<Ending> trouble() const { return trouble_; }
   void forget_trouble() {
     if (!stopped_) trouble_.reset();
@@ -59,8 +59,8 @@ class Evaluator {
   std::exception_ptr exception_;
 };
 
-/// What is wrong with a state: nonfinite for NaN, blow_up for an infinite component or one beyond
-/// max_magnitude.
+/// What is wrong with a state: nonfinite for NaN,
+/// blow_up for an infinite component or one beyond max_magnitude.
 [[nodiscard]] std::optional<Ending> unusable(std::span<const double> y, double max_magnitude);
 
 }  // namespace qdot

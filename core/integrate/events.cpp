@@ -43,8 +43,8 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   return found;
 }
 
-// Quiet: one strict sign throughout, and never as near to zero as an eighth of the way from one place to the
-// next.
+// Quiet: one strict sign throughout, and never as near to zero as an eighth
+// of the way from one place to the next.
 bool EventSearch::is_quiet(Stepper& stepper) {
   const double begin = stepper.t_previous();
   const double length = stepper.t() - begin;

@@ -8,8 +8,8 @@
 // place, and so it does not count.
 //
 // A zero at t_start does not count either, whether g is exactly zero there or crosses within 1e-9 of the
-// first step. That is where a motion goes on after the same event has ended an earlier one. Later crossings
-// count.
+// first step. That is where a motion goes on after the same event has ended an earlier one.
+// Later crossings count.
 
 #include <cstddef>
 #include <optional>

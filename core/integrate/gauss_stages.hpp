@@ -4,8 +4,8 @@
 //   Z_i = z + h sum_j a_ij F_j,   F_j = f(t + c_j h, Z_j),   z(t + h) = z + h sum_j b_j F_j
 //   c = 1/2 - s/10, 1/2, 1/2 + s/10,   b = 5/18, 8/18, 5/18,   s = sqrt(15)
 // Order 6, A-stable, time-reversible, and symplectic because b_i a_ij + b_j a_ji = b_i b_j. Sources: Hairer,
-// Lubich, Wanner, Geometric Numerical Integration, 2nd ed., II.1.3 (the method), VI.4 (symplecticity), VIII.6
-// (iteration).
+// Lubich, Wanner, Geometric Numerical Integration, 2nd ed., II.1.3 (the method),
+// VI.4 (symplecticity), VIII.6 (iteration).
 //
 // Rounded coefficients would make the energy drift (Hairer, McLachlan, Razakarivony, BIT 48 (2008) 231).
 // Written as a_ij = b_j/2 + r m_ij with r = s/120 and whole numbers m_ij, they fulfil the condition exactly

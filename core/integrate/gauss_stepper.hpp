@@ -16,8 +16,8 @@
 
 namespace qdot {
 
-/// Uses RightHandSide::canonical, or `derivative` and, where the fixed-point iteration does not contract,
-/// `jacobian`.
+/// Uses RightHandSide::canonical, or `derivative` and,
+/// where the fixed-point iteration does not contract, `jacobian`.
 [[nodiscard]] std::unique_ptr<Stepper> make_gauss_stepper(const RightHandSide& system,
                                                           const RunRequest& request);
 

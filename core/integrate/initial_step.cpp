@@ -22,8 +22,8 @@ struct ErrorNorm {
   }
 };
 
-/// |y''| by a forward difference over h, which shrinks while f has no value there; empty when it never has
-/// one.
+/// |y''| by a forward difference over h, which shrinks while f has no value there;
+/// empty when it never has one.
 std::optional<double> second_derivative(Evaluator& evaluator, double t, std::span<const double> f, double& h,
                                         const ErrorNorm& norm) {
   constexpr int tries = 20;

@@ -1,6 +1,6 @@
 #pragma once
-// Integration of y' = f(t, y) in values: right-hand side, sampling grid and events go in, a run comes out
-// (core/integrate/integrate.hpp).
+// Integration of y' = f(t, y) in values: right-hand side, sampling grid and events go in,
+// a run comes out (core/integrate/integrate.hpp).
 
 #include <cstddef>
 #include <cstdint>
@@ -28,8 +28,8 @@ struct RightHandSide {
   std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
       expansion{};
   /// The same motion in canonical variables z = (q, p), of the size of y = (q, q'): z at (t, y), and z' and
-  /// dz'/dz (row-major) at (t, z). Method::gauss steps in them; without them in y, where it is not
-  /// symplectic.
+  /// dz'/dz (row-major) at (t, z). Method::gauss steps in them;
+  /// without them in y, where it is not symplectic.
   struct CanonicalForm {
     std::function<Evaluation(double t, std::span<const double> y, std::span<double> z)> variables{};
     std::function<Evaluation(double t, std::span<const double> z, std::span<double> derivative)> derivative{};
@@ -51,12 +51,10 @@ struct EventFunction {
 ///   dense output, and it keeps round-off low.
 /// - adams: CVODE, order 1 to 12, with the fewest evaluations of the three of SUNDIALS.
 /// - bdf: CVODE, order 1 to 5, for stiff systems (strong damping).
-/// - erk: ARKODE, order 8, the fastest of these three on small oscillating systems. A row of the grid costs
-/// it
-///   12 evaluations, and watching events about 10 a step.
-/// - gauss: implicit Gauss collocation of order 6 with a fixed step. It is symplectic in canonical variables,
-/// so
-///   that energy errors stay bounded however long the motion.
+/// - erk: ARKODE, order 8, the fastest of these three on small oscillating systems.
+///   A row of the grid costs it 12 evaluations, and watching events about 10 a step.
+/// - gauss: implicit Gauss collocation of order 6 with a fixed step.
+///   It is symplectic in canonical variables, so that energy errors stay bounded however long the motion.
 enum class Method { adams, bdf, erk, taylor, gauss };
 
 /// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and

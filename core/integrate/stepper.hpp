@@ -1,7 +1,7 @@
 #pragma once
 // A method, seen from the loop in integrate.cpp: it steps as it likes and can say where the solution was
-// inside its last step. This is the one place with runtime polymorphism: methods of very different make stand
-// behind it.
+// inside its last step. This is the one place with runtime polymorphism:
+// methods of very different make stand behind it.
 
 #include <cstdint>
 #include <memory>

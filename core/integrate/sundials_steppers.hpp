@@ -11,8 +11,8 @@ namespace qdot {
 [[nodiscard]] std::unique_ptr<Stepper> make_adams_stepper(const RightHandSide& system,
                                                           const RunRequest& request);
 
-/// CVODE, backward differentiation of order 1 to 5, corrector by Newton iteration with the dense df/dy: stiff
-/// systems.
+/// CVODE, backward differentiation of order 1 to 5,
+/// corrector by Newton iteration with the dense df/dy: stiff systems.
 [[nodiscard]] std::unique_ptr<Stepper> make_bdf_stepper(const RightHandSide& system,
                                                         const RunRequest& request);
 

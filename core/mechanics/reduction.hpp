@@ -4,8 +4,8 @@
 //
 //   R(x, x'; p) = L - sum p_c q_c'   over the ignorable coordinates q_c, their velocities eliminated
 //   E_i = d/dt dR/dx_i' - dR/dx_i - Q_i = 0   for the coordinates x that are left
-// A steady motion (x' = 0, every q_c' constant) is a zero of E(x, 0, 0), an equilibrium if nothing is
-// ignorable.
+// A steady motion (x' = 0, every q_c' constant) is a zero of E(x, 0, 0),
+// an equilibrium if nothing is ignorable.
 
 #include <memory>
 #include <vector>
@@ -33,8 +33,8 @@ struct Reduction {
 /// Works on a graph of its own. What is ignorable depends on the parameters: ask for the Lagrangian with the
 /// vanishing ones replaced by 0. An equation may vanish with them, such as that of a pendulum whose bob loses
 /// its mass. Its limit then takes its place: left - right of Lagrange's equation of that coordinate, divided
-/// by its common factor before that vanished. `divided` has these for all coordinates in order, in the
-/// Lagrangian's graph.
+/// by its common factor before that vanished.
+/// `divided` has these for all coordinates in order, in the Lagrangian's graph.
 [[nodiscard]] Reduction derive_reduction(const Lagrangian& lagrangian,
                                          const std::vector<Expression>& divided = {});
 

@@ -55,8 +55,8 @@ struct Input {
   std::string meaning;
 };
 
-/// A length that the motion keeps at `value`. It is varied to derive the reaction that keeps it (see
-/// Reaction).
+/// A length that the motion keeps at `value`.
+/// It is varied to derive the reaction that keeps it (see Reaction).
 struct HeldLength {
   std::string name;
   std::string unit;

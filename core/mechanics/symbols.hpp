@@ -11,8 +11,8 @@ namespace qdot {
 using Vector = std::vector<Expression>;
 
 /// The symbols of a scene: q, q_dot, q_ddot in the order of its coordinates, the time t, and so on.
-/// Inputs and held lengths vary in time too: x[i], x_dot[i] and x_ddot[i] stand for them and their
-/// derivatives.
+/// Inputs and held lengths vary in time too:
+/// x[i], x_dot[i] and x_ddot[i] stand for them and their derivatives.
 struct Symbols {
   struct Varying {
     std::vector<Expression> value, rate, second_rate;

@@ -3,8 +3,8 @@
 // that mechanics with charges needs: kg, m, s, A. Exponents are rational, so that sqrt(l/g) has one.
 //
 // Angles have no dimension: rad = 1, as in the SI Brochure (9th edition, section 2.3.4). Whether a unit
-// speaks of angles at all is kept beside its dimension, because "2 Hz" said of an angular velocity means 4 pi
-// rad/s.
+// speaks of angles at all is kept beside its dimension,
+// because "2 Hz" said of an angular velocity means 4 pi rad/s.
 
 #include <array>
 #include <optional>

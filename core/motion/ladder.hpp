@@ -10,8 +10,8 @@
 // motion, the rounding that both runs have in common included. There a third run starts on the other side, so
 // that the difference is not small by chance.
 //
-// Method gauss has a step in place of tolerances: it is checked by the tightest run there is, and does not
-// climb.
+// Method gauss has a step in place of tolerances:
+// it is checked by the tightest run there is, and does not climb.
 //
 // A wanted error is reached by climbing: the error at one tolerance tells the next one to try, until the
 // wanted error is met, the allowed work is spent, or the last rung is reached.

@@ -70,15 +70,15 @@ struct Simulation {
   std::vector<ConservedRecord> conserved;
   Method method{};  ///< the one used: erk for taylor where a force has a kink (abs, sign)
   /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an
-  /// L that is not quadratic in q', and where a coordinate has no inertia in the initial state (massless
-  /// parts).
+  /// L that is not quadratic in q', and where a coordinate has no inertia
+  /// in the initial state (massless parts).
   bool symplectic{false};
   std::uint64_t steps{};
   std::uint64_t evaluations{};
 };
 
-/// Throws Error(invalid_state) when the initial state describes no configuration, and what Dynamics::event
-/// throws.
+/// Throws Error(invalid_state) when the initial state describes no configuration,
+/// and what Dynamics::event throws.
 [[nodiscard]] Simulation simulate(const Dynamics& dynamics, const SimulationRequest& request);
 
 }  // namespace qdot

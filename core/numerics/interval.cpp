@@ -23,8 +23,8 @@ double below(double x) {
 }
 double above(double x) { return -below(-x); }
 
-/// The ends are rounded values of exact ones. What is exactly zero stays so: products and sums that vanish
-/// do.
+/// The ends are rounded values of exact ones.
+/// What is exactly zero stays so: products and sums that vanish do.
 Interval outward(double lower, double upper) {
   if (std::isnan(lower) || std::isnan(upper)) return Interval::whole();
   return {lower == 0 ? lower : below(lower), upper == 0 ? upper : above(upper)};

@@ -2,8 +2,8 @@
 // Following a curve of solutions by its arclength.
 //
 // n equations F(x) = 0 in n + 1 unknowns have a curve of solutions wherever dF/dx has full rank. From a point
-// with unit tangent t the next one is predicted at distance h along t and corrected by Newton's method across
-// t,
+// with unit tangent t the next one is predicted at distance h along t
+// and corrected by Newton's method across t,
 //
 //   [ dF/dx ] s = [ -F ]        [ dF/dx ] t' = [ 0 ]
 //   [  t^T  ]     [  0 ]        [  t^T  ]      [ 1 ] ,   t' normalized: the tangent there,
@@ -33,8 +33,8 @@ namespace qdot {
 [[nodiscard]] Eigen::VectorXd tangent_towards(const Eigen::VectorXd& direction,
                                               const Eigen::MatrixXd& derivative);
 
-/// How near the origin is to the straight piece between two points: whether a place lies on a curve that was
-/// followed already.
+/// How near the origin is to the straight piece between two points:
+/// whether a place lies on a curve that was followed already.
 [[nodiscard]] double distance_to_piece(const Eigen::VectorXd& begin, const Eigen::VectorXd& end);
 
 template <class Curve>
@@ -44,8 +44,8 @@ struct CurvePoint {
   Eigen::VectorXd tangent;  ///< of length 1
 };
 
-/// A point counts as on the curve after a correction shorter than `accuracy`, or one that rounding keeps from
-/// getting shorter.
+/// A point counts as on the curve after a correction shorter than `accuracy`,
+/// or one that rounding keeps from getting shorter.
 struct Corrections {
   int most{};
   double accuracy{};
@@ -84,8 +84,8 @@ template <class Curve>
 }
 
 /// Follows the curve from `last` along its tangent, until it is left, no advance succeeds or `visit` says so.
-/// `admits(point)` says whether a point belongs to what is followed; visit(last, next, advance) whether to go
-/// on.
+/// admits(point) says whether a point belongs to what is followed;
+/// visit(last, next, advance) says whether to go on.
 template <class Curve, class Admits, class Visit>
 void follow_curve(Curve& curve, CurvePoint<Curve> last, const Corrections& corrections,
                   const Advances& advances, const Admits& admits, const Visit& visit) {

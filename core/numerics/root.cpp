@@ -8,8 +8,8 @@ namespace qdot {
 namespace {
 
 // One ITP iteration for a bracket of width w = b - a, the letters as in the paper: interpolate, truncate
-// towards the middle, project into the radius r around the middle that keeps the count of evaluations
-// bounded.
+// towards the middle, project into the radius r around the middle
+// that keeps the count of evaluations bounded.
 double itp_point(const SignChange& bracket, double k1, double r, double tolerance) {
   const double a = bracket.before;
   const double w = bracket.after - a;

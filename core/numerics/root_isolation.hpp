@@ -4,8 +4,8 @@
 //     K(X) = c - Y F(c) + (I - Y J(X)) (X - c),   c in X, Y near J(c)^-1
 // or halved. K(X) inside X proves that X holds exactly one zero, and that K(X) holds it; no zero is lost. So
 // what is returned is complete, and each enclosure is a proven bound of its error.
-// Source: Neumaier, Interval Methods for Systems of Equations (1990), 5.1; Moore, Kearfott, Cloud (2009),
-// ch. 8.
+// Source: Neumaier, Interval Methods for Systems of Equations (1990), 5.1;
+// Moore, Kearfott, Cloud (2009), ch. 8.
 
 #include <cstddef>
 #include <functional>

@@ -24,8 +24,8 @@ struct Bifurcations {
   std::vector<double> degenerate;
 };
 
-/// Of parameter number `index` in [from, to], from < to, the others as given. Throws what steady_problem
-/// throws.
+/// Of parameter number `index` in [from, to], from < to, the others as given.
+/// Throws what steady_problem throws.
 [[nodiscard]] Bifurcations bifurcations(const Dynamics& dynamics, std::span<const double> parameters,
                                         std::span<const double> y, std::size_t index, double from, double to);
 

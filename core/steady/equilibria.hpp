@@ -26,8 +26,8 @@ struct SteadyState {
   Box enclosure;               ///< of the coordinates x that are not ignored
   SteadyStability stability;
   double residual{};  ///< largest |g_i| at y [SI]
-  /// Proven to be one simple zero. Otherwise a multiple zero, or several (or none) too close to be told
-  /// apart.
+  /// Proven to be one simple zero. Otherwise a multiple zero,
+  /// or several (or none) too close to be told apart.
   bool simple{};
 };
 
@@ -40,8 +40,8 @@ struct Equilibria {
   SteadyProblem problem;
 };
 
-/// The state `y` gives the ignored coordinates their momenta and the free ones their values. Throws what
-/// steady_problem throws.
+/// The state `y` gives the ignored coordinates their momenta and the free ones their values.
+/// Throws what steady_problem throws.
 [[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, std::span<const double> parameters,
                                     std::span<const double> y);
 

@@ -28,8 +28,8 @@ Balls correction(const NearlyEquilibrium& near, const Balls& x, Forces& forces) 
   return result;
 }
 
-/// Gives the points x radii r that fulfil Krawczyk's condition with |C g| = `left`, and says whether it
-/// could.
+/// Gives the points x radii r that fulfil Krawczyk's condition with |C g| = `left`,
+/// and says whether it could.
 bool contract(const Statics& statics, std::span<const Ball> constants, const NearlyEquilibrium& near,
               const std::vector<double>& left, Balls& x) {
   constexpr int attempts = 4;

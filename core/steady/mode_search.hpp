@@ -1,6 +1,6 @@
 #pragma once
-// The modes of M u'' + D u' + K u = 0 about one place, with bounds (core/steady/modes.hpp has the
-// equations).
+// The modes of M u'' + D u' + K u = 0 about one place,
+// with bounds (core/steady/modes.hpp has the equations).
 
 #include <vector>
 

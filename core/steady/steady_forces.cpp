@@ -123,8 +123,8 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
 
 namespace {
 
-/// The momenta of the ignored coordinates, enclosed: beside the parameters they are what the forces know of
-/// y.
+/// The momenta of the ignored coordinates, enclosed:
+/// beside the parameters they are what the forces know of y.
 std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& statics,
                                  std::span<const double> parameters, std::span<const double> y) {
   std::vector<Interval> momenta(statics.reduction.ignored.size());

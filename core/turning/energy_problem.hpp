@@ -14,15 +14,15 @@ namespace qdot {
 
 struct EnergyProblem {
   std::shared_ptr<const Statics> original;  ///< of the scene
-  /// The same without the momenta that are exactly 0, for nothing is divided by what they were multiplied
-  /// with.
+  /// The same without the momenta that are exactly 0,
+  /// for nothing is divided by what they were multiplied with.
   std::shared_ptr<const Statics> statics;
   std::vector<Ball> constants;  ///< the parameters, then the momenta of the ignored coordinates
   std::size_t coordinate{};     ///< x, by number in the scene
 };
 
-/// Empty where the energy integral answers for `coordinate`; else why it does not, in words that go on after
-/// "because".
+/// Empty where the energy integral answers for `coordinate`;
+/// else why it does not, in words that go on after "because".
 [[nodiscard]] std::string why_not_by_energy(const Dynamics& dynamics, std::span<const double> parameters,
                                             std::size_t coordinate);
 

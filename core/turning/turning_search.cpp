@@ -134,8 +134,8 @@ bool TurningSearch::is_free_from_here() {
   return energy_.remaining(rest).lower > 0 || rises(energy_.potential_rate(rest));
 }
 
-/// The one zero of F between two places, F(from) >= 0 > F(to): interval Newton where g has a sign, else
-/// halves.
+/// The one zero of F between two places, F(from) >= 0 > F(to):
+/// interval Newton where g has a sign, else halves.
 Interval TurningSearch::narrowed(double from, double to) {
   for (int i = 0; i < most_narrowings; ++i) {
     const Interval x = hull(from, to);

@@ -3,8 +3,8 @@
 // reversed, so that the Cauchy product sum_j x_j y_{k-j} is a dot product of two runs of memory.
 //
 // The kernels are compiled twice, for AVX2 and for plain x86-64 (kernels_*.cpp). Both add in the same
-// order, four partial sums that are joined at the end, and neither contracts multiply-adds, so their bits
-// agree.
+// order, four partial sums that are joined at the end,
+// and neither contracts multiply-adds, so their bits agree.
 
 #include <cstddef>
 #include <cstdint>

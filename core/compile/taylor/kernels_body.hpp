@@ -73,8 +73,8 @@ template <unsigned K>
 template <unsigned K>
 inline constexpr double reciprocal = 1.0 / K;
 
-/// x/K. Divided where it matters: the rounding of 1/3 is the same in every step, and an energy would drift by
-/// it.
+/// x/K. Divided where it matters: the rounding of 1/3 is the same in every step,
+/// and an energy would drift by it.
 template <unsigned K>
 [[gnu::always_inline]] inline double divided(double x) {
   return K <= 8 ? x / K : x * reciprocal<K>;

@@ -8,6 +8,7 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/print/print.hpp"
 #include "tests/support/agreement.hpp"
+#include "tests/support/motions.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_polynomial.hpp"
 #include "tests/support/system_test.hpp"
@@ -147,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Systems, ModelsTape, testing::ValuesIn(test::all_system
 TEST_P(ModelsTape, GivesTheTreesValueOfEveryColumn) {
   const Dynamics dynamics(test::model_of(GetParam()),
                           std::vector<std::string>(model().scene.inputs.size(), "m*cos(3*t)"));
-  std::vector<Column> columns = energy_columns(model());
+  std::vector<Column> columns = test::energy_columns(model());
   for (const auto& group : {momentum_columns(model()), position_columns(model()), validity_columns(model()),
                             report_columns(model())})
     columns.insert(columns.end(), group.begin(), group.end());

@@ -136,18 +136,18 @@ TEST(CompassWalker, AppliesTheImpactsMapWithMassiveFeet) {
 TEST(CompassWalker, StopsAfterAsManyStridesAsItIsAskedFor) {
   const auto model = test::model_of("compass_walker");
   SimulationRequest request = test::request_for(*model, long_gait.start(), {0, 1, 4, 100});
-  request.strides = 3;
+  request.end_after_impacts = 3;
   const Simulation walk = simulate(Dynamics(model), request);
   EXPECT_EQ(walk.ending, Ending::reached_end);
   EXPECT_FALSE(walk.stop.has_value());
   EXPECT_EQ(walk.rows, 3u);  // the third stride ends before 100
-  ASSERT_EQ(walk.strides.size(), 3u);
-  EXPECT_EQ(walk.t, walk.strides.back().t);
-  EXPECT_EQ(walk.y, walk.strides.back().before);
+  ASSERT_EQ(walk.sections.size(), 3u);
+  EXPECT_EQ(walk.t, walk.sections.back().t);
+  EXPECT_EQ(walk.y, walk.sections.back().before);
   double t = 0;
-  for (const StrideRecord& stride : walk.strides) {
-    EXPECT_DOUBLE_EQ(stride.t - t, stride.step_time);
-    EXPECT_NEAR(stride.step_time, long_gait.step_time, 10 * one_stride);
+  for (const SectionRecord& stride : walk.sections) {
+    EXPECT_DOUBLE_EQ(stride.t - t, stride.duration);
+    EXPECT_NEAR(stride.duration, long_gait.step_time, 10 * one_stride);
     EXPECT_NEAR(stride.before[0], -long_gait.theta, 10 * one_stride);
     EXPECT_NEAR(stride.after[0], long_gait.theta, 10 * one_stride);
     EXPECT_NEAR(stride.after[2], long_gait.theta_dot, 10 * one_stride);
@@ -157,7 +157,7 @@ TEST(CompassWalker, StopsAfterAsManyStridesAsItIsAskedFor) {
 
 TEST(CompassWalker, TellsItsStridesWithoutBeingAsked) {
   const Simulation gait = walk(long_gait.start(), {0, 2.5 * long_gait.step_time});
-  EXPECT_EQ(gait.strides.size(), 2u);
+  EXPECT_EQ(gait.sections.size(), 2u);
   EXPECT_EQ(gait.t, 2.5 * long_gait.step_time);
 }
 
@@ -165,14 +165,14 @@ TEST(CompassWalker, TellsItsStridesWithoutBeingAsked) {
 TEST(CompassWalker, TellsTheStrideThatEndsWithTheMotion) {
   const auto model = test::model_of("compass_walker");
   SimulationRequest request = test::request_for(*model, long_gait.start(), {0, 100});
-  request.strides = 1;
+  request.end_after_impacts = 1;
   const double strike = simulate(Dynamics(model), request).t;
-  request.strides.reset();
+  request.end_after_impacts.reset();
   request.t_end = std::nextafter(strike, 100.);
   request.grid = {0, request.t_end};
   const Simulation gait = simulate(Dynamics(model), request);
   EXPECT_EQ(gait.ending, Ending::reached_end);
-  EXPECT_LE(gait.strides.size(), 1u);
+  EXPECT_LE(gait.sections.size(), 1u);
   EXPECT_NEAR(gait.t, strike, 1e-12);
 }
 
@@ -181,11 +181,11 @@ TEST(CompassWalker, FallsBeforeItsLastStride) {
   given["theta_dot"] = -0.15;
   const auto model = test::model_of("compass_walker");
   SimulationRequest request = test::request_for(*model, given, {0, 100});
-  request.strides = 5;
+  request.end_after_impacts = 5;
   const Simulation fall = simulate(Dynamics(model), request);
   ASSERT_TRUE(fall.stop.has_value());
   EXPECT_EQ(fall.stop->reason, "fall");
-  EXPECT_LT(fall.strides.size(), 5u);
+  EXPECT_LT(fall.sections.size(), 5u);
 }
 
 TEST(CompassWalker, FallsWhenItIsTooSlow) {
