@@ -18,10 +18,10 @@ using Eigen::VectorXd;
 
 constexpr double step_rtol = 1e-9, coarse_rtol = 1e-13, fine_rtol = 1e-14;
 constexpr int start_values = 9;
-constexpr Advances advances{
+constexpr Advances continuation_advances{
     .first = 0.02, .least = 1e-4, .largest = 0.06, .least_cosine = 0.95, .most_points = 400};
 constexpr double least_size = 1e-5, least_duration = 0.05, largest_duration = 30;
-constexpr double near_curve = 0.02;
+constexpr double continued_near_curve = 0.02;
 
 /// A function of D that changes its sign where gaits change their kind.
 using Test = double (*)(const MatrixXd&);
@@ -95,7 +95,7 @@ class GaitCurves {
   [[nodiscard]] bool is_known(const Place& at) const {
     return std::ranges::any_of(pieces_, [&](const auto& piece) {
       return distance_to_piece(family_.step_to(piece.first, at), family_.step_to(piece.second, at)) <
-             near_curve;
+             continued_near_curve;
     });
   }
 
@@ -120,7 +120,8 @@ class GaitCurves {
       if (end && belongs(*end)) note(*end);
       return false;
     };
-    follow_curve(family_, std::move(start), family_.corrections(), advances, belongs_here, visit);
+    follow_curve(family_, std::move(start), family_.corrections(), continuation_advances, belongs_here,
+                 visit);
   }
 
   [[nodiscard]] std::size_t multiplier_count(const GaitOnCurve& point) {

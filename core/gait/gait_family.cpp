@@ -10,7 +10,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_corrections = 8;
+constexpr int most_family_corrections = 8;
 constexpr double difference_share = 1e-5;  // of the range, for derivatives by the parameter
 
 }  // namespace
@@ -31,7 +31,7 @@ void GaitFamily::set(double p) {
 
 VectorXd GaitFamily::along_parameter() const { return VectorXd::Unit(map_.size() + 2, map_.size() + 1); }
 
-Corrections GaitFamily::corrections() const { return {most_corrections, left_by_newton * rtol_}; }
+Corrections GaitFamily::corrections() const { return {most_family_corrections, left_by_newton * rtol_}; }
 
 std::optional<GaitFamily::Linearization> GaitFamily::linearized(const Place& place) {
   const auto& [at, p] = place;

@@ -80,7 +80,7 @@ struct Settled {
 };
 
 /// Newton's method at fixed T; after some steps it goes on only while u shrinks.
-Settled settled(RecurrenceCurve& curve, Recurrence at) {
+Settled search_settled(RecurrenceCurve& curve, Recurrence at) {
   const Index k = at.u.size();
   for (int i = 0; i < most_start_steps; ++i) {
     const auto here = curve.linearized(at);
@@ -159,7 +159,7 @@ GaitSearch search_gaits(SectionMap& map) {
     for (unsigned signs = 0; signs < 1u << std::min<Index>(k, 4); ++signs) {
       const Recurrence at = start(k, size, duration, signs);
       if (!map.counts(map.state(at.u))) continue;
-      const Settled on_curve = settled(curve, at);
+      const Settled on_curve = search_settled(curve, at);
       dies_away = dies_away || on_curve.dies_away;
       const auto is_known = [&](const CurveOfPoints& known) { return is_on(known, *on_curve.at); };
       if (!on_curve.at || std::ranges::any_of(curves, is_known)) continue;

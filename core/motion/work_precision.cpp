@@ -21,9 +21,11 @@ constexpr std::array<double, 8> steps_of_gauss{4, 2, 1, 0.5, 0.25, 0.125, 0.0625
 
 Tolerances with_rtol(double rtol) { return {rtol, rtol * atol_over_rtol}; }
 
-double tightest(Method method) { return method == Method::taylor ? rtols.back() : rtols[rtols.size() - 2]; }
+double tightest_rtol(Method method) {
+  return method == Method::taylor ? rtols.back() : rtols[rtols.size() - 2];
+}
 
-bool ended_well(Ending ending) { return ending == Ending::reached_end || ending == Ending::event; }
+bool trial_ended_well(Ending ending) { return ending == Ending::reached_end || ending == Ending::event; }
 
 bool succeeded(const TrialResult& trial) { return !trial.max_abs_error.empty(); }
 
@@ -38,7 +40,7 @@ WorkPrecision::WorkPrecision(const Dynamics& dynamics, const SimulationRequest& 
   request_.taylor_order = 0;
   const bool has_series = has_taylor_expansion(dynamics.accelerations());
   request_.method = has_series ? Method::taylor : Method::erk;
-  request_.tolerances = with_rtol(tightest(request_.method));
+  request_.tolerances = with_rtol(tightest_rtol(request_.method));
   reference_ = simulate_with_error(dynamics_, request_, {});
 }
 
@@ -51,7 +53,7 @@ std::vector<Trial> WorkPrecision::trials(Method method) const {
     return result;
   }
   for (const double rtol : rtols) {
-    if (rtol >= tightest(method)) result.push_back({method, with_rtol(rtol), 0});
+    if (rtol >= tightest_rtol(method)) result.push_back({method, with_rtol(rtol), 0});
   }
   return result;
 }
@@ -75,7 +77,7 @@ TrialResult WorkPrecision::run(const Trial& trial) {
   const Simulation found = simulate(dynamics_, request_of(trial, most));
   left_ -= std::min(left_, found.evaluations);
   TrialResult result{trial, found.ending, {}, 0, found.evaluations, found.steps};
-  if (!ended_well(found.ending) || reference_.max_abs_error.empty()) return result;
+  if (!trial_ended_well(found.ending) || reference_.max_abs_error.empty()) return result;
   const std::size_t width = request_.y_start.size();
   result.max_abs_error = reference_.max_abs_error;
   for (std::size_t k = 0; k < width; ++k) {

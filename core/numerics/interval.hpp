@@ -55,6 +55,8 @@ struct Interval {
 [[nodiscard]] Interval hull(const Interval& a, const Interval& b);
 /// What both hold; lower > upper where that is nothing.
 [[nodiscard]] Interval intersection(const Interval& a, const Interval& b);
+/// The number 0, exactly.
+[[nodiscard]] inline bool is_zero(const Interval& a) { return a.lower == 0 && a.upper == 0; }
 [[nodiscard]] inline bool is_empty(const Interval& a) { return !(a.lower <= a.upper); }
 
 }  // namespace qdot

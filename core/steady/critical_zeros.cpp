@@ -7,7 +7,7 @@ namespace qdot {
 namespace {
 
 /// For several coordinates the search of (x, p) grows quickly; where it ends, the answer says so.
-constexpr std::size_t most_boxes = 20'000;
+constexpr std::size_t most_boxes_of_zeros = 20'000;
 
 std::vector<double> degenerate_values(const SteadyProblem& problem, const BifurcationSystems& systems,
                                       const Interval& range) {
@@ -70,7 +70,7 @@ Isolation isolated(const Model& model, const SteadyProblem& problem, const Bifur
   scales.back() = std::max(std::abs(range.lower), std::abs(range.upper));
   return isolate_zeros(
       {region.size(), [&](auto x, auto out) { values(x, out); }, [&](auto x, auto out) { jacobian(x, out); }},
-      region, scales, most_boxes);
+      region, scales, most_boxes_of_zeros);
 }
 
 /// A search that was given up may have seen a part of a cluster only. Rounding hides a multiple zero within

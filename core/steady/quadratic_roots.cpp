@@ -7,8 +7,6 @@ namespace {
 
 using Outcome = QuadraticRoots::Outcome;
 
-bool is_zero(const Interval& x) { return x.lower == 0 && x.upper == 0; }
-
 /// The root of what rounding may have made a little negative.
 Interval root_of(const Interval& x) { return sqrt(Interval(std::max(x.lower, 0.0), x.upper)); }
 

@@ -12,12 +12,12 @@ namespace {
 using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using Vectors = std::vector<std::vector<ComplexBall>>;
 
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+Eigen::Index row_of(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 Matrix extended(const SquareMatrix<Ball>& a) {
-  Matrix m(index(a.size()), index(a.size()));
+  Matrix m(row_of(a.size()), row_of(a.size()));
   for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < a.size(); ++j) m(index(i), index(j)) = a(i, j).middle.extended();
+    for (std::size_t j = 0; j < a.size(); ++j) m(row_of(i), row_of(j)) = a(i, j).middle.extended();
   }
   return m;
 }
@@ -35,7 +35,7 @@ SquareMatrix<Ball> real_vectors(const Matrix& columns) {
   SquareMatrix<Ball> result(static_cast<std::size_t>(columns.cols()));
   for (std::size_t i = 0; i < result.size(); ++i) {
     for (std::size_t j = 0; j < result.size(); ++j)
-      result(i, j) = {DoubleDouble::of(columns(index(i), index(j))), 0};
+      result(i, j) = {DoubleDouble::of(columns(row_of(i), row_of(j))), 0};
   }
   return result;
 }
@@ -120,10 +120,10 @@ Eigensystem<Ball> squares(const SmallMotions& motions) {
 Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
   const std::size_t n = motions.size();
   const Matrix m = extended(motions.mass);
-  Matrix state = Matrix::Zero(index(2 * n), index(2 * n));
-  state.topRightCorner(index(n), index(n)).setIdentity();
-  state.bottomLeftCorner(index(n), index(n)) = -quotient(extended(motions.stiffness), m);
-  state.bottomRightCorner(index(n), index(n)) = -quotient(extended(motions.rates), m);
+  Matrix state = Matrix::Zero(row_of(2 * n), row_of(2 * n));
+  state.topRightCorner(row_of(n), row_of(n)).setIdentity();
+  state.bottomLeftCorner(row_of(n), row_of(n)) = -quotient(extended(motions.stiffness), m);
+  state.bottomRightCorner(row_of(n), row_of(n)) = -quotient(extended(motions.rates), m);
   if (n == 1) return quadratic_roots(motions.mass(0, 0), motions.rates(0, 0), motions.stiffness(0, 0));
   SquareMatrix<ComplexBall> a(2 * n), b(2 * n), vectors(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -138,7 +138,7 @@ Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
   const auto columns = solver.eigenvectors();
   for (std::size_t i = 0; i < 2 * n; ++i) {
     for (std::size_t j = 0; j < 2 * n; ++j) {
-      const std::complex<long double> entry = columns(index(i), index(j));
+      const std::complex<long double> entry = columns(row_of(i), row_of(j));
       vectors(i, j) = {{DoubleDouble::of(entry.real()), 0}, {DoubleDouble::of(entry.imag()), 0}};
     }
   }

@@ -14,15 +14,13 @@
 namespace qdot {
 namespace {
 
-std::string written(double value) {
+std::string state_written(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
-bool is_zero(const Interval& x) { return x.lower == 0 && x.upper == 0; }
-
-/// A number that was written in decimals stands for its neighbours too.
+/// A number that was state_written in decimals stands for its neighbours too.
 Interval with_neighbours(double x) {
   return x == 0 ? Interval(0) : Interval(std::nextafter(x, -infinity), std::nextafter(x, infinity));
 }
@@ -84,14 +82,14 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
     case Obstacle::no_real_value:
       return "No real " + u + " holds " + at + ".";
     case Obstacle::negative_square:
-      return "No real " + u + " holds " + at + ": " + u + "^2 would have to be " + written(found.number) +
-             ".";
+      return "No real " + u + " holds " + at + ": " + u + "^2 would have to be " +
+             state_written(found.number) + ".";
     case Obstacle::none_in_domain:
       return "No " + u + " in its domain holds " + at + ".";
     case Obstacle::no_common_value:
       return "No single value of " + u + " balances all forces at " + at + ".";
     case Obstacle::outside_domain:
-      return u + " would have to be " + written(found.number) + ", which is outside its domain.";
+      return u + " would have to be " + state_written(found.number) + ", which is outside its domain.";
   }
   return "";
 }
@@ -137,7 +135,7 @@ class Solver {
     std::string text;
     for (const std::size_t j : polynomial_->needed) {
       const std::size_t i = statics_->reduction.kept[j];
-      text += (text.empty() ? "" : ", ") + scene_.coordinates[i].name + " = " + written(y_[i]);
+      text += (text.empty() ? "" : ", ") + scene_.coordinates[i].name + " = " + state_written(y_[i]);
     }
     return text;
   }

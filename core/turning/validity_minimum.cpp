@@ -12,7 +12,7 @@ namespace {
 
 constexpr int samples = 32;
 constexpr double revolution = 2 * std::numbers::pi;
-constexpr double finest_step = 5e-4;  ///< of the phase; the value is flat there to round-off
+constexpr double finest_phase_step = 5e-4;  ///< of the phase; the value is flat there to round-off
 
 /// The whole state on the way: the ignored velocities follow from their momenta, which are linear in them.
 class State {
@@ -102,7 +102,7 @@ std::vector<ValidityMinimum> validity_minima(const Dynamics& dynamics, const Red
   }
   for (std::size_t i = 0; i < result.size(); ++i) {
     double centre = phases[i];
-    for (double h = revolution / samples; h > finest_step; h /= 4) {  // to the vertex of a parabola
+    for (double h = revolution / samples; h > finest_phase_step; h /= 4) {  // to the vertex of a parabola
       std::array<double, 3> w;
       for (int k = 0; k < 3; ++k) {
         evaluate_at(centre + (k - 1) * h);

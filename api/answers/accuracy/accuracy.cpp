@@ -175,7 +175,7 @@ class AccuracyAnswer {
   std::vector<double> costs_;  ///< evaluations, or microseconds where they are measured
 };
 
-Response answer(const Resolved<AccuracyRequest>& resolved, Call& call, Models& models) {
+Response answer_accuracy(const Resolved<AccuracyRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models);
   WorkPrecision study(*system.dynamics, motion(request, system.state));
@@ -197,7 +197,7 @@ Response answer(const Resolved<AccuracyRequest>& resolved, Call& call, Models& m
 Endpoint accuracy_endpoint() {
   return {.name = "accuracy",
           .help = "The measured trade of error against work",
-          .question = question(accuracy_table(), answer),
+          .question = question(accuracy_table(), answer_accuracy),
           .cost = {.milliseconds = 100},
           .example = [](const Scene&, const Json&) {
             return std::optional(Json{{"t_end", 1}});

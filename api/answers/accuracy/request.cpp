@@ -6,9 +6,7 @@
 namespace qdot::api {
 namespace {
 
-using R = AccuracyRequest;
-
-void check(R& request, Findings& findings) {
+void check_accuracy(AccuracyRequest& request, Findings& findings) {
   const Scene* scene = request.system.scene.get();
   if (scene == nullptr) return;
   if (!findings.has_error_at({"t_start", "t_end", "samples", "dt", "times"})) {
@@ -27,31 +25,33 @@ Json names_of_methods() {
   return names;
 }
 
-RequestTable<R> make_table() {
-  std::vector<RequestField<R>> fields{system_field<R>(), parameters_field<R>(), initial_field<R>(),
-                                      inputs_field<R>()};
+RequestTable<AccuracyRequest> make_accuracy_table() {
+  std::vector<RequestField<AccuracyRequest>> fields{
+      system_field<AccuracyRequest>(), parameters_field<AccuracyRequest>(), initial_field<AccuracyRequest>(),
+      inputs_field<AccuracyRequest>()};
   append_grid_fields(fields);
-  const std::vector<RequestField<R>> rest{
-      impacts_field<R>(),
-      choices("methods", &R::methods, words_of_methods(), "the integrators to compare; " + methods_in_words(),
+  const std::vector<RequestField<AccuracyRequest>> rest{
+      impacts_field<AccuracyRequest>(),
+      choices("methods", &AccuracyRequest::methods, words_of_methods(),
+              "the integrators to compare; " + methods_in_words(),
               {.default_value = names_of_methods(), .aliases = {"method", "solvers"}}),
-      number("max_error", &R::max_error, {"1", {limits::least_error, 1}},
+      number("max_error", &AccuracyRequest::max_error, {"1", {limits::least_error, 1}},
              "the error to recommend a method for; without this field 1e-3, 1e-6, 1e-9 and 1e-12",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
-      boolean("measure", &R::measure,
+      boolean("measure", &AccuracyRequest::measure,
               "measure the CPU time of each run too, and recommend by it; the answer then differs from time "
               "to time",
               {.default_value = false}),
-      digits_field<R>(),
+      digits_field<AccuracyRequest>(),
   };
   fields.insert(fields.end(), rest.begin(), rest.end());
-  return RequestTable<R>(std::move(fields), {ways_of_grid}, check);
+  return RequestTable<AccuracyRequest>(std::move(fields), {ways_of_grid}, check_accuracy);
 }
 
 }  // namespace
 
-const RequestTable<R>& accuracy_table() {
-  static const RequestTable<R> table = make_table();
+const RequestTable<AccuracyRequest>& accuracy_table() {
+  static const RequestTable<AccuracyRequest> table = make_accuracy_table();
   return table;
 }
 

@@ -7,7 +7,7 @@
 namespace qdot::api {
 namespace {
 
-constexpr const char* method =
+constexpr const char* method_of_bifurcations =
     "Critical points are the zeros of square systems in the coordinates and the parameter, all of them found "
     "by "
     "interval arithmetic; errors are proven bounds.";
@@ -64,7 +64,7 @@ class BifurcationsAnswer {
     body["branches"] = Json::array();
     for (std::size_t i = 0; i < found.branches.size(); ++i)
       body["branches"].push_back(branch(i, found.branches[i]));
-    body["method"] = method;
+    body["method"] = method_of_bifurcations;
     return body;
   }
 
@@ -144,7 +144,7 @@ class BifurcationsAnswer {
   Json units_;
 };
 
-Response answer(const Resolved<BifurcationsRequest>& resolved, Call& call, Models& models) {
+Response answer_bifurcations(const Resolved<BifurcationsRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models);
   const Json body = BifurcationsAnswer(*system.dynamics, system.state, request).body();
@@ -153,7 +153,7 @@ Response answer(const Resolved<BifurcationsRequest>& resolved, Call& call, Model
 }
 
 /// A parameter moves around its default: a speed of rotation where there is one.
-std::optional<Json> example(const Scene& scene, const Json& parameters) {
+std::optional<Json> example_of_bifurcations(const Scene& scene, const Json& parameters) {
   const Parameter* moving = nullptr;
   for (const Parameter& parameter : scene.parameters) {
     if (parameters.value(parameter.name, 0.0) == 0) continue;
@@ -169,9 +169,9 @@ std::optional<Json> example(const Scene& scene, const Json& parameters) {
 Endpoint bifurcations_endpoint() {
   return {.name = "bifurcations",
           .help = "Critical values of a parameter",
-          .question = question(bifurcations_table(), answer),
+          .question = question(bifurcations_table(), answer_bifurcations),
           .cost = {.milliseconds = 100},
-          .example = example};
+          .example = example_of_bifurcations};
 }
 
 }  // namespace qdot::api

@@ -9,9 +9,7 @@
 namespace qdot::api {
 namespace {
 
-using R = BifurcationsRequest;
-
-void check(R& request, Findings& findings) {
+void check_bifurcations(BifurcationsRequest& request, Findings& findings) {
   if (!request.system.scene) return;
   check_inputs(request.system, findings);
   if (findings.has_error_at({"parameter"})) return;
@@ -32,22 +30,24 @@ void check(R& request, Findings& findings) {
 }  // namespace
 
 const RequestTable<BifurcationsRequest>& bifurcations_table() {
-  static const RequestTable<R> table(
+  static const RequestTable<BifurcationsRequest> table(
       {
-          system_field<R>(),
-          parameters_field<R>(),
-          initial_field<R>(),
-          inputs_field<R>(),
+          system_field<BifurcationsRequest>(),
+          parameters_field<BifurcationsRequest>(),
+          initial_field<BifurcationsRequest>(),
+          inputs_field<BifurcationsRequest>(),
           {detail::info("parameter", TextKind{limits::name_bytes}, "the parameter that moves",
                         {.need = Need::required, .aliases = {"control", "vary", "sweep", "lambda"}}),
-           [](R& request, const Json& name) { request.parameter = name.get<std::string>(); }},
-          parameter_value("from", &R::from, "parameter", "where it begins, in its own unit",
+           [](BifurcationsRequest& request, const Json& name) {
+             request.parameter = name.get<std::string>();
+           }},
+          parameter_value("from", &BifurcationsRequest::from, "parameter", "where it begins, in its own unit",
                           {.need = Need::required, .aliases = {"start", "min", "lower"}}),
-          parameter_value("to", &R::to, "parameter", "where it ends",
+          parameter_value("to", &BifurcationsRequest::to, "parameter", "where it ends",
                           {.need = Need::required, .aliases = {"end", "stop", "max", "upper"}}),
-          digits_field<R>(),
+          digits_field<BifurcationsRequest>(),
       },
-      {}, check);
+      {}, check_bifurcations);
   return table;
 }
 

@@ -76,7 +76,7 @@ class EnergyAnswer {
   Json units_ = Json::object();
 };
 
-Response answer(const Resolved<EnergyRequest>& resolved, Call& call, Models& models) {
+Response answer_energy(const Resolved<EnergyRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models);
   const Json body = EnergyAnswer(*system.dynamics, system.state, request.t).body();
@@ -89,7 +89,7 @@ Response answer(const Resolved<EnergyRequest>& resolved, Call& call, Models& mod
 Endpoint energy_endpoint() {
   return {.name = "energy",
           .help = "Energies, momenta and accelerations at a state",
-          .question = question(energy_table(), answer)};
+          .question = question(energy_table(), answer_energy)};
 }
 
 }  // namespace qdot::api

@@ -6,18 +6,17 @@
 namespace qdot::api {
 
 const RequestTable<EnergyRequest>& energy_table() {
-  using R = EnergyRequest;
-  static const RequestTable<R> table(
+  static const RequestTable<EnergyRequest> table(
       {
-          system_field<R>(),
-          parameters_field<R>(),
-          initial_field<R>(),
-          inputs_field<R>(),
-          number("t", &R::t, {"s", {-limits::largest_time, limits::largest_time}}, "instant of the state",
-                 {.default_value = 0.0, .aliases = {"time", "t0", "t_start"}}),
-          digits_field<R>(),
+          system_field<EnergyRequest>(),
+          parameters_field<EnergyRequest>(),
+          initial_field<EnergyRequest>(),
+          inputs_field<EnergyRequest>(),
+          number("t", &EnergyRequest::t, {"s", {-limits::largest_time, limits::largest_time}},
+                 "instant of the state", {.default_value = 0.0, .aliases = {"time", "t0", "t_start"}}),
+          digits_field<EnergyRequest>(),
       },
-      {}, [](R& request, Findings& findings) { check_inputs(request.system, findings); });
+      {}, [](EnergyRequest& request, Findings& findings) { check_inputs(request.system, findings); });
   return table;
 }
 

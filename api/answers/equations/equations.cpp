@@ -169,7 +169,7 @@ class EquationsAnswer {
   Json reasons_ = Json::object();
 };
 
-Response answer(const Resolved<EquationsRequest>& resolved, Call& call, Models& models) {
+Response answer_equations(const Resolved<EquationsRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const std::shared_ptr<const Dynamics> dynamics = models.of(request.system);
   const std::string kept_as = "equations/" + std::to_string(static_cast<int>(request.form));
@@ -185,7 +185,7 @@ Response answer(const Resolved<EquationsRequest>& resolved, Call& call, Models& 
 Endpoint equations_endpoint() {
   return {.name = "equations",
           .help = "Lagrangian, equations of motion and what is conserved",
-          .question = question(equations_table(), answer)};
+          .question = question(equations_table(), answer_equations)};
 }
 
 }  // namespace qdot::api

@@ -12,10 +12,9 @@ Words<Form> words_of_forms() {
 }  // namespace
 
 const RequestTable<EquationsRequest>& equations_table() {
-  using R = EquationsRequest;
-  static const RequestTable<R> table({
-      system_field<R>(),
-      choice("form", &R::form, words_of_forms(), "notation of the equations",
+  static const RequestTable<EquationsRequest> table({
+      system_field<EquationsRequest>(),
+      choice("form", &EquationsRequest::form, words_of_forms(), "notation of the equations",
              {.default_value = "text", .aliases = {"format", "language", "syntax"}}),
   });
   return table;

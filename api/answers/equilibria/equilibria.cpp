@@ -10,7 +10,7 @@
 namespace qdot::api {
 namespace {
 
-constexpr const char* method =
+constexpr const char* method_of_equilibria =
     "Interval arithmetic: branch and bound with Krawczyk's operator over one turn of each angle and the "
     "whole "
     "domain of each other coordinate. 'complete' means that no other equilibrium exists there; errors are "
@@ -36,7 +36,7 @@ class EquilibriaAnswer {
     body["searched"] = searched(found);
     if (!found.free.empty()) put_free(body, found);
     if (!found.momenta.empty()) put_momenta(body, found);
-    body["method"] = method;
+    body["method"] = method_of_equilibria;
     units_["residual"] = "SI unit of the generalized forces";
     body["units"] = std::move(units_);
     return body;
@@ -231,7 +231,7 @@ std::vector<FieldError> take_position(const Dynamics& dynamics, const Equilibria
   return errors;
 }
 
-Response answer(const Resolved<EquilibriaRequest>& resolved, Call& call, Models& models) {
+Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& call, Models& models) {
   const EquilibriaRequest& request = resolved.request;
   ResolvedSystem system = resolved_system(request.system, resolved.echo, models);
   const Dynamics& dynamics = *system.dynamics;
@@ -254,7 +254,7 @@ Response answer(const Resolved<EquilibriaRequest>& resolved, Call& call, Models&
 Endpoint equilibria_endpoint() {
   return {.name = "equilibria",
           .help = "All equilibria, or the parameter that makes a position one",
-          .question = question(equilibria_table(), answer)};
+          .question = question(equilibria_table(), answer_equilibria)};
 }
 
 }  // namespace qdot::api

@@ -9,11 +9,9 @@
 namespace qdot::api {
 namespace {
 
-using R = EquilibriaRequest;
-
 /// Parameters and velocities; of the velocities only those of ignorable coordinates can be solved for, which
 /// the scene alone does not tell.
-void check_unknown(const R& request, Findings& findings) {
+void check_unknown(const EquilibriaRequest& request, Findings& findings) {
   std::vector<std::string> allowed;
   for (const Symbol& p : symbols(*request.system.scene, SymbolRole::parameter)) allowed.push_back(p.name);
   for (const Coordinate& q : request.system.scene->coordinates) allowed.push_back(q.name + "_dot");
@@ -27,7 +25,7 @@ void check_unknown(const R& request, Findings& findings) {
   findings.add(std::move(error));
 }
 
-void check(R& request, Findings& findings) {
+void check_equilibria(EquilibriaRequest& request, Findings& findings) {
   if (!request.system.scene) return;
   check_inputs(request.system, findings);
   if (request.solve_for) {
@@ -42,23 +40,23 @@ void check(R& request, Findings& findings) {
 }  // namespace
 
 const RequestTable<EquilibriaRequest>& equilibria_table() {
-  static const RequestTable<R> table(
+  static const RequestTable<EquilibriaRequest> table(
       {
-          system_field<R>(),
-          parameters_field<R>(),
-          initial_field<R>(),
-          inputs_field<R>(),
+          system_field<EquilibriaRequest>(),
+          parameters_field<EquilibriaRequest>(),
+          initial_field<EquilibriaRequest>(),
+          inputs_field<EquilibriaRequest>(),
           {detail::info(
                "solve_for", TextKind{limits::name_bytes},
                "the parameter, or the velocity of an ignorable coordinate, that is to make the position "
                "'at' an equilibrium",
                {.aliases = {"solve", "unknown", "for", "parameter"}}),
-           [](R& request, const Json& name) { request.solve_for = name.get<std::string>(); }},
-          symbols_field<R>(SymbolRole::position, "the position that 'solve_for' is asked for",
-                           {"position", "where", "equilibrium"}),
-          digits_field<R>(),
+           [](EquilibriaRequest& request, const Json& name) { request.solve_for = name.get<std::string>(); }},
+          symbols_field<EquilibriaRequest>(SymbolRole::position, "the position that 'solve_for' is asked for",
+                                           {"position", "where", "equilibrium"}),
+          digits_field<EquilibriaRequest>(),
       },
-      {}, check);
+      {}, check_equilibria);
   return table;
 }
 

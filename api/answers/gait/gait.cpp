@@ -79,7 +79,7 @@ std::string no_such(Gait::Kind kind, const Gaits& found) {
          "'gait' to see it (" + name(kind) + " was asked for).";
 }
 
-Response answer(const Resolved<GaitRequest>& resolved, Call& call, Models& models) {
+Response answer_gait(const Resolved<GaitRequest>& resolved, Call& call, Models& models) {
   const GaitRequest& request = resolved.request;
   ResolvedSystem system = resolved_system(request.system, resolved.echo, models);
   system.echo.erase("initial");  // a gait starts where it must
@@ -105,7 +105,7 @@ Response answer(const Resolved<GaitRequest>& resolved, Call& call, Models& model
 Endpoint gait_endpoint() {
   return {.name = "gait",
           .help = "Periodic gaits of a walker",
-          .question = question(gait_table(), answer),
+          .question = question(gait_table(), answer_gait),
           .cost = {.milliseconds = 20}};
 }
 

@@ -15,14 +15,13 @@ const char* name(Gait::Kind kind) {
 }
 
 const RequestTable<GaitRequest>& gait_table() {
-  using R = GaitRequest;
-  static const RequestTable<R> table({
-      system_field<R>(),
-      parameters_field<R>(),
-      choice("gait", &R::gait, {{"long", Gait::Kind::long_step}, {"short", Gait::Kind::short_step}},
+  static const RequestTable<GaitRequest> table({
+      system_field<GaitRequest>(),
+      parameters_field<GaitRequest>(),
+      choice("gait", &GaitRequest::gait, {{"long", Gait::Kind::long_step}, {"short", Gait::Kind::short_step}},
              "which of two gaits, the one with the long or the short step time; without this field both",
              {.aliases = {"kind", "which"}}),
-      digits_field<R>(),
+      digits_field<GaitRequest>(),
   });
   return table;
 }

@@ -179,7 +179,7 @@ class ModesAnswer {
   std::optional<double> unit_of_time_;
 };
 
-Response answer(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
+Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models);
   const auto& [parameters, y] = system.state;
@@ -196,7 +196,7 @@ Response answer(const Resolved<ModesRequest>& resolved, Call& call, Models& mode
 Endpoint modes_endpoint() {
   return {.name = "modes",
           .help = "Equilibrium, natural frequencies and mode shapes",
-          .question = question(modes_table(), answer)};
+          .question = question(modes_table(), answer_modes)};
 }
 
 }  // namespace qdot::api

@@ -5,20 +5,20 @@
 namespace qdot::api {
 
 const RequestTable<ModesRequest>& modes_table() {
-  using R = ModesRequest;
-  static const RequestTable<R> table(
+  static const RequestTable<ModesRequest> table(
       {
-          system_field<R>(),
-          parameters_field<R>(),
-          symbols_field<R>(SymbolRole::equilibrium,
-                           "coordinates of the equilibrium, exact or a guess; without them the stable one "
-                           "nearest to 'initial'",
-                           {"about", "at", "around", "position", "steady_state"}),
-          initial_field<R>(),
-          inputs_field<R>(),
-          digits_field<R>(),
+          system_field<ModesRequest>(),
+          parameters_field<ModesRequest>(),
+          symbols_field<ModesRequest>(
+              SymbolRole::equilibrium,
+              "coordinates of the equilibrium, exact or a guess; without them the stable one "
+              "nearest to 'initial'",
+              {"about", "at", "around", "position", "steady_state"}),
+          initial_field<ModesRequest>(),
+          inputs_field<ModesRequest>(),
+          digits_field<ModesRequest>(),
       },
-      {}, [](R& request, Findings& findings) { check_inputs(request.system, findings); });
+      {}, [](ModesRequest& request, Findings& findings) { check_inputs(request.system, findings); });
   return table;
 }
 

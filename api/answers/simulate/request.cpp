@@ -9,13 +9,13 @@
 namespace qdot::api {
 namespace {
 
-using R = SimulateRequest;
-
 /// Whether only strides were asked for. The grid then ends with the last of them, and only the motion tells
 /// when that is.
-bool has_open_end(const R& request) { return request.steps && !request.t_end && request.times.empty(); }
+bool has_open_end(const SimulateRequest& request) {
+  return request.steps && !request.t_end && request.times.empty();
+}
 
-void check_grid(R& request, Findings& findings) {
+void check_grid(SimulateRequest& request, Findings& findings) {
   if (has_open_end(request)) return;
   read_grid(request, column_count(*request.system.scene, request.include), findings);
 }
@@ -31,7 +31,7 @@ std::string methods_of_fixed_step() {
   return names;
 }
 
-void check_step(const R& request, Findings& findings) {
+void check_step(const SimulateRequest& request, Findings& findings) {
   const MethodRecord& method = record_of(request.method);
   const bool is_fixed = has_fixed_step(method);
   if (is_fixed && !request.h && !findings.has_error_at({"h"})) {
@@ -53,14 +53,14 @@ void check_step(const R& request, Findings& findings) {
 }
 
 /// The default of atol must not undo a very small rtol.
-void complete_tolerances(R& request, Findings& findings) {
+void complete_tolerances(SimulateRequest& request, Findings& findings) {
   if (!findings.is_defaulted("atol")) return;
   request.atol = std::min(request.atol, 1e-3 * request.rtol);
   findings.echo()["atol"] = request.atol;
 }
 
 /// The grid is checked only when its own fields could be read; the others do not matter to it.
-void check(R& request, Findings& findings) {
+void check_simulate(SimulateRequest& request, Findings& findings) {
   const Scene* scene = request.system.scene.get();
   if (scene == nullptr) return;
   if (!findings.has_error_at({"t_start", "t_end", "samples", "dt", "times", "include"})) {
@@ -92,12 +92,13 @@ Words<Method> words_of_choice() {
   return words;
 }
 
-RequestTable<R> make_table() {
-  std::vector<RequestField<R>> fields{system_field<R>(), parameters_field<R>(), initial_field<R>(),
-                                      inputs_field<R>()};
+RequestTable<SimulateRequest> make_simulate_table() {
+  std::vector<RequestField<SimulateRequest>> fields{
+      system_field<SimulateRequest>(), parameters_field<SimulateRequest>(), initial_field<SimulateRequest>(),
+      inputs_field<SimulateRequest>()};
   append_grid_fields(fields);
-  const std::vector<RequestField<R>> rest{
-      choices("include", &R::include,
+  const std::vector<RequestField<SimulateRequest>> rest{
+      choices("include", &SimulateRequest::include,
               {{"energy", Extra::energy},
                {"momenta", Extra::momenta},
                {"positions", Extra::positions},
@@ -105,54 +106,59 @@ RequestTable<R> make_table() {
                {"validity", Extra::validity}},
               "columns beside t, the coordinates and the velocities",
               {.default_value = Json::array(), .aliases = {"columns", "outputs", "extra"}}),
-      list("events", &R::events, TextKind{limits::expression_bytes}, limits::events,
+      list("events", &SimulateRequest::events, TextKind{limits::expression_bytes}, limits::events,
            "events to report: theta=0, theta=0+ (only while it rises), theta=0- (only while it falls)",
            {.default_value = Json::array()}),
-      on_invalid_field<R>("what to do where the model stops holding, such as at a slack string"),
-      impacts_field<R>(),
-      integer("steps", &R::steps, {1, limits::strides},
+      on_invalid_field<SimulateRequest>(
+          "what to do where the model stops holding, such as at a slack string"),
+      impacts_field<SimulateRequest>(),
+      integer("steps", &SimulateRequest::steps, {1, limits::strides},
               "number of a walker's strides after which the motion is complete; given beside t_end or "
               "instead of it",
               {.aliases = {"strides", "n_steps", "impacts_count"}}),
-      choice("method", &R::method, words_of_choice(), "the integrator; " + methods_in_words(),
+      choice("method", &SimulateRequest::method, words_of_choice(), "the integrator; " + methods_in_words(),
              {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}}),
-      number("h", &R::h, {"s", {.lower = 0, .lower_open = true}},
+      number("h", &SimulateRequest::h, {"s", {.lower = 0, .lower_open = true}},
              "step of " + methods_of_fixed_step() +
                  ", in place of tolerances; the last one ends at t_end and may be shorter",
              {.aliases = {"fixed_step"}}),
-      number("rtol", &R::rtol, {"1", {limits::least_rtol, limits::largest_rtol}}, "relative local tolerance",
+      number("rtol", &SimulateRequest::rtol, {"1", {limits::least_rtol, limits::largest_rtol}},
+             "relative local tolerance",
              {.default_value = 1e-9,
               .aliases = {"reltol", "rel_tol", "tol", "tolerance", "relative_tolerance"}}),
-      number("atol", &R::atol, {"1", {.lower = 0, .upper = limits::largest_atol, .lower_open = true}},
+      number("atol", &SimulateRequest::atol,
+             {"1", {.lower = 0, .upper = limits::largest_atol, .lower_open = true}},
              "absolute local tolerance, in each column's own unit; 1e-12, or rtol/1000 where that is less",
              {.default_value = 1e-12, .aliases = {"abstol", "abs_tol", "absolute_tolerance"}}),
-      choice("accuracy", &R::accuracy,
+      choice("accuracy", &SimulateRequest::accuracy,
              {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"accurate", Preset::accurate}},
              "the error that is promised, relative to each column's largest magnitude: 1e-3, 1e-6 or 1e-9",
              {.aliases = {"preset", "quality", "precision_goal"}}),
-      number("max_error", &R::max_error, {"1", {limits::least_error, 1}},
+      number("max_error", &SimulateRequest::max_error, {"1", {limits::least_error, 1}},
              "the largest global error that you accept, in each column's own unit, for coordinates and "
              "velocities in "
              "all rows",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
-      integer("max_evaluations", &R::max_evaluations, {1, limits::evaluations},
+      integer("max_evaluations", &SimulateRequest::max_evaluations, {1, limits::evaluations},
               "the work allowed, as a number of evaluations of the accelerations, those that measure the "
               "error included",
               {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),
-      boolean("verify", &R::verify, "whether the error of the answer is measured", {.default_value = true}),
-      digits_field<R>(),
-      choice("format", &R::format, {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
+      boolean("verify", &SimulateRequest::verify, "whether the error of the answer is measured",
+              {.default_value = true}),
+      digits_field<SimulateRequest>(),
+      choice("format", &SimulateRequest::format,
+             {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
              "form of the answer; without this field the Accept header decides"),
   };
   fields.insert(fields.end(), rest.begin(), rest.end());
   const OneOf accuracy{.ways = {{"rtol", "atol"}, {"accuracy"}, {"max_error"}, {"max_evaluations"}, {"h"}}};
-  return RequestTable<R>(std::move(fields), {ways_of_grid, accuracy}, check);
+  return RequestTable<SimulateRequest>(std::move(fields), {ways_of_grid, accuracy}, check_simulate);
 }
 
 }  // namespace
 
 const RequestTable<SimulateRequest>& simulate_table() {
-  static const RequestTable<R> table = make_table();
+  static const RequestTable<SimulateRequest> table = make_simulate_table();
   return table;
 }
 

@@ -226,7 +226,7 @@ class SimulationAnswer {
   Json units_ = Json::object();
 };
 
-Response answer(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
+Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
   return SimulationAnswer(resolved, call, models).response();
 }
 
@@ -235,7 +235,7 @@ Response answer(const Resolved<SimulateRequest>& resolved, Call& call, Models& m
 Endpoint simulate_endpoint() {
   return {.name = "simulate",
           .help = "The trajectory of a system",
-          .question = question(simulate_table(), answer),
+          .question = question(simulate_table(), answer_simulate),
           .cost = {.motion = Cost::Motion::always},
           .example =
               [](const Scene&, const Json&) {

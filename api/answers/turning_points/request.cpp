@@ -9,9 +9,7 @@
 namespace qdot::api {
 namespace {
 
-using R = TurningPointsRequest;
-
-void check_coordinate(const R& request, Findings& findings) {
+void check_coordinate(const TurningPointsRequest& request, Findings& findings) {
   std::vector<std::string> names;
   for (const Coordinate& q : request.system.scene->coordinates) names.push_back(q.name);
   if (request.coordinate.empty() || std::ranges::find(names, request.coordinate) != names.end()) return;
@@ -21,7 +19,7 @@ void check_coordinate(const R& request, Findings& findings) {
                    request.coordinate, names));
 }
 
-void check(R& request, Findings& findings) {
+void check_turning_points(TurningPointsRequest& request, Findings& findings) {
   if (!findings.has_error_at({"t_start", "t_end"}) && request.t_end && *request.t_end <= request.t_start) {
     findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
   }
@@ -33,29 +31,30 @@ void check(R& request, Findings& findings) {
 
 }  // namespace
 
-const RequestTable<R>& turning_points_table() {
-  static const RequestTable<R> table(
+const RequestTable<TurningPointsRequest>& turning_points_table() {
+  static const RequestTable<TurningPointsRequest> table(
       {
-          system_field<R>(),
-          parameters_field<R>(),
-          initial_field<R>(),
-          inputs_field<R>(),
+          system_field<TurningPointsRequest>(),
+          parameters_field<TurningPointsRequest>(),
+          initial_field<TurningPointsRequest>(),
+          inputs_field<TurningPointsRequest>(),
           {detail::bound(
-              &R::coordinate,
+              &TurningPointsRequest::coordinate,
               detail::info("coordinate", TextKind{limits::name_bytes},
                            "the coordinate whose largest and smallest value you want; it may be left out "
                            "where only one is not ignorable",
                            {.aliases = {"variable", "of", "angle", "q"}}))},
-          number("t_start", &R::t_start, {"s", instants}, "instant of the initial state",
+          number("t_start", &TurningPointsRequest::t_start, {"s", instants}, "instant of the initial state",
                  {.default_value = 0.0, .aliases = {"t0", "tstart", "start"}}),
-          number("t_end", &R::t_end, {"s", instants},
+          number("t_end", &TurningPointsRequest::t_end, {"s", instants},
                  "up to when the motion is followed, where no energy integral gives the answer",
                  {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration"}}),
-          on_invalid_field<R>("what a motion that is followed does where the model stops holding"),
-          impacts_field<R>(),
-          digits_field<R>(),
+          on_invalid_field<TurningPointsRequest>(
+              "what a motion that is followed does where the model stops holding"),
+          impacts_field<TurningPointsRequest>(),
+          digits_field<TurningPointsRequest>(),
       },
-      {}, check);
+      {}, check_turning_points);
   return table;
 }
 

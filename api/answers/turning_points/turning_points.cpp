@@ -247,12 +247,12 @@ class TurningPointsAnswer {
   Json reasons_ = Json::object();
 };
 
-Response answer(const Resolved<TurningPointsRequest>& resolved, Call& call, Models& models) {
+Response answer_turning_points(const Resolved<TurningPointsRequest>& resolved, Call& call, Models& models) {
   return TurningPointsAnswer(resolved, call, models).response();
 }
 
 /// About an angle rather than a length.
-std::optional<Json> example(const Scene& scene, const Json&) {
+std::optional<Json> example_of_turning_points(const Scene& scene, const Json&) {
   const auto angle = std::ranges::find(scene.coordinates, "rad", &Coordinate::unit);
   const Coordinate& turning = angle == scene.coordinates.end() ? scene.coordinates.front() : *angle;
   return Json{{"coordinate", turning.name}, {"t_end", 10}};
@@ -263,9 +263,9 @@ std::optional<Json> example(const Scene& scene, const Json&) {
 Endpoint turning_points_endpoint() {
   return {.name = "turning_points",
           .help = "The largest and the least value of a coordinate",
-          .question = question(turning_points_table(), answer),
+          .question = question(turning_points_table(), answer_turning_points),
           .cost = {.motion = Cost::Motion::up_to_t_end},
-          .example = example};
+          .example = example_of_turning_points};
 }
 
 }  // namespace qdot::api

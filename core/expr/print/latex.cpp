@@ -6,9 +6,9 @@
 namespace qdot {
 namespace {
 
-std::string bracketed(const std::string& latex) { return "\\left(" + latex + "\\right)"; }
+std::string latex_brackets(const std::string& latex) { return "\\left(" + latex + "\\right)"; }
 
-std::string braced(const std::string& latex) { return "{" + latex + "}"; }
+std::string latex_group(const std::string& latex) { return "{" + latex + "}"; }
 
 /// A number in front: 3, 9.81, 1.5 \cdot 10^{-7}.
 std::string number_text(const Number& value) {
@@ -20,7 +20,7 @@ std::string number_text(const Number& value) {
 
 std::string fraction_text(const Number& over, const Number& under) {
   if (under.is_one()) return number_text(over);
-  return "\\frac" + braced(number_text(over)) + braced(number_text(under));
+  return "\\frac" + latex_group(number_text(over)) + latex_group(number_text(under));
 }
 
 std::string_view command(Function function) {
@@ -56,7 +56,7 @@ std::string_view command(Function function) {
 }
 
 /// A factor, and what its neighbours must know of it.
-struct Piece {
+struct LatexPiece {
   std::string latex;
   bool bracket{false};  ///< begins with a bracket, so a bare argument must not stand before it
   bool number{false};   ///< begins with a digit
@@ -87,8 +87,8 @@ class LatexWriter {
 
   std::string unsigned_term(const WrittenTerm& term) const {
     if (term.below.empty()) return product(fraction_text(term.over, term.under), term.above);
-    return "\\frac" + braced(product(number_text(term.over), term.above)) +
-           braced(product(number_text(term.under), term.below));
+    return "\\frac" + latex_group(product(number_text(term.over), term.above)) +
+           latex_group(product(number_text(term.under), term.below));
   }
 
   /// number * factors; a number 1 is not written, a lone bracket loses its brackets.
@@ -96,7 +96,7 @@ class LatexWriter {
     const bool one = number == "1";
     if (factors.empty()) return number;
     if (one && factors.size() == 1 && factors[0].exponent.is_one()) return alone(factors[0].base);
-    std::vector<Piece> pieces;
+    std::vector<LatexPiece> pieces;
     if (!one) pieces.push_back({number, false, true, false});
     for (std::size_t i = 0; i < factors.size(); ++i) {
       const bool bracket_follows = i + 1 < factors.size() && layout_.is_compound(factors[i + 1].base);
@@ -110,7 +110,7 @@ class LatexWriter {
     return layout_.is_compound(base) ? write(base) : factor(base, false).latex;
   }
 
-  static std::string joined(const std::vector<Piece>& pieces) {
+  static std::string joined(const std::vector<LatexPiece>& pieces) {
     std::string latex;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       if (i > 0) {
@@ -122,20 +122,20 @@ class LatexWriter {
     return latex;
   }
 
-  Piece power(const WrittenPower& power, bool bracket_follows) const {
+  LatexPiece power(const WrittenPower& power, bool bracket_follows) const {
     if (power.exponent.is_one()) return factor(power.base, bracket_follows);
-    if (power.exponent == Number::ratio(1, 2)) return {"\\sqrt" + braced(write(power.base))};
+    if (power.exponent == Number::ratio(1, 2)) return {"\\sqrt" + latex_group(write(power.base))};
     const std::string exponent = exponent_text(power.exponent);
     const auto* call = std::get_if<Call>(&layout_.graph().node(power.base));
     if (call == nullptr) {
-      Piece base = factor(power.base, false);
+      LatexPiece base = factor(power.base, false);
       base.latex += exponent;
       return base;
     }
     if (takes_inner_exponent(call->function) && power.exponent.is_integer()) {
       return {std::string(command(call->function)) + exponent + argument(*call, bracket_follows)};
     }
-    return {bracketed(call_text(*call, false)) + exponent, true};
+    return {latex_brackets(call_text(*call, false)) + exponent, true};
   }
 
   static std::string exponent_text(const Number& exponent) {
@@ -143,37 +143,37 @@ class LatexWriter {
     const std::string text = split
                                  ? fraction_text(Number(exponent.numerator()), Number(exponent.denominator()))
                                  : number_text(exponent);
-    return "^" + (text.size() == 1 ? text : braced(text));
+    return "^" + (text.size() == 1 ? text : latex_group(text));
   }
 
-  Piece factor(NodeId base, bool bracket_follows) const {
+  LatexPiece factor(NodeId base, bool bracket_follows) const {
     return std::visit(overloaded{[&](const Literal&) { return literal(base); },
                                  [&](const Symbol& x) { return symbol(x.name); },
                                  [&](const Sum&) {
-                                   return Piece{bracketed(write(base)), true};
+                                   return LatexPiece{latex_brackets(write(base)), true};
                                  },
                                  [&](const Product&) {
-                                   return Piece{bracketed(write(base)), true};
+                                   return LatexPiece{latex_brackets(write(base)), true};
                                  },
                                  [&](const Power&) {
-                                   return Piece{bracketed(write(base)), true};
+                                   return LatexPiece{latex_brackets(write(base)), true};
                                  },
-                                 [&](const Call& x) { return Piece{call_text(x, bracket_follows)}; }},
+                                 [&](const Call& x) { return LatexPiece{call_text(x, bracket_follows)}; }},
                       layout_.graph().node(base));
   }
 
-  Piece literal(NodeId id) const {
-    if (layout_.is_compound(id)) return {bracketed(write(id)), true};
+  LatexPiece literal(NodeId id) const {
+    if (layout_.is_compound(id)) return {latex_brackets(write(id)), true};
     return {write(id), false, true};
   }
 
-  Piece symbol(const std::string& name) const {
+  LatexPiece symbol(const std::string& name) const {
     const std::string latex = latex_name(name, notation_);
     return {latex, false, false, latex.starts_with("\\mathrm")};
   }
 
   std::string call_text(const Call& call, bool bracket_follows) const {
-    if (call.function == Function::exp) return "e^" + braced(write(call.argument));
+    if (call.function == Function::exp) return "e^" + latex_group(write(call.argument));
     if (call.function == Function::abs) return "\\left|" + write(call.argument) + "\\right|";
     return std::string(command(call.function)) + argument(call, bracket_follows);
   }
@@ -181,7 +181,7 @@ class LatexWriter {
   /// \sin\theta, \sin l, \sin\left(2 \theta\right).
   std::string argument(const Call& call, bool bracket_follows) const {
     const std::string latex = write(call.argument);
-    if (!is_bare(layout_, call.argument, bracket_follows)) return bracketed(latex);
+    if (!is_bare(layout_, call.argument, bracket_follows)) return latex_brackets(latex);
     return (latex.starts_with('\\') ? "" : " ") + latex;
   }
 

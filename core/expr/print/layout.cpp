@@ -17,7 +17,7 @@ WrittenPower as_power(const Node& node, NodeId id) {
 }
 
 /// The number in front of a node.
-Number coefficient(const Node& node) {
+Number coefficient_of(const Node& node) {
   if (const auto* literal = std::get_if<Literal>(&node)) return literal->value;
   const auto* product = std::get_if<Product>(&node);
   return product != nullptr ? product->coefficient : Number(1);
@@ -124,7 +124,7 @@ int Layout::rank(NodeId base) const {
       graph_.node(base));
 }
 
-bool Layout::is_negative(NodeId term) const { return coefficient(graph_.node(term)).is_negative(); }
+bool Layout::is_negative(NodeId term) const { return coefficient_of(graph_.node(term)).is_negative(); }
 
 std::vector<NodeId> Layout::factors(NodeId id) const {
   const Node& node = graph_.node(id);
@@ -147,7 +147,7 @@ std::weak_ordering Layout::compare_terms(NodeId a, NodeId b) const {
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (const auto c = compare_factors(x[i], y[i]); c != 0) return c;
   }
-  return compare_numbers(coefficient(graph_.node(a)), coefficient(graph_.node(b)));
+  return compare_numbers(coefficient_of(graph_.node(a)), coefficient_of(graph_.node(b)));
 }
 
 std::weak_ordering Layout::compare_factors(NodeId a, NodeId b) const {
@@ -202,7 +202,7 @@ bool Layout::is_compound(NodeId base) const {
 WrittenTerm Layout::term(NodeId id) const {
   const Node& node = graph_.node(id);
   WrittenTerm result;
-  const Number number = coefficient(node);
+  const Number number = coefficient_of(node);
   result.negative = number.is_negative();
   result.over = magnitude(number);
   if (!prefers_decimal(result.over)) {

@@ -16,7 +16,7 @@ enum class Language { text, sympy, maxima, c };
 /// How tightly the outermost operator of a piece of text binds.
 enum class Binding { sum, product, power, atom };
 
-struct Piece {
+struct LinearPiece {
   std::string text;
   Binding binding{Binding::atom};
 };
@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 34> c_keywords{
 
 std::string bracketed(const std::string& text) { return "(" + text + ")"; }
 
-std::string at_least(const Piece& piece, Binding binding) {
+std::string at_least(const LinearPiece& piece, Binding binding) {
   return piece.binding < binding ? bracketed(piece.text) : piece.text;
 }
 
@@ -43,21 +43,21 @@ class LinearWriter {
  public:
   LinearWriter(const Layout& layout, Language language) : layout_(layout), language_(language) {}
 
-  Piece write(NodeId id) const {
+  LinearPiece write(NodeId id) const {
     const Node& node = layout_.graph().node(id);
-    Piece piece = std::visit(
+    LinearPiece piece = std::visit(
         overloaded{[&](const Literal&) { return signed_term(id); },
-                   [&](const Symbol& x) { return Piece{symbol(x.name)}; },
+                   [&](const Symbol& x) { return LinearPiece{symbol(x.name)}; },
                    [&](const Sum&) { return sum(id); }, [&](const Product&) { return signed_term(id); },
                    [&](const Power&) { return signed_term(id); },
-                   [&](const Call& x) { return Piece{call(x)}; }},
+                   [&](const Call& x) { return LinearPiece{call(x)}; }},
         node);
     piece.text = bounded(std::move(piece.text));
     return piece;
   }
 
  private:
-  Piece sum(NodeId id) const {
+  LinearPiece sum(NodeId id) const {
     std::string text;
     for (const NodeId term_id : layout_.terms(id)) {
       const WrittenTerm written = layout_.term(term_id);
@@ -68,70 +68,70 @@ class LinearWriter {
     return {text, Binding::sum};
   }
 
-  Piece signed_term(NodeId id) const {
+  LinearPiece signed_term(NodeId id) const {
     const WrittenTerm written = layout_.term(id);
-    const Piece piece = unsigned_term(written);
-    return written.negative ? Piece{"-" + piece.text, Binding::sum} : piece;
+    const LinearPiece piece = unsigned_term(written);
+    return written.negative ? LinearPiece{"-" + piece.text, Binding::sum} : piece;
   }
 
-  Piece unsigned_term(const WrittenTerm& term) const {
+  LinearPiece unsigned_term(const WrittenTerm& term) const {
     const bool bar = !term.below.empty();
-    const Piece front = bar ? number(term.over) : fraction(term.over, term.under);
-    std::vector<Piece> above = powers(term.above);
+    const LinearPiece front = bar ? number(term.over) : fraction(term.over, term.under);
+    std::vector<LinearPiece> above = powers(term.above);
     const bool one = term.over.is_one() && (bar || term.under.is_one());
     if (!one || above.empty()) above.insert(above.begin(), front);
     if (!bar) return product(above);
-    std::vector<Piece> below = powers(term.below);
+    std::vector<LinearPiece> below = powers(term.below);
     if (!term.under.is_one()) below.insert(below.begin(), number(term.under));
     const std::string divisor = at_least(product(below), Binding::power);
     return {at_least(product(above), Binding::product) + "/" + divisor, Binding::product};
   }
 
-  std::vector<Piece> powers(const std::vector<WrittenPower>& factors) const {
-    std::vector<Piece> pieces;
+  std::vector<LinearPiece> powers(const std::vector<WrittenPower>& factors) const {
+    std::vector<LinearPiece> pieces;
     for (const WrittenPower& factor : factors) pieces.push_back(power(factor));
     return pieces;
   }
 
-  static Piece product(const std::vector<Piece>& factors) {
+  static LinearPiece product(const std::vector<LinearPiece>& factors) {
     if (factors.size() == 1) return factors[0];
     std::string text;
-    for (const Piece& factor : factors) {
+    for (const LinearPiece& factor : factors) {
       if (!text.empty()) text += "*";
       text = bounded(text + at_least(factor, Binding::product));
     }
     return {text, Binding::product};
   }
 
-  Piece power(const WrittenPower& power) const {
-    const Piece base = write(power.base);
+  LinearPiece power(const WrittenPower& power) const {
+    const LinearPiece base = write(power.base);
     if (power.exponent.is_one()) return base;
     if (power.exponent == Number::ratio(1, 2)) return {"sqrt" + bracketed(base.text)};
     if (language_ == Language::c) return c_power(power, base);
-    const Piece exponent = fraction(Number(power.exponent));
+    const LinearPiece exponent = fraction(Number(power.exponent));
     const std::string sign = language_ == Language::sympy ? "**" : "^";
     return {at_least(base, Binding::atom) + sign + at_least(exponent, Binding::atom), Binding::power};
   }
 
   /// x*x for small powers of symbols: pow() is slow, and other calls would be evaluated twice.
-  Piece c_power(const WrittenPower& power, const Piece& base) const {
+  LinearPiece c_power(const WrittenPower& power, const LinearPiece& base) const {
     constexpr std::int64_t largest_spelled_out = 4;
     const bool is_symbol = std::holds_alternative<Symbol>(layout_.graph().node(power.base));
     if (is_symbol && power.exponent.is_integer() && power.exponent.numerator() <= largest_spelled_out) {
-      return product(std::vector<Piece>(static_cast<std::size_t>(power.exponent.numerator()), base));
+      return product(std::vector<LinearPiece>(static_cast<std::size_t>(power.exponent.numerator()), base));
     }
     return {"pow(" + base.text + ", " + fraction(power.exponent).text + ")"};
   }
 
   // --- leaves ----------------------------------------------------------------------------------------------
 
-  Piece fraction(const Number& value) const {
+  LinearPiece fraction(const Number& value) const {
     const bool split = value.is_exact() && !(writes_decimals() && prefers_decimal(value));
     return split ? fraction(Number(value.numerator()), Number(value.denominator())) : number(value);
   }
 
   /// over/under, where `over` may be a decimal if `under` is 1.
-  Piece fraction(const Number& over, const Number& under) const {
+  LinearPiece fraction(const Number& over, const Number& under) const {
     if (under.is_one()) return number(over);
     if (language_ == Language::sympy)
       return {"Rational(" + number(over).text + ", " + number(under).text + ")"};
@@ -139,7 +139,7 @@ class LinearWriter {
   }
 
   /// A positive integer or decimal.
-  Piece number(const Number& value) const {
+  LinearPiece number(const Number& value) const {
     if (value.is_exact() && !value.is_integer() && !writes_decimals()) {
       return fraction(Number(value.numerator()), Number(value.denominator()));
     }

@@ -13,7 +13,7 @@ std::string element(const std::string& tag, const std::string& content) {
 
 std::string row(const std::string& content) { return element("mrow", content); }
 
-std::string bracketed(const std::string& content) { return row("<mo>(</mo>" + content + "<mo>)</mo>"); }
+std::string mathml_brackets(const std::string& content) { return row("<mo>(</mo>" + content + "<mo>)</mo>"); }
 
 std::string number_element(const Number& value) {
   const std::string text = decimal_text(value);
@@ -114,7 +114,7 @@ class MathmlWriter {
     if (takes_inner_exponent(call->function) && power.exponent.is_integer()) {
       return called(*call, exponent, bracket_follows);
     }
-    return element("msup", bracketed(factor(power.base, false)) + exponent);
+    return element("msup", mathml_brackets(factor(power.base, false)) + exponent);
   }
 
   static std::string exponent_element(const Number& exponent) {
@@ -132,7 +132,9 @@ class MathmlWriter {
         layout_.graph().node(base));
   }
 
-  std::string enclosed(NodeId id) const { return layout_.is_compound(id) ? bracketed(write(id)) : write(id); }
+  std::string enclosed(NodeId id) const {
+    return layout_.is_compound(id) ? mathml_brackets(write(id)) : write(id);
+  }
 
   std::string call(const Call& call, bool bracket_follows) const {
     if (call.function == Function::exp) return element("msup", "<mi>e</mi>" + row(write(call.argument)));
@@ -146,7 +148,7 @@ class MathmlWriter {
     if (!exponent.empty()) function = element("msup", function + exponent);
     const bool bare = is_bare(layout_, call.argument, bracket_follows);
     const std::string argument = write(call.argument);
-    return row(function + apply_function + (bare ? argument : bracketed(argument)));
+    return row(function + apply_function + (bare ? argument : mathml_brackets(argument)));
   }
 
   const Layout& layout_;

@@ -19,7 +19,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 37> greek{{
     {"Psi", "Ψ"},        {"Omega", "Ω"},
 }};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 
 /// Cuts `suffix` off the end of `name`, unless nothing else would be left.
 bool take_suffix(std::string_view& name, std::string_view suffix) {
@@ -53,7 +53,7 @@ std::optional<std::string> given_latex(std::string_view name, const Notation& no
 /// A base or an index without structure: \theta, m, 12, \mathrm{foot}.
 std::string latex_word(std::string_view word) {
   if (!greek_letter(word).empty()) return "\\" + std::string(word);
-  if (word.size() == 1 || std::all_of(word.begin(), word.end(), is_digit)) return std::string(word);
+  if (word.size() == 1 || std::all_of(word.begin(), word.end(), is_decimal)) return std::string(word);
   return "\\mathrm{" + std::string(word) + "}";
 }
 
@@ -90,7 +90,7 @@ std::string latex_index(const std::vector<std::string>& indices, const Notation&
 
 std::string mathml_word(std::string_view word) {
   if (const auto letter = greek_letter(word); !letter.empty()) return "<mi>" + std::string(letter) + "</mi>";
-  const bool number = std::all_of(word.begin(), word.end(), is_digit);
+  const bool number = std::all_of(word.begin(), word.end(), is_decimal);
   return number ? "<mn>" + std::string(word) + "</mn>" : "<mi>" + std::string(word) + "</mi>";
 }
 
@@ -122,7 +122,7 @@ WrittenName written_name(std::string_view name) {
   const std::size_t underscore = std::min(name.find('_'), name.size());
   std::string_view base = name.substr(0, underscore);
   std::size_t letters = base.size();
-  while (letters > 1 && is_digit(base[letters - 1])) --letters;
+  while (letters > 1 && is_decimal(base[letters - 1])) --letters;
   result.base = base.substr(0, letters);
   if (letters < base.size()) result.indices.emplace_back(base.substr(letters));
   for (std::size_t at = underscore; at < name.size();) {
