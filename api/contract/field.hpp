@@ -136,6 +136,11 @@ struct FieldInfo {
   std::vector<std::string> aliases{};  ///< other programs' words for it, for "did you mean"
 };
 
+/// What a field says of its system's symbols; nullptr for fields of other kinds.
+[[nodiscard]] inline const SymbolsKind* symbols_kind(const FieldInfo& field) {
+  return std::get_if<SymbolsKind>(&field.kind);
+}
+
 /// One way of several to say a thing, each way being some fields: {{"samples"}, {"dt"}, {"times"}}. Where the
 /// thing must be said, a way is taken when the first of its fields is given.
 struct OneOf {

@@ -9,8 +9,6 @@
 namespace qdot::api {
 namespace {
 
-const SymbolsKind* symbols_kind(const FieldInfo& field) { return std::get_if<SymbolsKind>(&field.kind); }
-
 bool has_symbols(const FieldSet& set) {
   return std::ranges::any_of(set.fields, [](const FieldInfo& f) { return symbols_kind(f) != nullptr; });
 }
@@ -74,10 +72,10 @@ std::string fields_in_words(const FieldSet& set) {
   return text;
 }
 
-class Reader {
+class RecordReader {
  public:
   /// `whole` is the outermost object.
-  Reader(const Json& whole, SystemChoice& choice, Errors& errors)
+  RecordReader(const Json& whole, SystemChoice& choice, Errors& errors)
       : whole_(whole), choice_(choice), errors_(errors) {}
 
   RecordReading read(const FieldSet& set, const Json& object, const Place& place) {
@@ -313,13 +311,13 @@ const FieldInfo* field_of(const FieldSet& set, SymbolRole role) {
 
 RecordReading read_record(const FieldSet& set, const Json& fields, const Place& place, SystemChoice& choice,
                           Errors& errors) {
-  return Reader(fields, choice, errors).read(set, fields, place);
+  return RecordReader(fields, choice, errors).read(set, fields, place);
 }
 
 std::optional<Json> read_value(const RecordKind& kind, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
   SystemChoice none;
-  return Reader(value, none, errors).read_any(kind, name, value, place);
+  return RecordReader(value, none, errors).read_any(kind, name, value, place);
 }
 
 }  // namespace qdot::api

@@ -9,11 +9,9 @@
 namespace qdot::api {
 namespace {
 
-const SymbolsKind* symbols_kind(const FieldInfo& field) { return std::get_if<SymbolsKind>(&field.kind); }
-
-class Reader {
+class RequestReader {
  public:
-  Reader(const FieldSet& set, const Submission& submission, const FindSystem& find_system)
+  RequestReader(const FieldSet& set, const Submission& submission, const FindSystem& find_system)
       : set_(set), find_system_(find_system), root_(submission.road), fields_(submission.fields) {
     reading_.errors = submission.errors;
   }
@@ -92,7 +90,7 @@ class Reader {
 }  // namespace
 
 Reading read_request(const FieldSet& set, const Submission& submission, const FindSystem& find_system) {
-  return Reader(set, submission, find_system).read();
+  return RequestReader(set, submission, find_system).read();
 }
 
 }  // namespace qdot::api

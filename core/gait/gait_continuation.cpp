@@ -20,7 +20,8 @@ constexpr double step_rtol = 1e-9, coarse_rtol = 1e-13, fine_rtol = 1e-14;
 constexpr int start_values = 9;
 constexpr Advances continuation_advances{
     .first = 0.02, .least = 1e-4, .largest = 0.06, .least_cosine = 0.95, .most_points = 400};
-constexpr double least_size = 1e-5, least_duration = 0.05, largest_duration = 30;
+constexpr double continued_least_size = 1e-5, continued_least_duration = 0.05,
+                 continued_largest_duration = 30;
 constexpr double continued_near_curve = 0.02;
 
 /// A function of D that changes its sign where gaits change their kind.
@@ -101,8 +102,8 @@ class GaitCurves {
 
   [[nodiscard]] bool belongs(const GaitOnCurve& point) {
     const Recurrence& at = point.at.at;
-    return at.u.norm() > least_size && at.duration > least_duration && at.duration < largest_duration &&
-           map_.is_impact(point.linearization.flow);
+    return at.u.norm() > continued_least_size && at.duration > continued_least_duration &&
+           at.duration < continued_largest_duration && map_.is_impact(point.linearization.flow);
   }
 
   void follow(GaitOnCurve start, int way) {

@@ -9,13 +9,13 @@
 namespace qdot {
 namespace {
 
-using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using Vectors = std::vector<std::vector<ComplexBall>>;
 
 Eigen::Index row_of(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-Matrix extended(const SquareMatrix<Ball>& a) {
-  Matrix m(row_of(a.size()), row_of(a.size()));
+LongMatrix extended(const SquareMatrix<Ball>& a) {
+  LongMatrix m(row_of(a.size()), row_of(a.size()));
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < a.size(); ++j) m(row_of(i), row_of(j)) = a(i, j).middle.extended();
   }
@@ -31,7 +31,7 @@ bool is_symmetric(const SquareMatrix<Ball>& a, int sign) {
   return true;
 }
 
-SquareMatrix<Ball> real_vectors(const Matrix& columns) {
+SquareMatrix<Ball> real_vectors(const LongMatrix& columns) {
   SquareMatrix<Ball> result(static_cast<std::size_t>(columns.cols()));
   for (std::size_t i = 0; i < result.size(); ++i) {
     for (std::size_t j = 0; j < result.size(); ++j)
@@ -41,8 +41,8 @@ SquareMatrix<Ball> real_vectors(const Matrix& columns) {
 }
 
 /// M^-1 K.
-Matrix quotient(const Matrix& k, const Matrix& m) {
-  const Eigen::FullPivLU<Matrix> lu(m);
+LongMatrix quotient(const LongMatrix& k, const LongMatrix& m) {
+  const Eigen::FullPivLU<LongMatrix> lu(m);
   if (!lu.isInvertible()) {
     throw Error(
         ErrorCode::not_applicable,
@@ -97,20 +97,20 @@ bool SmallMotions::undamped() const {
 }
 
 Eigensystem<Ball> squares(const SmallMotions& motions) {
-  const Matrix k = extended(motions.stiffness);
-  const Matrix m = extended(motions.mass);
-  Matrix columns;
+  const LongMatrix k = extended(motions.stiffness);
+  const LongMatrix m = extended(motions.mass);
+  LongMatrix columns;
   if (is_symmetric(motions.mass, 1) && is_symmetric(motions.stiffness, 1) && m.diagonal().minCoeff() > 0) {
-    const Matrix scale = m.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
-    const Matrix scaled_mass = scale * m * scale;
-    const Matrix scaled_stiffness = scale * k * scale;
-    if (Eigen::LLT<Matrix>(scaled_mass).info() == Eigen::Success)
+    const LongMatrix scale = m.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
+    const LongMatrix scaled_mass = scale * m * scale;
+    const LongMatrix scaled_stiffness = scale * k * scale;
+    if (Eigen::LLT<LongMatrix>(scaled_mass).info() == Eigen::Success)
       columns =
           scale *
-          Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(scaled_stiffness, scaled_mass).eigenvectors();
+          Eigen::GeneralizedSelfAdjointEigenSolver<LongMatrix>(scaled_stiffness, scaled_mass).eigenvectors();
   }
   if (columns.size() == 0) {
-    const Eigen::EigenSolver<Matrix> solver(quotient(k, m));
+    const Eigen::EigenSolver<LongMatrix> solver(quotient(k, m));
     if ((solver.eigenvalues().imag().array() != 0).any()) return none();
     columns = solver.eigenvectors().real();
   }
@@ -119,8 +119,8 @@ Eigensystem<Ball> squares(const SmallMotions& motions) {
 
 Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
   const std::size_t n = motions.size();
-  const Matrix m = extended(motions.mass);
-  Matrix state = Matrix::Zero(row_of(2 * n), row_of(2 * n));
+  const LongMatrix m = extended(motions.mass);
+  LongMatrix state = LongMatrix::Zero(row_of(2 * n), row_of(2 * n));
   state.topRightCorner(row_of(n), row_of(n)).setIdentity();
   state.bottomLeftCorner(row_of(n), row_of(n)) = -quotient(extended(motions.stiffness), m);
   state.bottomRightCorner(row_of(n), row_of(n)) = -quotient(extended(motions.rates), m);
@@ -134,7 +134,7 @@ Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
       b(n + i, n + j) = motions.mass(i, j);
     }
   }
-  const Eigen::EigenSolver<Matrix> solver(state);
+  const Eigen::EigenSolver<LongMatrix> solver(state);
   const auto columns = solver.eigenvectors();
   for (std::size_t i = 0; i < 2 * n; ++i) {
     for (std::size_t j = 0; j < 2 * n; ++j) {

@@ -15,10 +15,8 @@ using Eigen::MatrixXd;
 /// moves by the square root of it.
 constexpr double undecided_part = 3e-8;
 
-bool vanishes(const Interval& x) { return x.lower == 0 && x.upper == 0; }
-
 bool vanishes(const std::vector<Interval>& matrix) {
-  return std::all_of(matrix.begin(), matrix.end(), vanishes);
+  return std::all_of(matrix.begin(), matrix.end(), [](const Interval& x) { return is_zero(x); });
 }
 
 MatrixXd middles(const std::vector<Interval>& matrix, std::size_t n) {
@@ -109,7 +107,7 @@ Inertia inertia_of(std::vector<Interval> matrix, std::size_t n) {
     ++(entry(p, p).lower > 0 ? result.positive : result.negative);
     for (const std::size_t i : left) {
       for (const std::size_t j : left) {
-        if (vanishes(entry(i, p)) || vanishes(entry(p, j))) continue;
+        if (is_zero(entry(i, p)) || is_zero(entry(p, j))) continue;
         entry(i, j) = entry(i, j) -
                       (i == j ? square(entry(i, p)) / entry(p, p) : entry(i, p) * entry(p, j) / entry(p, p));
       }
@@ -214,7 +212,7 @@ std::string StabilityAnalysis::next_terms(std::span<const Interval> x) const {
   if (!values[0].contains(0.0)) {
     return start + "its third derivative is not: unstable, to one side the force leads away.";
   }
-  if (vanishes(values[0]) && vanishes(values[1])) return start + "so are its third and fourth: undecided.";
+  if (is_zero(values[0]) && is_zero(values[1])) return start + "so are its third and fourth: undecided.";
   if (values[1].contains(0.0)) return start + "its third and fourth may be: undecided.";
   return start + (values[1].lower > 0 ? "so is its third, and its fourth is positive: nonlinearly stable."
                                       : "so is its third, and its fourth is negative: nonlinearly unstable.");
