@@ -1,4 +1,4 @@
-"""The chapter of README, from the measured points: python3 chapter.py FOLDER. Every figure in it is of that run."""
+"""tests/bench/README.md, from the measured points: python3 chapter.py FOLDER. Every figure in it is of that run."""
 
 import csv
 import pathlib
@@ -10,6 +10,18 @@ from summary import number, table
 
 PROMISES = {"fast": "1e-3", "balanced": "1e-6", "accurate": "1e-9"}
 ERRORS = (1e-3, 1e-6, 1e-9)
+PROGRAMS = """## The other benchmarks
+
+`cmake --preset release -DQDOT_BENCH=ON` adds them to the build; none has a limit that a slow machine could miss, and
+each prints a ratio to a reference in the same run.
+
+| program | what it measures |
+|---|---|
+| `bench` | models, tapes, equilibria, modes, turning points, JSON and whole requests (Google Benchmark) |
+| `server_bench` | small answers on kept connections, beside bare cpp-httplib |
+| `tests/bench/answers_against_scipy.py` | answers without a motion, beside SciPy given the formulas |
+| `tests/bench/process_bench.py` | start to first answer, memory |
+| `tests/server/load.py` | light and heavy requests far above what the machine can do |"""
 
 
 def is_compiled(method, _):
@@ -28,7 +40,7 @@ def conditions(folder):
     lines = (folder / "conditions.txt").read_text().splitlines()
     print("What each preset costs and gives, and what other programs take for the same. `tests/bench/measure` made these "
           f"figures in one run ({lines[0]}; {lines[1]}, {lines[2]}; {lines[3]}; {lines[-1]}) and makes them again; all "
-          "points, conditions and a plot for each motion are in `tests/bench/measured`. CPU time, 1001 rows of "
+          "points, conditions and a plot for each motion are in `measured`. CPU time, 1001 rows of "
           "coordinates and velocities, 13 motions of the eleven systems, 0.35 to 100 s long.\n")
 
 
@@ -60,7 +72,7 @@ def systems(motions):
             found = points.time_for(series.get((method, kind), []), 1e-6)
             return number(found)
         peer = points.best(series, 1e-6, is_compiled)
-        rows.append([f"[{motion.replace('_', ' ')}](tests/bench/measured/{motion}.svg)"]
+        rows.append([f"[{motion.replace('_', ' ')}](measured/{motion}.svg)"]
                     + [time(method, "tape") for method in points.OWN]
                     + [f"{number(peer[0])} ({peer[1].replace('_', ' ')})" if peer else "-",
                        time("scipy_dop853", "python"), time("scipy_odeint", "python")])
@@ -110,12 +122,13 @@ def factors(motions):
 def main():
     folder = pathlib.Path(sys.argv[1])
     motions = points.read(folder)
-    print("## What accuracy costs\n")
+    print("# What accuracy costs\n")
     conditions(folder)
     presets(folder)
     systems(motions)
     winners(motions)
     factors(motions)
+    print(PROGRAMS)
 
 
 if __name__ == "__main__":

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <Eigen/Dense>
+#include <cmath>
 
 #include "core/gait/gait.hpp"
 #include "core/gait/gait_search.hpp"
