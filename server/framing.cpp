@@ -82,7 +82,7 @@ void read_field(std::string_view line, Head& head) {
   const auto [place, fresh] = head.fields.emplace(name, value);
   if (fresh) return;
   if (name == "content-length" || name == "host" || name == "content-type") {
-    malformed("The header field " + name + " stands twice.");
+    malformed("The header field " + name + " is sent twice.");
   }
   place->second.append(", ").append(value);
 }

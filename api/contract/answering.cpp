@@ -20,7 +20,7 @@ void add_query(const std::vector<std::pair<std::string, std::string>>& query, Su
       submission.errors.push_back(
           place.error("unknown_field", "A POST says " + in_quotes(name) + " in its body."));
     } else if (submission.fields.contains(name)) {
-      submission.errors.push_back(place.error("duplicate_field", "'format' stands twice in the request."));
+      submission.errors.push_back(place.error("duplicate_field", "'format' is given twice in the request."));
     } else {
       submission.fields[name] = value;
     }

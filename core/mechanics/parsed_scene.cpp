@@ -207,7 +207,7 @@ class SceneParser {
       text_.complain("/bodies", "missing", "A scene has either bodies or a lagrangian.");
     }
     if (!by_bodies && (!scene_.gravity.empty() || !scene_.springs.empty() || !scene_.potential.empty())) {
-      text_.complain("/lagrangian", "conflict",
+      text_.complain("/lagrangian", "exclusive",
                      "A lagrangian contains gravity, springs and potential already.");
     }
     check_default_cycles();

@@ -58,7 +58,7 @@ void SceneText::declare_varying(Symbols::Varying& varying, const std::string& na
 std::optional<Dimension> SceneText::unit(const std::string& text, const std::string& place) {
   const std::optional<Unit> unit = parse_unit(text);
   if (unit && unit->is_coherent()) return unit->dimension;
-  complain(place + "/unit", "unit",
+  complain(place + "/unit", "unknown_unit",
            unit ? "The unit '" + text + "' is not an SI unit without a prefix; write kg, m, s, rad, N, J, ..."
                 : "The unit '" + text + "' is not known; write a product of SI units such as kg*m/s^2.");
   return std::nullopt;
@@ -84,9 +84,9 @@ void SceneText::check_dimension(const Expression& e, const std::string& place,
                                 const std::optional<Dimension>& expected) {
   const DimensionResult found = dimension_of(e, dimensions_);
   if (!found.mistake.empty()) {
-    complain(place, "dimension", "The expression's dimensions do not fit: " + found.mistake + ".");
+    complain(place, "wrong_dimension", "The expression's dimensions do not fit: " + found.mistake + ".");
   } else if (expected && found.dimension && *found.dimension != *expected && e.number() == nullptr) {
-    complain(place, "dimension",
+    complain(place, "wrong_dimension",
              "The expression is in " + to_text(*found.dimension) + ", but " + to_text(*expected) +
                  " belongs here.");
   }

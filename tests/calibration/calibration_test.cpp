@@ -17,5 +17,7 @@ TEST(Calibration, StatedErrorsAreTrue) {
   EXPECT_TRUE(tally.passes()) << remarks << tally.summary();
 }
 
+TEST(Calibration, NothingSeenIsNoPass) { EXPECT_FALSE(Tally().passes()); }
+
 }  // namespace
 }  // namespace qdot::test

@@ -103,7 +103,7 @@ std::string Tally::summary() const {
 }
 
 bool Tally::passes() const {
-  return static_cast<double>(understated_) <= 1e-3 * static_cast<double>(columns_) &&
+  return columns_ > 0 && static_cast<double>(understated_) <= 1e-3 * static_cast<double>(columns_) &&
          static_cast<double>(overstated_) <= 0.1 * static_cast<double>(columns_) && broken_promises_ == 0;
 }
 

@@ -16,6 +16,7 @@ class Tally {
   /// Remarks on what is wrong with the outcome, a line each; empty where nothing is.
   std::string add(const Asked& asked, const Outcome& outcome);
   [[nodiscard]] std::string summary() const;
+  /// False also where nothing was seen.
   [[nodiscard]] bool passes() const;
 
  private:

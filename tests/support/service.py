@@ -36,11 +36,11 @@ def no_constant(text):
 
 
 def strict_json(data):
-    """The value of a text of JSON, in which NaN, Infinity and members that stand twice are mistakes."""
+    """The value of a text of JSON, in which NaN, Infinity and members that appear twice are mistakes."""
 
     def members(pairs):
         result = dict(pairs)
-        assert len(result) == len(pairs), "a member stands twice"
+        assert len(result) == len(pairs), "a member appears twice"
         return result
 
     return json.loads(data, parse_constant=no_constant, object_pairs_hook=members)

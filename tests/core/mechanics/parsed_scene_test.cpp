@@ -53,28 +53,28 @@ const std::vector<Mistake> table{
     {"OpenBracket", [](Scene& s) { s.points[1].components[0] = "l*(sin(theta)"; }, "/points/1/components/0",
      "syntax", "expected ')' to close the '(' at byte 2."},
     {"LengthAddedToAngle", [](Scene& s) { s.points[1].components[0] = "l + theta"; },
-     "/points/1/components/0", "dimension",
+     "/points/1/components/0", "wrong_dimension",
      "The expression's dimensions do not fit: it adds 'l' in m to 'theta' in 1."},
     {"SineOfALength", [](Scene& s) { s.points[1].components[0] = "l*sin(l)"; }, "/points/1/components/0",
-     "dimension",
+     "wrong_dimension",
      "The expression's dimensions do not fit: it takes sin of 'l', which is in m and not a pure number."},
     {"AreaForAPosition", [](Scene& s) { s.points[1].components[0] = "l^2*sin(theta)"; },
-     "/points/1/components/0", "dimension", "The expression is in m^2, but m belongs here."},
-    {"ForceForAPotential", [](Scene& s) { s.potential = "m*g"; }, "/potential", "dimension",
+     "/points/1/components/0", "wrong_dimension", "The expression is in m^2, but m belongs here."},
+    {"ForceForAPotential", [](Scene& s) { s.potential = "m*g"; }, "/potential", "wrong_dimension",
      "The expression is in kg*m/s^2, but kg*m^2/s^2 belongs here."},
     {"WeightForAMass",
      [](Scene& s) {
        s.bodies[0] = Particle{"bob", "m*g", {"bob", {}}};
      },
-     "/bodies/0/mass", "dimension", "The expression is in kg*m/s^2, but kg belongs here."},
-    {"MassForAStiffness", [](Scene& s) { s.springs[0].stiffness = "m"; }, "/springs/0/stiffness", "dimension",
+     "/bodies/0/mass", "wrong_dimension", "The expression is in kg*m/s^2, but kg belongs here."},
+    {"MassForAStiffness", [](Scene& s) { s.springs[0].stiffness = "m"; }, "/springs/0/stiffness", "wrong_dimension",
      "The expression is in kg, but kg/s^2 belongs here."},
-    {"ForceForADissipation", [](Scene& s) { s.dissipation = "m*g*theta_dot"; }, "/dissipation", "dimension",
+    {"ForceForADissipation", [](Scene& s) { s.dissipation = "m*g*theta_dot"; }, "/dissipation", "wrong_dimension",
      "The expression is in kg*m/s^3, but kg*m^2/s^3 belongs here."},
-    {"RateForATimeScale", [](Scene& s) { s.scales->time = "k/m"; }, "/scales/time", "dimension",
+    {"RateForATimeScale", [](Scene& s) { s.scales->time = "k/m"; }, "/scales/time", "wrong_dimension",
      "The expression is in 1/s^2, but s belongs here."},
     {"LengthForAnAngularVelocity", [](Scene& s) { s.coordinates[1].initial_rate = "l0"; },
-     "/coordinates/1/initial_rate", "dimension", "The expression is in m, but 1/s belongs here."},
+     "/coordinates/1/initial_rate", "wrong_dimension", "The expression is in m, but 1/s belongs here."},
     {"ParameterNamedTwice",
      [](Scene& s) {
        s.parameters.push_back({"m", "kg", "1", {}, "", ""});
@@ -106,7 +106,7 @@ const std::vector<Mistake> table{
        s.lagrangian = "m*l_dot^2/2";
        s.bodies.clear();
      },
-     "/lagrangian", "conflict", "A lagrangian contains gravity, springs and potential already."},
+     "/lagrangian", "exclusive", "A lagrangian contains gravity, springs and potential already."},
     {"OneComponent", [](Scene& s) { s.gravity = {"-g"}; }, "/gravity", "components",
      "Positions and vectors have two components, or all of them three."},
     {"ThreeComponentsInAPlane",
@@ -148,12 +148,12 @@ TEST(SceneMistake, InAUnitSaysWhichUnitsThereAre) {
   scene.parameters[2].unit = "cm";
   EXPECT_THAT(mistakes_in(scene),
               Contains(IsDiagnostic(
-                  "/parameters/2/unit", "unit",
+                  "/parameters/2/unit", "unknown_unit",
                   "The unit 'cm' is not an SI unit without a prefix; write kg, m, s, rad, N, J, ...")));
   scene.parameters[2].unit = "ell";
   EXPECT_THAT(
       mistakes_in(scene),
-      Contains(IsDiagnostic("/parameters/2/unit", "unit",
+      Contains(IsDiagnostic("/parameters/2/unit", "unknown_unit",
                             "The unit 'ell' is not known; write a product of SI units such as kg*m/s^2.")));
 }
 
