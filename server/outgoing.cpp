@@ -11,10 +11,10 @@ namespace qdot::server {
 namespace {
 
 constexpr std::string_view no_memory =
-    "HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/problem+json\r\nContent-Length: 148\r\n"
-    "Retry-After: 1\r\nX-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n"
-    "{\"type\":\"/errors/overloaded\",\"title\":\"Too much is waiting already\",\"status\":503,"
-    "\"detail\":\"There is no memory or no connection left.\",\"instance\":\"\"}\n";
+    "HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/problem+json\r\nContent-Length: "
+    "148\r\nRetry-After: 1\r\nX-Content-Type-Options: nosniff\r\nConnection: "
+    "close\r\n\r\n{\"type\":\"/errors/overloaded\",\"title\":\"Too much is waiting "
+    "already\",\"status\":503,\"detail\":\"There is no memory or no connection left.\",\"instance\":\"\"}\n";
 static_assert(no_memory.size() - no_memory.find("\r\n\r\n") - 4 == 148, "the Content-Length above");
 
 constexpr std::string_view error =

@@ -91,8 +91,8 @@ class Writer {
     return defined("position", [this] {
       return Json{
           {"description",
-           "The name of a point, or its components in an inertial frame: x, y (up) in the plane; x, y, "
-           "z (up) in space."},
+           "The name of a point, or its components in an inertial frame: x, y (up) in the plane; x, y, z "
+           "(up) in space."},
           {"oneOf", {of(NameKind{}), of(VectorKind{})}}};
     });
   }

@@ -114,8 +114,7 @@ Json flattened(const FieldInfo& field, SymbolRole role) {
   return {{"name", field.name},
           {"in", "query"},
           {"description", field.description +
-                              "; each stands alone, as name=value or, where it must be told "
-                              "from a field, " +
+                              "; each stands alone, as name=value or, where it must be told from a field, " +
                               field.name + ".name=value"},
           {"style", "form"},
           {"explode", true},

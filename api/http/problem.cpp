@@ -22,8 +22,7 @@ constexpr auto types = std::to_array<ProblemType>({
      "The service was started with a token. Send it: Authorization: Bearer <token>."},
     {forbidden_origin, "forbidden-origin", 403, "Requests from this origin are not allowed",
      "A page of another site asked a browser to send this request. Start the service with that origin "
-     "allowed, or "
-     "send the request without a browser."},
+     "allowed, or send the request without a browser."},
     {not_found, "not-found", 404, "There is nothing at this address", "GET / lists what there is."},
     {method_not_allowed, "method-not-allowed", 405, "This address does not know the method",
      "The Allow header has the methods that it knows."},
@@ -52,8 +51,7 @@ constexpr auto types = std::to_array<ProblemType>({
      "GET /v1/limits has the limits. Ask in several requests."},
     {integration_failed, "integration-failed", 422, "The motion could not be computed to its end",
      "`reason` is step-limit, nonfinite, singular-mass, tolerance or blow-up; `t_reached` and `last_state` "
-     "say how "
-     "far the solution is good."},
+     "say how far the solution is good."},
     {headers_too_large, "headers-too-large", 431, "The header fields are too large",
      "A request has at most 64 header fields and 16 KiB of them."},
     {internal, "internal", 500, "The service made a mistake",
@@ -63,8 +61,7 @@ constexpr auto types = std::to_array<ProblemType>({
     {draining, "draining", 503, "The service is shutting down", "Send the request to another instance."},
     {deadline, "deadline", 503, "The answer took too long",
      "The time for one answer ran out on this machine at this moment. Send it again after Retry-After, or "
-     "ask for "
-     "less: a shorter motion, a larger rtol."},
+     "ask for less: a shorter motion, a larger rtol."},
 });
 
 constexpr bool in_order_of_the_enumeration() {

@@ -200,8 +200,7 @@ Table<Scene> make_table() {
   return {
       "Scene",
       "A mechanical system for qdot: where its bodies are, as expressions of the generalized coordinates, "
-      "and "
-      "what acts on them. Kinetic and potential energy, equations of motion, equilibria, frequencies and "
+      "and what acts on them. Kinetic and potential energy, equations of motion, equilibria, frequencies and "
       "reactions are derived from it. An expression may use the scene's parameters, its coordinates q and "
       "velocities q_dot, its held lengths and inputs, the time t, the number pi and the functions sin, cos, "
       "tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt, abs and sign. Units are SI units and angles "

@@ -37,13 +37,13 @@ std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian
     if (is_energy(lagrangian)) {
       found.push_back(
           {"energy", "J", jacobi_integral(lagrangian),
-           "The Lagrangian does not contain the time and T is quadratic in the velocities, so the "
-           "Jacobi integral is the energy T + V."});
+           "The Lagrangian does not contain the time and T is quadratic in the velocities, so the Jacobi "
+           "integral is the energy T + V."});
     } else {
       found.push_back(
           {"h", "J", jacobi_integral(lagrangian),
-           "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L "
-           "is constant."});
+           "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L is "
+           "constant."});
     }
   }
   const std::vector<Expression> momenta = conjugate_momenta(lagrangian);
@@ -66,8 +66,7 @@ std::string why_energy_changes(const Lagrangian& lagrangian) {
     return "The scene gives only its Lagrangian, so T and V are not known apart.";
   if (is_energy(lagrangian)) return "";
   return "T has terms that are not quadratic in the velocities: what keeps the prescribed motion does work, "
-         "so h is "
-         "constant and T + V is not.";
+         "so h is constant and T + V is not.";
 }
 
 }  // namespace qdot

@@ -30,8 +30,7 @@ void check_inertia(const Scene& scene, const EquationsOfMotion& equations) {
       simplify(determinant(equations.mass_matrix)).is_zero()) {
     diagnostics.push_back(
         {"/coordinates", "no_inertia",
-         "The kinetic energy does not determine all accelerations: the mass matrix is singular "
-         "everywhere."});
+         "The kinetic energy does not determine all accelerations: the mass matrix is singular everywhere."});
   }
   if (!diagnostics.empty()) throw SceneError(diagnostics);
 }

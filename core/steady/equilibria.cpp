@@ -78,8 +78,8 @@ class RegionSearch {
     result_.complete = isolation.complete;
     if (!isolation.complete) {
       result_.reason =
-          "The search was given up before it was finished, so equilibria may be missing: their "
-          "number is not finite, or forces of very different sizes cancel.";
+          "The search was given up before it was finished, so equilibria may be missing: their number is not "
+          "finite, or forces of very different sizes cancel.";
     }
     for (const IsolatedZero& zero : isolation.zeros) {
       const auto x = with(zero.enclosure);
@@ -100,8 +100,8 @@ class RegionSearch {
   void mismatch() {
     result_.reason =
         forces().unknowns.size() < forces().equations.size()
-            ? "More forces have to vanish than there are coordinates that they depend on: in general "
-              "no position does it."
+            ? "More forces have to vanish than there are coordinates that they depend on: in general no "
+              "position does it."
             : "The forces leave a whole family of positions in equilibrium, which is not listed.";
     result_.complete = false;
   }
@@ -137,8 +137,8 @@ class RegionSearch {
   void give_up_at_pole() {
     result_.complete = false;
     result_.reason =
-        "Forces and their distance from a singularity of the coordinates are both too small to tell "
-        "whether they vanish there.";
+        "Forces and their distance from a singularity of the coordinates are both too small to tell whether "
+        "they vanish there.";
   }
 
   [[nodiscard]] bool is_outside(std::span<const Interval> x) const {

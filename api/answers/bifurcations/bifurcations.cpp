@@ -9,8 +9,7 @@ namespace {
 
 constexpr const char* method_of_bifurcations =
     "Critical points are the zeros of square systems in the coordinates and the parameter, all of them found "
-    "by "
-    "interval arithmetic; errors are proven bounds.";
+    "by interval arithmetic; errors are proven bounds.";
 constexpr const char* cluster =
     "Round-off hides what happens within the error; the kind is told by the numbers of equilibria beside it.";
 

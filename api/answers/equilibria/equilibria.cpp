@@ -12,13 +12,11 @@ namespace {
 
 constexpr const char* method_of_equilibria =
     "Interval arithmetic: branch and bound with Krawczyk's operator over one turn of each angle and the "
-    "whole "
-    "domain of each other coordinate. 'complete' means that no other equilibrium exists there; errors are "
-    "proven bounds.";
+    "whole domain of each other coordinate. 'complete' means that no other equilibrium exists there; errors "
+    "are proven bounds.";
 constexpr const char* multiple =
     "A multiple zero of the forces, or several too close to be told apart in double precision: all of them "
-    "lie "
-    "within the error. Given is the place where the forces are least.";
+    "lie within the error. Given is the place where the forces are least.";
 
 class EquilibriaAnswer {
  public:
@@ -171,8 +169,8 @@ class SolutionAnswer {
     }
     body["ranges_reason"] =
         "Positions for which a value of " + unknown_ +
-        " in its domain exists; an end that is not included is where it grows without bound, "
-        "or leaves the domain.";
+        " in its domain exists; an end that is not included is where it grows without bound, or leaves the "
+        "domain.";
   }
 
   [[nodiscard]] Json units() const {
@@ -202,9 +200,8 @@ std::vector<FieldError> take_position(const Dynamics& dynamics, const Equilibria
   if (std::ranges::find(names, *request.solve_for) == names.end()) {
     FieldError error =
         root.below("solve_for")
-            .error("not_applicable", *request.solve_for +
-                                         " is zero in every equilibrium: its coordinate is not "
-                                         "ignorable.");
+            .error("not_applicable",
+                   *request.solve_for + " is zero in every equilibrium: its coordinate is not ignorable.");
     error.allowed = names;
     return {error};
   }

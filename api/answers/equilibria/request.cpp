@@ -48,8 +48,8 @@ const RequestTable<EquilibriaRequest>& equilibria_table() {
           inputs_field<EquilibriaRequest>(),
           {detail::info(
                "solve_for", TextKind{limits::name_bytes},
-               "the parameter, or the velocity of an ignorable coordinate, that is to make the position "
-               "'at' an equilibrium",
+               "the parameter, or the velocity of an ignorable coordinate, that is to make the position 'at' "
+               "an equilibrium",
                {.aliases = {"solve", "unknown", "for", "parameter"}}),
            [](EquilibriaRequest& request, const Json& name) { request.solve_for = name.get<std::string>(); }},
           symbols_field<EquilibriaRequest>(SymbolRole::position, "the position that 'solve_for' is asked for",

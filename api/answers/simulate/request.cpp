@@ -136,8 +136,7 @@ RequestTable<SimulateRequest> make_simulate_table() {
              {.aliases = {"preset", "quality", "precision_goal"}}),
       number("max_error", &SimulateRequest::max_error, {"1", {limits::least_error, 1}},
              "the largest global error that you accept, in each column's own unit, for coordinates and "
-             "velocities in "
-             "all rows",
+             "velocities in all rows",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
       integer("max_evaluations", &SimulateRequest::max_evaluations, {1, limits::evaluations},
               "the work allowed, as a number of evaluations of the accelerations, those that measure the "

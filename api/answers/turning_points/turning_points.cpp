@@ -87,8 +87,8 @@ class TurningPointsAnswer {
     } else if (!request_.t_end) {
       return missing(call_, "t_end",
                      "Here " + why_not +
-                         ", so the motion has to be followed: give 't_end', the time up to "
-                         "which its extrema are wanted.");
+                         ", so the motion has to be followed: give 't_end', the time up to which its extrema "
+                         "are wanted.");
     } else if (std::optional<Response> failure = answer_by_trajectory(why_not)) {
       return *failure;
     }
