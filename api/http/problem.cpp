@@ -118,10 +118,7 @@ Response to_response(const Problem& problem, std::string_view path, Layout layou
     Json& errors = body["errors"] = Json::array();
     for (const FieldError& error : problem.errors) errors.push_back(to_json(error));
   }
-  return {.status = type.status,
-          .content_type = "application/problem+json",
-
-          .body = to_text(body, layout)};
+  return {.status = type.status, .content_type = "application/problem+json", .body = to_text(body, layout)};
 }
 
 }  // namespace qdot::api

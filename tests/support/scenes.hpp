@@ -9,7 +9,7 @@
 
 namespace qdot::test {
 
-/// The practice problems, in their order: the scenes in api/scenes/.
+/// The practice problems, in their order: the scenes in api/scenes/systems/.
 [[nodiscard]] const std::vector<std::string>& practice_systems();
 /// Systems whose motion textbooks give: the scenes in tests/reference/scenes/.
 [[nodiscard]] const std::vector<std::string>& textbook_systems();
