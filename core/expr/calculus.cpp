@@ -4,6 +4,8 @@
 #include <limits>
 #include <map>
 
+#include "core/numerics/ball.hpp"
+
 namespace qdot {
 namespace {
 
@@ -152,32 +154,56 @@ Expression total_derivative(const Expression& e, std::span<const Replacement> ra
   return e.graph().sum(terms);
 }
 
-double evaluate(const Expression& e, std::span<const Assignment> values) {
+namespace {
+
+double literal(double, const Real& x) { return x.value; }
+Ball literal(const Ball&, const Real& x) { return Ball::literal(x); }
+
+/// In doubles or in balls: bottom-up over the nodes, `done` has the symbols' values.
+template <class T>
+T evaluated(const Expression& e, std::map<NodeId, T> done, const T& unknown) {
   const Graph& graph = e.graph();
   const NodeId root[]{e.id()};
-  std::map<NodeId, double> done;
-  for (const auto& [symbol, value] : values) done[symbol.id()] = value;
+  const auto number = [](const Number& x) { return literal(T{}, x.rounded()); };
   const auto value_of =
-      overloaded{[&](const Literal& x) { return x.value.value(); },
-                 [&](const Symbol& x) {
-                   return x.name == "pi" ? 3.14159265358979323846 : std::numeric_limits<double>::quiet_NaN();
-                 },
+      overloaded{[&](const Literal& x) { return number(x.value); },
+                 [&](const Symbol& x) { return x.name == "pi" ? literal(T{}, exact_pi) : unknown; },
                  [&](const Sum& x) {
-                   double sum = 0;
-                   for (const NodeId id : x.terms) sum += done.at(id);
+                   T sum = done.at(x.terms[0]);
+                   for (std::size_t i = 1; i < x.terms.size(); ++i) sum = sum + done.at(x.terms[i]);
                    return sum;
                  },
                  [&](const Product& x) {
-                   double product = x.coefficient.value();
-                   for (const NodeId id : x.factors) product *= done.at(id);
+                   T product = number(x.coefficient);
+                   for (const NodeId id : x.factors) product = product * done.at(id);
                    return product;
                  },
-                 [&](const Power& x) { return std::pow(done.at(x.base), x.exponent.value()); },
-                 [&](const Call& x) { return evaluate(x.function, done.at(x.argument)); }};
+                 [&](const Power& x) { return qdot::power(done.at(x.base), number(x.exponent)); },
+                 [&](const Call& x) { return qdot::evaluate(x.function, done.at(x.argument)); }};
   for (const NodeId id : reachable(graph, root)) {
     if (!done.contains(id)) done[id] = std::visit(value_of, graph.node(id));
   }
   return done.at(e.id());
+}
+
+}  // namespace
+
+double evaluate(const Expression& e, std::span<const Assignment> values) {
+  std::map<NodeId, double> known;
+  for (const auto& [symbol, value] : values) known[symbol.id()] = value;
+  return evaluated(e, std::move(known), std::numeric_limits<double>::quiet_NaN());
+}
+
+Real evaluate_exactly(const Expression& e, std::span<const RealAssignment> values) {
+  if (const Number* number = e.number()) return number->rounded();
+  std::map<NodeId, Ball> known;
+  std::vector<Assignment> doubles;
+  for (const auto& [symbol, value] : values) {
+    known[symbol.id()] = Ball::literal(value);
+    doubles.emplace_back(symbol, value.value);
+  }
+  const Ball result = evaluated(e, std::move(known), Ball({}, infinity));
+  return result.is_finite() ? result.real() : evaluate(e, doubles);
 }
 
 }  // namespace qdot

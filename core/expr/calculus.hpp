@@ -26,4 +26,9 @@ using Assignment = std::pair<Expression, double>;
 /// without a value are NaN; `pi` is known.
 [[nodiscard]] double evaluate(const Expression& e, std::span<const Assignment> values);
 
+using RealAssignment = std::pair<Expression, Real>;
+
+/// The same with what rounding leaves out; where e has no value or its bound is not finite, the double alone.
+[[nodiscard]] Real evaluate_exactly(const Expression& e, std::span<const RealAssignment> values);
+
 }  // namespace qdot

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
@@ -11,15 +12,10 @@ namespace qdot {
 namespace {
 
 constexpr int largest_folded_exponent = 64;
+constexpr std::size_t most_folded_bits = Number::most_bits / 2;
 
 std::size_t mix(std::size_t seed, std::size_t value) {
   return seed ^ (value + 0x9e3779b97f4a7c15ULL + (seed << 6) + (seed >> 2));
-}
-
-std::size_t hash_of(const Number& n) {
-  return n.is_exact()
-             ? mix(static_cast<std::size_t>(n.numerator()), static_cast<std::size_t>(n.denominator()))
-             : std::hash<double>{}(n.value());
 }
 
 std::size_t hash_of(const std::vector<NodeId>& ids, std::size_t seed) {
@@ -29,11 +25,11 @@ std::size_t hash_of(const std::vector<NodeId>& ids, std::size_t seed) {
 
 std::size_t hash_of(const Node& node) {
   return std::visit(
-      overloaded{[](const Literal& x) { return mix(1, hash_of(x.value)); },
+      overloaded{[](const Literal& x) { return mix(1, x.value.hash()); },
                  [](const Symbol& x) { return mix(2, std::hash<std::string>{}(x.name)); },
                  [](const Sum& x) { return hash_of(x.terms, 3); },
-                 [](const Product& x) { return hash_of(x.factors, mix(4, hash_of(x.coefficient))); },
-                 [](const Power& x) { return mix(mix(5, x.base), hash_of(x.exponent)); },
+                 [](const Product& x) { return hash_of(x.factors, mix(4, x.coefficient.hash())); },
+                 [](const Power& x) { return mix(mix(5, x.base), x.exponent.hash()); },
                  [](const Call& x) { return mix(mix(6, static_cast<std::size_t>(x.function)), x.argument); }},
       node);
 }
@@ -75,9 +71,13 @@ bool leads_with_minus(const Expression& e) {
   return split_coefficient(e).coefficient.is_negative();
 }
 
-bool folds(const Number& base, const Number& exponent) {
-  return exponent.is_integer() && std::abs(exponent.numerator()) <= largest_folded_exponent &&
-         !(base.is_zero() && exponent.is_negative());
+/// The whole exponent to which a number is raised at once: not 0^-1, and nothing with too many digits.
+std::optional<int> folded_exponent(const Number& base, const Number& exponent) {
+  const auto whole = exponent.whole(largest_folded_exponent);
+  if (!whole || (base.is_zero() && *whole < 0)) return std::nullopt;
+  const auto size = static_cast<int>(std::abs(*whole));
+  if (size > 1 && base.bits() * static_cast<std::size_t>(size) > most_folded_bits) return std::nullopt;
+  return static_cast<int>(*whole);
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ Expression Graph::power(const Expression& base, const Number& exponent) {
   if (exponent.is_zero()) return number(1);
   if (exponent.is_one()) return base;
   if (const Number* value = base.number()) {
-    if (folds(*value, exponent)) return number(qdot::power(*value, static_cast<int>(exponent.numerator())));
+    if (const auto whole = folded_exponent(*value, exponent)) return number(qdot::power(*value, *whole));
     if (value->is_one() || (value->is_zero() && !exponent.is_negative())) return base;
   }
   if (exponent.is_integer()) {  // (xy)^n and (x^a)^n distribute for integer n only

@@ -45,7 +45,6 @@ std::vector<Number> numeric_factors(const Polynomial& polynomial) {
   Number divisor = least;
   std::map<Number, int> times;
   for (const auto& [monomial, coefficient] : polynomial) {
-    if (!coefficient.is_exact()) return {Number(1)};
     least = std::min(least, size_of(coefficient));
     divisor = gcd(divisor, coefficient);
     ++times[size_of(coefficient)];

@@ -1,12 +1,32 @@
 #include "core/expr/number.hpp"
 
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
+#include "core/base/error.hpp"
+#include "core/base/work.hpp"
+
 namespace qdot {
+
+struct Number::Large {
+  mpq_class value;
+};
+
 namespace {
 
 using Wide = __int128;
+using Integer = mpz_class;
+
+/// Integers up to here are doubles, and so are their neighbours.
+constexpr std::int64_t largest_small = std::int64_t{1} << 53;
+
+bool is_small(Wide integer) { return integer <= largest_small && -integer <= largest_small; }
 
 Wide greatest_divisor(Wide a, Wide b) {
   if (a < 0) a = -a;
@@ -18,68 +38,325 @@ Wide greatest_divisor(Wide a, Wide b) {
   return a;
 }
 
-Number reduced(Wide p, Wide q) {
-  if (q == 1 && p <= largest_exact && -p <= largest_exact) return Number(static_cast<std::int64_t>(p));
-  if (q < 0) {
-    p = -p;
-    q = -q;
-  }
-  const Wide divisor = greatest_divisor(p, q);
-  p /= divisor;
-  q /= divisor;
-  if (p > largest_exact || -p > largest_exact || q > largest_exact) {
-    return Number::real(static_cast<double>(p) / static_cast<double>(q));
-  }
-  return Number::ratio(static_cast<std::int64_t>(p), static_cast<std::int64_t>(q));
+static_assert(sizeof(long) == sizeof(std::int64_t), "GMP takes long");
+
+Integer integer_of(Wide value) {
+  const bool negative = value < 0;
+  const auto magnitude = static_cast<unsigned __int128>(negative ? -value : value);
+  Integer result(static_cast<unsigned long>(magnitude >> 64U));
+  result <<= 64;
+  result += Integer(static_cast<unsigned long>(magnitude));
+  return negative ? Integer(-result) : result;
+}
+
+std::size_t bits_of(const Integer& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
+
+/// n 2^shift, shift of either sign; rounded down.
+Integer shifted(const Integer& n, long shift) {
+  return shift >= 0 ? Integer(n << static_cast<mp_bitcnt_t>(shift))
+                    : Integer(n >> static_cast<mp_bitcnt_t>(-shift));
+}
+
+/// The double nearest to p/q, p >= 0 and q > 0; halfway between two, the even one.
+double nearest(const Integer& p, const Integer& q) {
+  constexpr int digits = 53;
+  constexpr long least_exponent = -1074;
+  if (p == 0) return 0;
+  // p/q = (n + a fraction) 2^-shift, n of three or four bits more than a double has.
+  const long shift = digits + 3 - (static_cast<long>(bits_of(p)) - static_cast<long>(bits_of(q)));
+  const Integer dividend = shift > 0 ? shifted(p, shift) : p;
+  const Integer divisor = shift < 0 ? shifted(q, -shift) : q;
+  const Integer quotient = dividend / divisor;
+  const bool exact = quotient * divisor == dividend;
+  const std::uint64_t n = 2 * static_cast<std::uint64_t>(quotient.get_ui()) + (exact ? 0 : 1);
+  long dropped = std::bit_width(n) - digits;
+  dropped = std::max(dropped, least_exponent + shift + 1);
+  if (dropped > 62) return 0;
+  const std::uint64_t unit = std::uint64_t{1} << static_cast<unsigned>(dropped);
+  const std::uint64_t rest = n % unit;
+  std::uint64_t kept = n / unit;
+  if (rest > unit / 2 || (rest == unit / 2 && kept % 2 == 1)) ++kept;
+  return std::ldexp(static_cast<double>(kept), static_cast<int>(dropped - shift - 1));
+}
+
+/// A finite double as p/q.
+mpq_class rational(double value) {
+  mpq_class result;
+  mpq_set_d(result.get_mpq_t(), value);
+  return result;
+}
+
+double nearest(const mpq_class& x) {
+  const double size = nearest(abs(x.get_num()), x.get_den());
+  return x < 0 ? -size : size;
+}
+
+/// Not below |x|.
+double bound_of(const mpq_class& x) {
+  if (x == 0) return 0;
+  return std::max(std::nextafter(std::abs(nearest(x)), infinity), std::numeric_limits<double>::denorm_min());
+}
+
+Real rounded_rational(const mpq_class& x) {
+  Real result(nearest(x));
+  if (!std::isfinite(result.value)) return result;
+  const mpq_class rest = x - rational(result.value);
+  result.low = nearest(rest);
+  result.error = bound_of(rest - rational(result.low));
+  return result;
+}
+
+std::size_t past_digits(std::string_view text, std::size_t at) {
+  while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
+  return at;
+}
+
+/// "12.5e-3" as 125 * 10^-4; no value for what is not written so.
+std::optional<Decimal> take_apart(std::string_view text) {
+  const std::size_t point = past_digits(text, 0);
+  const bool has_point = point < text.size() && text[point] == '.';
+  const std::size_t end = has_point ? past_digits(text, point + 1) : point;
+  Decimal result;
+  result.digits = text.substr(0, point);
+  if (has_point) result.digits += text.substr(point + 1, end - point - 1);
+  if (result.digits.empty()) return std::nullopt;
+  result.exponent = has_point ? -static_cast<int>(end - point - 1) : 0;
+  result.digits.erase(0, std::min(result.digits.find_first_not_of('0'), result.digits.size()));
+  if (end == text.size()) return result;
+  if (text[end] != 'e' && text[end] != 'E') return std::nullopt;
+  const std::size_t sign = end + 1 < text.size() && text[end + 1] == '+' ? 1 : 0;
+  int exponent = 0;
+  const char* const last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + end + 1 + sign, last, exponent);
+  if (error != std::errc{} || stop != last || std::abs(exponent) > 100'000) return std::nullopt;
+  result.exponent += exponent;
+  return result;
+}
+
+/// How often the prime divides n, which loses these factors.
+int take_out(Integer& n, unsigned long prime) {
+  const Integer factor(prime);
+  return static_cast<int>(mpz_remove(n.get_mpz_t(), n.get_mpz_t(), factor.get_mpz_t()));
+}
+
+Integer ten_to(int exponent) {
+  Integer result;
+  mpz_ui_pow_ui(result.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
+  return result;
 }
 
 }  // namespace
 
-Number Number::ratio(std::int64_t p, std::int64_t q) {
-  const std::int64_t divisor = std::gcd(p, q) * (q < 0 ? -1 : 1);
-  Number result;
-  result.numerator_ = p / divisor;
-  result.denominator_ = q / divisor;
+/// Between the two kinds of number.
+struct Arithmetic {
+  /// In lowest terms, q != 0.
+  static Number small_or_large(Wide p, Wide q) {
+    if (q == 1 && is_small(p)) {
+      Number result;
+      result.small_.numerator = static_cast<std::int64_t>(p);
+      return result;
+    }
+    if (q < 0) {
+      p = -p;
+      q = -q;
+    }
+    const Wide divisor = greatest_divisor(p, q);
+    p /= divisor;
+    q /= divisor;
+    if (!is_small(p) || !is_small(q)) return large(mpq_class(integer_of(p), integer_of(q)));
+    Number result;
+    result.small_ = {static_cast<std::int64_t>(p), static_cast<std::int64_t>(q)};
+    return result;
+  }
+
+  /// `value` is in lowest terms.
+  static Number of(mpq_class value) {
+    constexpr std::size_t bits = 54;
+    const Integer& p = value.get_num();
+    const Integer& q = value.get_den();
+    const bool fits =
+        bits_of(p) <= bits && bits_of(q) <= bits && is_small(p.get_si()) && is_small(q.get_si());
+    if (!fits) return large(std::move(value));
+    Number result;
+    result.small_ = {p.get_si(), q.get_si()};
+    return result;
+  }
+
+  static Number large(mpq_class value) {
+    const std::size_t bits = std::max(bits_of(value.get_num()), bits_of(value.get_den()));
+    if (bits > Number::most_bits) throw Error(ErrorCode::too_large, "a number has too many digits");
+    const std::size_t words = bits / 64;
+    spend_work(1 + words * words / 64);
+    Number result;
+    result.large_ = std::make_shared<const Number::Large>(Number::Large{std::move(value)});
+    return result;
+  }
+
+  static mpq_class rational_of(const Number& x) {
+    if (x.large_ != nullptr) return x.large_->value;
+    return {Integer(static_cast<long>(x.small_.numerator)), Integer(static_cast<long>(x.small_.denominator))};
+  }
+};
+
+Number::Number(std::int64_t integer) { *this = Arithmetic::small_or_large(integer, 1); }
+
+Number Number::ratio(std::int64_t p, std::int64_t q) { return Arithmetic::small_or_large(p, q); }
+
+Number Number::real(double value) { return Arithmetic::of(rational(value)); }
+
+std::optional<Number> Number::written(std::string_view text) {
+  const std::optional<Decimal> decimal = take_apart(text);
+  if (!decimal) return std::nullopt;
+  if (decimal->digits.empty()) return Number(0);
+  constexpr int widest = 400;  // beyond it no double is, however many digits it has
+  const int leading = static_cast<int>(decimal->digits.size()) + decimal->exponent;
+  if (std::abs(leading) > widest) return std::nullopt;
+  constexpr std::size_t most_digits = most_bits / 4;
+  if (decimal->digits.size() > most_digits) {
+    throw Error(ErrorCode::too_large, "a number has too many digits");
+  }
+  mpq_class value{Integer(decimal->digits, 10)};
+  if (decimal->exponent > 0) value *= ten_to(decimal->exponent);
+  if (decimal->exponent < 0) value /= ten_to(-decimal->exponent);
+  const double nearest_double = nearest(value);
+  if (nearest_double == 0 || std::isinf(nearest_double)) return std::nullopt;
+  return Arithmetic::of(std::move(value));
+}
+
+bool Number::is_integer() const {
+  return large_ != nullptr ? large_->value.get_den() == 1 : small_.denominator == 1;
+}
+
+int Number::sign() const {
+  if (large_ != nullptr) return sgn(large_->value);
+  return (small_.numerator > 0) - (small_.numerator < 0);
+}
+
+std::optional<std::int64_t> Number::whole(std::int64_t most) const {
+  const bool fits = large_ == nullptr && small_.denominator == 1 && std::abs(small_.numerator) <= most;
+  return fits ? std::optional(small_.numerator) : std::nullopt;
+}
+
+std::optional<Fraction> Number::small() const {
+  return large_ == nullptr ? std::optional(small_) : std::nullopt;
+}
+
+Number Number::numerator() const {
+  return large_ == nullptr ? Number(small_.numerator) : Arithmetic::of(large_->value.get_num());
+}
+
+Number Number::denominator() const {
+  return large_ == nullptr ? Number(small_.denominator) : Arithmetic::of(large_->value.get_den());
+}
+
+std::optional<Decimal> Number::decimal() const {
+  if (is_zero()) return Decimal{};
+  const mpq_class value = Arithmetic::rational_of(*this);
+  Integer rest = value.get_den();
+  const int twos = take_out(rest, 2);
+  const int fives = take_out(rest, 5);
+  if (rest != 1) return std::nullopt;
+  const int decimals = std::max(twos, fives);
+  const Integer digits = abs(value.get_num()) * (ten_to(decimals) / value.get_den());
+  Decimal result{digits.get_str(), -decimals};
+  const std::size_t last = result.digits.find_last_not_of('0');
+  result.exponent += static_cast<int>(result.digits.size() - last - 1);
+  result.digits.resize(last + 1);
   return result;
 }
 
-Number Number::real(double value) {
-  if (std::abs(value) <= static_cast<double>(largest_exact) && value == std::floor(value)) {
-    return Number(static_cast<std::int64_t>(value));
+std::size_t Number::bits() const {
+  if (large_ != nullptr) return std::max(bits_of(large_->value.get_num()), bits_of(large_->value.get_den()));
+  const auto p = static_cast<std::uint64_t>(std::abs(small_.numerator));
+  return static_cast<std::size_t>(std::bit_width(p | static_cast<std::uint64_t>(small_.denominator)));
+}
+
+std::size_t Number::hash() const {
+  if (large_ == nullptr) {
+    return static_cast<std::size_t>(small_.numerator) * 31 + static_cast<std::size_t>(small_.denominator);
   }
-  Number result;
-  result.denominator_ = 0;
-  result.real_ = value;
-  return result;
+  return static_cast<std::size_t>(large_->value.get_num().get_ui()) * 31 +
+         static_cast<std::size_t>(large_->value.get_den().get_ui());
+}
+
+double Number::value() const {
+  if (large_ != nullptr) return nearest(large_->value);
+  return static_cast<double>(small_.numerator) / static_cast<double>(small_.denominator);
+}
+
+Real Number::rounded() const {
+  if (large_ == nullptr && small_.denominator == 1) return static_cast<double>(small_.numerator);
+  return rounded_rational(Arithmetic::rational_of(*this));
 }
 
 Number operator+(const Number& a, const Number& b) {
-  if (!a.is_exact() || !b.is_exact()) return Number::real(a.value() + b.value());
-  return reduced(Wide{a.numerator()} * b.denominator() + Wide{b.numerator()} * a.denominator(),
-                 Wide{a.denominator()} * b.denominator());
+  if (a.large_ == nullptr && b.large_ == nullptr) {
+    const Fraction x = a.small_, y = b.small_;
+    return Arithmetic::small_or_large(Wide{x.numerator} * y.denominator + Wide{y.numerator} * x.denominator,
+                                      Wide{x.denominator} * y.denominator);
+  }
+  return Arithmetic::of(Arithmetic::rational_of(a) + Arithmetic::rational_of(b));
+}
+
+Number operator-(const Number& a) {
+  if (a.large_ != nullptr) return Arithmetic::large(-a.large_->value);
+  Number result = a;
+  result.small_.numerator = -a.small_.numerator;
+  return result;
 }
 
 Number operator*(const Number& a, const Number& b) {
-  if (!a.is_exact() || !b.is_exact()) return Number::real(a.value() * b.value());
-  return reduced(Wide{a.numerator()} * b.numerator(), Wide{a.denominator()} * b.denominator());
+  if (a.large_ == nullptr && b.large_ == nullptr) {
+    return Arithmetic::small_or_large(Wide{a.small_.numerator} * b.small_.numerator,
+                                      Wide{a.small_.denominator} * b.small_.denominator);
+  }
+  return Arithmetic::of(Arithmetic::rational_of(a) * Arithmetic::rational_of(b));
 }
 
 Number operator/(const Number& a, const Number& b) {
-  if (!a.is_exact() || !b.is_exact()) return Number::real(a.value() / b.value());
-  return reduced(Wide{a.numerator()} * b.denominator(), Wide{a.denominator()} * b.numerator());
+  if (a.large_ == nullptr && b.large_ == nullptr) {
+    return Arithmetic::small_or_large(Wide{a.small_.numerator} * b.small_.denominator,
+                                      Wide{a.small_.denominator} * b.small_.numerator);
+  }
+  return Arithmetic::of(Arithmetic::rational_of(a) / Arithmetic::rational_of(b));
+}
+
+bool operator==(const Number& a, const Number& b) {
+  if (a.large_ == nullptr || b.large_ == nullptr) return a.large_ == b.large_ && a.small_ == b.small_;
+  return a.large_->value == b.large_->value;
+}
+
+bool operator<(const Number& a, const Number& b) {
+  if (a.large_ == nullptr && b.large_ == nullptr) {
+    return Wide{a.small_.numerator} * b.small_.denominator < Wide{b.small_.numerator} * a.small_.denominator;
+  }
+  return Arithmetic::rational_of(a) < Arithmetic::rational_of(b);
 }
 
 Number power(const Number& base, int exponent) {
   Number result(1);
-  for (int i = 0; i < std::abs(exponent); ++i) result = result * base;
-  return exponent < 0 ? Number(1) / result : result;
+  Number factor = exponent < 0 ? Number(1) / base : base;
+  for (int left = std::abs(exponent); left > 0; left /= 2) {
+    if (left % 2 == 1) result = result * factor;
+    if (left > 1) factor = factor * factor;
+  }
+  return result;
 }
 
 Number gcd(const Number& a, const Number& b) {
-  const std::int64_t shared = std::gcd(a.denominator(), b.denominator());
-  const Wide denominator = Wide{a.denominator()} / shared * b.denominator();
-  if (denominator > largest_exact) return Number(1);
-  return Number::ratio(std::gcd(a.numerator(), b.numerator()), static_cast<std::int64_t>(denominator));
+  const mpq_class x = Arithmetic::rational_of(a);
+  const mpq_class y = Arithmetic::rational_of(b);
+  // Of numbers in lowest terms these are in lowest terms again.
+  return Arithmetic::of(mpq_class(gcd(x.get_num(), y.get_num()), Integer(lcm(x.get_den(), y.get_den()))));
+}
+
+std::optional<Number> exact_root(const Number& square) {
+  if (square.is_negative()) return std::nullopt;
+  const mpq_class x = Arithmetic::rational_of(square);
+  const bool exact = mpz_perfect_square_p(x.get_num().get_mpz_t()) != 0 &&
+                     mpz_perfect_square_p(x.get_den().get_mpz_t()) != 0;
+  if (!exact) return std::nullopt;
+  return Arithmetic::of(mpq_class(Integer(sqrt(x.get_num())), Integer(sqrt(x.get_den()))));
 }
 
 }  // namespace qdot

@@ -7,8 +7,7 @@
 //   primary = number | name | function ( sum ) | ( sum )
 //
 // Functions are those of core/numerics/function.hpp and sqrt. The name `pi` is always known. There is no
-// implicit multiplication. Numbers of at most 16 digits are exact (9.81 is 981/100) when they are p/q with p,
-// q <= 2^53, all others the nearest double; so 0.1 is 1/10, while 0.10000000000000000 is the double.
+// implicit multiplication. Numbers are exactly the decimals that are written: 9.81 is 981/100.
 //
 // The text may be hostile: its bytes, tokens and depth and the nodes it makes are bounded (ParseLimits), and
 // a chain of a thousand terms makes one flat sum.

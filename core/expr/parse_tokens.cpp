@@ -1,10 +1,7 @@
 #include "core/expr/parse_tokens.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
-#include <system_error>
 
 #include "core/base/error.hpp"
 
@@ -12,7 +9,6 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t longest_excerpt = 40;
-constexpr std::size_t most_exact_digits = 16;  // one digit more marks a double
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -37,50 +33,6 @@ std::size_t number_length(std::string_view text) {
   return at;
 }
 
-/// A decimal taken apart: digits * 10^exponent.
-struct Decimal {
-  std::string digits;  ///< without leading zeros
-  int exponent{0};
-};
-
-std::optional<Decimal> take_apart(std::string_view text) {
-  Decimal result;
-  bool behind_point = false;
-  std::size_t at = 0;
-  for (; at < text.size() && text[at] != 'e' && text[at] != 'E'; ++at) {
-    if (text[at] == '.') {
-      behind_point = true;
-      continue;
-    }
-    if (behind_point) --result.exponent;
-    if (text[at] != '0' || !result.digits.empty()) result.digits += text[at];
-  }
-  if (at == text.size()) return result;
-  const std::size_t first = at + 1 + (text[at + 1] == '+' ? 1 : 0);
-  int written = 0;
-  const auto [end, error] = std::from_chars(text.data() + first, text.data() + text.size(), written);
-  if (error != std::errc{} || std::abs(written) > 1000) return std::nullopt;
-  result.exponent += written;
-  return result;
-}
-
-/// The decimal as p/q, if it has at most 16 digits and p and q are at most 2^53.
-std::optional<Number> exact_value(const Decimal& decimal) {
-  if (decimal.digits.empty()) return Number(0);
-  if (decimal.digits.size() > most_exact_digits || std::abs(decimal.exponent) > 18) return std::nullopt;
-  std::int64_t p = 0;
-  std::from_chars(decimal.digits.data(), decimal.digits.data() + decimal.digits.size(), p);
-  std::int64_t q = 1;
-  for (int i = 0; i < decimal.exponent; ++i) {
-    if (p > largest_exact / 10) return std::nullopt;
-    p *= 10;
-  }
-  for (int i = 0; i < -decimal.exponent; ++i) q *= 10;
-  const Number value = Number::ratio(p, q);
-  if (value.numerator() > largest_exact || value.denominator() > largest_exact) return std::nullopt;
-  return value;
-}
-
 Number number_value(std::string_view text, std::size_t offset, const TextLimits& limits) {
   const bool integer = std::all_of(text.begin(), text.end(), is_digit);
   if (integer && text.size() > limits.integer_digits) {
@@ -89,16 +41,9 @@ Number number_value(std::string_view text, std::size_t offset, const TextLimits&
                     " digits",
                 offset);
   }
-  if (const auto decimal = take_apart(text)) {
-    if (const auto exact = exact_value(*decimal)) return *exact;
-  }
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) {
-    throw Error(ErrorCode::too_large, "the number " + excerpt(text) + " is outside the range of a double",
-                offset);
-  }
-  return Number::real(value);
+  if (const auto value = Number::written(text)) return *value;
+  throw Error(ErrorCode::too_large, "the number " + excerpt(text) + " is outside the range of a double",
+              offset);
 }
 
 std::optional<TokenKind> operator_kind(char c) {

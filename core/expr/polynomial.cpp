@@ -66,12 +66,13 @@ class Expander {
   NodeId canonical(NodeId id) { return to_expression(graph_, (*this)(id)).id(); }
 
   Polynomial raised(NodeId id, const Power& x) {
-    if (!x.exponent.is_exact() || std::abs(x.exponent.numerator()) > largest_exponent ||
-        x.exponent.denominator() > largest_exponent) {
+    const auto exponent = x.exponent.small();
+    if (!exponent || std::abs(exponent->numerator) > largest_exponent ||
+        exponent->denominator > largest_exponent) {
       return atom(id);
     }
-    const int p = static_cast<int>(x.exponent.numerator());
-    const int q = static_cast<int>(x.exponent.denominator());
+    const int p = static_cast<int>(exponent->numerator);
+    const int q = static_cast<int>(exponent->denominator);
     if (q == 1 && p > 0) {
       const Polynomial& base = (*this)(x.base);
       Polynomial power = constant(1);
@@ -120,16 +121,6 @@ class Expander {
   Graph& graph_;
   std::map<NodeId, Polynomial> done_;
 };
-
-std::optional<Number> exact_root(const Number& square) {
-  if (!square.is_exact() || square.is_negative()) return std::nullopt;
-  const auto root = [](std::int64_t n) {
-    return static_cast<std::int64_t>(std::llround(std::sqrt(static_cast<double>(n))));
-  };
-  const Number candidate = Number::ratio(root(square.numerator()), root(square.denominator()));
-  if (candidate * candidate == square) return candidate;
-  return std::nullopt;
-}
 
 std::optional<Monomial> exact_root(const Monomial& square) {
   Monomial root;

@@ -158,8 +158,8 @@ Expression of_single_angles(Function function, const Expression& argument) {
   Graph& graph = argument.graph();
   const Polynomial terms = multiplied_out(argument);
   const auto& [monomial, coefficient] = *terms.begin();
-  const bool whole = coefficient.is_integer() && std::abs(coefficient.numerator()) <= largest_multiple;
-  const int n = whole ? static_cast<int>(std::abs(coefficient.numerator())) : 1;
+  const auto whole = coefficient.whole(largest_multiple);
+  const int n = static_cast<int>(std::abs(whole.value_or(1)));
   const Expression angle = (whole ? Number(1) : coefficient) * to_expression(graph, monomial);
   const Number sign(whole && coefficient.is_negative() ? -1 : 1);
   const Expression cosine = of_multiple(Function::cos, n, angle);

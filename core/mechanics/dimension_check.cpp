@@ -59,11 +59,12 @@ class Checker {
   DimensionResult of_power(const Power& x) {
     const DimensionResult base = of(x.base);
     if (!base.dimension || base.dimension->is_dimensionless()) return base;
-    if (!x.exponent.is_exact() || std::abs(x.exponent.numerator()) > 64 || x.exponent.denominator() > 64)
+    const auto exponent = x.exponent.small();
+    if (!exponent || std::abs(exponent->numerator) > 64 || exponent->denominator > 64)
       return {std::nullopt, "it raises a dimension to the power " + quoted_number(x)};
-    return {pow(*base.dimension, static_cast<int>(x.exponent.numerator()),
-                static_cast<int>(x.exponent.denominator())),
-            ""};
+    return {
+        pow(*base.dimension, static_cast<int>(exponent->numerator), static_cast<int>(exponent->denominator)),
+        ""};
   }
 
   DimensionResult of_call(const Call& x) {

@@ -74,35 +74,33 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   return model;
 }
 
-std::vector<double> parameter_values(const Model& model, const Values& given) {
+Reals parameter_values(const Model& model, const RealValues& given) {
   const std::vector<Expression>& symbols = model.parsed.symbols.parameters;
-  std::vector<std::optional<double>> known(symbols.size());
-  const std::function<double(std::size_t)> value_of = [&](std::size_t i) {
+  std::vector<std::optional<Real>> known(symbols.size());
+  const std::function<Real(std::size_t)> value_of = [&](std::size_t i) {
     if (known[i]) return *known[i];
-    const auto found = given.find(model.scene.parameters[i].name);
-    if (found != given.end()) return *(known[i] = found->second);
+    if (const Real* found = given.find(model.scene.parameters[i].name)) return *(known[i] = *found);
     const Expression& e = model.parsed.parameter_defaults[i];
-    std::vector<Assignment> needed;
+    std::vector<RealAssignment> needed;
     for (std::size_t j = 0; j < symbols.size(); ++j) {
       if (depends_on(e, symbols[j])) needed.emplace_back(symbols[j], value_of(j));
     }
-    return *(known[i] = evaluate(e, needed));
+    return *(known[i] = evaluate_exactly(e, needed));
   };
-  std::vector<double> values;
+  Reals values;
   for (std::size_t i = 0; i < symbols.size(); ++i) values.push_back(value_of(i));
   return values;
 }
 
-std::vector<double> initial_state(const Model& model, std::span<const double> parameters,
-                                  const Values& given) {
-  std::vector<Assignment> known;
+Reals initial_state(const Model& model, const Reals& parameters, const RealValues& given) {
+  std::vector<RealAssignment> known;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    known.emplace_back(model.parsed.symbols.parameters[i], parameters[i]);
+    known.emplace_back(model.parsed.symbols.parameters[i], parameters.exact(i));
   }
-  std::vector<double> state;
+  Reals state;
   const auto append = [&](const std::string& name, const Expression& by_default) {
-    const auto found = given.find(name);
-    state.push_back(found != given.end() ? found->second : evaluate(by_default, known));
+    const Real* found = given.find(name);
+    state.push_back(found != nullptr ? *found : evaluate_exactly(by_default, known));
   };
   for (std::size_t i = 0; i < model.degrees_of_freedom(); ++i) {
     append(model.scene.coordinates[i].name, model.parsed.initial[i]);

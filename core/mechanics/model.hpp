@@ -4,6 +4,7 @@
 // A model never changes after it is built, its graph included, so threads share it. Whoever derives more from
 // its expressions works on a copy of the graph (Graph::adopt).
 
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <string>
@@ -45,14 +46,33 @@ struct Model {
 /// Throws SceneError with every mistake in the scene.
 [[nodiscard]] std::shared_ptr<const Model> build_model(const Scene& scene);
 
-/// Values by name, as a request gives them.
+/// Values by name.
 using Values = std::map<std::string, double>;
 
+/// Values by name, as a request gives them.
+class RealValues {
+ public:
+  using Map = std::map<std::string, Real>;
+  RealValues() = default;
+  RealValues(std::initializer_list<Map::value_type> values) : by_name_(values) {}
+  RealValues(const Values& doubles) : by_name_(doubles.begin(), doubles.end()) {}  // NOLINT: they are exact
+  template <class Iterator>
+  RealValues(Iterator begin, Iterator end) : by_name_(begin, end) {}
+
+  /// Null where there is none of that name.
+  [[nodiscard]] const Real* find(const std::string& name) const {
+    const auto found = by_name_.find(name);
+    return found == by_name_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  Map by_name_;
+};
+
 /// All parameters in order: those given, the others by their defaults, which may depend on the given ones.
-[[nodiscard]] std::vector<double> parameter_values(const Model& model, const Values& given);
+[[nodiscard]] Reals parameter_values(const Model& model, const RealValues& given);
 
 /// q, then q', in order: those given ("theta", "theta_dot"), the others by their defaults.
-[[nodiscard]] std::vector<double> initial_state(const Model& model, std::span<const double> parameters,
-                                                const Values& given);
+[[nodiscard]] Reals initial_state(const Model& model, const Reals& parameters, const RealValues& given);
 
 }  // namespace qdot

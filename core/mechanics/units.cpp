@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <numbers>
 #include <numeric>
 
-#include "core/numerics/constants.hpp"
+#include "core/base/error.hpp"
+#include "core/numerics/ball.hpp"
 
 namespace qdot {
 namespace {
@@ -64,66 +64,69 @@ constexpr Dimension duration = dimension(0, 0, 1);
 constexpr Dimension frequency = dimension(0, 0, -1);
 constexpr Dimension force = dimension(1, 1, -2);
 constexpr Dimension energy = dimension(1, 2, -2);
-constexpr Dimension power = dimension(1, 2, -3);
+constexpr Dimension rate_of_work = dimension(1, 2, -3);
 constexpr Dimension pressure = dimension(1, -1, -2);
 constexpr Dimension current = dimension(0, 0, 0, 1);
 
-constexpr auto units = std::to_array<NamedUnit>({
-    {"1", {}},
-    {"kg", {1, 1, mass}},
-    {"g", {1, 1e3, mass}},
-    {"mg", {1, 1e6, mass}},
-    {"km", {1e3, 1, length}},
-    {"m", {1, 1, length}},
-    {"cm", {1, 1e2, length}},
-    {"mm", {1, 1e3, length}},
-    {"um", {1, 1e6, length}},
-    {"s", {1, 1, duration}},
-    {"ms", {1, 1e3, duration}},
-    {"us", {1, 1e6, duration}},
-    {"min", {60, 1, duration}},
-    {"h", {3600, 1, duration}},
-    {"rad", {1, 1, {}, 1}},
-    {"deg", {pi, 180, {}, 1}},
-    {"rev", {2 * pi, 1, {}, 1}},
-    {"Hz", {1, 1, frequency, 0, 1}},
-    {"rpm", {2 * pi, 60, frequency, 1}},
-    {"N", {1, 1, force}},
-    {"kN", {1e3, 1, force}},
-    {"mN", {1, 1e3, force}},
-    {"J", {1, 1, energy}},
-    {"kJ", {1e3, 1, energy}},
-    {"mJ", {1, 1e3, energy}},
-    {"W", {1, 1, power}},
-    {"kW", {1e3, 1, power}},
-    {"Pa", {1, 1, pressure}},
-    {"kPa", {1e3, 1, pressure}},
-    {"MPa", {1e6, 1, pressure}},
-    {"A", {1, 1, current}},
-    {"mA", {1, 1e3, current}},
-    {"C", {1, 1, dimension(0, 0, 1, 1)}},
-    {"V", {1, 1, dimension(1, 2, -3, -1)}},
-    {"T", {1, 1, dimension(1, 0, -2, -1)}},
-    {"ohm", {1, 1, dimension(1, 2, -3, -2)}},
-});
+const auto& units() {
+  static const auto table = std::to_array<NamedUnit>({
+      {"1", {}},
+      {"kg", {Number(1), mass}},
+      {"g", {Number::ratio(1, 1000), mass}},
+      {"mg", {Number::ratio(1, 1000000), mass}},
+      {"km", {Number(1000), length}},
+      {"m", {Number(1), length}},
+      {"cm", {Number::ratio(1, 100), length}},
+      {"mm", {Number::ratio(1, 1000), length}},
+      {"um", {Number::ratio(1, 1000000), length}},
+      {"s", {Number(1), duration}},
+      {"ms", {Number::ratio(1, 1000), duration}},
+      {"us", {Number::ratio(1, 1000000), duration}},
+      {"min", {Number(60), duration}},
+      {"h", {Number(3600), duration}},
+      {"rad", {Number(1), {}, 0, 1}},
+      {"deg", {Number::ratio(1, 180), {}, 1, 1}},
+      {"rev", {Number(2), {}, 1, 1}},
+      {"Hz", {Number(1), frequency, 0, 0, 1}},
+      {"rpm", {Number::ratio(2, 60), frequency, 1, 1}},
+      {"N", {Number(1), force}},
+      {"kN", {Number(1000), force}},
+      {"mN", {Number::ratio(1, 1000), force}},
+      {"J", {Number(1), energy}},
+      {"kJ", {Number(1000), energy}},
+      {"mJ", {Number::ratio(1, 1000), energy}},
+      {"W", {Number(1), rate_of_work}},
+      {"kW", {Number(1000), rate_of_work}},
+      {"Pa", {Number(1), pressure}},
+      {"kPa", {Number(1000), pressure}},
+      {"MPa", {Number(1000000), pressure}},
+      {"A", {Number(1), current}},
+      {"mA", {Number::ratio(1, 1000), current}},
+      {"C", {Number(1), dimension(0, 0, 1, 1)}},
+      {"V", {Number(1), dimension(1, 2, -3, -1)}},
+      {"T", {Number(1), dimension(1, 0, -2, -1)}},
+      {"ohm", {Number(1), dimension(1, 2, -3, -2)}},
+  });
+  return table;
+}
 
 /// Held to what can mean anything, so that ((rad^99)^99)^99 does not overflow.
 constexpr int bounded(int count) { return std::clamp(count, -100, 100); }
 
 Unit product(const Unit& a, const Unit& b) {
-  return {a.numerator * b.numerator, a.divisor * b.divisor, a.dimension * b.dimension,
+  return {a.factor * b.factor, a.dimension * b.dimension, bounded(a.pi_power + b.pi_power),
           bounded(a.angle + b.angle), bounded(a.cycles + b.cycles)};
 }
 
 Unit inverse(const Unit& a) {
-  return {a.divisor, a.numerator, Dimension{} / a.dimension, -a.angle, -a.cycles};
+  return {Number(1) / a.factor, Dimension{} / a.dimension, -a.pi_power, -a.angle, -a.cycles};
 }
 
 /// A fractional power keeps numbers exact only where there is nothing to convert: no value for cm^(1/2).
 std::optional<Unit> raised(const Unit& unit, Exponent exponent) {
   if (exponent.denominator != 1) {
     if (!unit.is_coherent() || unit.angle != 0 || unit.cycles != 0) return std::nullopt;
-    return Unit{1, 1, pow(unit.dimension, exponent.numerator, exponent.denominator)};
+    return Unit{Number(1), pow(unit.dimension, exponent.numerator, exponent.denominator)};
   }
   const Unit step = exponent.numerator < 0 ? inverse(unit) : unit;
   Unit result;
@@ -190,8 +193,8 @@ class UnitParser {
     const std::string_view rest = text_.substr(position_);
     const auto end = std::ranges::find_if_not(rest, is_letter);
     const std::string_view name = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
-    const auto found = std::ranges::find(units, name, &NamedUnit::name);
-    if (found == units.end()) return std::nullopt;
+    const auto found = std::ranges::find(units(), name, &NamedUnit::name);
+    if (found == units().end()) return std::nullopt;
     position_ += name.size();
     return found->unit;
   }
@@ -225,6 +228,14 @@ class UnitParser {
   std::size_t position_{0};
 };
 
+std::optional<Unit> parsed(std::string_view text) {
+  try {
+    return UnitParser(text).parse();
+  } catch (const Error&) {
+    return std::nullopt;  // (um^99)^99 has too many digits
+  }
+}
+
 }  // namespace
 
 Dimension operator*(const Dimension& a, const Dimension& b) {
@@ -253,6 +264,12 @@ Dimension pow(const Dimension& d, int numerator, int denominator) {
   return result;
 }
 
+Real Unit::to_si(const Number& value) const {
+  const Number rational = value * factor;
+  if (pi_power == 0 || rational.is_zero()) return rational.rounded();
+  return (Ball::literal(rational.rounded()) * power(Ball::literal(exact_pi), Ball(pi_power))).real();
+}
+
 std::string to_text(const Dimension& d) {
   std::string above;
   std::string below;
@@ -275,9 +292,9 @@ std::string to_text(const Dimension& d) {
 std::optional<Unit> parse_unit(std::string_view text) {
   constexpr std::size_t longest = 80;
   if (text.size() > longest) return std::nullopt;
-  const std::optional<Unit> unit = UnitParser(text).parse();
+  const std::optional<Unit> unit = parsed(text);
   // um^99 is beyond double precision.
-  if (!unit || !std::isfinite(unit->numerator) || !std::isfinite(unit->divisor)) return std::nullopt;
+  if (!unit || !std::isfinite(unit->factor.value()) || unit->factor.value() == 0) return std::nullopt;
   return unit;
 }
 

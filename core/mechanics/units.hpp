@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/expr/number.hpp"
+
 namespace qdot {
 
 /// A rational number in lowest terms, denominator > 0.
@@ -39,19 +41,18 @@ struct Dimension {
 /// "kg*m/s^2", "1/s", "m^(1/2)", "kg*m^2/(s^3*A)"; "1" for none. parse_unit reads it back.
 [[nodiscard]] std::string to_text(const Dimension& d);
 
-/// A unit: value in SI = value in this unit * numerator / divisor. Two numbers instead of one factor because
-/// 35 cm is 35/100 = 0.35, while 35*0.01 is 0.35000000000000003.
+/// A unit: value in SI = value in this unit * factor * pi^pi_power. So 35 cm is 7/20 m exactly, and of
+/// 30 deg = pi/6 it is known what rounding leaves out.
 struct Unit {
-  double numerator{1};
-  double divisor{1};
+  Number factor{1};
   Dimension dimension{};
+  int pi_power{0};
   int angle{0};   ///< net power of rad, deg and rev in it: 1 for "rad/s" and "rpm"
   int cycles{0};  ///< net power of Hz in it
 
-  [[nodiscard]] double factor() const { return numerator / divisor; }
-  [[nodiscard]] double to_si(double value) const { return value * numerator / divisor; }
+  [[nodiscard]] Real to_si(const Number& value) const;
   /// Are numbers in this unit SI numbers already? A scene declares its symbols in such units only.
-  [[nodiscard]] bool is_coherent() const { return numerator == divisor; }
+  [[nodiscard]] bool is_coherent() const { return factor.is_one() && pi_power == 0; }
 };
 
 /// Reads "N*s/m", "kg*m^2", "rev/s", "1/s", "N/(m/s)", "deg", "m^(1/2)", "1". Products, quotients, powers

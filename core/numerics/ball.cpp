@@ -27,6 +27,7 @@ Ball rounded(const DoubleDouble& middle, double radius, double relative = unit) 
 Interval interval_of(const Ball& a) {
   const double value = a.value();
   const double error = a.error();
+  if (error == 0) return value;
   return {std::nextafter(value - error, -infinity), std::nextafter(value + error, infinity)};
 }
 
@@ -96,7 +97,10 @@ Ball whole_power(Ball base, unsigned exponent) {
 
 }  // namespace
 
-Ball Ball::literal(double value) { return of(Interval::literal(value)); }
+Ball Ball::literal(const Real& real) {
+  if (!std::isfinite(real.value)) return {DoubleDouble{}, infinity};
+  return {real.double_double(), real.error};
+}
 
 Ball Ball::of(const Interval& interval) {
   if (!interval.is_finite()) return {DoubleDouble{}, infinity};
@@ -142,15 +146,16 @@ Ball sqrt(const Ball& a) {
 Ball sin(const Ball& a) { return sine_wave(a, 0); }
 Ball cos(const Ball& a) { return sine_wave(a, 1); }
 
-Ball power(const Ball& a, double exponent) {
-  const double twice = 2 * exponent;
-  if (twice != std::nearbyint(twice) || std::abs(twice) > 64) {
-    return a.is_finite() ? Ball::of(power(interval_of(a), exponent)) : a;
+Ball power(const Ball& a, const Ball& exponent) {
+  const double twice = 2 * exponent.middle.high;
+  const bool exact = exponent.middle.low == 0 && exponent.radius == 0;
+  if (!exact || twice != std::nearbyint(twice) || std::abs(twice) > 64) {
+    return a.is_finite() ? Ball::of(power(interval_of(a), interval_of(exponent))) : a;
   }
   const auto halves = static_cast<unsigned>(std::abs(twice));
   Ball result = whole_power(a, halves / 2);
   if (halves % 2 != 0) result = result * sqrt(a);
-  return exponent < 0 ? Ball(1) / result : result;
+  return twice < 0 ? Ball(1) / result : result;
 }
 
 Ball evaluate(Function function, const Ball& argument) {

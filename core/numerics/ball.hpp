@@ -18,8 +18,8 @@ struct Ball {
   Ball() = default;
   Ball(double value) : middle(value) {}  // implicit: a number is a ball
   Ball(const DoubleDouble& middle_value, double radius_bound) : middle(middle_value), radius(radius_bound) {}
-  /// A literal of a tape, as Interval::literal takes it.
-  [[nodiscard]] static Ball literal(double value);
+  /// A real number with twice the digits of a double.
+  [[nodiscard]] static Ball literal(const Real& value);
   [[nodiscard]] static Ball of(const Interval& interval);
 
   [[nodiscard]] double value() const { return middle.value(); }
@@ -30,6 +30,7 @@ struct Ball {
   [[nodiscard]] double magnitude() const { return (std::abs(middle.high) + radius) * (1 + 0x1p-50); }
   /// Bound of |x - value()| for every x in the ball.
   [[nodiscard]] double error() const;
+  [[nodiscard]] Real real() const { return {middle.high, middle.low, radius}; }
 };
 
 [[nodiscard]] Ball operator+(const Ball& a, const Ball& b);
@@ -42,7 +43,7 @@ struct Ball {
 [[nodiscard]] Ball sqrt(const Ball& a);
 [[nodiscard]] Ball sin(const Ball& a);
 [[nodiscard]] Ball cos(const Ball& a);
-[[nodiscard]] Ball power(const Ball& a, double exponent);
+[[nodiscard]] Ball power(const Ball& a, const Ball& exponent);
 /// Functions other than sine and cosine are enclosed in doubles.
 [[nodiscard]] Ball evaluate(Function function, const Ball& argument);
 

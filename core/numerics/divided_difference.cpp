@@ -136,7 +136,7 @@ DividedDifference whole_power(const DividedDifference& u, int exponent) {
 
 }  // namespace
 
-DividedDifference DividedDifference::literal(double value) { return constant(Interval::literal(value)); }
+DividedDifference DividedDifference::literal(const Real& value) { return constant(Interval::literal(value)); }
 
 DividedDifference operator+(const DividedDifference& u, const DividedDifference& v) {
   return {sum(u.at_a, v.at_a), sum(u.at_b, v.at_b), sum(u.slope, v.slope)};
@@ -172,16 +172,17 @@ DividedDifference sqrt(const DividedDifference& u) {
 DividedDifference sin(const DividedDifference& u) { return evaluate(Function::sin, u); }
 DividedDifference cos(const DividedDifference& u) { return evaluate(Function::cos, u); }
 
-DividedDifference power(const DividedDifference& u, double exponent) {
-  if (is_constant(u)) return DividedDifference::constant(power(u.at_a, exponent));
+DividedDifference power(const DividedDifference& u, const DividedDifference& exponent) {
+  const Interval& p = exponent.at_a;
+  if (is_constant(u)) return DividedDifference::constant(power(u.at_a, p));
   constexpr double most_multiplied = 1024;
-  if (exponent == std::nearbyint(exponent) && std::abs(exponent) <= most_multiplied && exponent != 0) {
-    const DividedDifference raised = whole_power(u, static_cast<int>(std::abs(exponent)));
-    return exponent > 0 ? raised : DividedDifference::literal(1) / raised;
+  const double n = p.lower;
+  if (n == p.upper && n == std::nearbyint(n) && std::abs(n) <= most_multiplied && n != 0) {
+    const DividedDifference raised = whole_power(u, static_cast<int>(std::abs(n)));
+    return n > 0 ? raised : DividedDifference::literal(1) / raised;
   }
-  const Interval slope =
-      evaluate(Function::exp, DividedDifference::literal(exponent) * evaluate(Function::log, u)).slope;
-  return {power(u.at_a, exponent), power(u.at_b, exponent), slope};
+  const Interval slope = evaluate(Function::exp, exponent * evaluate(Function::log, u)).slope;
+  return {power(u.at_a, p), power(u.at_b, p), slope};
 }
 
 DividedDifference evaluate(Function function, const DividedDifference& u) {

@@ -22,7 +22,7 @@ struct DividedDifference {
   Interval at_a, at_b;
   Interval slope;  ///< f[a, b]
 
-  [[nodiscard]] static DividedDifference literal(double value);
+  [[nodiscard]] static DividedDifference literal(const Real& value);
   /// What does not depend on the place.
   [[nodiscard]] static DividedDifference constant(const Interval& value) { return {value, value, 0}; }
   /// The place itself.
@@ -36,8 +36,8 @@ struct DividedDifference {
 [[nodiscard]] DividedDifference sqrt(const DividedDifference& u);
 [[nodiscard]] DividedDifference sin(const DividedDifference& u);
 [[nodiscard]] DividedDifference cos(const DividedDifference& u);
-/// u^exponent for u >= 0 or a whole exponent.
-[[nodiscard]] DividedDifference power(const DividedDifference& u, double exponent);
+/// u^exponent for u >= 0 or a whole exponent, which is constant.
+[[nodiscard]] DividedDifference power(const DividedDifference& u, const DividedDifference& exponent);
 [[nodiscard]] DividedDifference evaluate(Function function, const DividedDifference& u);
 
 }  // namespace qdot

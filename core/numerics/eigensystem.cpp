@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/numerics/constants.hpp"
@@ -148,7 +149,7 @@ double radius(const Diagonal<T>& d, const std::vector<std::size_t>& group, std::
     sum += share * d.rest(i, j, value);
     coupling += share * magnitude(d.q(i, j));
   }
-  const double pivot = 2 - magnitude(d.q(i, i)) - coupling;  // |Q_ii| >= 2 - |Q_ii| as Q_ii is near 1
+  const double pivot = 1 - magnitude(d.q(i, i) - T(Ball(1))) - coupling;
   return pivot > 0.5 ? sum / pivot * (1 + 0x1p-40) : infinity;
 }
 
@@ -166,6 +167,31 @@ std::vector<std::size_t> groups_of(const Diagonal<T>& d) {
   return group;
 }
 
+/// From the discs of single eigenvalues, in which each group of k has k, to bounds of each member: any of
+/// them may lie anywhere in the group's discs. Nothing is proven where the discs of two groups meet.
+template <class T>
+std::vector<double> radii_of_members(const Diagonal<T>& d, const std::vector<std::size_t>& group,
+                                     const std::vector<double>& discs) {
+  std::vector<double> radii = discs;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    for (std::size_t j = 0; j < group.size(); ++j) {
+      if (j == i) continue;
+      const double gap = d.gap(i, j);
+      if (group[j] == group[i]) {
+        radii[i] = std::max(radii[i], (gap + discs[j]) * (1 + 0x1p-40));
+      } else if (!(discs[i] < gap / 4) || !(discs[j] < gap / 4)) {
+        radii[i] = infinity;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < group.size(); ++i) {  // what is not proven of one is not of its group
+    for (std::size_t j = 0; j < group.size(); ++j) {
+      if (group[j] == group[i] && !std::isfinite(radii[j])) radii[i] = infinity;
+    }
+  }
+  return radii;
+}
+
 template <class T>
 Eigensystem<T> enclosed(const SquareMatrix<T>& a, const SquareMatrix<T>& b, SquareMatrix<T> x) {
   const std::size_t n = a.size();
@@ -176,8 +202,10 @@ Eigensystem<T> enclosed(const SquareMatrix<T>& a, const SquareMatrix<T>& b, Squa
     if (!(step > converged)) break;
   }
   Eigensystem<T> result{d.values, {}, x, std::vector<double>(n * n, 0.0), groups_of(d)};
+  std::vector<double> discs;
+  for (std::size_t i = 0; i < n; ++i) discs.push_back(radius(d, result.group, i));
+  result.radii = radii_of_members(d, result.group, discs);
   for (std::size_t i = 0; i < n; ++i) {
-    result.radii.push_back(radius(d, result.group, i));
     for (std::size_t j = 0; j < n; ++j) {
       if (result.group[j] == result.group[i]) continue;
       // Twice the first order of what is left of E covers the rest of the series.

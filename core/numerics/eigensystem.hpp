@@ -5,7 +5,9 @@
 // digits of doubles,
 //   X <- X (I + E),  E_ij = (P_ij - lambda_j Q_ij)/(lambda_j - lambda_i),  P = W A X, Q = W B X,
 // and then enclosed in ball arithmetic: by Gershgorin's theorem for P - lambda Q, each connected set of discs
-// |lambda - P_ii/Q_ii| <= r_i holds as many eigenvalues as discs.
+// |lambda - P_ii/Q_ii| <= r_i holds as many eigenvalues as discs: a member of a group is known to no better
+// than all of the group's discs. Where eigenvectors are nearly parallel nothing is proven this way; see
+// core/numerics/eigenvalue_clusters.hpp.
 // Sources: Ogita, Aishima, Iterative refinement for symmetric eigenvalue decomposition, JJIAM 35 (2018);
 // Stewart, Sun, Matrix Perturbation Theory (1990), VI.2.
 
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include "core/numerics/ball.hpp"
+#include "core/numerics/same_bits.hpp"
 
 namespace qdot {
 
@@ -39,7 +42,7 @@ struct ComplexBall {
 
 [[nodiscard]] inline double magnitude(const Ball& a) { return a.magnitude(); }
 [[nodiscard]] inline double magnitude(const ComplexBall& a) {
-  return std::hypot(a.re.magnitude(), a.im.magnitude()) * (1 + 0x1p-50);
+  return hypotenuse(a.re.magnitude(), a.im.magnitude()) * (1 + 0x1p-50);
 }
 [[nodiscard]] inline Ball middle_of(const Ball& a) { return {a.middle, 0}; }
 [[nodiscard]] inline ComplexBall middle_of(const ComplexBall& a) {

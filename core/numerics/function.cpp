@@ -38,4 +38,25 @@ double evaluate(Function function, double x) {
   return x;  // not reached: the switch is complete
 }
 
+namespace {
+
+double whole_power(double base, int exponent) {
+  if (exponent == 1) return base;
+  const double half = whole_power(base, exponent / 2);
+  return exponent % 2 == 1 ? half * half * base : half * half;
+}
+
+}  // namespace
+
+double power(double base, double exponent) {
+  constexpr double most_multiplied = 1024;
+  const double twice = 2 * exponent;
+  const bool by_products = twice == std::nearbyint(twice) && std::abs(twice) <= most_multiplied && twice != 0;
+  if (!by_products) return Sleef_cinz_powd1_u10purec(base, exponent);
+  const bool halves = exponent != std::nearbyint(exponent);
+  const int size = static_cast<int>(std::abs(halves ? twice : exponent));
+  const double result = whole_power(halves ? std::sqrt(base) : base, size);
+  return exponent < 0 ? 1 / result : result;
+}
+
 }  // namespace qdot

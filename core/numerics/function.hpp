@@ -25,5 +25,7 @@ inline constexpr std::array<std::string_view, 13> function_names{
 
 /// Value by functions that give the same bits on every x86-64 machine (SLEEF's deterministic ones).
 [[nodiscard]] double evaluate(Function function, double argument);
+/// base^exponent in the same way; whole exponents and halves of them by products and a square root.
+[[nodiscard]] double power(double base, double exponent);
 
 }  // namespace qdot

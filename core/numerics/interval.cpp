@@ -102,10 +102,18 @@ Interval whole_power(const Interval& a, int exponent) {
 
 }  // namespace
 
-Interval Interval::literal(double value) {
-  constexpr double few_digits = 1 << 20;
-  const double scaled = value * few_digits;
-  return scaled == std::nearbyint(scaled) ? Interval(value) : outward(value, value);
+Interval Interval::literal(const Real& real) {
+  if (std::isinf(real.value))
+    return real.value > 0 ? Interval(largest, infinity) : Interval(-infinity, -largest);
+  if (real.is_exact()) return real.value;
+  // Beyond a neighbour only where `value` is not the nearest double.
+  const auto reached = [](double value, double beyond) {
+    if (beyond <= 0) return value;
+    const double next = above(value);
+    return beyond <= next - value ? next : above(value + beyond);
+  };
+  return {-reached(-real.value, above(real.error - real.low)),
+          reached(real.value, above(real.low + real.error))};
 }
 
 bool Interval::is_finite() const { return std::isfinite(lower) && std::isfinite(upper); }
@@ -160,17 +168,18 @@ Interval sqrt(const Interval& a) {
 Interval sin(const Interval& a) { return wave(Function::sin, a, 1, 3); }
 Interval cos(const Interval& a) { return wave(Function::cos, a, 0, 2); }
 
-Interval power(const Interval& a, double exponent) {
-  if (exponent == std::nearbyint(exponent) && std::abs(exponent) <= 1024) {
-    return whole_power(a, static_cast<int>(exponent));
+Interval power(const Interval& a, const Interval& exponent) {
+  const double n = exponent.lower;
+  if (n == exponent.upper && n == std::nearbyint(n) && std::abs(n) <= 1024) {
+    return whole_power(a, static_cast<int>(n));
   }
   if (!(a.lower >= 0)) return Interval::whole();
   if (a.lower == 0) {  // exp(y log x) has no value at 0
-    if (exponent < 0) return Interval::whole();
+    if (!(exponent.lower > 0)) return Interval::whole();
     const Interval top = a.upper == 0 ? Interval(0) : power(Interval(a.upper), exponent);
     return {0, top.upper};
   }
-  return evaluate(Function::exp, Interval(exponent) * evaluate(Function::log, a));
+  return evaluate(Function::exp, exponent * evaluate(Function::log, a));
 }
 
 Interval evaluate(Function function, const Interval& a) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/numerics/function.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot {
 
@@ -17,8 +18,8 @@ struct Interval {
   Interval() = default;
   Interval(double value) : lower(value), upper(value) {}  // implicit: a number is an interval
   Interval(double lower_end, double upper_end) : lower(lower_end), upper(upper_end) {}
-  /// A literal of a tape: the double itself where it has few digits, else one rounded from 1/3 or pi.
-  [[nodiscard]] static Interval literal(double value);
+  /// The doubles next to each other that a real number lies between; one where it is a double.
+  [[nodiscard]] static Interval literal(const Real& value);
   [[nodiscard]] static Interval whole() {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
@@ -48,7 +49,7 @@ struct Interval {
 [[nodiscard]] Interval sin(const Interval& a);
 [[nodiscard]] Interval cos(const Interval& a);
 /// a^exponent for a >= 0 or a whole exponent.
-[[nodiscard]] Interval power(const Interval& a, double exponent);
+[[nodiscard]] Interval power(const Interval& a, const Interval& exponent);
 [[nodiscard]] Interval evaluate(Function function, const Interval& argument);
 
 /// The smallest interval that holds both.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
@@ -67,6 +69,46 @@ bool solve_linear(std::size_t n, std::span<double> m, std::span<double> b) noexc
   if (!factor_linear(n, m, row)) return false;
   for (std::size_t k = 0; k < b.size() / n; ++k) substitute_linear(n, m, row, b.subspan(k * n, n));
   return true;
+}
+
+void bound_solution(std::size_t n, std::span<const double> middle, std::span<const double> radius,
+                    std::span<const double> rho, std::span<double> bound) noexcept {
+  constexpr int most_rounds = 20;
+  constexpr double inflation = 1.1;
+  constexpr double least = 1e-300;  // above 0, so that a bound that holds also shows M to have an inverse
+  std::array<double, largest_system * largest_system> m, y, rest;  // n x n of each are used
+  std::copy_n(middle.begin(), n * n, m.begin());
+  std::fill_n(y.begin(), n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) y[i * n + i] = 1;
+  std::fill_n(bound.begin(), n, infinity);
+  if (!solve_linear(n, std::span(m).first(n * n), std::span(y).first(n * n))) return;
+  // y is by columns: Y_ij = y[j n + i].
+  std::array<double, largest_system> base{}, x{};
+  for (std::size_t i = 0; i < n; ++i) {
+    base[i] = least;
+    for (std::size_t j = 0; j < n; ++j) {
+      base[i] += std::abs(y[j * n + i]) * rho[j];
+      double off = i == j ? -1 : 0, spread = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        off += y[k * n + i] * middle[k * n + j];
+        spread += std::abs(y[k * n + i]) * radius[k * n + j];
+      }
+      rest[i * n + j] = std::abs(off) + spread;
+    }
+  }
+  for (int round = 0; round < most_rounds; ++round) {
+    bool holds = true;
+    std::array<double, largest_system> next = base;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) next[i] += rest[i * n + j] * x[j];
+      holds = holds && next[i] <= x[i];
+    }
+    if (holds) {
+      std::copy_n(x.begin(), n, bound.begin());
+      return;
+    }
+    for (std::size_t i = 0; i < n; ++i) x[i] = inflation * next[i];
+  }
 }
 
 }  // namespace qdot

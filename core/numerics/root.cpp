@@ -33,7 +33,7 @@ SignChange find_sign_change(const std::function<double(double)>& function, SignC
       std::max(time_round_off(std::max(std::abs(bracket.before), std::abs(bracket.after))) / 2,
                std::numeric_limits<double>::min());
   const double k1 = 0.2 / width;
-  const int most = static_cast<int>(std::ceil(std::log2(std::max(1.0, width / tolerance)))) + 1;
+  const int most = std::ilogb(std::max(1.0, width / tolerance)) + 2;
 
   for (int j = 0; j <= most && bracket.after - bracket.before > tolerance && bracket.value_after != 0; ++j) {
     const double r = std::ldexp(tolerance, most - 1 - j) - 0.5 * (bracket.after - bracket.before);

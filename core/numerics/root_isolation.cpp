@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/numerics/dense_matrix.hpp"
+#include "core/numerics/same_bits.hpp"
 
 namespace qdot {
 namespace {
@@ -13,6 +14,7 @@ constexpr double golden_cut = 0.4876;  ///< not a half: zeros like to lie at the
 constexpr double small_box = 1e-2;     ///< below it a box is looked at with Newton's method
 constexpr double least_box = 1e-14;
 constexpr double wide_enclosure = 1e-4;  ///< of a zero: Newton's iteration is quicker than contraction
+constexpr double widest_cluster = 0.05;  ///< wider ones are no place but a region
 
 class Isolator {
  public:
@@ -34,7 +36,14 @@ class Isolator {
       examine(std::move(box), stack);
     }
     result.zeros = std::move(zeros_);
-    for (Box& cluster : clusters()) result.zeros.push_back({std::move(cluster), false});
+    for (Box& cluster : clusters(unresolved_)) {
+      if (width(cluster) > widest_cluster) {
+        result.undecided.push_back(std::move(cluster));
+      } else {
+        result.zeros.push_back({std::move(cluster), false});
+      }
+    }
+    result.poles = clusters(poles_);
     std::sort(result.zeros.begin(), result.zeros.end(), [](const IsolatedZero& a, const IsolatedZero& b) {
       return std::lexicographical_compare(
           a.enclosure.begin(), a.enclosure.end(), b.enclosure.begin(), b.enclosure.end(),
@@ -46,7 +55,9 @@ class Isolator {
  private:
   /// Throws the box away, settles it, or pushes what is left of it.
   void examine(Box box, std::vector<Box>& stack) {
-    if (is_settled(box) || !may_vanish(values(box))) return;
+    if (is_settled(box)) return;
+    const Box here = values(box);
+    if (!may_vanish(here) || (system_.excluded && system_.excluded(box, here))) return;
     Box contracted = krawczyk(box);
     if (inside(contracted, box)) return settle(box, std::move(contracted));
     const double before = width(box);
@@ -80,13 +91,23 @@ class Isolator {
     return true;
   }
 
+  static bool holds(const Box& outer, const Box& box) {
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      if (!outer[i].contains(box[i])) return false;
+    }
+    return true;
+  }
+
+  static bool overlap(const Box& a, const Box& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (is_empty(intersection(a[i], b[i]))) return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] bool is_settled(const Box& box) const {
-    return std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) {
-      for (std::size_t i = 0; i < box.size(); ++i) {
-        if (!region[i].contains(box[i])) return false;
-      }
-      return true;
-    });
+    return std::any_of(regions_.begin(), regions_.end(),
+                       [&](const Box& region) { return holds(region, box); });
   }
 
   static Box middle(const Box& box) {
@@ -146,13 +167,16 @@ class Isolator {
       if (!improves) break;
     }
     regions_.push_back(region);
-    const bool known = std::any_of(zeros_.begin(), zeros_.end(), [&](const IsolatedZero& zero) {
-      for (std::size_t i = 0; i < enclosure.size(); ++i) {
-        if (is_empty(intersection(zero.enclosure[i], enclosure[i]))) return false;
-      }
-      return true;
-    });
-    if (!known) zeros_.push_back({std::move(enclosure), true});
+    for (IsolatedZero& zero : zeros_) {
+      if (!zero.simple || !overlap(zero.enclosure, enclosure)) continue;
+      if (holds(zero.alone, enclosure) || holds(region, zero.enclosure)) return;  // the same zero
+      for (std::size_t i = 0; i < enclosure.size(); ++i)
+        zero.enclosure[i] = hull(zero.enclosure[i], enclosure[i]);
+      zero.simple = false;  // one or two: neither proof reaches the other
+      zero.alone.clear();
+      return;
+    }
+    zeros_.push_back({std::move(enclosure), true, region});
   }
 
   /// Newton's iteration from c.
@@ -216,7 +240,10 @@ class Isolator {
     }
     const bool hidden = is_bounded(values(box)) && may_vanish(values(middle(box))) &&
                         may_vanish(values(first)) && may_vanish(values(last));
-    if (width(box) <= least_box && !is_bounded(values(box))) return true;  // a pole
+    if (width(box) <= least_box && !is_bounded(values(box))) {
+      poles_.push_back(box);
+      return true;
+    }
     if (!hidden && width(box) > least_box) return false;
     unresolved_.push_back(box);
     return true;
@@ -231,7 +258,7 @@ class Isolator {
   [[nodiscard]] double width(const Box& box, std::size_t i) const {
     const double direct = box[i].width() / (scales_[i] + box[i].least_magnitude());
     if (direct < 1) return direct;
-    return std::asinh(box[i].upper / scales_[i]) - std::asinh(box[i].lower / scales_[i]);
+    return inverse_sinh(box[i].upper / scales_[i]) - inverse_sinh(box[i].lower / scales_[i]);
   }
 
   void bisect(const Box& box, std::vector<Box>& stack) const {
@@ -243,21 +270,24 @@ class Isolator {
     const double s = scales_[widest];
     double cut = x.lower + golden_cut * x.width();
     if (!(x.width() < 4 * (s + x.least_magnitude()))) {
-      const double a = std::asinh(x.lower / s);
-      const double b = std::asinh(x.upper / s);
-      cut = s * std::sinh(a + golden_cut * (b - a));
+      const double a = inverse_sinh(x.lower / s);
+      const double b = inverse_sinh(x.upper / s);
+      cut = s * evaluate(Function::sinh, a + golden_cut * (b - a));
     }
     Box left = box;
     Box right = box;
     left[widest].upper = right[widest].lower = cut;
-    stack.push_back(std::move(right));
+    if (left[widest].least_magnitude() > right[widest].least_magnitude()) std::swap(left, right);
+    stack.push_back(
+        std::move(right));  // what is nearer to 0 comes first: of infinitely many, these are found
     stack.push_back(std::move(left));
   }
 
-  /// Unresolved boxes that touch, as one.
-  [[nodiscard]] std::vector<Box> clusters() const {
+  /// Boxes that touch, as one; without those in which a zero was proven to be alone since.
+  [[nodiscard]] std::vector<Box> clusters(const std::vector<Box>& boxes) const {
     std::vector<Box> found;
-    for (Box box : unresolved_) {
+    for (Box box : boxes) {
+      if (is_settled(box)) continue;
       for (bool merged = true; merged;) {
         const auto touching = std::find_if(found.begin(), found.end(), [&](const Box& other) {
           for (std::size_t i = 0; i < box.size(); ++i) {
@@ -280,7 +310,7 @@ class Isolator {
   std::vector<double> scales_;
   std::vector<IsolatedZero> zeros_;
   std::vector<Box> regions_;  ///< each holds exactly one zero
-  std::vector<Box> unresolved_;
+  std::vector<Box> unresolved_, poles_;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 // which an equation cannot vanish are thrown away, the others contracted by Krawczyk's operator
 //     K(X) = c - Y F(c) + (I - Y J(X)) (X - c),   c in X, Y near J(c)^-1
 // or halved. K(X) inside X proves that X holds exactly one zero, and that K(X) holds it; no zero is lost. So
-// what is returned is complete, and each enclosure is a proven bound of its error.
+// every zero of the region lies in what is returned, and each enclosure is a proven bound of its error.
 // Source: Neumaier, Interval Methods for Systems of Equations (1990), 5.1;
 // Moore, Kearfott, Cloud (2009), ch. 8.
 
@@ -23,6 +23,8 @@ struct SquareSystem {
   std::size_t dimension{};
   std::function<void(std::span<const Interval> x, std::span<Interval> values)> values;
   std::function<void(std::span<const Interval> x, std::span<Interval> jacobian)> jacobian;
+  /// What else shows that a box with such values holds no zero that is wanted; may be empty.
+  std::function<bool(std::span<const Interval> x, std::span<const Interval> values)> excluded{};
 };
 
 struct IsolatedZero {
@@ -30,16 +32,19 @@ struct IsolatedZero {
   /// Proven to be one simple zero. Otherwise there may be any number of zeros, or a near miss: a multiple
   /// zero cannot be told from a pair in numbers of finite length.
   bool simple{};
+  Box alone{};  ///< holds the enclosure and no other zero; empty where not simple
 };
 
 struct Isolation {
   std::vector<IsolatedZero> zeros;  ///< sorted by the first unknown that differs
   bool complete{true};              ///< false: given up after most_boxes, zeros may be missing
+  /// Too wide to be called one place: F may vanish anywhere there, as far as rounding lets one see.
+  std::vector<Box> undecided;
+  std::vector<Box> poles;  ///< F is not bounded even in the smallest boxes there
 };
 
-/// Poles are no zeros: a place where F is not bounded even in the smallest boxes is left out. `region` must
-/// be wider than a point in each unknown; zeros on its edge count. `scales`: the size that matters for each
-/// unknown where it is near zero (1 rad, 1 m); empty means 1.
+/// `region` must be wider than a point in each unknown; zeros on its edge count. `scales`: the size that
+/// matters for each unknown where it is near zero (1 rad, 1 m); empty means 1.
 [[nodiscard]] Isolation isolate_zeros(const SquareSystem& system, const Box& region,
                                       std::span<const double> scales = {}, std::size_t most_boxes = 50'000);
 

@@ -139,10 +139,9 @@ class LatexWriter {
   }
 
   static std::string exponent_text(const Number& exponent) {
-    const bool split = exponent.is_exact() && !prefers_decimal(exponent);
-    const std::string text = split
-                                 ? fraction_text(Number(exponent.numerator()), Number(exponent.denominator()))
-                                 : number_text(exponent);
+    const std::string text = prefers_decimal(exponent)
+                                 ? number_text(exponent)
+                                 : fraction_text(exponent.numerator(), exponent.denominator());
     return "^" + (text.size() == 1 ? text : latex_group(text));
   }
 

@@ -25,8 +25,7 @@ Number coefficient_of(const Node& node) {
 
 std::weak_ordering compare_numbers(const Number& a, const Number& b) {
   if (a < b) return std::weak_ordering::less;
-  if (b < a) return std::weak_ordering::greater;
-  return b.is_exact() <=> a.is_exact();
+  return b < a ? std::weak_ordering::greater : std::weak_ordering::equivalent;
 }
 
 std::weak_ordering descending(double a, double b) {
@@ -190,8 +189,9 @@ std::weak_ordering Layout::compare_bases(NodeId a, NodeId b) const {
 
 bool Layout::is_compound(NodeId base) const {
   return std::visit(overloaded{[](const Literal& x) {
-                                 return x.value.is_negative() || !x.value.is_exact() ||
-                                        !(x.value.is_integer() || prefers_decimal(x.value));
+                                 return x.value.is_negative() ||
+                                        !(x.value.is_integer() || prefers_decimal(x.value)) ||
+                                        is_scientific(x.value);
                                },
                                [](const Symbol&) { return false; }, [](const Sum&) { return true; },
                                [](const Product&) { return true; }, [](const Power&) { return true; },
@@ -206,8 +206,8 @@ WrittenTerm Layout::term(NodeId id) const {
   result.negative = number.is_negative();
   result.over = magnitude(number);
   if (!prefers_decimal(result.over)) {
-    result.under = Number(result.over.denominator());
-    result.over = Number(result.over.numerator());
+    result.under = result.over.denominator();
+    result.over = result.over.numerator();
   }
   for (const NodeId factor : factors(id)) {
     const WrittenPower power = as_power(graph_.node(factor), factor);

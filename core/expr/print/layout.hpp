@@ -83,8 +83,13 @@ inline constexpr std::size_t longest_print = std::size_t{1} << 20;
 /// Whether a number >= 0 is better written as a decimal: 981/100 as 9.81, but 3/4 and 53/6 as they are.
 [[nodiscard]] bool prefers_decimal(const Number& value);
 
-/// A number >= 0 as a decimal: an integer, an exact decimal (prefers_decimal), or the shortest that has the
-/// same double nearest to it.
+/// A number >= 0 that is an integer or has finitely many decimals, exactly: 12, 0.0125, 6.02e+23.
 [[nodiscard]] std::string decimal_text(const Number& value);
+
+/// An integer >= 0 with all its digits.
+[[nodiscard]] std::string integer_text(const Number& value);
+
+/// Whether decimal_text has a power of ten.
+[[nodiscard]] bool is_scientific(const Number& value);
 
 }  // namespace qdot

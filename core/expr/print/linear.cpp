@@ -1,10 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <numbers>
 
-#include "core/expr/parse_tokens.hpp"
 #include "core/expr/print/forms.hpp"
 
 namespace qdot {
@@ -117,8 +113,8 @@ class LinearWriter {
   LinearPiece c_power(const WrittenPower& power, const LinearPiece& base) const {
     constexpr std::int64_t largest_spelled_out = 4;
     const bool is_symbol = std::holds_alternative<Symbol>(layout_.graph().node(power.base));
-    if (is_symbol && power.exponent.is_integer() && power.exponent.numerator() <= largest_spelled_out) {
-      return product(std::vector<LinearPiece>(static_cast<std::size_t>(power.exponent.numerator()), base));
+    if (const auto times = power.exponent.whole(largest_spelled_out); is_symbol && times) {
+      return product(std::vector<LinearPiece>(static_cast<std::size_t>(*times), base));
     }
     return {"pow(" + base.text + ", " + fraction(power.exponent).text + ")"};
   }
@@ -126,8 +122,8 @@ class LinearWriter {
   // --- leaves ----------------------------------------------------------------------------------------------
 
   LinearPiece fraction(const Number& value) const {
-    const bool split = value.is_exact() && !(writes_decimals() && prefers_decimal(value));
-    return split ? fraction(Number(value.numerator()), Number(value.denominator())) : number(value);
+    if (writes_decimals() && prefers_decimal(value)) return number(value);
+    return fraction(value.numerator(), value.denominator());
   }
 
   /// over/under, where `over` may be a decimal if `under` is 1.
@@ -140,23 +136,12 @@ class LinearWriter {
 
   /// A positive integer or decimal.
   LinearPiece number(const Number& value) const {
-    if (value.is_exact() && !value.is_integer() && !writes_decimals()) {
-      return fraction(Number(value.numerator()), Number(value.denominator()));
+    if (!writes_decimals()) {
+      return value.is_integer() ? LinearPiece{integer_text(value)}
+                                : fraction(value.numerator(), value.denominator());
     }
-    if (language_ == Language::text && !value.is_exact()) return {double_text(value)};
-    return {decimal_text(value) + (language_ == Language::c && value.is_integer() ? ".0" : "")};
-  }
-
-  /// A decimal that parse reads as a double: a short one would be an exact number.
-  static std::string double_text(const Number& value) {
-    std::string text = decimal_text(value);
-    for (const auto format : {std::chars_format::general, std::chars_format::scientific}) {
-      if (!std::isfinite(value.value()) || tokenize(text).front().value == value) break;
-      char buffer[64];
-      const int digits = format == std::chars_format::general ? 17 : 16;
-      text.assign(buffer, std::to_chars(buffer, buffer + sizeof buffer, value.value(), format, digits).ptr);
-    }
-    return text;
+    const bool needs_point = language_ == Language::c && value.is_integer() && !is_scientific(value);
+    return {decimal_text(value) + (needs_point ? ".0" : "")};
   }
 
   [[nodiscard]] bool writes_decimals() const {
@@ -181,7 +166,7 @@ class LinearWriter {
   }
 
   /// C99 has no M_PI.
-  static std::string c_pi() { return decimal_text(Number::real(std::numbers::pi)); }
+  static std::string c_pi() { return "3.141592653589793"; }
 
   std::string call(const Call& call) const {
     const std::string argument = write(call.argument).text;

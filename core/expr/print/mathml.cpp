@@ -118,8 +118,8 @@ class MathmlWriter {
   }
 
   static std::string exponent_element(const Number& exponent) {
-    if (!exponent.is_exact() || prefers_decimal(exponent)) return number_element(exponent);
-    return fraction_element(Number(exponent.numerator()), Number(exponent.denominator()));
+    if (prefers_decimal(exponent)) return number_element(exponent);
+    return fraction_element(exponent.numerator(), exponent.denominator());
   }
 
   std::string factor(NodeId base, bool bracket_follows) const {

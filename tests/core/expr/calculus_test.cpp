@@ -9,6 +9,7 @@
 
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/numerics/ball.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_polynomial.hpp"
 
@@ -122,6 +123,20 @@ TEST(Substitute, OfNumbersIsEvaluation) {
     EXPECT_NEAR(evaluate(substitute(e, numbers), {}), evaluate(e, values), 1e-13 * size)
         << print(e, Form::text);
   }
+}
+
+TEST(EvaluateExactly, KeepsWhatTheDoubleLeavesOut) {
+  Graph graph;
+  const auto value = [&](const std::string& text) {
+    return Ball::literal(evaluate_exactly(parse(text, graph, names), {}));
+  };
+  // By mpmath, 40 digits, as high + low + rest.
+  EXPECT_TRUE((value("pi/6") - Ball({0.5235987755982989, -5.360408832255455e-17}, 1e-32)).contains_zero());
+  EXPECT_TRUE((value("sqrt(2)") - Ball({1.4142135623730951, -9.667293313452913e-17}, 1e-32)).contains_zero());
+  EXPECT_TRUE((value("0.1") * Ball(10) - Ball(1)).contains_zero());
+  EXPECT_LT(value("2*sqrt(9.81/0.4)").radius, 1e-29);
+  EXPECT_EQ(evaluate_exactly(parse("3/4", graph, names), {}), Real(0.75));
+  EXPECT_TRUE(std::isnan(evaluate_exactly(graph.symbol("x"), {}).value));
 }
 
 TEST(Evaluate, KnowsPiAndNoOtherName) {

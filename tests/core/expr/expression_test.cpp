@@ -134,34 +134,5 @@ TEST(Graph, StopsAtItsBound) {
   EXPECT_EQ(graph.size(), Graph::max_nodes);
 }
 
-TEST(Number, IsAnExactRational) {
-  EXPECT_EQ(Number::ratio(1, 3) + Number::ratio(1, 6), Number::ratio(1, 2));
-  EXPECT_EQ(Number::ratio(2, 3) * Number::ratio(9, 4), Number::ratio(3, 2));
-  EXPECT_EQ(Number::ratio(6, -4), Number::ratio(-3, 2));
-  EXPECT_EQ(Number(7) / Number(21), Number::ratio(1, 3));
-  EXPECT_EQ(power(Number::ratio(2, 3), -3), Number::ratio(27, 8));
-  EXPECT_EQ(gcd(Number::ratio(3, 4), Number::ratio(9, 10)), Number::ratio(3, 20));
-  EXPECT_TRUE((Number::ratio(1, 3) - Number::ratio(1, 3)).is_zero());
-  EXPECT_EQ(Number::real(3), Number(3));
-}
-
-TEST(Number, BecomesTheNearestDoubleWhereItNoLongerFits) {
-  const std::int64_t most = std::int64_t{1} << 53;
-  EXPECT_TRUE((Number(most - 1) + Number(1)).is_exact());
-  const Number large = Number(most) * Number(3);
-  EXPECT_FALSE(large.is_exact());
-  EXPECT_EQ(large.value(), 3 * 0x1p53);
-  const Number fine = Number::ratio(1, most) * Number::ratio(1, 3);
-  EXPECT_FALSE(fine.is_exact());
-  EXPECT_EQ(fine.value(), 0x1p-53 / 3);
-  EXPECT_EQ((large * Number::real(0.1)).value(), large.value() * 0.1);
-}
-
-TEST(Number, PowersOverflowToInfinityAndNotToNonsense) {
-  EXPECT_EQ(power(Number(10), 22).value(), 1e22);
-  EXPECT_EQ(power(Number(1'000'000), 64).value(), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(power(Number(1'000'000), -64).value(), 0);
-}
-
 }  // namespace
 }  // namespace qdot

@@ -138,6 +138,39 @@ TEST(ZerosInABox, SinesInSpaceHaveAsManyAsTheyShould) {
   EXPECT_TRUE(found.zeros[0].enclosure[0].contains(0.0));
 }
 
+TEST(ZerosInABox, ACubicThreeUnitsPastItsPitchforkHasAllItsZerosInWhatIsFound) {
+  const double excess = 3 * 0x1p-52;  // x^3 - (b - c) x with b = 1 + excess, c = 1
+  const Interval b(1 + excess), c(1);
+  const SquareSystem cubic{1, [=](Span x, auto out) { out[0] = power(x[0], 3) + c * x[0] - b * x[0]; },
+                           [=](Span x, auto out) { out[0] = Interval(3) * square(x[0]) + c - b; }};
+  const Isolation found = isolate_zeros(cubic, {Interval(-2, 3)});
+  ASSERT_TRUE(found.complete && found.undecided.empty() && found.poles.empty());
+  for (const double zero : {-std::sqrt(excess), 0.0, std::sqrt(excess)}) {
+    EXPECT_TRUE(std::ranges::any_of(found.zeros, [&](const IsolatedZero& place) {
+      return place.enclosure[0].contains(zero);
+    })) << zero;
+  }
+}
+
+TEST(ZerosInABox, WhereAFunctionIsTooSmallToTellTheRegionIsUndecidedAndNoZeroIsClaimed) {
+  const SquareSystem falling{
+      1,
+      [](Span x, auto out) { out[0] = evaluate(Function::exp, Interval(0) - x[0]) * Interval(-1e-300, 1); },
+      [](Span x, auto out) { out[0] = -evaluate(Function::exp, Interval(0) - x[0]); }};
+  const Isolation found = isolate_zeros(falling, {Interval(1, 1e6)});
+  EXPECT_TRUE(found.zeros.empty());
+  EXPECT_FALSE(found.complete && found.undecided.empty());
+}
+
+TEST(ZerosInABox, WhatElseIsKnownLeavesBoxesOut) {
+  SquareSystem two = polynomial({-1, 1});
+  two.excluded = [](Span x, Span) { return x[0].upper < 0; };
+  const Isolation found = isolate_zeros(two, {Interval(-3, 4)});
+  ASSERT_EQ(found.zeros.size(), 1U);
+  EXPECT_TRUE(found.zeros[0].enclosure[0].contains(1));
+  EXPECT_TRUE(found.zeros[0].alone[0].contains(found.zeros[0].enclosure[0]));
+}
+
 TEST(ZerosInABox, GivingUpIsSaid) {
   const SquareSystem flat{1, [](Span, auto out) { out[0] = Interval(-1, 1); },
                           [](Span, auto out) { out[0] = Interval(-1, 1); }};

@@ -110,7 +110,7 @@ TEST(PrintSympy, IsPythonWithExactNumbers) {
                                {"abs(x) + sign(x) + log(x) + asin(x)", "asin(x) + log(x) + Abs(x) + sign(x)"},
                                {"2*pi*lambda", "2*pi*lambda_"},
                                {"sqrt(g/l)", "sqrt(g/l)"},
-                               {"0.30000000000000004", "0.30000000000000004"},
+                               {"0.30000000000000004", "Rational(7500000000000001, 25000000000000000)"},
                            });
 }
 
@@ -121,7 +121,7 @@ TEST(PrintMaxima, HasItsOwnNames) {
                                 {"2*pi*m", "2*%pi*m"},
                                 {"x^(1/3)", "x^(1/3)"},
                                 {"abs(x) + sign(x)", "abs(x) + signum(x)"},
-                                {"1.5e-30*x", "1.5e-30*x"},
+                                {"1.5e-20*x", "3/200000000000000000000*x"},
                             });
 }
 
@@ -207,6 +207,24 @@ TEST(Notation, KnowsRolesByNameAndDeclaration) {
   EXPECT_EQ(place_of("t", roles).role, Role::other);
   EXPECT_EQ(place_of("p_foot", roles).role, Role::other);
   EXPECT_EQ(place_of("pi", roles).role, Role::constant);
+}
+
+TEST(PrintForms, LargeAndSmallNumbersAreWrittenExactly) {
+  Graph graph;
+  const auto written = [&](const std::string& text, Form form) {
+    return print(parse(text, graph, names), form);
+  };
+  for (const Form form : {Form::text, Form::sympy, Form::maxima, Form::latex})
+    EXPECT_EQ(written("0", form), "0");
+  EXPECT_EQ(written("0", Form::c), "0.0");
+  EXPECT_EQ(written("6.02e23", Form::text), "6.02e+23");
+  EXPECT_EQ(written("6.02e23", Form::c), "6.02e+23");
+  EXPECT_EQ(written("6.02e23", Form::sympy), "602000000000000000000000");
+  EXPECT_EQ(written("6.02e23", Form::latex), "6.02 \\cdot 10^{23}");
+  EXPECT_EQ(written("1.602e-19", Form::text), "1.602e-19");
+  EXPECT_EQ(written("2^-3*10^-18", Form::sympy), "Rational(1, 8000000000000000000)");
+  EXPECT_EQ(written("0.10000000000000001", Form::text), "0.10000000000000001");
+  EXPECT_EQ(written("1/3e20", Form::text), "1/3e+20");
 }
 
 }  // namespace

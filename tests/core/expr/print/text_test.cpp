@@ -30,6 +30,12 @@ std::string reprinted(const std::string& text, const Notation& notation = pendul
   return print(parse(text, graph, names), Form::text, notation);
 }
 
+/// Products of random numbers become numbers that no double is near, which parse refuses.
+bool is_beyond_doubles(const ParseResult& result) {
+  return !result.errors.empty() &&
+         result.errors[0].message.find("outside the range of a double") != std::string::npos;
+}
+
 TEST(PrintText, ReadsBackAsTheSameExpression) {
   test::Random random(20240501);
   const test::Ingredients ingredients;
@@ -42,8 +48,7 @@ TEST(PrintText, ReadsBackAsTheSameExpression) {
     const ParseResult result = parse_all(
         text, graph, ingredients.symbols,
         {.bytes = 1 << 20, .tokens = 1 << 20, .depth = 1000, .exponent = 1 << 20, .nodes = 1 << 20});
-    const bool finite = text.find("inf") == std::string::npos && text.find("nan") == std::string::npos;
-    if (!finite) continue;
+    if (is_beyond_doubles(result)) continue;
     ASSERT_TRUE(result.expression.has_value()) << text << ": " << result.errors[0].message;
     ASSERT_EQ(*result.expression, e) << text << " reads as "
                                      << print(*result.expression, Form::text, notation);
@@ -61,7 +66,6 @@ TEST(PrintText, DoesNotDependOnTheHistoryOfTheGraph) {
     Graph graph;
     const std::string text =
         print(test::random_expression(random, graph, 1 + i % 4, ingredients), Form::text, pendulum);
-    if (text.find("inf") != std::string::npos || text.find("nan") != std::string::npos) continue;
     Graph backwards;
     for (auto name = ingredients.symbols.rbegin(); name != ingredients.symbols.rend(); ++name) {
       (void)backwards.symbol(*name);
@@ -69,6 +73,7 @@ TEST(PrintText, DoesNotDependOnTheHistoryOfTheGraph) {
     const ParseResult result =
         parse_all(text, backwards, ingredients.symbols,
                   {.bytes = 1 << 20, .tokens = 1 << 20, .depth = 1000, .exponent = 1 << 20});
+    if (is_beyond_doubles(result)) continue;
     ASSERT_TRUE(result.expression.has_value()) << text;
     ASSERT_EQ(print(*result.expression, Form::text, pendulum), text);
   }
