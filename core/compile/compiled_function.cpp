@@ -56,7 +56,7 @@ bool solve(const Instruction& i, const Slot* operand, double* slots) {
 Workspace CompiledFunction::bind(std::span<const double> parameters) const {
   Workspace workspace(slots_);
   std::copy(parameters.begin(), parameters.end(), workspace.begin());
-  for (const auto& [slot, value] : literals_) workspace[slot] = value;
+  for (const auto& [slot, value] : literals_) workspace[slot] = value.value;
   (void)run(prologue_, workspace.data());  // what is not finite shows in the outputs
   return workspace;
 }

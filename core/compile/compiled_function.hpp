@@ -16,6 +16,7 @@
 
 #include "core/numerics/evaluation.hpp"
 #include "core/numerics/function.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot {
 
@@ -64,13 +65,14 @@ class CompiledFunction {
   template <class T>
   friend class TapeEvaluator;
   friend class TaylorTranslation;
+  friend class ExtendedTape;
 
   [[nodiscard]] bool run(std::span<const Instruction> instructions, double* slots) const noexcept;
 
   std::size_t parameters_{};  ///< slots 0 .. parameters_ - 1; the time and the variables follow
   std::size_t variables_{};
   std::size_t slots_{};
-  std::vector<std::pair<Slot, double>> literals_;
+  std::vector<std::pair<Slot, Real>> literals_;
   std::vector<Instruction> prologue_, body_;
   std::vector<Slot> operands_;
   std::vector<Slot> outputs_;

@@ -12,9 +12,7 @@ namespace {
 /// Whole powers up to here are products; a hostile text can ask for x^(2^36).
 constexpr std::int64_t most_multiplied = 1024;
 
-bool is_product(const Number& exponent) {
-  return exponent.is_integer() && std::abs(exponent.numerator()) <= most_multiplied;
-}
+bool is_product(const Number& exponent) { return exponent.whole(most_multiplied).has_value(); }
 
 /// Groups of unknowns that the matrix couples, directly or through others.
 std::vector<std::vector<std::size_t>> coupled_groups(const Matrix& m) {
@@ -49,7 +47,7 @@ TapeBuilder::TapeBuilder(Graph& graph, std::span<const Expression> parameters, c
   for (const Expression& x : variables) declare(x, true);
 }
 
-Slot TapeBuilder::literal(double value) {
+Slot TapeBuilder::literal(const Real& value) {
   const auto [position, is_new] = literals_.try_emplace(value, static_cast<Slot>(function_.slots_));
   if (is_new) function_.literals_.emplace_back(static_cast<Slot>(function_.slots_++), value);
   return position->second;
@@ -78,9 +76,9 @@ Slot TapeBuilder::emitted(NodeId id) {
   const auto found = slots_.find(id);
   if (found != slots_.end()) return found->second;
   const Slot slot =
-      std::visit(overloaded{[&](const Literal& x) { return literal(x.value.value()); },
+      std::visit(overloaded{[&](const Literal& x) { return literal(x.value.rounded()); },
                             [&](const Symbol& x) {
-                              if (x.name == "pi") return literal(pi);
+                              if (x.name == "pi") return literal(exact_pi);
                               throw Error(ErrorCode::unknown_symbol, "'" + x.name + "' has no value");
                             },
                             [&](const Sum& x) { return emitted_sum(id, x); },
@@ -179,11 +177,11 @@ Slot TapeBuilder::emitted_product(NodeId id, const Product& product) {
     if (power == nullptr || !is_product(power->exponent) || !power->exponent.is_negative()) {
       above.push_back(emitted(factor));
     } else {
-      const int exponent = static_cast<int>(-power->exponent.numerator());
+      const auto exponent = static_cast<int>(-*power->exponent.whole(most_multiplied));
       below.push_back(whole_power(emitted(power->base), exponent, varies(power->base)));
     }
   }
-  const Slot numerator = product_of(literal(product.coefficient.value()), above, varying);
+  const Slot numerator = product_of(literal(product.coefficient.rounded()), above, varying);
   if (below.empty()) return numerator;
   const Slot operands[]{numerator, product_of(literal(1), below, varying)};
   return emit({.operation = Operation::quotient}, operands, varying);
@@ -193,17 +191,17 @@ Slot TapeBuilder::emitted_power(NodeId id, const Power& power) {
   const bool varying = varies(id);
   const Slot base = emitted(power.base);
   const Number& exponent = power.exponent;
-  if (is_product(Number(2) * exponent)) {
-    const auto size = static_cast<int>(std::abs(exponent.numerator()));
+  const auto fraction = exponent.small();
+  if (fraction && is_product(Number(2) * exponent)) {
+    const auto size = static_cast<int>(std::abs(fraction->numerator));
     Slot result = base;
-    if (exponent.denominator() == 2)
-      result = emit({.operation = Operation::square_root}, {&base, 1}, varying);
+    if (fraction->denominator == 2) result = emit({.operation = Operation::square_root}, {&base, 1}, varying);
     result = whole_power(result, size, varying);
     if (!exponent.is_negative()) return result;
     const Slot operands[]{literal(1), result};
     return emit({.operation = Operation::quotient}, operands, varying);
   }
-  const Slot operands[]{base, literal(exponent.value())};
+  const Slot operands[]{base, literal(exponent.rounded())};
   return emit({.operation = Operation::power}, operands, varying);
 }
 

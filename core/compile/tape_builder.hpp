@@ -30,7 +30,7 @@ class TapeBuilder {
   std::vector<std::vector<Slot>> solve(const LinearSystem& system);
 
   [[nodiscard]] Slot slot(const Expression& e);
-  [[nodiscard]] Slot literal(double value);
+  [[nodiscard]] Slot literal(const Real& value);
   void output(const Expression& e) { function_.outputs_.push_back(slot(e)); }
   void output(Slot slot) { function_.outputs_.push_back(slot); }
 
@@ -58,7 +58,7 @@ class TapeBuilder {
   CompiledFunction function_;
   std::map<NodeId, Slot> slots_;
   std::map<NodeId, bool> varies_;
-  std::map<double, Slot> literals_;
+  std::map<Real, Slot> literals_;
 };
 
 }  // namespace qdot

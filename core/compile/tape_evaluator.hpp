@@ -2,6 +2,7 @@
 // A tape evaluated in other numbers than doubles: in intervals or balls, to enclose its values; in divided
 // differences, to compare two places without cancellation.
 
+#include <algorithm>
 #include <cassert>
 #include <span>
 #include <vector>
@@ -12,7 +13,8 @@
 namespace qdot {
 
 /// For one tape without `solve`, at time 0, and one set of parameters.
-/// T has T::literal(double), +, *, /, square, sqrt, sin, cos, power(T, double) and evaluate(Function, T).
+/// T has T::literal(Real), +, *, /, square, sqrt, sin, cos, power(T, T) or power(T, Real) and
+/// evaluate(Function, T).
 template <class T>
 class TapeEvaluator {
  public:
@@ -21,7 +23,7 @@ class TapeEvaluator {
     assert(parameters.size() == function.parameters_);
     for (const auto& [slot, value] : function.literals_) {
       slots_[slot] = T::literal(value);
-      if (value == 1) one_ = slot;
+      if (value == Real(1)) one_ = slot;
     }
     bind(parameters);
   }
@@ -51,7 +53,7 @@ class TapeEvaluator {
           slots_[i.out] = x / slots_[operand[1]];
           break;
         case Operation::power:
-          slots_[i.out] = power(x, exponent(operand[1]));
+          slots_[i.out] = raised(x, operand[1]);
           break;
         case Operation::square_root:
           slots_[i.out] = sqrt(x);
@@ -87,16 +89,20 @@ class TapeEvaluator {
     return sum;
   }
 
+  /// Exponents are literals; an arithmetic whose own literals do not show a whole number takes them as they
+  /// are.
+  [[nodiscard]] T raised(const T& x, Slot exponent) const {
+    if constexpr (requires { power(x, x); }) {
+      return power(x, slots_[exponent]);
+    } else {
+      const auto is_exponent = [=](const auto& literal) { return literal.first == exponent; };
+      return power(x, std::ranges::find_if(function_.literals_, is_exponent)->second);
+    }
+  }
+
   /// Most coefficients are the literal 1.
   [[nodiscard]] T scaled(Slot coefficient, const T& x) const {
     return coefficient == one_ ? x : slots_[coefficient] * x;
-  }
-
-  [[nodiscard]] double exponent(Slot slot) const {
-    for (const auto& [literal, value] : function_.literals_) {
-      if (literal == slot) return value;
-    }
-    return 1;  // not reached: exponents are literals
   }
 
   const CompiledFunction& function_;

@@ -4,9 +4,9 @@
 // Every slot becomes a power series in the time since t, and every instruction the recurrence that gives its
 // coefficient k from coefficients up to k of its operands: Cauchy products for products, and for the others
 // what follows from f(u)' = f'(u) u'. A linear system M x = f needs only M_0 inverted: M_0 x_k = f_k -
-// sum_{j>=1} M_j x_{k-j}. Sources: Jorba, Zou, A software package for the numerical integration of ODEs by
-// means of high-order Taylor methods, Experimental Mathematics 14 (2005) 99, section 2; Griewank, Walther,
-// Evaluating Derivatives, 2nd ed., 13.2.
+// sum_{j>=1} M_j x_{k-j}. abs and sign have the series of the side they are on. Sources: Jorba, Zou, A
+// software package for the numerical integration of ODEs by means of high-order Taylor methods, Experimental
+// Mathematics 14 (2005) 99, section 2; Griewank, Walther, Evaluating Derivatives, 2nd ed., 13.2.
 
 #include <memory>
 #include <span>
@@ -14,6 +14,7 @@
 
 #include "core/compile/compiled_function.hpp"
 #include "core/compile/taylor/kernels.hpp"
+#include "core/compile/taylor/remainder.hpp"
 
 namespace qdot {
 
@@ -21,9 +22,6 @@ class TaylorTranslation;
 
 /// Which kernels run. Both give the same bits; `automatic` takes the fastest that the processor has.
 enum class InstructionSet { automatic, plain };
-
-/// Whether every instruction has a recurrence: all but abs and sign do.
-[[nodiscard]] bool has_taylor_expansion(const CompiledFunction& accelerations);
 
 /// The workspace of one thread. Keeps a reference to the tape.
 class TaylorExpansion {
@@ -41,12 +39,19 @@ class TaylorExpansion {
   [[nodiscard]] Evaluation expand(double t, std::span<const double> y, unsigned order,
                                   std::span<double> coefficients);
 
+  /// What the polynomials of the last expansion hide until s = h: bounds of |p_i'(s) - f_i(t + s, p(s))| over
+  /// 0 <= s <= h, one for each y_i, infinite where none is found (remainder.hpp). Returns the largest of
+  /// h defect_i / allowed_i.
+  double bound_defect(double h, std::span<const double> allowed, std::span<double> defect);
+
  private:
   const CompiledFunction& tape_;
   taylor::Kernel kernel_;
   Workspace workspace_;
   std::vector<double> accelerations_;
   std::unique_ptr<TaylorTranslation> translation_;
+  std::unique_ptr<taylor::Remainder> remainder_;  ///< made when a bound is first asked for
+  unsigned order_{};                              ///< of the last expansion
 };
 
 }  // namespace qdot

@@ -38,6 +38,8 @@ enum class Kind : std::uint8_t {
   logarithm,    ///< x
   tangent,      ///< x: the argument's rate; aux: 1 + z^2 (or 1 - z^2 for the hyperbolic tangent)
   hyperbolic,   ///< cosh to out and sinh to out2, or the other way round; x: the argument's rate
+  absolute,     ///< constant x, on one side of the kink
+  sign,         ///< constant
   arc,          ///< asin, acos, atan by z' = sign u'/w; x: the argument's rate, y: w
   solve,        ///< see Solve
   solve_2,      ///< the same with two unknowns
@@ -69,12 +71,13 @@ struct Solve {
   const double* const* right{};  ///< n rows
   double* const* unknowns{};     ///< n rows
   const double* inverse{};       ///< of M_0, n x n
+  const double* const* start{};  ///< n x n: the values of M_0
 };
 
 struct Step {
   Kind kind{};
   std::uint16_t term_count{}, product_count{};
-  double constant{};  ///< exponent; sign of an arc or a tangent
+  double constant{};  ///< exponent; sign of an arc or a tangent; of what stands in abs or sign
   const Term* terms{};
   const Product* products{};
   const double* x{};
@@ -83,6 +86,7 @@ struct Step {
   double* out2{};
   double* aux{};
   const Solve* solve{};
+  const double* argument{};  ///< the value u_0, where x is the rate of u
 };
 
 /// y' = v for the first half of the state, y' = a for the second.
@@ -101,6 +105,9 @@ struct Program {
 /// Coefficients 1 .. order of every row; coefficient 0 is there. Rows of the state get one more than the
 /// others, rows of rates begin with what they get in the first pass.
 using Kernel = void (*)(const Program& program, unsigned order);
+
+/// The fastest that the processor has.
+[[nodiscard]] Kernel best_kernel();
 
 namespace plain {
 void expand(const Program& program, unsigned order);

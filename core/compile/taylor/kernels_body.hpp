@@ -302,6 +302,11 @@ template <unsigned K>
       case Kind::hyperbolic:
         hyperbolic<K>(*step);
         break;
+      case Kind::absolute:
+        store<K>(step->out, step->constant * step->x[K]);
+        break;
+      case Kind::sign:
+        break;
       case Kind::arc:
         arc<K>(*step);
         break;

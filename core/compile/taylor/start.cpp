@@ -31,7 +31,7 @@ bool TaylorTranslation::invert(System& system, const Workspace& slots) {
 }
 
 /// Rows that are no slots, and reciprocals of what a step divides by.
-void TaylorTranslation::start_own_rows(const Step& step) {
+void TaylorTranslation::start_own_rows(Step& step) {
   switch (step.kind) {
     case Kind::sum_0_1:  // 1 + u^2 or 1 - u^2, where it is a row of our own
       if (!is_row_of_slot(step.out)) {
@@ -44,6 +44,10 @@ void TaylorTranslation::start_own_rows(const Step& step) {
     case Kind::root:
       if (!is_row_of_slot(step.out)) step.out[0] = std::sqrt(step.x[0]);
       step.aux[0] = 1 / (2 * step.out[0]);
+      break;
+    case Kind::absolute:
+    case Kind::sign:
+      step.constant = evaluate(Function::sign, step.x[0]);
       break;
     case Kind::tangent:
       step.aux[0] = 1 + step.constant * step.out[0] * step.out[0];
@@ -76,7 +80,7 @@ bool TaylorTranslation::start(const Workspace& slots) {
     ++entries;
   }
   auto partner = partners_.begin();
-  for (const Step& step : steps_) {
+  for (Step& step : steps_) {
     start_own_rows(step);
     if (step.kind != Kind::hyperbolic) continue;
     step.out2[0] = evaluate(partner->first, slots[partner->second]);

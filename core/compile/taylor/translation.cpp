@@ -52,6 +52,18 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   for (const Slot slot : tape.outputs_) started_.push_back(slot);
 }
 
+taylor::Program TaylorTranslation::composition() const {
+  taylor::Program program = program_;
+  program.state.n = tape_.variables_ / 2;
+  program.state.accelerations = nullptr;
+  return program;
+}
+
+bool TaylorTranslation::is_of_state(const double* row) const {
+  const double* first = program_.state.rows;
+  return row >= first && row < first + tape_.variables_ * taylor::stride;
+}
+
 double* TaylorTranslation::row(std::size_t index) { return rows_.data() + first_ + index * taylor::stride; }
 
 void TaylorTranslation::translate(const Instruction& instruction) {
@@ -84,6 +96,7 @@ void TaylorTranslation::translate(const Instruction& instruction) {
       step.out2 = row(instruction.out + 1);
       started_.push_back(instruction.out + 1);
       step.x = rate_row(operand[0]);
+      step.argument = &constants_[operand[0]];
       break;
     case Operation::call:
       translate_call(instruction, step);
@@ -139,6 +152,11 @@ void TaylorTranslation::translate_call(const Instruction& instruction, Step& ste
       step.kind = Kind::logarithm;
       step.x = row(u);
       return;
+    case Function::abs:
+    case Function::sign:
+      step.kind = instruction.function == Function::abs ? Kind::absolute : Kind::sign;
+      step.x = row(u);
+      return;
     case Function::exp:
       step.kind = Kind::exponential;
       break;
@@ -159,10 +177,12 @@ void TaylorTranslation::translate_call(const Instruction& instruction, Step& ste
     case Function::atan:
       translate_arc(instruction, step);
       break;
-    default:
-      assert(false);  // has_taylor_expansion() says no
+    case Function::sin:
+    case Function::cos:
+      assert(false);  // a tape has them together
   }
   step.x = rate_row(u);
+  step.argument = &constants_[u];
 }
 
 /// w = 1 + u^2, or the root of 1 - u^2.
@@ -208,9 +228,10 @@ void TaylorTranslation::translate_solve(const Instruction& instruction) {
   system.inverse.resize(n * n);
   system.column.resize(n);
   std::vector<taylor::Entry> matrix;
-  std::vector<const double*> right;
+  std::vector<const double*> right, start;
   std::vector<double*> unknowns;
   for (std::size_t i = 0; i < n * n; ++i) {
+    start.push_back(&constants_[operand[i]]);
     const auto [factor, x] = entry(operand[i]);
     matrix.push_back({factor, varies_[x] ? row(x) : nullptr, 0});
   }
@@ -220,7 +241,8 @@ void TaylorTranslation::translate_solve(const Instruction& instruction) {
   }
   outputs_.push_back(std::move(unknowns));
   solves_.push_back({static_cast<std::uint32_t>(n), kept(entries_, std::move(matrix)),
-                     kept(inputs_, std::move(right)), outputs_.back().data(), system.inverse.data()});
+                     kept(inputs_, std::move(right)), outputs_.back().data(), system.inverse.data(),
+                     kept(inputs_, std::move(start))});
   step.kind = n == 2 ? Kind::solve_2 : n == 3 ? Kind::solve_3 : Kind::solve;
   step.solve = &solves_.back();
   steps_.push_back(step);

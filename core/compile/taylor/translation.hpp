@@ -19,11 +19,17 @@ namespace qdot {
 
 class TaylorTranslation {
  public:
+  /// Keeps both references; the workspace also is where later evaluations are found.
   TaylorTranslation(const CompiledFunction& tape, const Workspace& constants);
 
   /// Coefficients 0, from the slots of an evaluation. False where a mass matrix has no inverse.
   [[nodiscard]] bool start(const Workspace& slots);
   [[nodiscard]] const taylor::Program& program() const { return program_; }
+  /// The same for a function of the state, which has no accelerations.
+  [[nodiscard]] taylor::Program composition() const;
+  /// Where the first output stands.
+  [[nodiscard]] const double* output() { return row(tape_.outputs_.front()); }
+  [[nodiscard]] bool is_of_state(const double* row) const;
 
  private:
   /// A sum of what varies.
@@ -81,7 +87,7 @@ class TaylorTranslation {
   [[nodiscard]] double* row(std::size_t index);
   [[nodiscard]] double* new_row() { return row(rows_used_++); }
   [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
-  void start_own_rows(const taylor::Step& step);
+  void start_own_rows(taylor::Step& step);
   [[nodiscard]] static bool invert(System& system, const Workspace& slots);
 
   template <class T>

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-#include "core/compile/tape_builder.hpp"
-#include "core/expr/parse.hpp"
+#include "tests/core/compile/taylor/formula.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/states.hpp"
 #include "tests/support/system_test.hpp"
@@ -23,17 +22,6 @@ double value_at(std::span<const double> coefficients, std::size_t i, double s) {
   return sum;
 }
 
-/// q'' = a(t, q, q') for a formula in t, q and q_dot.
-CompiledFunction one_acceleration(const std::string& formula) {
-  Graph graph;
-  const Expression t = graph.symbol("t");
-  const std::vector<Expression> variables{graph.symbol("q"), graph.symbol("q_dot")};
-  const std::vector<std::string> names{"t", "q", "q_dot"};
-  TapeBuilder builder(graph, {}, t, variables);
-  builder.output(parse(formula, graph, names));
-  return builder.finish();
-}
-
 /// The k-th derivative of the series obeys the equation: y'' at s, from the polynomial, is a(t + s, y(s)).
 class Recurrence : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Formulas, Recurrence,
@@ -42,10 +30,11 @@ INSTANTIATE_TEST_SUITE_P(Formulas, Recurrence,
                                          "log(2 + q)", "sqrt(1 + q^2)", "(1 + q^2)^(5/3)", "1/(2 + q)",
                                          "q^3 - q*q_dot/(1 + t)", "cos(3*t)*q",
                                          "exp(sin(q))/sqrt(2 + cos(t))", "q^7", "(1 - 2*cos(q))*q_dot",
-                                         "sin(q - 2*t)*(3 + t)", "(q + q_dot/3)*sin(q)", "0", "2", "t"));
+                                         "sin(q - 2*t)*(3 + t)", "abs(q)*q_dot", "abs(q_dot) - sign(q_dot)*t",
+                                         "(q + q_dot/3)*sin(q)", "0", "2", "t"));
 
 TEST_P(Recurrence, SolvesTheEquation) {
-  const CompiledFunction tape = one_acceleration(GetParam());
+  const CompiledFunction tape = test::function_of(GetParam());
   TaylorExpansion expansion(tape, {});
   const std::vector<double> y{0.4, -0.3};
   std::vector<double> c(2 * (order + 1));
@@ -61,14 +50,8 @@ TEST_P(Recurrence, SolvesTheEquation) {
   }
 }
 
-TEST(TaylorExpansion, HasNoneForKinks) {
-  EXPECT_FALSE(has_taylor_expansion(one_acceleration("abs(q)")));
-  EXPECT_FALSE(has_taylor_expansion(one_acceleration("-sign(q_dot)")));
-  EXPECT_TRUE(has_taylor_expansion(one_acceleration("tanh(q_dot)")));
-}
-
 TEST(TaylorExpansion, SaysWhereTheStateHasNoDerivative) {
-  const CompiledFunction tape = one_acceleration("1/q");
+  const CompiledFunction tape = test::function_of("1/q");
   TaylorExpansion at_pole(tape, {});
   std::vector<double> c(2 * (order + 1));
   EXPECT_EQ(at_pole.expand(0, std::vector<double>{0, 1}, order, c), Evaluation::nonfinite);

@@ -1,0 +1,91 @@
+// Coefficients 0 of the rows, and what the kernels multiply by instead of dividing.
+
+#include <algorithm>
+
+#include "core/compile/extended/translation.hpp"
+#include "core/numerics/double_double_function.hpp"
+#include "core/numerics/double_double_system.hpp"
+
+namespace qdot {
+namespace {
+
+DoubleDouble first_of(const double* row) { return {row[0], row[extended::run_length]}; }
+
+void set_first(double* row, const DoubleDouble& value) {
+  row[0] = row[2 * extended::run_length + extended::last] = value.high;
+  row[extended::run_length] = row[3 * extended::run_length + extended::last] = value.low;
+}
+
+/// Coefficients up to `order`, in all four runs.
+void clear(double* row, unsigned order) {
+  const std::size_t count = order + 1;
+  for (std::size_t part = 0; part < 2; ++part, row += extended::run_length) {
+    std::fill_n(row, count, 0.0);
+    std::fill_n(row + 2 * extended::run_length + extended::last - order, count, 0.0);
+  }
+}
+
+}  // namespace
+
+bool ExtendedTranslation::start(const ExtendedTape& tape, unsigned order) {
+  const std::span<const DoubleDouble> slots = tape.slots();
+  for (std::size_t i = time_; i < rows_used_; ++i) clear(row(i), order_before_);
+  order_before_ = order;
+  for (std::size_t slot = 0; slot < slots.size(); ++slot) set_first(row(slot), slots[slot]);
+  double* t = row(time_);
+  t[1] = t[2 * extended::run_length + extended::last - 1] = 1;
+  for (const OwnRow& own : own_rows_) start_own_row(own);
+  for (LinearSystem& system : systems_) {
+    if (!invert(system, slots)) return false;
+  }
+  for (extended::Step& step : steps_) {
+    if (step.kind == extended::Kind::quotient) step.inverse = DoubleDouble(1) / first_of(step.y);
+    if (step.kind == extended::Kind::root) step.inverse = DoubleDouble(0.5) / first_of(step.out);
+  }
+  return true;
+}
+
+void ExtendedTranslation::start_own_row(const OwnRow& own) {
+  const DoubleDouble one = 1.0;
+  const DoubleDouble x = own.x != nullptr ? first_of(own.x) : DoubleDouble();
+  switch (own.start) {
+    case Start::none:
+      return;
+    case Start::one_plus_square:
+      return set_first(own.row, one + x * x);
+    case Start::one_minus_square:
+      return set_first(own.row, (one - x) * (one + x));
+    case Start::inverse_square_of_cosh: {
+      const DoubleDouble inverse = one / evaluate(Function::cosh, x);
+      return set_first(own.row, inverse * inverse);
+    }
+    case Start::square_root:
+      return set_first(own.row, sqrt(x));
+    case Start::function:
+      return set_first(own.row, evaluate(own.function, x));
+  }
+}
+
+bool ExtendedTranslation::invert(LinearSystem& system, std::span<const DoubleDouble> slots) {
+  const std::size_t n = system.unknowns.size();
+  std::vector<DoubleDouble> m;
+  for (const Slot slot : system.matrix_slots) m.push_back(slots[slot]);
+  if (system.has_determinant) {
+    const DoubleDouble determinant = slots[system.determinant_slot];
+    const DoubleDouble adjugate[4]{m[3], -m[1], -m[2], m[0]};
+    for (std::size_t i = 0; i < 4; ++i) system.inverse[i] = adjugate[i] / determinant;
+    return true;
+  }
+  RowOrder order{};
+  if (!factor_linear(n, m, order)) return false;
+  std::vector<DoubleDouble> column(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    std::ranges::fill(column, DoubleDouble());
+    column[j] = 1.0;
+    substitute_linear(n, m, order, column);
+    for (std::size_t i = 0; i < n; ++i) system.inverse[i * n + j] = column[i];
+  }
+  return true;
+}
+
+}  // namespace qdot

@@ -1,0 +1,122 @@
+#pragma once
+// What a Taylor step may hide: a bound of its defect over the whole step.
+//
+// The rows of an expansion of order N are polynomials p in s, 0 <= s <= h. Along the polynomials of the state
+// each slot of the tape has a true value, and the row of the slot differs from it by no more than a number r:
+//
+//   product   x y - row = (x - p_x) p_y + p_x (y - p_y) + (x - p_x)(y - p_y) + terms of order >= N,
+//   and so on for every instruction (remainder_rules.cpp), each in O(N).
+//
+// Terms of order >= m of a product are bounded by  tail_m(a, b) = sum_i A_i(a) T_{max(m-i,0)}(b)  with
+// A_k = |c_k| h^k and T_k = sum_{j>=k} A_j. In the end r of an acceleration is the defect |p'' - a(t, p,
+// p')|. Where rows cannot tell (exp(-2500) = 0 and all its coefficients), the interval operation does.
+//
+// Rounding is left out, but for what it may hide: a function that has become 0 or constant by it.
+// Sources: Makino, Berz, Taylor models and other validated functional inclusion methods, Int. J. Pure Appl.
+// Math. 4 (2003) 379; Neher, Jackson, Nedialkov, On Taylor model based integration of ODEs, SIAM J. Numer.
+// Anal. 45 (2007) 236.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/compile/taylor/kernels.hpp"
+#include "core/compile/taylor/range.hpp"
+
+namespace qdot::taylor {
+
+class Remainder {
+ public:
+  /// Keeps pointers into the program, which must outlive it.
+  explicit Remainder(const Program& program);
+
+  /// Bounds over 0 <= s <= h of |p_i'(s) - f_i(t + s, p(s))| for y = (q, v), for the rows of an expansion of
+  /// that order; infinite where there is none. Returns the largest of h defect_i / allowed_i.
+  double bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect);
+
+  /// The same where the rows of the state are given: what they lack of the motion, for q and v, and how far
+  /// then what stands in `row` may be from it.
+  double distance(const double* row, double h, unsigned order, std::span<const double> missing_of_state);
+
+ private:
+  /// quick: ranges by the rows alone. careful: by interval operations too.
+  enum class Effort { quick, careful };
+
+  struct Row {
+    const double* coefficients{};
+    unsigned missing{1};  ///< orders that the row lacks: 0 for a state, 2 for a rate
+    double r{};
+    double argument_r{};  ///< of what the row is the rate of
+    double own_top{};     ///< A_N of a state: what a sum that contains it does not have
+    Range of_row;         ///< of the polynomial
+    Range of_value;       ///< of what it stands for
+    /// A_k; T_{N-k}, and T_0 once more.
+    alignas(32) std::array<double, highest_order + 8> a{}, reversed_tails{};
+    double t0{};
+  };
+  using Index = std::uint32_t;
+  struct Factor {
+    double factor{};
+    Index x{}, y{};
+  };
+  struct Rule {
+    Kind kind{};
+    const double* constant{};  ///< of the step: abs and sign change it
+    Index x{}, y{}, out{}, out2{}, aux{};
+    const double* argument{};
+    std::vector<Factor> terms{}, products{};
+    const Solve* solve{};
+    std::vector<Index> matrix{}, right{}, unknowns{};  ///< of a solve
+  };
+
+  [[nodiscard]] Index index_of(const double* row);
+  [[nodiscard]] Rule rule_for(const Step& step);
+  void prepare(double h, unsigned order);
+  void take_sizes(Row& row);
+  template <std::size_t count>
+  void sum_tails(Row* rows);
+  void take_range(Row& row);
+  void look(Effort effort);
+  double excess(std::span<const double> allowed, std::span<double> defect) const;
+
+  void apply(const Rule& rule);
+  void apply_sum(const Rule& rule);
+  void apply_rate(const Rule& rule);
+  void apply_quotient(const Rule& rule);
+  void apply_power(const Rule& rule);
+  void apply_root(const Rule& rule);
+  void apply_sine_cosine(const Rule& rule);
+  void apply_exponential(const Rule& rule);
+  void apply_logarithm(const Rule& rule);
+  void apply_tangent(const Rule& rule);
+  void apply_hyperbolic(const Rule& rule);
+  void apply_arc(const Rule& rule);
+  void apply_kink(const Rule& rule);
+  void apply_solve(const Rule& rule);
+
+  /// sum_{i+j >= N} |a_i b_j| h^(i+j), and the same from N - 1 on.
+  [[nodiscard]] double tail(const Row& a, const Row& b) const;
+  [[nodiscard]] double tail_of_rate(const Row& rate, const Row& b) const;
+  /// By how much x is on the other side of zero than at s = 0.
+  [[nodiscard]] double beyond_kink(const Row& x, double side) const;
+  /// How far an argument moves from its value at s = 0, by its rate.
+  [[nodiscard]] Range variation(const Row& rate) const;
+  [[nodiscard]] Range argument(const Rule& rule) const;
+  void conclude(Row& row, double r) const;
+  void meet(Row& row, const Range& by_operation) const;
+
+  std::map<const double*, Index> indices_;
+  std::vector<Row> rows_;
+  std::vector<Rule> rules_;
+  std::size_t n_{};           ///< degrees of freedom
+  std::vector<Index> state_;  ///< q, then v
+  std::vector<Index> accelerations_;
+  std::array<double, highest_order + 1> powers_{};  ///< h^k
+  double h_{};
+  unsigned order_{};
+  Effort effort_{Effort::quick};
+};
+
+}  // namespace qdot::taylor

@@ -1,0 +1,294 @@
+// What each instruction adds to the distance of a row from what it stands for.
+//
+// Functions by a differential equation w' = f(w) d, d the rate of the argument u: a residual of the rows of
+// order N - 1 and more grows over the step to no more than h/N times its bound, since it starts as s^(N-1).
+
+#include "core/compile/taylor/remainder.hpp"
+#include "core/numerics/linear_system.hpp"
+
+namespace qdot::taylor {
+namespace {
+
+// Bounds are computed in double; this is far more than their own rounding.
+constexpr double slack = 1 + 1e-9;
+constexpr double smallest_exponential = 1e-322;  ///< what is less may have become 0
+constexpr double rounding_of_one = 1.2e-16;      ///< 1 - z^2 of a tanh that has become 1
+
+double exponential(double x) { return evaluate(Function::exp, x); }
+
+/// x^p for x > 0.
+double positive_power(double x, double p) { return exponential(p * evaluate(Function::log, x)); }
+
+/// u^p where u > 0.
+Range power(const Range& u, double p) {
+  const double one = positive_power(u.lower, p), other = positive_power(u.upper, p);
+  return range(std::min(one, other) / slack, std::max(one, other) * slack);
+}
+
+}  // namespace
+
+void Remainder::conclude(Row& row, double r) const {
+  row.r = std::isnan(r) ? infinity : r * slack;
+  row.of_value = range(row.of_row.lower - row.r, row.of_row.upper + row.r);
+}
+
+/// The value is also where the interval operation has it.
+void Remainder::meet(Row& row, const Range& by_operation) const {
+  const Range both = range(std::max(row.of_value.lower, by_operation.lower),
+                           std::min(row.of_value.upper, by_operation.upper));
+  row.of_value = both;
+  const double distance = std::max(both.upper - row.of_row.lower, row.of_row.upper - both.lower);
+  if (distance < row.r) row.r = distance;
+}
+
+Range Remainder::argument(const Rule& rule) const {
+  const Row& rate = rows_[rule.x];
+  const Range moved = variation(rate);
+  return range(*rule.argument + moved.lower - rate.argument_r,
+               *rule.argument + moved.upper + rate.argument_r);
+}
+
+void Remainder::apply(const Rule& rule) {
+  switch (rule.kind) {
+    case Kind::sum:
+    case Kind::sum_1_0:
+    case Kind::sum_2_0:
+    case Kind::sum_0_1:
+    case Kind::sum_1_1:
+    case Kind::sum_2_1:
+    case Kind::sum_3_1:
+    case Kind::sum_0_2:
+    case Kind::sum_1_2:
+    case Kind::sum_2_2:
+      return apply_sum(rule);
+    case Kind::rate:
+    case Kind::rate_of_sum:
+      return apply_rate(rule);
+    case Kind::quotient:
+      return apply_quotient(rule);
+    case Kind::power:
+      return apply_power(rule);
+    case Kind::root:
+      return apply_root(rule);
+    case Kind::sine_cosine:
+      return apply_sine_cosine(rule);
+    case Kind::exponential:
+      return apply_exponential(rule);
+    case Kind::logarithm:
+      return apply_logarithm(rule);
+    case Kind::tangent:
+      return apply_tangent(rule);
+    case Kind::hyperbolic:
+      return apply_hyperbolic(rule);
+    case Kind::absolute:
+    case Kind::sign:
+      return apply_kink(rule);
+    case Kind::arc:
+      return apply_arc(rule);
+    case Kind::solve:
+    case Kind::solve_2:
+    case Kind::solve_3:
+      return apply_solve(rule);
+  }
+}
+
+void Remainder::apply_sum(const Rule& rule) {
+  double r = 0;
+  for (const auto& [factor, x, unused] : rule.terms) {
+    r += std::abs(factor) * (rows_[x].r + rows_[x].own_top);
+  }
+  for (const auto& [factor, x, y] : rule.products) {
+    const Row &a = rows_[x], &b = rows_[y];
+    const double of_b = b.of_row.magnitude();
+    r += std::abs(factor) * (tail(a, b) + a.of_row.magnitude() * b.r + (of_b + b.r) * a.r);
+  }
+  Row& out = rows_[rule.out];
+  conclude(out, r);
+  if (effort_ == Effort::quick) return;
+  Range value{out.coefficients[0], out.coefficients[0]};
+  for (const auto& [factor, x, unused] : rule.terms) {
+    value = value + factor * (rows_[x].of_value - rows_[x].coefficients[0]);
+  }
+  for (const auto& [factor, x, y] : rule.products) {
+    const Row &a = rows_[x], &b = rows_[y];
+    const Range product = x == y ? square(a.of_value) : a.of_value * b.of_value;
+    value = value + factor * (product - a.coefficients[0] * b.coefficients[0]);
+  }
+  meet(out, value);
+}
+
+/// The row of a rate belongs to the argument's polynomial: by how much does the argument depart from it?
+void Remainder::apply_rate(const Rule& rule) {
+  Row& out = rows_[rule.out];
+  if (rule.kind == Kind::rate) {
+    out.argument_r = rows_[rule.x].r + rows_[rule.x].own_top;
+    return;
+  }
+  out.argument_r = 0;
+  for (const auto& [factor, x, unused] : rule.terms) {
+    out.argument_r += std::abs(factor) * (rows_[x].argument_r + h_ / order_ * rows_[x].a[order_ - 1]);
+  }
+}
+
+/// w = x/y: x - w_row y is what is left.
+void Remainder::apply_quotient(const Rule& rule) {
+  const Row &x = rows_[rule.x], &y = rows_[rule.y];
+  Row& out = rows_[rule.out];
+  const double left = tail(out, y) + x.own_top + x.r + out.of_row.magnitude() * y.r;
+  conclude(out, left / y.of_value.least_magnitude());
+  if (effort_ == Effort::careful) meet(out, x.of_value / y.of_value);
+}
+
+/// w = u^p, by u w' = p u' w: (w u^-p)' is the residual over u^(p+1).
+void Remainder::apply_power(const Rule& rule) {
+  const Row& u = rows_[rule.x];
+  Row& out = rows_[rule.out];
+  const double p = *rule.constant;
+  if (!(u.of_value.lower > 0)) return conclude(out, infinity);
+  const Range values = power(u.of_value, p);
+  const double residual = std::max(1.0, std::abs(p)) * tail(u, out);
+  const double slope = std::abs(p) * power(u.of_value, p - 1).upper;
+  conclude(out, values.upper * residual / power(u.of_value, p + 1).lower + slope * u.r);
+  if (effort_ == Effort::careful) meet(out, values);
+}
+
+void Remainder::apply_root(const Rule& rule) {
+  const Row& u = rows_[rule.x];
+  Row& out = rows_[rule.out];
+  const double least = std::sqrt(std::max(0.0, u.of_value.lower)) + std::max(0.0, out.of_row.lower);
+  conclude(out, (u.r + u.own_top + tail(out, out)) / least);
+  if (effort_ == Effort::careful && u.of_value.lower >= 0) {
+    meet(out, range(std::sqrt(u.of_value.lower) / slack, std::sqrt(u.of_value.upper) * slack));
+  }
+}
+
+/// The residual turns (sin, cos), and does not grow.
+void Remainder::apply_sine_cosine(const Rule& rule) {
+  const Row& rate = rows_[rule.x];
+  Row &sin = rows_[rule.out], &cos = rows_[rule.out2];
+  const double r = rate.argument_r + h_ / order_ * (tail_of_rate(rate, sin) + tail_of_rate(rate, cos));
+  conclude(sin, r);
+  conclude(cos, r);
+  if (effort_ == Effort::quick) return;
+  meet(sin, sine(argument(rule), 0));
+  meet(cos, sine(argument(rule), 1));
+}
+
+/// The residual grows as w does. What has become 0 by underflow grows too.
+void Remainder::apply_exponential(const Rule& rule) {
+  const Row& rate = rows_[rule.x];
+  Row& out = rows_[rule.out];
+  const Range moved = variation(rate);
+  const double growth = exponential(moved.upper - moved.lower);
+  const double most = exponential(moved.upper);
+  const double start = out.coefficients[0] + smallest_exponential;
+  double r = h_ / order_ * tail_of_rate(rate, out) * growth + most * smallest_exponential;
+  if (rate.argument_r > 0) r += start * most * rate.argument_r * exponential(2 * rate.argument_r);
+  conclude(out, r);
+  if (effort_ == Effort::careful) {
+    const Range value = rising(Function::exp, argument(rule));
+    meet(out, range(value.lower / slack, value.upper * slack + smallest_exponential));
+  }
+}
+
+/// z = log u, by u z' = u'.
+void Remainder::apply_logarithm(const Rule& rule) {
+  const Row& u = rows_[rule.x];
+  Row& out = rows_[rule.out];
+  if (!(u.of_value.lower > 0) || !(u.of_row.lower > 0)) return conclude(out, infinity);
+  conclude(out, (tail(u, out) + u.own_top) / u.of_row.lower + u.r / u.of_value.lower);
+  if (effort_ == Effort::careful) meet(out, rising(Function::log, u.of_value));
+}
+
+/// z' = (1 + c z^2) d: with e = z - z_row, e' = c (z + z_row) d e + residual.
+void Remainder::apply_tangent(const Rule& rule) {
+  const Row &rate = rows_[rule.x], &square_row = rows_[rule.aux];
+  Row& z = rows_[rule.out];
+  const double moved = variation(rate).magnitude();
+  double most = 1;  // of |z|
+  if (*rule.constant > 0) {
+    const Range u = argument(rule);
+    const double quarter = std::floor(u.lower / pi + 0.5);
+    const bool pole_inside = std::floor(u.upper / pi + 0.5) != quarter;
+    const Range values = pole_inside ? Range{} : rising(Function::tan, u);
+    most = values.magnitude();
+  }
+  const double growth = exponential((most + z.of_row.magnitude()) * rate.t0 * h_);
+  const double residual = h_ / order_ * (tail_of_rate(rate, square_row) + rate.t0 * tail(z, z));
+  const double slope = *rule.constant > 0 ? 1 + most * most : 1;
+  conclude(z, growth * (residual + rounding_of_one * moved) + slope * rate.argument_r);
+  if (effort_ == Effort::careful && *rule.constant < 0) {
+    const Range value = rising(Function::tanh, argument(rule));
+    meet(z, range(value.lower - rounding_of_one, value.upper + rounding_of_one));
+  }
+}
+
+void Remainder::apply_hyperbolic(const Rule& rule) {
+  const Row& rate = rows_[rule.x];
+  Row &out = rows_[rule.out], &other = rows_[rule.out2];
+  const double growth = exponential(variation(rate).magnitude() + rate.argument_r);
+  const double start = std::abs(out.coefficients[0]) + std::abs(other.coefficients[0]);
+  const double r = growth * (h_ / order_ * (tail_of_rate(rate, out) + tail_of_rate(rate, other)) +
+                             start * rate.argument_r);
+  conclude(out, r);
+  conclude(other, r);
+}
+
+/// w z' = c u', w = 1 + u^2 or sqrt(1 - u^2).
+void Remainder::apply_arc(const Rule& rule) {
+  const Row &rate = rows_[rule.x], &w = rows_[rule.y];
+  Row& z = rows_[rule.out];
+  double slope = 0;  // h max |z_row'|
+  for (unsigned k = 1; k < order_; ++k) slope += k * z.a[k];
+  const double residual = tail(w, z) + h_ / order_ * rate.a[order_ - 1] + w.r * slope;
+  conclude(z, (residual + rate.argument_r) / w.of_value.least_magnitude());
+}
+
+/// With what x leaves zero at once it does not come back to: c_0 and c_1 have one sign and the rest is
+/// smaller.
+double Remainder::beyond_kink(const Row& x, double side) const {
+  const double rise = side * x.coefficients[1] * h_;
+  if (rise > x.reversed_tails[order_ - 2] + x.r) return 0;
+  return std::max(0.0, -(side > 0 ? x.of_value.lower : -x.of_value.upper));
+}
+
+/// |abs(x) - side x| is twice what x is beyond zero; sign has jumped by 2 there.
+void Remainder::apply_kink(const Rule& rule) {
+  const Row& x = rows_[rule.x];
+  const double side = *rule.constant;
+  const double beyond = side == 0 ? x.of_value.magnitude() : beyond_kink(x, side);
+  if (rule.kind == Kind::sign) {
+    conclude(rows_[rule.out], side == 0 ? 1 : beyond > 0 ? 2 : 0);
+  } else {
+    conclude(rows_[rule.out], side == 0 ? beyond : x.r + x.own_top + 2 * beyond);
+  }
+}
+
+/// M x = f. With e = x - x_row and the residual rho of the rows, M e = rho for every M of the step: for Y
+/// near the inverse of a middle one, |e| <= |Y| rho + |1 - Y M| |e|. Source: Rump, Verification methods, Acta
+/// Numerica 19 (2010) 287, section 10.
+void Remainder::apply_solve(const Rule& rule) {
+  const std::size_t n = rule.right.size();
+  std::array<double, largest_system * largest_system> middle, radius;  // n x n of each are used
+  std::array<double, largest_system> rho{}, error{};
+  for (std::size_t i = 0; i < n; ++i) {
+    rho[i] = rows_[rule.right[i]].r + rows_[rule.right[i]].own_top;
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t at = i * n + j;
+      middle[at] = *rule.solve->start[at];
+      radius[at] = 0;
+      const Entry& entry = rule.solve->matrix[at];
+      if (entry.m == nullptr) continue;
+      const Row &m = rows_[rule.matrix[at]], &x = rows_[rule.unknowns[j]];
+      const double factor = std::abs(entry.factor);
+      rho[i] += factor * (tail(m, x) + m.r * x.of_row.magnitude());
+      const Range moved = entry.factor * (m.of_value - m.coefficients[0]);
+      middle[at] += 0.5 * (moved.lower + moved.upper);
+      radius[at] = 0.5 * (moved.upper - moved.lower);
+    }
+  }
+  bound_solution(n, middle, radius, rho, error);
+  for (std::size_t i = 0; i < n; ++i) conclude(rows_[rule.unknowns[i]], error[i]);
+}
+
+}  // namespace qdot::taylor

@@ -1,0 +1,203 @@
+// The bound of a step's defect against the defect itself, at many places of the step.
+
+#include "core/compile/taylor/remainder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/compile/taylor/composition.hpp"
+#include "core/compile/taylor/expansion.hpp"
+#include "tests/core/compile/taylor/formula.hpp"
+#include "tests/support/motions.hpp"
+#include "tests/support/states.hpp"
+#include "tests/support/system_test.hpp"
+
+namespace qdot {
+namespace {
+
+/// One motion's polynomials and what they may hide until h.
+struct Step {
+  unsigned order;
+  double h;
+  std::vector<double> c, defect;
+
+  Step(const CompiledFunction& tape, std::span<const double> parameters, double t, std::vector<double> y,
+       unsigned order_of_step, double length)
+      : order(order_of_step), h(length), c(y.size() * (order_of_step + 1)), defect(y.size()) {
+    TaylorExpansion expansion(tape, parameters);
+    EXPECT_EQ(expansion.expand(t, y, order, c), Evaluation::ok);
+    (void)expansion.bound_defect(h, std::vector<double>(y.size(), 1), defect);
+  }
+
+  [[nodiscard]] double value(std::size_t i, double s) const {
+    double sum = 0;
+    for (unsigned k = order + 1; k-- > 0;) sum = sum * s + c[i * (order + 1) + k];
+    return sum;
+  }
+  [[nodiscard]] double slope(std::size_t i, double s) const {
+    double sum = 0;
+    for (unsigned k = order; k >= 1; --k) sum = sum * s + k * c[i * (order + 1) + k];
+    return sum;
+  }
+  /// |p_i' - f_i| at s, with the acceleration from the tape.
+  [[nodiscard]] double defect_at(const CompiledFunction& tape, Workspace& workspace, double t, std::size_t i,
+                                 double s) const {
+    const std::size_t n = defect.size() / 2;
+    std::vector<double> y, a(n);
+    for (std::size_t k = 0; k < 2 * n; ++k) y.push_back(value(k, s));
+    EXPECT_EQ(tape.evaluate(t + s, y, workspace, a), Evaluation::ok);
+    return std::abs(slope(i, s) - (i < n ? y[n + i] : a[i - n]));
+  }
+};
+
+const char* const formulas[]{"-sin(q)",
+                             "cos(q)*q_dot",
+                             "tan(q/2)",
+                             "asin(q/3)",
+                             "acos(q/3)",
+                             "atan(3*q)",
+                             "sinh(q)",
+                             "cosh(q/2)",
+                             "tanh(5*q)",
+                             "exp(-q^2)",
+                             "log(2 + q)",
+                             "sqrt(1 + q^2)",
+                             "(1 + q^2)^(5/3)",
+                             "1/(2 + q)",
+                             "q^3 - q*q_dot/(1 + t)",
+                             "cos(3*t)*q",
+                             "exp(sin(q))/sqrt(2 + cos(t))",
+                             "q^7",
+                             "(1 - 2*cos(q))*q_dot",
+                             "sin(q - 2*t)*(3 + t)",
+                             "(q + q_dot/3)*sin(q)",
+                             "0",
+                             "t",
+                             "exp(-((t - 2)/0.1)^2)",
+                             "1/(1 + ((t - 2)/0.05)^2)",
+                             "tanh((t - 2)/0.02) - tanh((t - 3)/0.02)",
+                             "10*exp(-((q - 0.8)/0.1)^2)",
+                             "abs(q - 0.5)",
+                             "-sign(q - 0.5)*q_dot",
+                             "(t/3)^40",
+                             "tan(q_dot + t)",
+                             "log(1.01 + sin(5*t))",
+                             "acos(t/4)",
+                             "sqrt(3.2 - t)",
+                             "cosh(t - 2)^-2",
+                             "(2.5 - t)^(-3/2)",
+                             "exp(q_dot)*tanh(q_dot)"};
+
+TEST(Remainder, IsNeverBelowTheDefect) {
+  test::Random random(8);
+  int finite = 0, cases = 0;
+  for (const char* formula : formulas) {
+    const CompiledFunction tape = test::function_of(formula);
+    Workspace workspace = tape.bind({});
+    for (int i = 0; i < 60; ++i) {
+      const double t = random.real(0, 2), h = std::pow(10.0, random.real(-2.5, 0.2));
+      const unsigned order = random.real(0, 1) < 0.5 ? 16 : 20;
+      const Step step(tape, {}, t, {random.real(-0.6, 0.6), random.real(-0.5, 0.5)}, order, h);
+      ++cases;
+      if (!std::isfinite(step.defect[1])) continue;
+      ++finite;
+      for (int k = 1; k <= 100; ++k) {
+        const double s = h * k / 100;
+        for (const std::size_t j : {0U, 1U}) {
+          const double size = std::abs(step.slope(j, s)) + std::abs(step.value(1, s));
+          EXPECT_LE(step.defect_at(tape, workspace, t, j, s), step.defect[j] + 1e-12 * (1 + size))
+              << formula << " t " << t << " h " << h << " s " << s;
+        }
+      }
+    }
+  }
+  EXPECT_GT(finite, cases * 3 / 4);
+}
+
+TEST(Remainder, IsSmallWhereAStepIsUsual) {
+  for (const char* formula : {"-sin(q)", "exp(-q^2)", "q^3 - q*q_dot/(1 + t)", "tanh(q)", "sqrt(1 + q^2)",
+                              "1/(2 + q)", "(1 + q^2)^(5/3)", "log(2 + q)", "atan(q)", "abs(q)*q_dot"}) {
+    const Step step(test::function_of(formula), {}, 0.3, {0.4, -0.3}, 20, 0.1);
+    EXPECT_LT(step.defect[1], 1e-12) << formula;
+  }
+}
+
+TEST(Remainder, SeesAPulseWhereAllCoefficientsAreZero) {
+  const Step before(test::function_of("exp(-((t - 5)/0.1)^2)"), {}, 0, {0, 0}, 20, 10);
+  EXPECT_EQ(before.c, std::vector<double>(42));
+  EXPECT_GE(before.defect[1], 1);
+  const Step short_of_it(test::function_of("exp(-((t - 5)/0.1)^2)"), {}, 0, {0, 0}, 20, 4);
+  EXPECT_LT(short_of_it.defect[1], 1e-40);
+}
+
+TEST(Remainder, SeesAKinkAheadAndNoneBehind) {
+  const CompiledFunction tape = test::function_of("sign(q - 0.5)");
+  EXPECT_GE(Step(tape, {}, 0, {0.4, 1}, 20, 0.2).defect[1], 2);
+  EXPECT_EQ(Step(tape, {}, 0, {0.4, 1}, 20, 0.05).defect[1], 0);
+  EXPECT_EQ(Step(tape, {}, 0, {0.5 + 1e-12, 1}, 20, 0.2).defect[1], 0);
+}
+
+class RemainderOfSystems : public test::SystemTest {};
+INSTANTIATE_TEST_SUITE_P(Systems, RemainderOfSystems, testing::ValuesIn(test::all_systems()),
+                         test::system_name);
+
+TEST_P(RemainderOfSystems, IsNeverBelowTheDefectAndFoundForUsualSteps) {
+  const Dynamics dynamics(test::model_of(GetParam()));
+  const CompiledFunction& tape = dynamics.accelerations();
+  test::Random random(12);
+  int finite = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Values state = test::random_state(model(), random);
+    const std::vector<double> parameters = test::parameters_in(model(), state);
+    const double h = std::pow(10.0, random.real(-3, -0.5));
+    const Step step(tape, parameters, 0.3, test::motion_in(model(), state), 18, h);
+    Workspace workspace = tape.bind(parameters);
+    const std::size_t n = step.defect.size() / 2;
+    for (std::size_t j = 0; j < 2 * n; ++j) {
+      if (!std::isfinite(step.defect[j])) continue;
+      ++finite;
+      for (int k = 1; k <= 20; ++k) {
+        const double s = h * k / 20;
+        const double size = std::abs(step.slope(j, s)) + std::abs(step.slope(j, 0));
+        EXPECT_LE(step.defect_at(tape, workspace, 0.3, j, s), step.defect[j] + 1e-9 * (1 + size)) << s;
+      }
+    }
+  }
+  EXPECT_GT(finite, 60);
+}
+
+/// g along the polynomials of a motion.
+TEST(Composition, IsWithinItsBound) {
+  test::Random random(9);
+  const CompiledFunction pendulum = test::function_of("-sin(q)");
+  int finite = 0, cases = 0;
+  for (const char* formula : formulas) {
+    const auto g = std::make_shared<const CompiledFunction>(test::function_of(formula));
+    TaylorComposition composition(g, {});
+    Workspace workspace = g->bind({});
+    for (int i = 0; i < 40; ++i) {
+      const double t = random.real(0, 2), h = std::pow(10.0, random.real(-2.5, 0));
+      const Step step(pendulum, {}, t, {random.real(-0.6, 0.6), random.real(-0.5, 0.5)}, 20, h);
+      const unsigned order = i % 2 == 0 ? 5 : 20;
+      std::vector<double> c(order + 1);
+      const double r = composition.expand(t, step.c, step.order, h, order, c);
+      ++cases;
+      if (!std::isfinite(r)) continue;
+      ++finite;
+      for (int k = 0; k <= 50; ++k) {
+        const double s = h * k / 50;
+        double value{}, sum = 0;
+        ASSERT_EQ(g->evaluate(t + s, std::vector<double>{step.value(0, s), step.value(1, s)}, workspace,
+                              {&value, 1}),
+                  Evaluation::ok);
+        for (unsigned j = order + 1; j-- > 0;) sum = sum * s + c[j];
+        EXPECT_LE(std::abs(value - sum), r + 1e-12 * (1 + std::abs(value))) << formula << " " << t + s;
+      }
+    }
+  }
+  EXPECT_GT(finite, cases * 3 / 4);
+}
+
+}  // namespace
+}  // namespace qdot
