@@ -4,8 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
+
+constexpr unsigned low_order = 5;  ///< cheap, and mostly enough to see that nothing happens
+constexpr unsigned full_order = 20;
+constexpr std::size_t most_looks = 4000;
+constexpr int halvings = 60;
+constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
+/// A sketch is this share of a step's change off at most.
+constexpr double rough = 0.125;
 
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
@@ -21,85 +31,133 @@ bool is_pole(const SignChange& begin, const SignChange& end) {
 }  // namespace
 
 EventSearch::EventSearch(const RunRequest& request)
-    : request_(request), first_time_(request.t_start), y_(request.y_start.size()) {
-  for (const EventFunction& event : request.events) {
-    const double value = event.value(request.t_start, request.y_start);
-    probes_.push_back({value, sign_of(value)});
-  }
-}
+    : request_(request),
+      signs_(request.events.size()),
+      definite_(request.events.size(), request.t_start),
+      y_(request.y_start.size()) {}
 
 EventSearch::Found EventSearch::search(Stepper& stepper) {
   Found found;
-  if (probes_.empty() || is_quiet(stepper)) return found;
-  const double begin = stepper.t_previous();
-  const double length = stepper.t() - begin;
-  if (begin == request_.t_start) first_time_ = begin + std::max(1e-9 * length, 16 * time_round_off(begin));
-  double from = begin;
-  for (int i = 1; i <= pieces && !found.terminal && !found.failure; ++i) {
-    const double to = i == pieces ? stepper.t() : begin + length * i / pieces;
-    search_piece(stepper, from, to, found);
-    from = to;
+  if (signs_.empty()) return found;
+  found.failure = polynomial_.take(stepper, StepPolynomial::Look::rough);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < signs_.size() && !found.failure; ++i) {
+    if (!is_quiet(i)) open.push_back(i);
   }
+  if (!open.empty() && !polynomial_.is_exact()) {
+    found.failure = polynomial_.take(stepper, StepPolynomial::Look::exact);
+  }
+  std::vector<Crossed> crossed;
+  for (const std::size_t i : open) {
+    if (!found.failure) walk(i, crossed);
+  }
+  std::vector<std::pair<double, std::size_t>> zeros;
+  for (const Crossed& crossing : crossed) {
+    if (found.failure) break;
+    if (const auto t = locate(stepper, crossing, found)) zeros.emplace_back(*t, crossing.event);
+  }
+  if (!found.failure) report(stepper, std::move(zeros), found);
   return found;
 }
 
-// Quiet: one strict sign throughout, and never as near to zero as an eighth
-// of the way from one place to the next.
-bool EventSearch::is_quiet(Stepper& stepper) {
-  const double begin = stepper.t_previous();
-  const double length = stepper.t() - begin;
-  std::vector<double> last;
-  for (const Probe& probe : probes_) last.push_back(probe.value);
-  for (int k = 1; k <= pieces; ++k) {
-    const double t = k == pieces ? stepper.t() : begin + length * k / pieces;
-    if (k == pieces) {
-      std::ranges::copy(stepper.y(), y_.begin());
-    } else if (stepper.sketch(t, y_)) {
-      return false;
+/// Whether g keeps the sign it had, as few coefficients show.
+bool EventSearch::is_quiet(std::size_t event) {
+  if (signs_[event] == 0) return false;
+  const MotionPiece& piece = polynomial_.whole();
+  const auto [c, off, is_divided] = unit_series(event, piece, low_order);
+  double lower = c[0], upper = c[0];
+  for (std::size_t k = 1; k < c.size(); ++k) {
+    lower += std::min(0.0, c[k]);
+    upper += std::max(0.0, c[k]);
+  }
+  const double doubt = polynomial_.is_exact() ? off : off + rough * (upper - lower);
+  const bool keeps = signs_[event] > 0 ? lower - doubt > 0 : upper + doubt < 0;
+  if (keeps) definite_[event] = piece.t + piece.h;
+  return keeps;
+}
+
+EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const MotionPiece& piece,
+                                                 unsigned order) const {
+  UnitSeries result{std::vector<double>(order + 1), 0, false};
+  std::vector<double>& c = result.coefficients;
+  result.off = request_.events[event].series(piece, order, c);
+  double power = 1, size = 0;
+  for (double& coefficient : c) {
+    coefficient *= power;
+    power *= piece.h;
+    size += std::abs(coefficient);
+  }
+  result.off += of_values * size;
+  const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
+  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time;
+  if (result.is_divided) c.erase(c.begin());
+  return result;
+}
+
+void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
+  const auto [begin, h, rows, order] = polynomial_.whole();
+  const Crossing direction = request_.events[event].direction;
+  std::vector<SignPiece> pieces;
+  looks_ = 0;
+  starts_at_zero_ = false;
+  explore(event, 0, h, pieces);
+  for (const SignPiece& piece : pieces) {
+    if (piece.sign == 0) continue;
+    const bool is_wanted =
+        direction == Crossing::either || (direction == Crossing::rising) == (piece.sign > 0);
+    const bool leaves_start = signs_[event] == 0 && starts_at_zero_ && request_.events[event].counts_at_start;
+    if (leaves_start && is_wanted) crossed.push_back({event, begin, begin});
+    if (signs_[event] == -piece.sign && is_wanted) {
+      crossed.push_back({event, std::max(begin, definite_[event]), begin + piece.from});
     }
-    for (std::size_t i = 0; i < probes_.size(); ++i) {
-      const double value = request_.events[i].value(t, y_);
-      const bool near = !(8 * std::min(std::abs(value), std::abs(last[i])) > std::abs(value - last[i]));
-      if (near || sign_of(value) != probes_[i].sign) return false;
-      last[i] = value;
+    signs_[event] = piece.sign;
+    definite_[event] = begin + piece.to;
+  }
+}
+
+/// The pieces of [from, to], in times since the step's beginning.
+void EventSearch::explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces) {
+  if (++looks_ > most_looks) saw_everything_ = false;
+  const MotionPiece whole = polynomial_.piece(from, to - from);
+  const double shortest = 16 * time_round_off(whole.t + whole.h);
+  const UnitSeries series = unit_series(event, whole, full_order);
+  starts_at_zero_ = starts_at_zero_ || series.is_divided;
+  const std::vector<SignPiece> found = signs_of(series.coefficients, series.off);
+  for (const SignPiece& piece : found) {
+    const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;
+    const double middle = 0.5 * (begin + end);
+    if (piece.sign != 0 || end - begin <= shortest || looks_ > most_looks) {
+      pieces.push_back({begin, end, piece.sign});
+    } else if (piece.to - piece.from < 0.5) {
+      explore(event, begin, end, pieces);
+    } else {
+      explore(event, begin, middle, pieces);
+      explore(event, middle, end, pieces);
     }
   }
-  for (std::size_t i = 0; i < probes_.size(); ++i) probes_[i].value = last[i];
-  return true;
 }
 
-void EventSearch::search_piece(Stepper& stepper, double from, double to, Found& found) {
-  std::vector<double> y_to(y_.size());
-  found.failure = stepper.interpolate(to, y_to);
-  std::vector<std::pair<double, std::size_t>> zeros;
-  for (std::size_t i = 0; i < probes_.size() && !found.failure; ++i) {
-    const EventFunction& event = request_.events[i];
-    const double value = event.value(to, y_to);
-    const double value_from = probes_[i].value;
-    if (!crosses(event, probes_[i], value)) continue;
-    const auto t = locate(stepper, event, {from, value_from, to, value}, found);
-    if (t && *t > first_time_) zeros.emplace_back(*t, i);
-  }
-  if (!found.failure) report(stepper, std::move(zeros), found);
-}
-
-bool EventSearch::crosses(const EventFunction& event, Probe& probe, double value) {
-  if (std::isnan(value)) return false;
-  const int sign = sign_of(value);
-  const bool crossed = sign * probe.sign < 0;
-  probe = {value, sign == 0 ? probe.sign : sign};
-  return crossed &&
-         (event.direction == Crossing::either || (event.direction == Crossing::rising) == (sign > 0));
-}
-
-// A probe that was exactly zero is the place: g had its old sign before and has the new one after.
-std::optional<double> EventSearch::locate(Stepper& stepper, const EventFunction& event, SignChange bracket,
-                                          Found& found) {
-  if (bracket.value_before == 0) return bracket.before;
+std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& crossed, Found& found) {
+  const EventFunction& event = request_.events[crossed.event];
   const auto g = [&](double t) {
     if (!found.failure) found.failure = stepper.interpolate(t, y_);
     return found.failure ? std::numeric_limits<double>::quiet_NaN() : event.value(t, y_);
   };
+  SignChange bracket{crossed.before, g(crossed.before), std::min(crossed.after, stepper.t()), 0};
+  bracket.value_after = g(bracket.after);
+  // At t_start g may be zero or have passed it by a rounding error, and at a step's beginning too. Where it
+  // has no value, it has its old sign.
+  const auto is_bracket = [&] {
+    return std::isnan(bracket.value_before) ||
+           sign_of(bracket.value_before) * sign_of(bracket.value_after) < 0;
+  };
+  const double length = bracket.after - bracket.before;
+  for (int k = 1; k <= halvings && !is_bracket() && !found.failure; ++k) {
+    bracket.before = crossed.before + std::ldexp(length, -k);
+    bracket.value_before = g(bracket.before);
+  }
+  if (found.failure) return std::nullopt;
+  if (!is_bracket()) return crossed.before;
   const SignChange place = find_sign_change(g, bracket);
   if (is_pole(bracket, place)) return std::nullopt;
   return place.after;

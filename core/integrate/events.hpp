@@ -1,15 +1,19 @@
 #pragma once
-// Zeros of event functions g(t, y(t)), found on the dense output of each step.
+// Zeros of event functions g(t, y(t)), found on the dense output of each step: all of them.
 //
-// An event is a change of sign: g has one strict sign, later the other. Zeros between the two do not matter,
-// so a function that touches zero and turns back does not count, and one that is exactly zero at a step's end
-// is decided when it leaves zero. Each step is looked at in `pieces` pieces of equal length; two crossings
-// within one piece are not seen. A pole, such as tan has, changes sign too, but its values grow towards the
+// An event is a change of sign: g has one strict sign, later the other. Along a step g is a polynomial but
+// for a bounded rest (EventFunction::series), so that its signs on the whole step are known: no zero lies
+// between two places that were looked at. Where a polynomial does not tell, a shorter piece of the step does,
+// down to the round-off of t. A function that touches zero and turns back does not count, nor does one that
+// passes zero and comes back by less than the round-off of its values; one that is zero at a step's end is
+// decided when it leaves zero. A pole, such as tan has, changes sign too, but its values grow towards the
 // place, and so it does not count.
 //
-// A zero at t_start does not count either, whether g is exactly zero there or crosses within 1e-9 of the
-// first step. That is where a motion goes on after the same event has ended an earlier one.
-// Later crossings count.
+// A zero at t_start counts only where that is asked for: there a motion goes on after the same event has
+// ended an earlier one. There g(s) = s (c_1 + c_2 s + ...), and later zeros are those of the bracket, however
+// soon they come.
+//
+// Where a method's dense output is no polynomial, it is looked at through nine places of each step.
 
 #include <cstddef>
 #include <optional>
@@ -17,8 +21,10 @@
 #include <vector>
 
 #include "core/integrate/run.hpp"
+#include "core/integrate/step_polynomial.hpp"
 #include "core/integrate/stepper.hpp"
 #include "core/numerics/root.hpp"
+#include "core/numerics/sign_search.hpp"
 
 namespace qdot {
 
@@ -27,8 +33,6 @@ inline constexpr std::size_t most_occurrences = 50'000;
 
 class EventSearch {
  public:
-  static constexpr int pieces = 5;
-
   /// Keeps the reference to the request; the run starts at its (t_start, y_start).
   explicit EventSearch(const RunRequest& request);
 
@@ -40,27 +44,37 @@ class EventSearch {
   };
   [[nodiscard]] Found search(Stepper& stepper);
 
+  /// False once the signs of a function were not found within the work allowed.
+  [[nodiscard]] bool saw_everything() const { return saw_everything_; }
+
  private:
-  /// g at the last place looked at, and the strict sign it had last: 0 while it has had none since t_start.
-  struct Probe {
-    double value{};
-    int sign{};
+  /// A crossing: the event, and a bracket in time.
+  struct Crossed {
+    std::size_t event{};
+    double before{}, after{};
   };
 
-  /// Whether a rough look at the last step shows that no event function comes near a change of sign in it;
-  /// the probes are then at its end.
-  bool is_quiet(Stepper& stepper);
-  void search_piece(Stepper& stepper, double from, double to, Found& found);
-  /// Takes note of g(to); true if g has crossed, in the direction asked for, since the probe before.
-  static bool crosses(const EventFunction& event, Probe& probe, double value);
-  std::optional<double> locate(Stepper& stepper, const EventFunction& event, SignChange bracket,
-                               Found& found);
+  [[nodiscard]] bool is_quiet(std::size_t event);
+  void walk(std::size_t event, std::vector<Crossed>& crossed);
+  void explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces);
+  /// g over a piece, in the unit of its length.
+  struct UnitSeries {
+    std::vector<double> coefficients;
+    double off{};            ///< what g may be away from it
+    bool is_divided{false};  ///< by that unit: g is zero at t_start
+  };
+  [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
+  std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 
   const RunRequest& request_;
-  double first_time_;  ///< zeros up to here are the start's
-  std::vector<Probe> probes_;
-  std::vector<double> y_;  ///< scratch
+  StepPolynomial polynomial_;
+  std::vector<int> signs_;  ///< the strict sign that each had last: 0 while it has had none since t_start
+  std::vector<double> definite_;  ///< when it had it
+  std::vector<double> y_;         ///< scratch
+  std::size_t looks_{};           ///< at one function in one step
+  bool starts_at_zero_{false};
+  bool saw_everything_{true};
 };
 
 }  // namespace qdot

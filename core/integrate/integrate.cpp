@@ -32,6 +32,8 @@ class Integration {
     run_.ending = go();
     run_.steps = stepper_->steps();
     run_.evaluations = stepper_->evaluations();
+    run_.bounded = stepper_->bounded() && events_.saw_everything();
+    run_.unseen_at_end.assign(stepper_->unseen().begin(), stepper_->unseen().end());
     return std::move(run_);
   }
 
@@ -76,12 +78,24 @@ class Integration {
       run_.states.resize((run_.rows + 1) * n);
       const auto row = std::span(run_.states).last(n);
       const auto failed = stepper_->interpolate(request_.grid[run_.rows], row);
-      if (!failed) continue;
+      if (!failed) {
+        note_unseen();
+        continue;
+      }
       run_.rows = rows_before;
       run_.states.resize(run_.rows * n);
       return failed;
     }
     return std::nullopt;
+  }
+
+  // What the step may hide counts for all of its rows.
+  void note_unseen() {
+    const std::span<const double> unseen = stepper_->unseen();
+    if (unseen.empty()) return;
+    const std::size_t n = request_.y_start.size();
+    run_.unseen.resize(run_.rows * n);
+    run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
   }
 
   const RunRequest& request_;

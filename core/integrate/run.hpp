@@ -27,6 +27,9 @@ struct RightHandSide {
   /// by Method::taylor only.
   std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
       expansion{};
+  /// Bounds over 0 <= s <= h of the defect |p_i'(s) - f_i(t + s, p(s))| of the polynomials p that `expansion`
+  /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Optional.
+  std::function<double(double h, std::span<const double> allowed, std::span<double> defect)> defect{};
   /// The same motion in canonical variables z = (q, p), of the size of y = (q, q'): z at (t, y), and z' and
   /// dz'/dz (row-major) at (t, z). Method::gauss steps in them;
   /// without them in y, where it is not symplectic.
@@ -38,13 +41,25 @@ struct RightHandSide {
   std::optional<CanonicalForm> canonical{};
 };
 
+/// A piece of a motion as polynomials: y_i(t + s) = sum_k rows[i (order + 1) + k] s^k for 0 <= s <= h.
+struct MotionPiece {
+  double t{};
+  double h{};
+  std::span<const double> rows{};
+  unsigned order{};
+};
+
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
-/// `condition` (optional) says whether a zero found at (t, y) counts.
 struct EventFunction {
   std::function<double(double t, std::span<const double> y)> value{};
+  /// g along a piece of a motion: `order` + 1 coefficients of a polynomial in s, order <= largest_degree
+  /// (core/numerics/sign_search.hpp). Returns a bound of its distance from g over the piece, infinite where
+  /// there is none.
+  std::function<double(const MotionPiece& piece, unsigned order, std::span<double> coefficients)> series{};
   Crossing direction{Crossing::either};
   bool terminal{false};
-  std::function<bool(double t, std::span<const double> y)> condition{};
+  bool counts_at_start{false};  ///< a zero at t_start that g then leaves in its direction is one
+  std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: whether a zero counts
 };
 
 /// - taylor: Taylor series of order 16 or 20. It takes the fewest and longest steps, its polynomial is the
@@ -112,6 +127,13 @@ struct Run {
   std::vector<double> y{};  ///< the state there
   std::uint64_t steps{};
   std::uint64_t evaluations{};
+  /// Whether every step was accepted with a bound of its defect over its whole length: nothing lies hidden
+  /// between the places where f was evaluated.
+  bool bounded{false};
+  /// Where steps may hide something that their last coefficients do not show: how much of each component, up
+  /// to each row (rows x dimension). Empty where there is no such step.
+  std::vector<double> unseen{};
+  std::vector<double> unseen_at_end{};  ///< the same where the run ended
 };
 
 }  // namespace qdot

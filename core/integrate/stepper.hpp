@@ -37,8 +37,17 @@ class Stepper {
     return interpolate(t, y_out);
   }
 
+  /// The dense output of the last step where it is polynomials in t - t_previous(); empty where it is not.
+  /// Valid until the next step.
+  [[nodiscard]] virtual std::optional<MotionPiece> polynomials() const { return std::nullopt; }
+
   /// Why f last had no value at a place that was tried, since time last advanced; empty if it always had one.
   [[nodiscard]] virtual std::optional<Ending> trouble() const = 0;
+
+  /// As Run::bounded, for the steps up to now.
+  [[nodiscard]] virtual bool bounded() const { return false; }
+  /// As Run::unseen, at t(); empty where there is nothing.
+  [[nodiscard]] virtual std::span<const double> unseen() const { return {}; }
 
   [[nodiscard]] virtual std::uint64_t steps() const = 0;
   [[nodiscard]] virtual std::uint64_t evaluations() const = 0;

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "core/base/work.hpp"
 #include "core/integrate/evaluator.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
@@ -20,8 +20,12 @@ constexpr double loose = 1e-6;
 constexpr double round_off_wanted = 1e-14;  ///< rtol from which on truncation is kept below round-off
 constexpr double below_round_off = 1e-18;
 constexpr unsigned order_at_round_off = 24;
-constexpr int attempts = 60;            ///< at one step, each half as long
-constexpr double largest_defect = 1e3;  ///< of the equation at the end of a step, in units of the tolerance
+constexpr int attempts = 60;               ///< at one step, each half as long
+constexpr double largest_defect = 1e3;     ///< of an unbounded step, at its end, in units of the tolerance
+constexpr double allowed_defect = 100;     ///< of a bounded step, times its length, in units of the tolerance
+constexpr int most_bounds = 120;           ///< tried for one step
+constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
+constexpr double visible = 1000;           ///< a defect so many times the last coefficients hides something
 
 /// log2 x to five digits, for x > 0: sum of s^(2i+1)/(2i+1) with s = (m - a)/(m + a), a^2 = 1/2.
 double rough_log2(double x) {
@@ -43,7 +47,7 @@ double rough_exp2(double x) {
 
 /// log2 of (w / |c|)^(1/k); infinite for c = 0. A step need not be known to more than some digits.
 double log2_of_root(double w, double c, unsigned k) {
-  if (c == 0) return std::numeric_limits<double>::infinity();
+  if (c == 0) return infinity;
   return (rough_log2(w) - rough_log2(std::abs(c))) / k;
 }
 
@@ -125,13 +129,13 @@ class TaylorStepper final : public Stepper {
     const double wanted = step_size();
     double h = std::min(wanted, request_.t_end - t_);
     for (int i = 0; i < attempts; ++i, h /= 2) {
+      const Bound bound = bounded(h);
+      h = bound.h;
       const double t = h == request_.t_end - t_ ? request_.t_end : t_ + h;
       if (!(t > t_)) break;
       if (const auto spent = limit()) return spent;
-      if (try_step(t)) {
-        last_step_ = h;
-        return std::nullopt;
-      }
+      if (try_step(t, bound)) return std::nullopt;
+      if (const auto failed = expand(t_, y_, next_)) return failed;  // its rows are wanted again
     }
     return stuck(wanted);
   }
@@ -146,10 +150,16 @@ class TaylorStepper final : public Stepper {
     return std::nullopt;
   }
 
+  std::optional<MotionPiece> polynomials() const override {
+    return MotionPiece{t_previous_, t_ - t_previous_, coefficients_, order_};
+  }
+
   double t_previous() const override { return t_previous_; }
   double t() const override { return t_; }
   std::span<const double> y() const override { return y_; }
   std::optional<Ending> trouble() const override { return trouble_; }
+  bool bounded() const override { return bounded_; }
+  std::span<const double> unseen() const override { return unseen_; }
   std::uint64_t steps() const override { return steps_; }
   std::uint64_t evaluations() const override { return evaluations_; }
 
@@ -207,17 +217,65 @@ class TaylorStepper final : public Stepper {
     for (std::size_t i = 0; i < y_.size(); ++i) {
       largest = std::max(largest, std::abs(coefficient(next_, i, k)) / weight(i));
     }
-    if (std::isfinite(largest))
-      return largest > 0 ? -rough_log2(largest) / k : std::numeric_limits<double>::infinity();
-    double least = std::numeric_limits<double>::infinity();
+    if (std::isfinite(largest)) return largest > 0 ? -rough_log2(largest) / k : infinity;
+    double least = infinity;
     for (std::size_t i = 0; i < y_.size(); ++i) {
       least = std::min(least, log2_of_root(weight(i), coefficient(next_, i, k), k));
     }
     return least;
   }
 
+  struct Bound {
+    double h{};
+    bool found{};
+  };
+
+  /// The longest step up to h whose defect is bounded by what is allowed; h itself where there is none.
+  Bound bounded(double h) {
+    if (!system_.defect) return {h, false};
+    for (std::size_t i = 0; i < y_.size(); ++i) allowed_[i] = allowed_defect * weight(i);
+    const auto excess = [&](double length) { return system_.defect(length, allowed_, defect_); };
+    double good = h, bad = infinity;
+    for (int i = 0; i < most_bounds; ++i) {
+      const double ratio = excess(good);
+      if (ratio <= 1) break;
+      bad = good;
+      good = std::max(good / 2, 0.93 * good * rough_exp2(-rough_log2(std::min(ratio, 1e300)) / order_));
+      if (good < least_of_wanted * h || t_ + good == t_) return {h, false};
+    }
+    return {bad > 4 * h || good > h / 4 ? good : lengthened(good, bad), true};
+  }
+
+  /// After much shortening: between a length that does and one that does not.
+  double lengthened(double good, double bad) {
+    for (int i = 0; i < 2; ++i) {
+      const double middle = (good + bad) / 2;
+      (system_.defect(middle, allowed_, defect_) <= 1 ? good : bad) = middle;
+    }
+    (void)system_.defect(good, allowed_, defect_);
+    return good;
+  }
+
+  /// What the step may hide: what its last coefficients do not show. It moves on with the velocities.
+  void note_unseen(double h) {
+    const std::size_t n = y_.size() / 2;
+    double power = 1;
+    for (unsigned k = 2; k < order_; ++k) power *= h;
+    bool hides = !unseen_.empty();
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      const auto size = [&](unsigned k) { return std::abs(coefficient(next_, i, k)); };
+      const double last = power * std::max({size(order_ - 2), h * size(order_ - 1), h * h * size(order_)});
+      hidden_[i] = h * defect_[i] > visible * last ? h * defect_[i] : 0;
+      hides = hides || hidden_[i] > 0;
+    }
+    if (!hides) return;
+    unseen_.resize(y_.size());
+    for (std::size_t i = 0; i < y_.size(); ++i) unseen_[i] += hidden_[i];
+    for (std::size_t i = 0; i < n; ++i) unseen_[i] += h * unseen_[n + i];
+  }
+
   /// To time t, if the polynomial holds until there.
-  bool try_step(double t) {
+  bool try_step(double t, const Bound& bound) {
     const double h = t - t_;
     std::vector<double>& y = attempt_;
     y.resize(y_.size());
@@ -230,7 +288,10 @@ class TaylorStepper final : public Stepper {
       attempt_carried_[i] = (y_[i] - (y[i] - taken)) + (rise - taken);
     }
     if (expand(t, y, beyond_)) return false;
-    if (!holds_until(h)) return false;
+    if (!bound.found && !holds_until(h)) return false;
+    if (bound.found) note_unseen(h);
+    bounded_ = bounded_ && bound.found;
+    last_step_ = h;
     accept(t);
     return true;
   }
@@ -276,6 +337,9 @@ class TaylorStepper final : public Stepper {
   std::vector<double> next_;                       ///< at t_
   std::vector<double> beyond_ = std::vector<double>(coefficients_.size());
   std::vector<double> rise_ = std::vector<double>(y_.size()), slope_ = rise_;
+  std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
+  std::vector<double> unseen_;
+  bool bounded_{true};
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
 };

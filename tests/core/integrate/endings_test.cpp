@@ -65,7 +65,7 @@ TEST(IntegrateEndings, PoleOfASolutionIsABlowUp) {
   const auto grid = equal_grid(0, 2, 100);
   for (const Method method : all_methods)
     for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14}) {
-      const auto run = integrate(
+      const auto run = integrated(
           square(),
           {.y_start = {1}, .t_end = 2, .grid = grid, .method = method, .tolerances = {rtol, 1e-12}});
       EXPECT_EQ(run.ending, Ending::blow_up) << name(method) << ' ' << rtol;
@@ -80,7 +80,7 @@ TEST(IntegrateEndings, FallIntoACentreDoesNotComeOutOnTheOtherSide) {
   for (const Method method : all_methods)
     for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14}) {
       const auto run =
-          integrate(fall(), {.y_start = {1, 0}, .t_end = 2, .method = method, .tolerances = {rtol, 1e-12}});
+          integrated(fall(), {.y_start = {1, 0}, .t_end = 2, .method = method, .tolerances = {rtol, 1e-12}});
       EXPECT_EQ(run.ending, Ending::blow_up) << name(method) << ' ' << rtol;
       EXPECT_NEAR(run.t, std::numbers::pi / (2 * std::sqrt(2.)), 100 * rtol + within_guard)
           << name(method) << ' ' << rtol;
@@ -94,7 +94,7 @@ TEST(IntegrateEndings, GrowthBeyondTheLargestMagnitudeIsABlowUp) {
   for (const Method method : all_methods) {
     RunRequest request{.y_start = {1}, .t_end = 1000, .method = method, .tolerances = {1e-6, 1e-9}};
     request.limits.max_magnitude = 1e50;
-    const auto run = integrate(system, request);
+    const auto run = integrated(system, request);
     EXPECT_EQ(run.ending, Ending::blow_up) << name(method);
     EXPECT_NEAR(run.t, 50 * std::log(10.), 0.1) << name(method);
     EXPECT_LE(run.y[0], 1e50);
@@ -111,7 +111,7 @@ TEST(IntegrateEndings, WhereTheForceHasNoValueTheRunIsNonfinite) {
           f[0] = t > 1 ? outside : 1;
           return Evaluation::ok;
         };
-      const auto run = integrate(system, {.y_start = {0}, .t_end = 2, .grid = grid, .method = method});
+      const auto run = integrated(system, {.y_start = {0}, .t_end = 2, .grid = grid, .method = method});
       EXPECT_EQ(run.ending, Ending::nonfinite) << name(method);
       EXPECT_NEAR(run.t, 1, 1e-12) << name(method);
       EXPECT_NEAR(run.y[0], 1, 1e-9) << name(method);
@@ -124,7 +124,7 @@ TEST(IntegrateEndings, WhereTheForceHasNoValueTheRunIsNonfinite) {
 TEST(IntegrateEndings, NoValueAtTheStartEndsAtTheStart) {
   for (const Method method : all_methods) {
     const RightHandSide system = clock_until(Evaluation::nonfinite, [](double, double) { return true; });
-    const auto run = integrate(system, {.y_start = {0}, .t_end = 1, .method = method});
+    const auto run = integrated(system, {.y_start = {0}, .t_end = 1, .method = method});
     EXPECT_EQ(run.ending, Ending::nonfinite);
     EXPECT_EQ(run.t, 0);
   }
@@ -133,8 +133,8 @@ TEST(IntegrateEndings, NoValueAtTheStartEndsAtTheStart) {
 TEST(IntegrateEndings, StateThatIsNoNumberIsNotIntegrated) {
   const RightHandSide system = clock_until(Evaluation::ok, [](double, double) { return false; });
   for (const Method method : all_methods) {
-    EXPECT_EQ(integrate(system, {.y_start = {nan}, .t_end = 1, .method = method}).ending, Ending::nonfinite);
-    EXPECT_EQ(integrate(system, {.y_start = {infinity}, .t_end = 1, .method = method}).ending,
+    EXPECT_EQ(integrated(system, {.y_start = {nan}, .t_end = 1, .method = method}).ending, Ending::nonfinite);
+    EXPECT_EQ(integrated(system, {.y_start = {infinity}, .t_end = 1, .method = method}).ending,
               Ending::blow_up);
   }
 }
@@ -158,7 +158,7 @@ TEST(IntegrateEndings, AnExcursionOfATrialPointIsRetriedWithAShorterStep) {
       return Evaluation::ok;
     };
     const auto run =
-        integrate(system, {.y_start = {0}, .t_end = t_end, .method = method, .tolerances = {1e-5, 1e-5}});
+        integrated(system, {.y_start = {0}, .t_end = t_end, .method = method, .tolerances = {1e-5, 1e-5}});
     EXPECT_EQ(run.ending, Ending::reached_end) << name(method);
     EXPECT_GT(excursions, 0) << name(method);
     EXPECT_LE(latest, t_end) << name(method);
@@ -170,7 +170,7 @@ TEST(IntegrateEndings, LostMassMatrixIsNamed) {
   for (const Method method : all_methods) {
     const RightHandSide system =
         clock_until(Evaluation::singular_mass, [](double, double y) { return y > 1; });
-    const auto run = integrate(system, {.y_start = {0}, .t_end = 2, .method = method});
+    const auto run = integrated(system, {.y_start = {0}, .t_end = 2, .method = method});
     EXPECT_EQ(run.ending, Ending::singular_mass) << name(method);
     EXPECT_NEAR(run.t, 1, 1e-9) << name(method);
   }
@@ -181,14 +181,14 @@ TEST(IntegrateEndings, SingularJacobianIsNamedToo) {
   system.jacobian = [jacobian = system.jacobian](double t, auto y, auto j) {
     return t > 1 ? Evaluation::singular_mass : jacobian(t, y, j);
   };
-  const auto run = integrate(system, {.y_start = {2, 0}, .t_end = 100, .method = Method::bdf});
+  const auto run = integrated(system, {.y_start = {2, 0}, .t_end = 100, .method = Method::bdf});
   EXPECT_EQ(run.ending, Ending::singular_mass);
   EXPECT_GT(run.t, 0);
 }
 
 TEST(IntegrateEndings, TolerancesBeyondDoublePrecisionAreRefused) {
   for (const Method method : all_methods) {
-    const auto run = integrate(
+    const auto run = integrated(
         oscillator(), {.y_start = {1, 0}, .t_end = 10, .method = method, .tolerances = {1e-16, 1e-30}});
     EXPECT_EQ(run.ending, Ending::tolerance) << name(method);
   }
@@ -199,13 +199,13 @@ TEST(IntegrateEndings, StepsAndEvaluationsAreBounded) {
   for (const Method method : all_methods) {
     RunRequest request{.y_start = {2, 0}, .t_end = 100, .grid = grid, .method = method};
     request.limits.max_steps = 50;
-    const auto few_steps = integrate(pendulum(), request);
+    const auto few_steps = integrated(pendulum(), request);
     EXPECT_EQ(few_steps.ending, Ending::step_limit) << name(method);
     EXPECT_EQ(few_steps.steps, 50u);
     EXPECT_GT(few_steps.t, 0);
 
     request.limits = {.max_evaluations = 333};
-    const auto few_evaluations = integrate(pendulum(), request);
+    const auto few_evaluations = integrated(pendulum(), request);
     EXPECT_EQ(few_evaluations.ending, Ending::step_limit) << name(method);
     EXPECT_EQ(few_evaluations.evaluations, 333u);
     ASSERT_GT(few_evaluations.rows, 0u);
@@ -219,7 +219,7 @@ TEST(IntegrateEndings, SlidingDiscontinuityIsStoppedAfterAThousandIdleSteps) {
       1, [](double, auto y, auto f) { f[0] = y[0] > 0 ? -1 : 1; }, [](double, auto, auto j) { j[0] = 0; });
   for (const Method method : all_methods) {
     const auto run =
-        integrate(system, {.y_start = {0.5}, .t_end = 100, .method = method, .tolerances = {1e-14, 1e-14}});
+        integrated(system, {.y_start = {0.5}, .t_end = 100, .method = method, .tolerances = {1e-14, 1e-14}});
     EXPECT_EQ(run.ending, Ending::step_limit) << name(method);
     EXPECT_NEAR(run.t, 0.5, 1e-9);
     EXPECT_LT(run.steps, 5000u) << name(method);
@@ -232,7 +232,7 @@ TEST(IntegrateEndings, JumpInTheForceIsNoObstacle) {
       [](double t, auto, auto j) { j[0] = t > 50 ? -1 : 0; });
   for (const Method method : all_methods) {
     const auto run =
-        integrate(system, {.y_start = {1}, .t_end = 60, .method = method, .tolerances = {1e-13, 1e-13}});
+        integrated(system, {.y_start = {1}, .t_end = 60, .method = method, .tolerances = {1e-13, 1e-13}});
     EXPECT_EQ(run.ending, Ending::reached_end) << name(method);
     EXPECT_NEAR(run.y[0], 51 * std::exp(-10.), 1e-10) << name(method);
   }
@@ -249,7 +249,7 @@ TEST(IntegrateEndings, InterruptionIsSeenWithin64Evaluations) {
       return f(t, y, out);
     };
     const RunRequest request{.y_start = {2, 0}, .t_end = 1e6, .method = method};
-    EXPECT_THROW((void)integrate(system, request), Interrupted) << name(method);
+    EXPECT_THROW((void)integrated(system, request), Interrupted) << name(method);
     EXPECT_LT(evaluations, 3 * 64) << name(method);
   }
 }
@@ -268,7 +268,7 @@ TEST(IntegrateEndings, ExtremeSpansHaveNames) {
           .t_start = t_start, .y_start = {2, 0}, .t_end = t_end, .grid = grid, .method = method};
       request.events = {{.value = [](double, auto y) { return y[0]; }}};
       request.limits = {.max_steps = 10'000, .max_evaluations = 100'000};
-      const auto run = integrate(pendulum(), request);
+      const auto run = integrated(pendulum(), request);
       EXPECT_LE(run.t, t_end);
       EXPECT_GE(run.t, t_start);
       EXPECT_EQ(run.ending == Ending::reached_end, run.t == t_end) << name(method) << ' ' << t_end;
@@ -284,9 +284,9 @@ TEST(IntegrateEndings, ExtremeSpansHaveNames) {
 TEST(IntegrateEndings, NothingIsWrittenToStandardError) {
   testing::internal::CaptureStderr();
   for (const Method method : all_methods) {
-    (void)integrate(square(), {.y_start = {1}, .t_end = 2, .method = method});
-    (void)integrate(oscillator(),
-                    {.y_start = {1, 0}, .t_end = 1, .method = method, .tolerances = {1e-16, 1e-30}});
+    (void)integrated(square(), {.y_start = {1}, .t_end = 2, .method = method});
+    (void)integrated(oscillator(),
+                     {.y_start = {1, 0}, .t_end = 1, .method = method, .tolerances = {1e-16, 1e-30}});
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -30,9 +30,9 @@ Errors errors(Method method, double tolerance) {
   const auto grid = equal_grid(0, 20, 200);
   RunRequest request{
       .y_start = {1, 0}, .t_end = 20, .grid = grid, .method = method, .tolerances = {tolerance, tolerance}};
-  const auto x = integrate(oscillator(), request);
+  const auto x = integrated(oscillator(), request);
   request.y_start = {theta_0, 0};
-  const auto theta = integrate(pendulum(), request);
+  const auto theta = integrated(pendulum(), request);
   EXPECT_EQ(x.rows, grid.size());
   EXPECT_EQ(theta.rows, grid.size());
   return {largest_error(x, grid,
@@ -69,7 +69,7 @@ TEST(Integrate, MethodsAgreeOnASpringPendulum) {
   std::vector<qdot::Run> runs;
   for (const Method method : all_methods) {
     request.method = method;
-    runs.push_back(integrate(spring_pendulum(), request));
+    runs.push_back(integrated(spring_pendulum(), request));
   }
   for (std::size_t i = 0; i < runs[0].states.size(); ++i) {
     EXPECT_NEAR(runs[0].states[i], runs[2].states[i], 1e4 * 1e-12);  // adams, erk
@@ -81,7 +81,7 @@ TEST(Integrate, TightestTolerancesOfDoublePrecisionStillRun) {
   for (const Method method : all_methods)
     for (const double atol : {1e-12, 1e-14}) {
       const RunRequest request{.y_start = {2, 0}, .t_end = 20, .method = method, .tolerances = {1e-14, atol}};
-      const auto run = integrate(pendulum(), request);
+      const auto run = integrated(pendulum(), request);
       EXPECT_EQ(run.ending, Ending::reached_end) << name(method);
       EXPECT_NEAR(run.y[0], released_pendulum(20, 2)[0], 1e-9) << name(method);
     }
@@ -94,7 +94,7 @@ TEST(Integrate, RungeKuttaSeesAForceThatDependsOnTimeOnly) {
       1, [](double t, auto, auto f) { f[0] = std::cos(t) * std::exp(std::sin(t)); },
       [](double, auto, auto j) { j[0] = 0; });
   const RunRequest request{.y_start = {1}, .t_end = 20, .method = Method::erk, .tolerances = {1e-9, 1e-9}};
-  EXPECT_NEAR(integrate(system, request).y[0], std::exp(std::sin(20.)), 1e-8);
+  EXPECT_NEAR(integrated(system, request).y[0], std::exp(std::sin(20.)), 1e-8);
 }
 
 TEST(Integrate, RowsAreTheSameBitsOnAnyGridAndWithAnyWatchingEvents) {
@@ -102,12 +102,12 @@ TEST(Integrate, RowsAreTheSameBitsOnAnyGridAndWithAnyWatchingEvents) {
   const auto dense = equal_grid(0, 10, 800);
   for (const Method method : all_methods) {
     RunRequest request{.y_start = {1.2, 0.7, 0.3, -0.2}, .t_end = 10, .grid = coarse, .method = method};
-    const auto few = integrate(spring_pendulum(), request);
+    const auto few = integrated(spring_pendulum(), request);
     request.grid = dense;
-    const auto many = integrate(spring_pendulum(), request);
+    const auto many = integrated(spring_pendulum(), request);
     request.events = {{.value = [](double, auto y) { return y[1]; }},
                       {.value = [](double, auto y) { return y[2]; }}};
-    const auto watched = integrate(spring_pendulum(), request);
+    const auto watched = integrated(spring_pendulum(), request);
 
     ASSERT_EQ(many.rows, dense.size());
     for (std::size_t i = 0; i < coarse.size(); ++i)
@@ -123,7 +123,7 @@ TEST(Integrate, FirstAndLastRowsAreTheEndStates) {
   const std::vector<double> ends{1, 3};
   for (const Method method : all_methods) {
     const RunRequest request{.t_start = 1, .y_start = {2, 0}, .t_end = 3, .grid = ends, .method = method};
-    const auto run = integrate(pendulum(), request);
+    const auto run = integrated(pendulum(), request);
     ASSERT_EQ(run.rows, 2u);
     EXPECT_EQ(run.t, 3);
     EXPECT_EQ(row(run, 0, 0), 2);
@@ -133,7 +133,7 @@ TEST(Integrate, FirstAndLastRowsAreTheEndStates) {
 
 TEST(Integrate, SpanOfNoLengthIsItsOwnEnd) {
   const std::vector<double> here{1};
-  const auto run = integrate(pendulum(), {.t_start = 1, .y_start = {2, 0}, .t_end = 1, .grid = here});
+  const auto run = integrated(pendulum(), {.t_start = 1, .y_start = {2, 0}, .t_end = 1, .grid = here});
   EXPECT_EQ(run.ending, Ending::reached_end);
   EXPECT_EQ(run.rows, 1u);
   EXPECT_EQ(run.evaluations, 0u);
@@ -148,7 +148,7 @@ TEST(Integrate, NothingIsEvaluatedBeyondTheEnd) {
         latest = std::max(latest, t);
         return f(t, y, out);
       };
-      EXPECT_EQ(integrate(system, {.y_start = {2, 0}, .t_end = t_end, .method = method}).t, t_end);
+      EXPECT_EQ(integrated(system, {.y_start = {2, 0}, .t_end = t_end, .method = method}).t, t_end);
       EXPECT_LE(latest, t_end) << name(method);
     }
 }
@@ -166,7 +166,7 @@ TEST(Integrate, CountersTellWhatWasEvaluated) {
     system.derivative = counted(system.derivative);
     system.jacobian = counted(system.jacobian);
     const auto grid = equal_grid(0, 10, 77);
-    const auto run = integrate(system, {.y_start = {2, 0}, .t_end = 10, .grid = grid, .method = method});
+    const auto run = integrated(system, {.y_start = {2, 0}, .t_end = 10, .grid = grid, .method = method});
     EXPECT_EQ(run.evaluations, calls) << name(method);
   }
 }
@@ -176,11 +176,12 @@ TEST(Integrate, SameCallGivesTheSameBitsOnEveryThread) {
   const auto run_all = [&grid] {
     std::vector<qdot::Run> runs;
     for (const Method method : all_methods)
-      runs.push_back(integrate(spring_pendulum(), {.y_start = {1.2, 0.7, 0.3, -0.2},
-                                                   .t_end = 5,
-                                                   .grid = grid,
-                                                   .events = {{.value = [](double, auto y) { return y[1]; }}},
-                                                   .method = method}));
+      runs.push_back(
+          integrated(spring_pendulum(), {.y_start = {1.2, 0.7, 0.3, -0.2},
+                                         .t_end = 5,
+                                         .grid = grid,
+                                         .events = {{.value = [](double, auto y) { return y[1]; }}},
+                                         .method = method}));
     return runs;
   };
   const std::vector<qdot::Run> alone = run_all();
@@ -211,7 +212,7 @@ TEST(Integrate, BdfFollowsAStiffVanDerPolOscillator) {
         assign(j, {0, 1, -2000 * y[0] * y[1] - 1, 1000 * (1 - y[0] * y[0])});
       });
   RunRequest request{.y_start = {2, 0}, .t_end = 2000, .method = Method::bdf, .tolerances = {1e-9, 1e-12}};
-  const auto run = integrate(system, request);
+  const auto run = integrated(system, request);
   EXPECT_EQ(run.ending, Ending::reached_end);
   EXPECT_NEAR(run.y[0], 1.706167732170483, 1e-6);
   EXPECT_NEAR(run.y[1], -0.8928097010247975e-3, 1e-9);
@@ -219,7 +220,7 @@ TEST(Integrate, BdfFollowsAStiffVanDerPolOscillator) {
 
   request.method = Method::adams;
   request.limits.max_steps = 10'000;
-  EXPECT_EQ(integrate(system, request).ending, Ending::step_limit);  // stiff it is
+  EXPECT_EQ(integrated(system, request).ending, Ending::step_limit);  // stiff it is
 }
 
 TEST(Integrate, BdfFollowsAForcedFastDecay) {
@@ -228,7 +229,7 @@ TEST(Integrate, BdfFollowsAForcedFastDecay) {
   const auto system = make_system(
       1, [](double t, auto y, auto f) { f[0] = -rate * (y[0] - std::cos(t)); },
       [](double, auto, auto j) { j[0] = -rate; });
-  const auto run = integrate(system, {.y_start = {0}, .t_end = 10, .method = Method::bdf});
+  const auto run = integrated(system, {.y_start = {0}, .t_end = 10, .method = Method::bdf});
   EXPECT_NEAR(run.y[0], (rate * rate * std::cos(10.) + rate * std::sin(10.)) / (1 + rate * rate), 1e-8);
   EXPECT_LT(run.steps, 2000u);
 }
@@ -236,7 +237,7 @@ TEST(Integrate, BdfFollowsAForcedFastDecay) {
 TEST(Integrate, RefusesTolerancesThatMeanNothing) {
   for (const Tolerances tolerances : {Tolerances{0, 1e-9}, Tolerances{1e-9, 0}, Tolerances{-1e-9, 1e-9},
                                       Tolerances{std::numeric_limits<double>::quiet_NaN(), 1e-9}})
-    EXPECT_THROW((void)integrate(pendulum(), {.y_start = {2, 0}, .t_end = 1, .tolerances = tolerances}),
+    EXPECT_THROW((void)integrated(pendulum(), {.y_start = {2, 0}, .t_end = 1, .tolerances = tolerances}),
                  std::invalid_argument);
 }
 
@@ -247,7 +248,7 @@ TEST(Integrate, WhatARightHandSideThrowsReachesTheCaller) {
       if (t > 1) throw std::runtime_error("out of memory, say");
       return f(t, y, out);
     };
-    EXPECT_THROW((void)integrate(system, {.y_start = {2, 0}, .t_end = 3, .method = method}),
+    EXPECT_THROW((void)integrated(system, {.y_start = {2, 0}, .t_end = 3, .method = method}),
                  std::runtime_error);
   }
 }

@@ -1,0 +1,244 @@
+#include "core/integrate/extended_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/work.hpp"
+#include "core/numerics/function.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr int attempts_at_a_step = 60;  ///< each half as long
+constexpr double largest_end_defect =
+    1e3;                                 ///< of the equation at the end of a step, in units of the tolerance
+constexpr double allowed_to_hide = 100;  ///< times the step's length, in units of the tolerance
+constexpr double rounding_of_doubles = 0x1p-52;
+constexpr double infinity_of_steps = std::numeric_limits<double>::infinity();
+
+/// sum_{k>=1} c_k s^k, from the smallest terms on.
+DoubleDouble rise_of(std::span<const DoubleDouble> c, const DoubleDouble& s, unsigned first_in_doubles) {
+  std::size_t k = c.size();
+  double tail = 0;
+  while (k > first_in_doubles) tail = tail * s.high + c[--k].high;
+  DoubleDouble sum = tail;
+  while (k > 1) sum = sum * s + c[--k];
+  return sum * s;
+}
+
+/// sum_{k>=1} k c_k s^(k-1)
+DoubleDouble slope_of(std::span<const DoubleDouble> c, const DoubleDouble& s, unsigned first_in_doubles) {
+  std::size_t k = c.size();
+  double tail = 0;
+  while (k > first_in_doubles) {
+    --k;
+    tail = tail * s.high + static_cast<double>(k) * c[k].high;
+  }
+  DoubleDouble sum = tail;
+  while (k > 1) {
+    --k;
+    sum = sum * s + DoubleDouble(static_cast<double>(k)) * c[k];
+  }
+  return sum;
+}
+
+std::optional<Ending> unusable_state(std::span<const DoubleDouble> y, double max_magnitude) {
+  std::optional<Ending> wrong;
+  for (const DoubleDouble& component : y) {
+    if (std::isnan(component.high) || std::isnan(component.low)) return Ending::nonfinite;
+    if (std::abs(component.high) > max_magnitude) wrong = Ending::blow_up;
+  }
+  return wrong;
+}
+
+}  // namespace
+
+ExtendedStepper::ExtendedStepper(const ExtendedSystem& system, const ExtendedRunRequest& request)
+    : system_(system),
+      request_(request),
+      order_(request.order),
+      t_previous_(request.t_start),
+      t_(request.t_start),
+      y_(request.y_start),
+      attempt_(y_.size()),
+      coefficients_(y_.size() * (order_ + 1)),
+      next_(coefficients_.size()),
+      beyond_(coefficients_.size()),
+      place_(y_.size()),
+      allowed_(y_.size()),
+      bounded_(static_cast<bool>(system.hidden)) {}
+
+std::optional<Ending> ExtendedStepper::step() {
+  trouble_.reset();
+  if (steps_ == 0) {
+    if (const auto spent = spent_limit()) return spent;
+    if (const auto failed = expand(t_, y_, next_)) return failed;
+  }
+  const DoubleDouble left = request_.t_end - t_;
+  double h = step_size();
+  if (bounded_) {
+    const double whole = std::min(h, left.high);
+    const double part = bounded_part(whole);
+    bounded_ = part > 0;
+    if (part > 0 && part < whole) h = part;
+  }
+  for (int i = 0; i < attempts_at_a_step; ++i, h = std::min(h, left.high) / 2) {
+    const DoubleDouble t = h < left.high ? t_ + DoubleDouble(h) : request_.t_end;
+    if (!is_before(t_, t)) break;
+    if (const auto spent = spent_limit()) return spent;
+    if (try_step(t)) return std::nullopt;
+  }
+  if (trouble_) return trouble_;
+  return std::isnan(h) ? Ending::nonfinite : Ending::blow_up;
+}
+
+void ExtendedStepper::interpolate(const DoubleDouble& t, std::span<DoubleDouble> y_out) const {
+  const DoubleDouble s = t - t_previous_;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    const auto c = row(coefficients_, i);
+    y_out[i] = t.high == t_.high && t.low == t_.low ? y_[i] : c[0] + rise_of(c, s, system_.first_in_doubles);
+  }
+}
+
+std::optional<Ending> ExtendedStepper::spent_limit() const {
+  const Limits& limits = request_.limits;
+  if (steps_ >= limits.max_steps || evaluations_ + order_ > limits.max_evaluations) return Ending::step_limit;
+  check_interruption();
+  return std::nullopt;
+}
+
+std::optional<Ending> ExtendedStepper::expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
+                                              std::vector<DoubleDouble>& coefficients) {
+  if (const auto wrong = unusable_state(y, request_.limits.max_magnitude)) return trouble_ = wrong;
+  evaluations_ += order_;
+  switch (system_.expansion(t, y, order_, coefficients)) {
+    case Evaluation::ok:
+      return std::nullopt;
+    case Evaluation::singular_mass:
+      return trouble_ = Ending::singular_mass;
+    case Evaluation::nonfinite:
+      break;
+  }
+  return trouble_ = Ending::nonfinite;
+}
+
+double ExtendedStepper::weight(std::size_t i) const {
+  const double reach = std::abs(y_[i].high) + last_step_ * std::abs(row(next_, i)[1].high);
+  return request_.tolerances.atol + request_.tolerances.rtol * reach;
+}
+
+/// By the last two coefficients that are finite in all components, and by what the first coefficients in
+/// doubles round away: where a series converges everywhere, steps are so long that these count.
+double ExtendedStepper::step_size() const {
+  const auto all_finite = [&](unsigned k) {
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      if (!is_finite(row(next_, i)[k])) return false;
+    }
+    return true;
+  };
+  unsigned highest = order_;
+  while (highest > 1 && !all_finite(highest)) --highest;
+  double exponent = log_of_step_by(highest);
+  if (highest > 2) exponent = std::min(exponent, log_of_step_by(highest - 1));
+  for (unsigned k = system_.first_in_doubles; k < highest && k < system_.first_in_doubles + 2; ++k) {
+    exponent = std::min(exponent, log_of_step_by(k, rounding_of_doubles));
+  }
+  return std::isfinite(exponent) ? evaluate(Function::exp, exponent) : exponent;
+}
+
+/// The logarithm of the least over the components of (w / |part c_k|)^(1/k); infinite where all c_k are 0.
+double ExtendedStepper::log_of_step_by(unsigned k, double part) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    largest = std::max(largest, part * std::abs(row(next_, i)[k].high) / weight(i));
+  }
+  if (largest > 0 && std::isfinite(largest)) return -evaluate(Function::log, largest) / k;
+  double least = infinity_of_steps;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    const double c = part * std::abs(row(next_, i)[k].high);
+    if (c > 0) least = std::min(least, (evaluate(Function::log, weight(i)) - evaluate(Function::log, c)) / k);
+  }
+  return least;
+}
+
+double ExtendedStepper::bounded_part(double h) {
+  constexpr double least_part = 1e-12;
+  constexpr int most_looks = 120;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    place_[i] = y_[i].high;
+    allowed_[i] = allowed_to_hide * weight(i);
+  }
+  double part = h;
+  for (int i = 0; i < most_looks && part > least_part * h; ++i) {
+    const double ratio = system_.hidden(t_.high, place_, part, allowed_);
+    if (ratio <= 1) return part;
+    // The remainder of a series of order 24 goes with that power.
+    const double shorter = evaluate(Function::exp, -evaluate(Function::log, std::min(ratio, 1e300)) / 24);
+    part *= std::max(0.5, 0.93 * shorter);
+  }
+  return 0;
+}
+
+bool ExtendedStepper::try_step(const DoubleDouble& t) {
+  const DoubleDouble h = t - t_;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    attempt_[i] = y_[i] + rise_of(row(next_, i), h, system_.first_in_doubles);
+  }
+  if (expand(t, attempt_, beyond_) || !holds_until(h)) return false;
+  t_previous_ = std::exchange(t_, t);
+  last_step_ = h.high;
+  y_.swap(attempt_);
+  coefficients_.swap(next_);
+  next_.swap(beyond_);
+  ++steps_;
+  return true;
+}
+
+bool ExtendedStepper::holds_until(const DoubleDouble& h) const {
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    const DoubleDouble rate = row(beyond_, i)[1];
+    const double defect = std::abs((slope_of(row(next_, i), h, system_.first_in_doubles) - rate).high);
+    const double round_off = system_.round_off * (std::abs(rate.high) + std::abs(row(next_, i)[1].high));
+    if (!(h.high * defect <= largest_end_defect * weight(i) + h.high * round_off)) return false;
+  }
+  return true;
+}
+
+ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& request,
+                      std::span<const DoubleDouble> grid) {
+  ExtendedStepper stepper(system, request);
+  ExtendedRun run;
+  const std::size_t n = request.y_start.size();
+  const auto sample = [&] {
+    for (; run.rows < grid.size() && !is_before(stepper.t(), grid[run.rows]); ++run.rows) {
+      run.states.resize((run.rows + 1) * n);
+      const auto row = std::span(run.states).last(n);
+      if (stepper.steps() == 0) {
+        std::ranges::copy(stepper.y(), row.begin());
+      } else {
+        stepper.interpolate(grid[run.rows], row);
+      }
+    }
+  };
+  sample();
+  while (run.ending == Ending::reached_end && is_before(stepper.t(), request.t_end)) {
+    const auto failed = stepper.step();
+    if (failed) run.ending = *failed;
+    sample();
+  }
+  run.t = stepper.t();
+  run.y.assign(stepper.y().begin(), stepper.y().end());
+  run.steps = stepper.steps();
+  run.bounded = stepper.bounded();
+  run.evaluations = stepper.evaluations();
+  return run;
+}
+
+unsigned extended_order(double rtol, unsigned highest) {
+  const double wanted = -evaluate(Function::log, rtol) / 2 + 1;
+  return std::clamp(static_cast<unsigned>(wanted), std::min(12U, highest), highest);
+}
+
+}  // namespace qdot

@@ -1,0 +1,121 @@
+#pragma once
+// Integration of y' = f(t, y) in double-doubles: a Taylor method whose state, time and grid have twice the
+// digits of doubles.
+//
+//   y(t + s) = sum_k c_k s^k,   c_k from ExtendedSystem::expansion
+//   h = min_i min((w_i / |c_i,N-1|)^(1/(N-1)), (w_i / |c_i,N|)^(1/N)),   w_i = atol + rtol (|y_i| + h'
+//   |y_i'|)
+//
+// with h' the step before, as core/integrate/taylor_stepper.hpp has it. A step whose polynomial does not obey
+// the equation at its end is taken again, half as long. Where the system can tell what a step hides, it is
+// no longer than what hides no more than is allowed.
+// Source of the step: Jorba, Zou, Experimental
+// Mathematics 14 (2005) 99, section 3.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/integrate/run.hpp"
+#include "core/numerics/double_double.hpp"
+
+namespace qdot {
+
+struct ExtendedSystem {
+  std::size_t dimension{};
+  /// y_i(t + s) = sum_k c[i (order + 1) + k] s^k
+  std::function<Evaluation(const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
+                           std::span<DoubleDouble> c)>
+      expansion{};
+  /// How much the motion through (t, y) hides until t + h: a bound of h times the defect of its series, over
+  /// what is allowed, at most 1 where nothing is hidden. Optional.
+  std::function<double(double t, std::span<const double> y, double h, std::span<const double> allowed)>
+      hidden{};
+  /// Coefficients from this order on are doubles; what is left of the sum is added up in doubles, too.
+  unsigned first_in_doubles{~0U};
+  /// The defect of the equation at the end of a step that rounding explains, relative to y'.
+  double round_off{1e-28};
+};
+
+struct ExtendedRunRequest {
+  DoubleDouble t_start;
+  std::vector<DoubleDouble> y_start;
+  DoubleDouble t_end;
+  unsigned order{};
+  Tolerances tolerances;
+  Limits limits;
+};
+
+/// Steps through a motion, and knows it anywhere in the last step. Keeps references to its arguments.
+class ExtendedStepper {
+ public:
+  ExtendedStepper(const ExtendedSystem& system, const ExtendedRunRequest& request);
+
+  /// To the end of the next step, at most t_end. Otherwise why no step was possible.
+  [[nodiscard]] std::optional<Ending> step();
+
+  [[nodiscard]] const DoubleDouble& t_previous() const { return t_previous_; }
+  [[nodiscard]] const DoubleDouble& t() const { return t_; }
+  [[nodiscard]] std::span<const DoubleDouble> y() const { return y_; }
+  /// y(t) for t_previous() <= t <= t().
+  void interpolate(const DoubleDouble& t, std::span<DoubleDouble> y_out) const;
+
+  /// Whether every step up to now has a bound of what it hides.
+  [[nodiscard]] bool bounded() const { return bounded_; }
+
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  [[nodiscard]] std::optional<Ending> spent_limit() const;
+  [[nodiscard]] std::optional<Ending> expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
+                                             std::vector<DoubleDouble>& coefficients);
+  [[nodiscard]] double weight(std::size_t i) const;
+  [[nodiscard]] double step_size() const;
+  [[nodiscard]] double log_of_step_by(unsigned k, double part = 1) const;
+  /// A length up to h over which a step hides nothing; 0 where there is none.
+  [[nodiscard]] double bounded_part(double h);
+  [[nodiscard]] bool try_step(const DoubleDouble& t);
+  [[nodiscard]] bool holds_until(const DoubleDouble& h) const;
+  [[nodiscard]] std::span<const DoubleDouble> row(const std::vector<DoubleDouble>& c, std::size_t i) const {
+    return std::span(c).subspan(i * (order_ + 1), order_ + 1);
+  }
+
+  const ExtendedSystem& system_;
+  const ExtendedRunRequest& request_;
+  unsigned order_;
+  DoubleDouble t_previous_, t_;
+  double last_step_{};
+  std::vector<DoubleDouble> y_, attempt_;
+  std::vector<DoubleDouble> coefficients_;  ///< at t_previous_: the dense output
+  std::vector<DoubleDouble> next_;          ///< at t_
+  std::vector<DoubleDouble> beyond_;        ///< at the end of the step that is tried
+  std::uint64_t steps_{}, evaluations_{};
+  std::optional<Ending> trouble_;
+  std::vector<double> place_, allowed_;  ///< scratch
+  bool bounded_;
+};
+
+struct ExtendedRun {
+  std::size_t rows{};                  ///< instants of the grid that were reached
+  std::vector<DoubleDouble> states{};  ///< rows x dimension, row-major
+  Ending ending{Ending::reached_end};
+  DoubleDouble t;                 ///< where the run ended: t_end, or the last good step
+  std::vector<DoubleDouble> y{};  ///< the state there
+  std::uint64_t steps{}, evaluations{};
+  bool bounded{};  ///< nothing lies hidden between the places that were looked at
+};
+
+/// The states at the instants of the grid, increasing in [t_start, t_end].
+[[nodiscard]] ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& request,
+                                    std::span<const DoubleDouble> grid);
+
+/// The order that reaches a tolerance with the least work, about -ln(rtol)/2 (Jorba, Zou, section 3.1).
+[[nodiscard]] unsigned extended_order(double rtol, unsigned highest);
+
+[[nodiscard]] inline bool is_before(const DoubleDouble& a, const DoubleDouble& b) {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+
+}  // namespace qdot
