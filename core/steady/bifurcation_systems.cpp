@@ -6,6 +6,7 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/steady/numerator.hpp"
 
 namespace qdot {
 namespace {
@@ -26,10 +27,12 @@ class SystemsDerivation {
   }
 
   BifurcationSystems run() {
+    std::vector<Expression> numerators;
     for (const std::size_t i : forces_.equations) {
       const Expression g = graph_.adopt(forces_.rest[i]);
       result_.depends = result_.depends || depends_on(g, p_);
-      factors_.push_back(factors_of(simplify(numerator_of(g, all_x_))));
+      numerators.push_back(simplify(numerator_of(g, all_x_)));
+      factors_.push_back(factors_of(numerators.back()));
     }
     if (result_.depends) {
       combine({}, 0, factors_.size());
@@ -39,10 +42,77 @@ class SystemsDerivation {
     for (const Expression& e : vanishing_) slopes.push_back(differentiate(e, p_));
     result_.vanishing = compiled(vanishing_);
     result_.vanishing_slopes = compiled(slopes);
+    describe(numerators);
     return std::move(result_);
   }
 
  private:
+  void describe(const std::vector<Expression>& numerators) {
+    result_.numerators = compiled(numerators);
+    std::vector<Expression> slopes;
+    for (const Expression& e : numerators) {
+      for (const Expression& v : variables_) slopes.push_back(simplify(differentiate(e, v)));
+    }
+    result_.slopes = compiled(slopes);
+    if (x_.size() > 1) return add_mirrors(numerators);
+    if (x_.size() != 1 || numerators.size() != 1) return;
+    const Expression second = simplify(differentiate(slopes[0], x_[0]));
+    result_.higher =
+        compiled({second, simplify(differentiate(slopes[0], p_)), simplify(differentiate(second, x_[0]))});
+    std::vector<Expression> centres;
+    for (const Expression& centre : candidates(numerators[0])) {
+      const std::vector<Replacement> reflection{{x_[0], Number(2) * centre - x_[0]}};
+      const bool odd = simplify(substitute(numerators[0], reflection) + numerators[0]).is_zero();
+      if (odd && std::ranges::find(centres, centre) == centres.end()) centres.push_back(centre);
+    }
+    if (forces_.turns[forces_.unknowns[0]]) {  // half a turn on, the reflection is the same
+      const std::vector<Expression> found = centres;
+      for (const Expression& centre : found) centres.push_back(centre + graph_.symbol("pi"));
+    }
+    result_.centres = compiled(centres);
+  }
+
+  /// 0, where a factor that is linear in x vanishes, and the middle of the roots of a polynomial in x.
+  std::vector<Expression> candidates(const Expression& numerator) {
+    std::vector<Expression> found{graph_.number(0)};
+    for (const Expression& f : factors_[0]) add_zero_of(f, found);
+    constexpr int highest_degree = 8;
+    Expression derivative = numerator;
+    for (int k = 0; k < highest_degree && !add_zero_of(derivative, found); ++k)
+      derivative = simplify(differentiate(derivative, x_[0]));
+    return found;
+  }
+
+  /// Where f vanishes, if it is linear in x and that is the same for every p.
+  bool add_zero_of(const Expression& f, std::vector<Expression>& found) {
+    const Expression slope = simplify(differentiate(f, x_[0]));
+    if (slope.is_zero()) return true;
+    if (depends_on(slope, x_)) return false;
+    const std::vector<Replacement> origin{{x_[0], graph_.number(0)}};
+    const Expression centre = simplify(Number(-1) * substitute(f, origin) / slope);
+    if (!depends_on(centre, variables_)) found.push_back(centre);
+    return true;
+  }
+
+  void add_mirrors(const std::vector<Expression>& numerators) {
+    constexpr std::size_t most = 3;
+    if (x_.size() > most) return;
+    for (std::size_t set = 1; set < (std::size_t{1} << x_.size()); ++set) {
+      std::vector<Replacement> reflection;
+      std::vector<std::size_t> mirror;
+      for (std::size_t j = 0; j < x_.size(); ++j) {
+        if ((set >> j & 1U) == 0) continue;
+        reflection.emplace_back(x_[j], -x_[j]);
+        mirror.push_back(j);
+      }
+      const bool same = std::ranges::all_of(numerators, [&](const Expression& g) {
+        const Expression image = substitute(g, reflection);
+        return simplify(image - g).is_zero() || simplify(image + g).is_zero();
+      });
+      if (same) result_.mirrors.push_back(std::move(mirror));
+    }
+  }
+
   /// Those that depend on x; what depends on p alone is kept apart.
   std::vector<Expression> factors_of(const Expression& g) {
     std::vector<NodeId> ids{g.id()};

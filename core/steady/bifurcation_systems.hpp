@@ -27,6 +27,16 @@ struct BifurcationSystems {
   /// Factors of p alone, as functions of p and their slopes: where one vanishes, so does a force everywhere.
   CompiledFunction vanishing, vanishing_slopes;
   bool depends{};  ///< some force depends on p
+
+  /// The numerators N_i of the forces at (x, p), without factors that cannot vanish, and their derivatives
+  /// along all of (x, p), by rows.
+  CompiledFunction numerators, slopes;
+  CompiledFunction higher;  ///< N_xx, N_xp, N_xxx; only of one unknown
+  /// Centres of reflections that turn N into -N, whatever p: functions without variables that matter. Of one
+  /// unknown.
+  CompiledFunction centres;
+  /// Unknowns whose signs change together without changing what vanishes; of several unknowns.
+  std::vector<std::vector<std::size_t>> mirrors;
 };
 
 /// `place`: which of the reduction's constants p is. Throws Error(not_applicable) for too many systems.

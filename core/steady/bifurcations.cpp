@@ -1,20 +1,32 @@
 #include "core/steady/bifurcations.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <numbers>
 
-#include "core/steady/critical_zeros.hpp"
+#include "core/steady/normal_form.hpp"
+#include "core/steady/region_ends.hpp"
 
 namespace qdot {
 namespace {
 
+constexpr const char* degenerate_crossing =
+    "Curves of equilibria cross here, but a derivative that decides how is zero to within its error.";
+constexpr const char* several_events =
+    "Within the error a curve of equilibria folds more than once, or folds and crosses another, or only comes "
+    "near to that: a degenerate point, or several close together.";
+constexpr const char* change_of_stability =
+    "The stability along a curve of equilibria changes here; in which way other equilibria take part is not "
+    "proven.";
+
 class CriticalSearch {
  public:
-  CriticalSearch(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> y,
-                 std::size_t index, double from, double to)
+  CriticalSearch(const Dynamics& dynamics, const Reals& parameters, const Reals& y, std::size_t index,
+                 double from, double to)
       : dynamics_(dynamics), y_(y.begin(), y.end()), index_(index), from_(from), to_(to) {
-    std::vector<double> present(parameters.begin(), parameters.end());
-    if (present[index] == 0) present[index] = to != 0 ? to : from;  // it must not count as vanishing
+    Reals present = parameters;
+    if (present[index] == 0) present.set(index, to != 0 ? to : from);  // it must not count as vanishing
     problem_ = steady_problem(dynamics, present, y);
     const std::size_t momenta = problem_.statics->reduction.ignored.size();
     std::string key = "bifurcations " + dynamics.model().scene.parameters[index].name;
@@ -37,16 +49,7 @@ class CriticalSearch {
     if (!systems_->depends) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
     } else {
-      const CriticalZeros found = critical_zeros(dynamics_.model(), problem_, *systems_, {from_, to_});
-      result_.degenerate = found.degenerate;
-      result_.complete = found.complete;
-      if (!found.complete) {
-        result_.reason = "The search was given up before it was finished, so critical values may be missing.";
-      }
-      classify(found.zeros);
-      if (result_.critical.empty() && result_.reason.empty()) {
-        result_.reason = "No equilibrium appears, vanishes or meets another in this range.";
-      }
+      search();
     }
     trace();
     if (!result_.complete && !gave_up_ && add_missed()) trace();
@@ -54,6 +57,66 @@ class CriticalSearch {
   }
 
  private:
+  void incomplete(const std::string& reason) {
+    result_.complete = false;
+    result_.reason += (result_.reason.empty() ? "" : " ") + reason;
+  }
+
+  void search() {
+    if (problem_.forces->smooth.kinks() > 0) {
+      return incomplete(
+          "The forces have kinks (abs or sign), at which equilibria appear and vanish, too: critical values are "
+          "not looked for, and the branches show what there is.");
+    }
+    std::optional<SymmetryAxes> axes;
+    if (unknowns().size() == 1) axes.emplace(problem_, *systems_, Interval(from_, to_));
+    const CriticalZeros found =
+        critical_zeros(dynamics_.model(), problem_, *systems_, {from_, to_},
+                       [&](std::span<const Interval> box) { return axes && axes->explain(box); });
+    result_.degenerate = found.degenerate;
+    if (!found.complete) {
+      incomplete("The search was given up before it was finished, so critical values may be missing.");
+    }
+    if (found.undecided) {
+      incomplete("Far out, or at a singularity, the forces are too small to tell whether any are critical.");
+    }
+    if (axes) {
+      classify_by_normal_form(found.zeros, *axes);
+    } else {
+      classify_by_families(found);
+    }
+    std::ranges::sort(result_.critical, [](const CriticalValue& a, const CriticalValue& b) {
+      return a.value != b.value ? a.value < b.value : a.y < b.y;
+    });
+    watch_ends();
+    if (result_.critical.empty() && result_.reason.empty()) {
+      result_.reason = "No equilibrium appears, vanishes or meets another in this range.";
+    }
+  }
+
+  /// Equilibria that come from an end of the region or leave it there.
+  void watch_ends() {
+    const std::string& parameter = dynamics_.model().scene.parameters[index_].name;
+    for (const EndCrossing& crossing : end_crossings(dynamics_.model(), problem_, *systems_, {from_, to_})) {
+      const auto is_there = [&](double p) { return crossing.p.is_finite() && crossing.p.contains(p); };
+      if (std::ranges::any_of(result_.degenerate, is_there)) continue;
+      const std::string& x = dynamics_.model().scene.coordinates[kept()[unknowns()[crossing.unknown]]].name;
+      const std::string end = std::abs(crossing.end) < largest_length ? x + " = " + short_text(crossing.end)
+                              : crossing.end < 0                      ? x + " = -infinity"
+                                                                      : x + " = infinity";
+      incomplete(crossing.p.is_finite()
+                     ? "At " + parameter + " = " + short_text(crossing.p.middle()) +
+                           " an equilibrium appears from or vanishes to " + end + "."
+                     : "Whether equilibria appear from or vanish to " + end + " could not be told.");
+    }
+  }
+
+  static std::string short_text(double x) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, 10).ptr;
+    return {text, end};
+  }
+
   void trace() {
     result_.branches = branches([&](double p) { return column(p); }, from_, to_, result_.critical, turns());
   }
@@ -83,20 +146,34 @@ class CriticalSearch {
     double low = branch.parameter[i];
     double high = branch.parameter[i + 1];
     std::vector<double> x = branch.x[i];
-    std::optional<SteadyState> last;
+    std::optional<SteadyState> at_low = nearest(branch.x[i], low), at_high = nearest(branch.x[i + 1], high);
     constexpr int most_halvings = 50;
     for (int k = 0; k < most_halvings; ++k) {
       const double middle = low + (high - low) / 2;
       const auto state = nearest(x, middle);
       if (!state || !state->simple || state->stability.stability == Stability::neutral) break;
-      (state->stability.stability == branch.stability[i] ? low : high) = middle;
+      const bool before = state->stability.stability == branch.stability[i];
+      (before ? low : high) = middle;
+      (before ? at_low : at_high) = state;
       x.assign(state->y.begin(), state->y.begin() + static_cast<std::ptrdiff_t>(x.size()));
-      last = state;
     }
-    if (!last) return;
+    if (!at_low || !at_high || !continues(*at_low, low, *at_high, high)) return;
     CriticalZero found{BifurcationSystem::Kind::meeting, {}, {low, high}, false};
-    for (const std::size_t j : unknowns()) found.x.push_back(last->enclosure[j]);
-    if (const auto kind = kind_seen(found)) add(*kind, found);
+    for (const std::size_t j : unknowns())
+      found.x.push_back(hull(at_low->enclosure[j], at_high->enclosure[j]));
+    add(kind_seen(found), found, change_of_stability);
+  }
+
+  /// Whether the two are one curve, and not two that run beside each other: near each of them there are two
+  /// others or none, or what rounding does not tell apart.
+  bool continues(const SteadyState& a, double p_of_a, const SteadyState& b, double p_of_b) {
+    constexpr double reach = 1e-5;
+    CriticalZero place{};
+    for (const std::size_t j : unknowns()) {
+      place.x.push_back(hull(a.enclosure[j], b.enclosure[j]));
+      if (!(place.x.back().width() < reach / 10)) return false;
+    }
+    return simple_near(place, p_of_a, reach) % 2 == 1 && simple_near(place, p_of_b, reach) % 2 == 1;
   }
 
   std::optional<SteadyState> nearest(const std::vector<double>& x, double p) {
@@ -142,58 +219,113 @@ class CriticalSearch {
     return std::move(found.states);
   }
 
-  /// A meeting where one of the two folds is a pitchfork; a fold alone is a saddle-node.
-  void classify(const std::vector<CriticalZero>& zeros) {
-    for (const CriticalZero& here : zeros) {
-      const bool meets = std::ranges::any_of(
-          zeros, [&](const CriticalZero& other) { return other.kind != here.kind && overlap(other, here); });
-      if (meets && here.kind == BifurcationSystem::Kind::fold) continue;  // told by the meeting
-      BifurcationKind kind = meets                                        ? BifurcationKind::pitchfork
-                             : here.kind == BifurcationSystem::Kind::fold ? BifurcationKind::saddle_node
-                                                                          : BifurcationKind::transcritical;
-      if (!here.simple) {
-        const auto seen = kind_seen(here);
-        if (!seen) continue;
-        kind = *seen;
-      }
-      add(kind, here);
+  void classify_by_normal_form(const std::vector<CriticalZero>& zeros, SymmetryAxes& axes) {
+    if (!axes.is_complete()) incomplete("On an axis of symmetry, critical values may be missing.");
+    std::vector<CriticalZero> rest;
+    for (const CriticalZero& zero : zeros) {
+      if (!axes.explain(Box{zero.x[0], zero.p})) join(rest, zero);
     }
-    std::sort(result_.critical.begin(), result_.critical.end(),
-              [](const CriticalValue& a, const CriticalValue& b) {
-                return a.value != b.value ? a.value < b.value : a.y < b.y;
-              });
+    for (const NormalForm& form : axes.found()) {
+      const auto is_there = [&](double p) { return form.p.contains(p); };
+      if (std::ranges::any_of(result_.degenerate, is_there)) continue;
+      CriticalZero place{BifurcationSystem::Kind::meeting, {form.x}, form.p, form.proven};
+      if (form.kind == BifurcationKind::pitchfork) {
+        add(form.kind, place);
+      } else {
+        place.simple = false;
+        join(rest, place);
+      }
+    }
+    for (const CriticalZero& zero : rest) {
+      const bool single = zero.simple;
+      const bool fold = zero.kind == BifurcationSystem::Kind::fold;
+      if (single && (fold || is_transcritical(problem_, *systems_, zero))) {
+        add(fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, zero);
+      } else {
+        add(BifurcationKind::unresolved, zero, single ? degenerate_crossing : several_events);
+      }
+    }
   }
 
-  /// By how many equilibria are near on either side.
-  std::optional<BifurcationKind> kind_seen(const CriticalZero& here) {
+  /// What may be the same place becomes one that is not simple.
+  static void join(std::vector<CriticalZero>& places, CriticalZero zero) {
+    for (std::size_t k = 0; k < places.size();) {
+      if (!overlap(places[k], zero)) {
+        ++k;
+        continue;
+      }
+      for (std::size_t j = 0; j < zero.x.size(); ++j) zero.x[j] = hull(zero.x[j], places[k].x[j]);
+      zero.p = hull(zero.p, places[k].p);
+      zero.simple = false;
+      places.erase(places.begin() + static_cast<std::ptrdiff_t>(k));
+      k = 0;
+    }
+    places.push_back(std::move(zero));
+  }
+
+  /// A fold alone is a saddle-node: its system is regular only where it is one. Two families that cross, and
+  /// neither folds, are a transcritical point; one that folds on the mirror of a symmetry, a pitchfork.
+  void classify_by_families(const CriticalZeros& found) {
+    for (const CriticalZero& here : found.zeros) {
+      const bool fold = here.kind == BifurcationSystem::Kind::fold;
+      std::vector<const CriticalZero*> others;
+      for (const CriticalZero& other : found.zeros) {
+        if (&other != &here && overlap(other, here)) others.push_back(&other);
+      }
+      if (here.simple && others.empty() && (fold || found.complete)) {
+        add(fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, here);
+        continue;
+      }
+      const bool pair =
+          here.simple && others.size() == 1 && others[0]->simple && others[0]->kind != here.kind;
+      if (pair && is_on_mirror(here)) {
+        if (!fold) add(BifurcationKind::pitchfork, here);
+        continue;
+      }
+      const bool told = std::ranges::any_of(others, [&](const CriticalZero* other) { return other < &here; });
+      if (!told) add(BifurcationKind::unresolved, here, several_events);
+    }
+  }
+
+  [[nodiscard]] bool is_on_mirror(const CriticalZero& here) const {
+    return std::ranges::any_of(systems_->mirrors, [&](const std::vector<std::size_t>& mirror) {
+      return std::ranges::all_of(mirror, [&](std::size_t j) {
+        const bool turns = problem_.forces->turns[unknowns()[j]];
+        return here.x[j].contains(0.0) || (turns && here.x[j].contains(std::numbers::pi));
+      });
+    });
+  }
+
+  /// Where a curve changes its stability on the mirror of a symmetry, two more equilibria on one side than on
+  /// the other say what happens.
+  BifurcationKind kind_seen(const CriticalZero& here) {
     const double aside = 1e-4 * (to_ - from_) + 10 * here.p.width();
-    const std::size_t before = near(here, here.p.lower - aside);
-    const std::size_t after = near(here, here.p.upper + aside);
-    if (std::min(before, after) == 0)
-      return before + after == 2 ? std::optional(BifurcationKind::saddle_node) : std::nullopt;
-    if (before != after) return BifurcationKind::pitchfork;
-    return before >= 2 ? std::optional(BifurcationKind::transcritical) : std::nullopt;
+    constexpr double reach = 0.2;
+    const std::size_t before = simple_near(here, here.p.lower - aside, reach);
+    const std::size_t after = simple_near(here, here.p.upper + aside, reach);
+    const bool three_and_one = std::min(before, after) == 1 && std::max(before, after) == 3;
+    return three_and_one && is_on_mirror(here) ? BifurcationKind::pitchfork : BifurcationKind::unresolved;
   }
 
-  std::size_t near(const CriticalZero& here, double p) {
-    constexpr double reach = 0.2;
+  std::size_t simple_near(const CriticalZero& here, double p, double reach) {
     std::size_t count = 0;
     for (const SteadyState& state : at(p).states) {
-      bool close = true;
+      bool close = state.simple;
       for (std::size_t k = 0; k < here.x.size(); ++k) {
         const double d = state.y[kept()[unknowns()[k]]] - here.x[k].middle();
-        close = close &&
-                std::abs(problem_.forces->turns[unknowns()[k]] ? std::remainder(d, 2 * 3.14159265358979323846)
-                                                               : d) < reach;
+        close =
+            close && std::abs(problem_.forces->turns[unknowns()[k]] ? std::remainder(d, 2 * std::numbers::pi)
+                                                                    : d) < reach;
       }
       count += close ? 1 : 0;
     }
     return count;
   }
 
-  void add(BifurcationKind kind, const CriticalZero& found) {
+  void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "") {
     CriticalValue critical;
     critical.kind = kind;
+    if (kind == BifurcationKind::unresolved) critical.reason = reason;
     critical.value = found.p.middle();
     critical.error = distance_bound(critical.value, found.p);
     critical.proven = found.simple;
@@ -233,8 +365,8 @@ class CriticalSearch {
 
 }  // namespace
 
-Bifurcations bifurcations(const Dynamics& dynamics, std::span<const double> parameters,
-                          std::span<const double> y, std::size_t index, double from, double to) {
+Bifurcations bifurcations(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
+                          std::size_t index, double from, double to) {
   return CriticalSearch(dynamics, parameters, y, index, from, to).run();
 }
 

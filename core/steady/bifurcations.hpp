@@ -26,7 +26,7 @@ struct Bifurcations {
 
 /// Of parameter number `index` in [from, to], from < to, the others as given.
 /// Throws what steady_problem throws.
-[[nodiscard]] Bifurcations bifurcations(const Dynamics& dynamics, std::span<const double> parameters,
-                                        std::span<const double> y, std::size_t index, double from, double to);
+[[nodiscard]] Bifurcations bifurcations(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
+                                        std::size_t index, double from, double to);
 
 }  // namespace qdot

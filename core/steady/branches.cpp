@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/numerics/function.hpp"
+
 namespace qdot {
 namespace {
 
@@ -37,7 +39,7 @@ class Tracer {
         const bool at_end = k == 0 || k == count;
         if (at_end && is_critical(k == 0 ? ends[i] : ends[i + 1])) continue;
         // Denser towards the ends, where curves are steep.
-        const double s = (1 - std::cos(std::numbers::pi * k / count)) / 2;
+        const double s = (1 - evaluate(Function::cos, std::numbers::pi * k / count)) / 2;
         add_column(k == count ? ends[i + 1] : ends[i] + s * (ends[i + 1] - ends[i]));
       }
     }

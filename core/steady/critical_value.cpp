@@ -9,9 +9,11 @@ const char* name(BifurcationKind kind) {
     case BifurcationKind::saddle_node:
       return "saddle_node";
     case BifurcationKind::transcritical:
+      return "transcritical";
+    case BifurcationKind::unresolved:
       break;
   }
-  return "transcritical";
+  return "unresolved";
 }
 
 }  // namespace qdot

@@ -1,11 +1,13 @@
 #pragma once
 // One value of a parameter at which equilibria appear, vanish or meet.
 
+#include <string>
 #include <vector>
 
 namespace qdot {
 
-enum class BifurcationKind { pitchfork, saddle_node, transcritical };
+/// Unresolved: a place where equilibria may appear, vanish or meet, in none of these ways for certain.
+enum class BifurcationKind { pitchfork, saddle_node, transcritical, unresolved };
 [[nodiscard]] const char* name(BifurcationKind kind);
 
 struct CriticalValue {
@@ -13,9 +15,10 @@ struct CriticalValue {
   double value{};  ///< of the parameter
   double error{};
   std::vector<double> y, errors;  ///< (q, q') there
-  /// False: round-off leaves a cluster instead of one proven point; the kind is what the numbers of
+  /// False: round-off leaves a cluster instead of one proven point, or the kind is what the numbers of
   /// equilibria beside it say.
   bool proven{true};
+  std::string reason;  ///< why the kind is unresolved, a sentence
 };
 
 }  // namespace qdot

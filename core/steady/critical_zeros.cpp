@@ -61,31 +61,17 @@ bool joins_cluster(std::vector<CriticalZero>& zeros, const CriticalZero& zero, c
 }
 
 Isolation isolated(const Model& model, const SteadyProblem& problem, const BifurcationSystem& system,
-                   const Interval& range) {
+                   const Interval& range, const std::function<bool(std::span<const Interval>)>& known) {
   TapeEvaluator<Interval> values(system.values, problem.constants);
   TapeEvaluator<Interval> jacobian(system.jacobian, problem.constants);
   Box region = search_region(model, problem);
   region.push_back(range);
   std::vector<double> scales(region.size(), 1.0);
   scales.back() = std::max(std::abs(range.lower), std::abs(range.upper));
-  return isolate_zeros(
-      {region.size(), [&](auto x, auto out) { values(x, out); }, [&](auto x, auto out) { jacobian(x, out); }},
-      region, scales, most_boxes_of_zeros);
-}
-
-/// A search that was given up may have seen a part of a cluster only. Rounding hides a multiple zero within
-/// the square root of 2^-53 in x, and its square in p.
-void widen_clusters(std::vector<CriticalZero>& zeros) {
-  constexpr double hidden = 1e-6;
-  for (CriticalZero& zero : zeros) {
-    if (zero.simple) continue;
-    for (Interval& x : zero.x) {
-      const double reach = hidden * (1 + x.magnitude());
-      x = Interval(x.lower - reach, x.upper + reach);
-    }
-    const double reach = hidden * hidden * zero.p.magnitude();
-    zero.p = Interval(zero.p.lower - reach, zero.p.upper + reach);
-  }
+  const SquareSystem square{region.size(), [&](auto x, auto out) { values(x, out); },
+                            [&](auto x, auto out) { jacobian(x, out); },
+                            [&](auto x, auto) { return known(x); }};
+  return isolate_zeros(square, region, scales, most_boxes_of_zeros);
 }
 
 }  // namespace
@@ -98,26 +84,30 @@ bool overlap(const CriticalZero& a, const CriticalZero& b) {
 }
 
 CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
-                             const BifurcationSystems& systems, const Interval& range) {
+                             const BifurcationSystems& systems, const Interval& range,
+                             const std::function<bool(std::span<const Interval>)>& known) {
   CriticalZeros result;
   result.degenerate = degenerate_values(problem, systems, range);
   for (const BifurcationSystem& system : systems.systems) {
-    const Isolation isolation = isolated(model, problem, system, range);
+    const Isolation isolation = isolated(model, problem, system, range, known);
     result.complete = result.complete && isolation.complete;
-    for (const auto& [enclosure, simple] : isolation.zeros) {
-      CriticalZero zero{system.kind, {enclosure.begin(), enclosure.end() - 1}, enclosure.back(), simple};
+    result.undecided = result.undecided || !isolation.undecided.empty() || !isolation.poles.empty();
+    for (const IsolatedZero& found : isolation.zeros) {
+      const Box& at = found.enclosure;
+      CriticalZero zero{system.kind, {at.begin(), at.end() - 1}, at.back(), found.simple};
       if (is_empty(intersection(zero.p, range))) continue;
       for (std::size_t k = 0; k < zero.x.size(); ++k) {
         if (problem.forces->turns[problem.forces->unknowns[k]]) zero.x[k] = reduced_angle(zero.x[k]);
       }
       const auto is_there = [&](double p) { return zero.p.contains(p); };
       if (std::ranges::any_of(result.degenerate, is_there) || is_outside(zero, model, problem)) continue;
-      if (!simple && joins_cluster(result.zeros, zero, range)) continue;
+      if (!zero.simple && joins_cluster(result.zeros, zero, range)) continue;
       const auto is_same = [&](const CriticalZero& o) { return o.kind == zero.kind && overlap(o, zero); };
       if (std::ranges::none_of(result.zeros, is_same)) result.zeros.push_back(std::move(zero));
     }
   }
-  if (!result.complete) widen_clusters(result.zeros);
+  // What a search that was given up has seen of a cluster may be a part of it.
+  if (!result.complete) std::erase_if(result.zeros, [](const CriticalZero& zero) { return !zero.simple; });
   return result;
 }
 

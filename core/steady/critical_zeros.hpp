@@ -3,6 +3,8 @@
 // the systems of core/steady/bifurcation_systems.hpp, by interval arithmetic
 // (core/numerics/root_isolation.hpp).
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/steady/bifurcation_systems.hpp"
@@ -24,10 +26,13 @@ struct CriticalZeros {
   std::vector<CriticalZero> zeros;
   /// Values of p at which a force vanishes everywhere, ascending; zeros there are left out.
   std::vector<double> degenerate;
-  bool complete{true};  ///< false: the search was given up, and some may be missing
+  bool complete{true};  ///< false: the search was given up, and some may be missing; clusters are left out
+  bool undecided{};     ///< somewhere far out rounding does not tell whether there are any
 };
 
+/// Zeros in boxes of (x, p) that are `known` are left out.
 [[nodiscard]] CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
-                                           const BifurcationSystems& systems, const Interval& range);
+                                           const BifurcationSystems& systems, const Interval& range,
+                                           const std::function<bool(std::span<const Interval>)>& known);
 
 }  // namespace qdot

@@ -1,21 +1,27 @@
 #include "core/steady/equilibria.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/steady/force_system.hpp"
+#include "core/steady/found_places.hpp"
+#include "core/steady/kink_stability.hpp"
 
 namespace qdot {
 namespace {
 
-/// Zeros like to lie at 0 and pi: the region's ends lie beside them.
-constexpr double offset = 0.03;
 /// Some hundred do for most scenes; past this number the answer says that it is not complete.
 constexpr std::size_t most_boxes = 20'000;
+constexpr std::size_t most_kinks = 5;  ///< each multiplies the work by three
 
-Interval full_turn() { return {std::nextafter(2 * pi, 0), std::nextafter(2 * pi, 7)}; }
+std::string short_number(double x) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, 4).ptr;
+  return {text, end};
+}
 
 class RegionSearch {
  public:
@@ -24,14 +30,9 @@ class RegionSearch {
         y_(y.begin(), y.end()),
         problem_(problem),
         reduction_(problem_.statics->reduction),
-        numerators_(problem_.forces->numerators, problem_.constants),
+        system_(*problem_.forces, problem_.constants, given_place()),
         forces_(problem_.forces->forces, problem_.constants),
-        stiffness_(problem_.forces->stiffness, problem_.constants),
-        rates_(problem_.forces->ignored_rates, problem_.constants),
-        g_(place_size()),
-        k_(place_size() * place_size()) {
-    for (const std::size_t i : reduction_.kept) place_.emplace_back(y_[i]);
-  }
+        rates_(problem_.forces->ignored_rates, problem_.constants) {}
 
   Equilibria run() {
     for (const std::size_t j : forces().free) result_.free.push_back(reduction_.kept[j]);
@@ -39,10 +40,12 @@ class RegionSearch {
          k < problem_.constants.size(); ++k) {
       result_.momenta.push_back(problem_.constants[k].middle());
     }
-    if (forces().unknowns.size() == forces().equations.size()) {
-      find();
-    } else {
+    if (forces().unknowns.size() != forces().equations.size()) {
       mismatch();
+    } else if (forces().smooth.kinks() > most_kinks) {
+      incomplete("The forces have too many kinks to look on each side of all of them.");
+    } else {
+      find();
     }
     result_.problem = std::move(problem_);
     return std::move(result_);
@@ -50,46 +53,28 @@ class RegionSearch {
 
  private:
   [[nodiscard]] const SteadyForces& forces() const { return *problem_.forces; }
-  [[nodiscard]] std::size_t place_size() const { return reduction_.degrees_of_freedom(); }
   [[nodiscard]] const Coordinate& coordinate(std::size_t place) const {
     return dynamics_.model().scene.coordinates[reduction_.kept[place]];
   }
+  [[nodiscard]] Box given_place() const {
+    Box place;
+    for (const std::size_t i : reduction_.kept) place.emplace_back(y_[i]);
+    return place;
+  }
 
-  /// The place with the unknowns put in.
-  std::span<const Interval> with(std::span<const Interval> unknowns) {
-    for (std::size_t k = 0; k < unknowns.size(); ++k) place_[forces().unknowns[k]] = unknowns[k];
-    return place_;
+  void incomplete(const std::string& reason) {
+    result_.complete = false;
+    if (result_.reason.find(reason) != std::string::npos) return;
+    result_.reason += (result_.reason.empty() ? "" : " ") + reason;
   }
 
   void find() {
     if (forces().unknowns.empty()) {
-      add(place_, true);
+      add({given_place(), {}, {}, true});
       return;
     }
-    const SquareSystem system{forces().unknowns.size(), [&](auto x, auto out) { write_forces(with(x), out); },
-                              [&](auto x, auto out) { write_stiffness(with(x), out); }};
-    std::vector<double> scales;
-    for (const std::size_t j : forces().unknowns) {
-      const double start = std::abs(y_[reduction_.kept[j]]);
-      scales.push_back(forces().turns[j] || !(start > 0) || !std::isfinite(start) ? 1 : start);
-    }
-    const Isolation isolation =
-        isolate_zeros(system, search_region(dynamics_.model(), problem_), scales, most_boxes);
-    result_.complete = isolation.complete;
-    if (!isolation.complete) {
-      result_.reason =
-          "The search was given up before it was finished, so equilibria may be missing: their number is not "
-          "finite, or forces of very different sizes cancel.";
-    }
-    for (const IsolatedZero& zero : isolation.zeros) {
-      const auto x = with(zero.enclosure);
-      if (is_outside(x)) continue;
-      if (!zero.simple && is_pole(x)) {
-        give_up_at_pole();
-        continue;
-      }
-      add(reduced({x.begin(), x.end()}), zero.simple);
-    }
+    for (const Sides& sides : system_.patterns()) search(sides);
+    for (const FoundPlace& place : found_.places()) add_within_domain(place);
     if (result_.states.empty() && result_.complete) {
       result_.reason = "The forces vanish nowhere in the region that was searched.";
     }
@@ -97,110 +82,149 @@ class RegionSearch {
               [](const auto& a, const auto& b) { return a.y < b.y; });
   }
 
+  void search(const Sides& sides) {
+    Box region = search_region(dynamics_.model(), problem_);
+    std::vector<double> scales;
+    for (const std::size_t j : forces().unknowns) {
+      const double start = std::abs(y_[reduction_.kept[j]]);
+      scales.push_back(forces().turns[j] || !(start > 0) || !std::isfinite(start) ? 1 : start);
+    }
+    // A little more than the sides' values: what lies at the ends counts.
+    region.resize(region.size() + static_cast<std::size_t>(std::ranges::count(sides, 0)), {-1.001, 1.001});
+    scales.resize(region.size(), 1.0);
+    const Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes);
+    if (!isolation.complete) {
+      incomplete(
+          "The search was given up before it was finished, so equilibria may be missing: their number is not "
+          "finite, or forces of very different sizes cancel.");
+    }
+    for (const Box& box : isolation.undecided) {
+      if (system_.holds(sides, box).value_or(true)) incomplete(undecided(box));
+    }
+    if (!isolation.poles.empty()) give_up_at_pole();
+    for (const IsolatedZero& zero : isolation.zeros) take(sides, zero);
+  }
+
+  void take(const Sides& sides, const IsolatedZero& zero) {
+    const std::optional<bool> holds = system_.holds(sides, zero.enclosure);
+    if (holds && !*holds) return;
+    if (!zero.simple && system_.is_pole(sides, zero.enclosure)) return give_up_at_pole();
+    FoundPlace place{system_.place_of(zero.enclosure), {}, {}, zero.simple && holds};
+    if (place.simple) place.alone = system_.place_of(zero.alone);
+    std::size_t next = forces().unknowns.size();
+    for (const int side : sides) {
+      place.at_kink = place.at_kink || side == 0 || !holds;
+      place.sides.push_back(side == 0 ? zero.enclosure[next++] : Interval(side));
+    }
+    for (const std::size_t j : forces().unknowns) {
+      if (forces().turns[j] && is_inside(j, reduced_angle(place.x[j])).value_or(true)) place.turn_back(j);
+    }
+    found_.add(std::move(place));
+  }
+
+  [[nodiscard]] std::string undecided(const Box& box) const {
+    std::string where;
+    for (std::size_t k = 0; k < forces().unknowns.size(); ++k) {
+      const std::size_t j = forces().unknowns[k];
+      where += (where.empty() ? "Where " : " and ") + coordinate(j).name + " lies between " +
+               short_number(box[k].lower) + " and " + short_number(box[k].upper);
+    }
+    return where + ", the forces are too small to tell whether they vanish.";
+  }
+
   void mismatch() {
-    result_.reason =
-        forces().unknowns.size() < forces().equations.size()
-            ? "More forces have to vanish than there are coordinates that they depend on: in general no "
-              "position does it."
-            : "The forces leave a whole family of positions in equilibrium, which is not listed.";
-    result_.complete = false;
-  }
-
-  /// g_i; around a pole its numerator, which has the same zeros.
-  void write_forces(std::span<const Interval> x, std::span<Interval> out) {
-    forces_(x, g_);
-    bool pole = false;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      out[k] = g_[forces().equations[k]];
-      pole = pole || !out[k].is_finite();
-    }
-    if (!pole || !forces().has_poles) return;
-    numerators_(x, g_);
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      if (!out[k].is_finite()) out[k] = g_[forces().equations[k]];
-    }
-  }
-
-  void write_stiffness(std::span<const Interval> x, std::span<Interval> out) {
-    stiffness_(x, k_);
-    std::size_t k = 0;
-    for (const std::size_t i : forces().equations) {
-      for (const std::size_t j : forces().unknowns) out[k++] = k_[i * place_size() + j];
-    }
-  }
-
-  bool is_pole(std::span<const Interval> x) {
-    forces_(x, g_);
-    return std::any_of(g_.begin(), g_.end(), [](const Interval& g) { return !g.is_finite(); });
+    incomplete(forces().unknowns.size() < forces().equations.size()
+                   ? "More forces have to vanish than there are coordinates that they depend on: in general "
+                     "no position does it."
+                   : "The forces leave a whole family of positions in equilibrium, which is not listed.");
   }
 
   void give_up_at_pole() {
-    result_.complete = false;
-    result_.reason =
+    incomplete(
         "Forces and their distance from a singularity of the coordinates are both too small to tell whether "
-        "they vanish there.";
+        "they vanish there.");
   }
 
-  [[nodiscard]] bool is_outside(std::span<const Interval> x) const {
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      const Domain& domain = coordinate(j).domain;
-      const Interval inside = intersection(x[j], {domain.lower, domain.upper});
-      if (is_empty(inside)) return true;
-      if (domain.lower_open && x[j].lower <= domain.lower) return true;
-      if (domain.upper_open && x[j].upper >= domain.upper) return true;
-    }
-    return false;
+  /// No value where the enclosure reaches across an end of the domain.
+  [[nodiscard]] std::optional<bool> is_inside(std::size_t place, const Interval& x) const {
+    const Domain& domain = coordinate(place).domain;
+    const bool below = domain.lower_open ? x.upper <= domain.lower : x.upper < domain.lower;
+    const bool above = domain.upper_open ? x.lower >= domain.upper : x.lower > domain.upper;
+    if (below || above) return false;
+    const bool past_lower = domain.lower_open ? x.lower > domain.lower : x.lower >= domain.lower;
+    const bool past_upper = domain.upper_open ? x.upper < domain.upper : x.upper <= domain.upper;
+    return past_lower && past_upper ? std::optional(true) : std::nullopt;
   }
 
-  [[nodiscard]] Box reduced(Box x) const {
+  void add_within_domain(FoundPlace place) {
+    if (place.simple) make_exact(place);
+    bool certain = true;
     for (const std::size_t j : forces().unknowns) {
-      if (forces().turns[j]) x[j] = reduced_angle(x[j]);
+      const std::optional<bool> inside = is_inside(j, place.x[j]);
+      if (inside && !*inside) return;
+      certain = certain && inside;
     }
-    return x;
+    if (!certain) {
+      incomplete(
+          "An equilibrium lies so near the end of a coordinate's domain that rounding does not tell on which "
+          "side of it.");
+      place.simple = false;
+    }
+    add(place);
   }
 
-  [[nodiscard]] bool is_known(const Box& x) const {
-    return std::any_of(result_.states.begin(), result_.states.end(), [&](const SteadyState& state) {
-      for (std::size_t j = 0; j < x.size(); ++j) {
-        if (is_empty(intersection(state.enclosure[j], x[j]))) return false;
-      }
-      return true;
-    });
+  /// The number that is meant, where the forces prove that it is the zero.
+  void make_exact(FoundPlace& place) {
+    FoundPlace exact = place;
+    for (Interval& x : exact.x) x = representative(x);
+    Sides sides;
+    Box unknowns;
+    for (const std::size_t j : forces().unknowns) unknowns.push_back(exact.x[j]);
+    for (const Interval& s : place.sides) {
+      sides.push_back(s.width() == 0 ? static_cast<int>(s.lower) : 0);
+      if (sides.back() == 0) unknowns.push_back(s);
+    }
+    Box values(unknowns.size());
+    system_.at(sides).values(unknowns, values);
+    const bool vanish = std::ranges::all_of(
+        values, [&](const Interval& v) { return place.at_kink ? v.contains(0.0) : is_zero(v); });
+    const auto kinks = std::span<const Interval>(values).subspan(forces().equations.size());
+    if (vanish && std::ranges::all_of(kinks, [](const Interval& u) { return is_zero(u); })) place = exact;
   }
 
-  void add(Box x, bool simple) {
-    if (is_known(x)) return;  // found at both ends of a turn
+  void add(const FoundPlace& found) {
     SteadyState state;
-    state.simple = simple;
+    state.simple = found.simple;
+    state.at_kink = found.at_kink;
+    state.sides = found.sides;
+    state.enclosure = found.x;
     std::vector<double> place;
-    for (const Interval& xi : x) place.push_back(representative(xi));
-    if (!simple) place = least_residual(x, place);
-    std::vector<Interval> g(x.size());
-    forces_(Box(place.begin(), place.end()), g);
-    for (const Interval& force : g) state.residual = std::max(state.residual, force.magnitude());
-    if (simple && state.residual == 0) x.assign(place.begin(), place.end());
-    fill_state(state, place, x);
-    state.enclosure = std::move(x);
+    for (const Interval& xi : found.x) place.push_back(representative(xi));
+    if (!found.simple && !found.at_kink) place = least_residual(found.x, place);
+    if (!found.at_kink) state.residual = largest_force(place, &Interval::magnitude);
+    fill_state(state, place, found.x);
     result_.states.push_back(std::move(state));
+  }
+
+  template <class Size>
+  double largest_force(const std::vector<double>& place, Size size) {
+    std::vector<Interval> g(place.size());
+    forces_(Box(place.begin(), place.end()), g);
+    double largest = 0;
+    for (const Interval& force : g) largest = std::max(largest, std::abs(std::invoke(size, force)));
+    return largest;
   }
 
   /// Of many zeros too close to be told apart, or none: where the forces are least.
   std::vector<double> least_residual(const Box& x, std::vector<double> best) {
-    const auto size = [&](const std::vector<double>& place) {
-      std::vector<Interval> g(x.size());
-      forces_(Box(place.begin(), place.end()), g);
-      double largest = 0;
-      for (const Interval& force : g) largest = std::max(largest, std::abs(force.middle()));
-      return largest;
-    };
-    double least = size(best);
+    double least = largest_force(best, &Interval::middle);
     constexpr int samples = 64;
     for (std::size_t j = 0; j < x.size(); ++j) {
       const std::vector<double> start = best;
       for (int i = 0; i <= samples; ++i) {
         std::vector<double> place = start;
         place[j] = x[j].lower + x[j].width() * i / samples;
-        if (const double here = size(place); here < least) {
+        if (const double here = largest_force(place, &Interval::middle); here < least) {
           least = here;
           best = place;
         }
@@ -230,50 +254,29 @@ class RegionSearch {
   std::vector<double> y_;
   SteadyProblem problem_;
   const Reduction& reduction_;
-  TapeEvaluator<Interval> numerators_, forces_, stiffness_, rates_;
-  Box g_, k_, place_;
+  ForceSystem system_;
+  TapeEvaluator<Interval> forces_, rates_;
+  FoundPlaces found_;
   Equilibria result_;
 };
 
 }  // namespace
 
-Box search_region(const Model& model, const SteadyProblem& problem) {
-  Box region;
-  for (const std::size_t j : problem.forces->unknowns) {
-    const Domain& domain = model.scene.coordinates[problem.statics->reduction.kept[j]].domain;
-    const Interval all{std::max(domain.lower, -largest_length), std::min(domain.upper, largest_length)};
-    // A little more than a turn, in which rounding may not leave a gap.
-    const Interval turn{-pi - offset, pi - offset + 2e-9};
-    region.push_back(problem.forces->turns[j] ? intersection(turn, all) : all);
-    if (is_empty(region.back())) region.back() = all;
-  }
-  return region;
-}
-
-Interval reduced_angle(const Interval& angle) {
-  if (angle.lower <= -pi) return angle + full_turn();
-  return angle.upper > pi && !angle.contains(pi) ? angle - full_turn() : angle;
-}
-
-double representative(const Interval& x) {
-  if (x.contains(0.0)) return 0;
-  return x.contains(pi) ? pi : x.middle();
-}
-
-double distance_bound(double x, const Interval& enclosure) {
-  if (enclosure.lower == x && enclosure.upper == x) return 0;
-  return std::nextafter(std::max(x - enclosure.lower, enclosure.upper - x), infinity);
-}
-
 Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y) {
   Equilibria result = RegionSearch(dynamics, problem, y).run();
   StabilityAnalysis analysis(dynamics, result.problem);
-  for (SteadyState& state : result.states) state.stability = analysis.at(state.enclosure);
+  for (SteadyState& state : result.states) {
+    if (!state.at_kink) {
+      state.stability = analysis.at(state.enclosure);
+      continue;
+    }
+    const auto [decides, gyroscopic] = analysis.energy(state.enclosure);
+    state.stability = stability_at_kink(result.problem, state.enclosure, state.sides, decides, gyroscopic);
+  }
   return result;
 }
 
-Equilibria equilibria(const Dynamics& dynamics, std::span<const double> parameters,
-                      std::span<const double> y) {
+Equilibria equilibria(const Dynamics& dynamics, const Reals& parameters, const Reals& y) {
   return equilibria(dynamics, steady_problem(dynamics, parameters, y), y);
 }
 

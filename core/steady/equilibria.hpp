@@ -5,20 +5,18 @@
 // motions with the momenta of a given state (Goldstein, Classical Mechanics, 3rd ed., 8.3): the ignorable
 // coordinates move uniformly.
 //
-// g is searched without its denominators, whose zeros (the axis of a spherical pendulum) are no equilibria.
-// Coordinates that no force depends on are free: every value of theirs belongs to an equilibrium.
+// g is searched without its denominators, whose zeros (the axis of a spherical pendulum) are no equilibria,
+// on each side of its kinks and at them (core/steady/force_system.hpp). Coordinates that no force depends on
+// are free: every value of theirs belongs to an equilibrium.
 
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/numerics/root_isolation.hpp"
+#include "core/steady/search_region.hpp"
 #include "core/steady/stability.hpp"
 
 namespace qdot {
-
-/// How far out coordinates that are no angles are searched [m]; nothing is claimed beyond.
-inline constexpr double largest_length = 1e15;
 
 struct SteadyState {
   std::vector<double> y;       ///< (q, q'): angles in (-pi, pi], ignored coordinates at their steady rates
@@ -29,6 +27,9 @@ struct SteadyState {
   /// Proven to be one simple zero. Otherwise a multiple zero,
   /// or several (or none) too close to be told apart.
   bool simple{};
+  /// At a kink of the forces, where they take all values between those of its sides (core/steady/kinks.hpp).
+  bool at_kink{};
+  Box sides;  ///< s_k of each kink: -1 or 1, or an enclosure where the place is at it
 };
 
 struct Equilibria {
@@ -42,22 +43,10 @@ struct Equilibria {
 
 /// The state `y` gives the ignored coordinates their momenta and the free ones their values.
 /// Throws what steady_problem throws.
-[[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, std::span<const double> parameters,
-                                    std::span<const double> y);
+[[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, const Reals& parameters, const Reals& y);
 
 /// The same for constants of the caller's, such as momenta that stay while a parameter moves.
 [[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem,
                                     std::span<const double> y);
-
-/// One turn of each angle, offset so that no zero is expected at its ends; the domain of each other unknown.
-[[nodiscard]] Box search_region(const Model& model, const SteadyProblem& problem);
-
-/// An angle and its enclosure moved by full turns so that it lies in (-pi, pi].
-[[nodiscard]] Interval reduced_angle(const Interval& angle);
-
-/// The number inside that is meant: 0 or pi where the interval holds it, else its middle.
-[[nodiscard]] double representative(const Interval& x);
-/// The largest distance of x from a point of the enclosure.
-[[nodiscard]] double distance_bound(double x, const Interval& enclosure);
 
 }  // namespace qdot

@@ -23,6 +23,7 @@ struct Mode {
   double rate{};                      ///< of growth or decay [1/s], positive
   std::optional<double> lambda;       ///< -s^2 where that is real: omega^2, or -rate^2 [1/s^2]
   std::optional<double> omega_error;  ///< bound; none where it could not be proven
+  /// Also of an oscillation whose rate of growth or decay is zero only to within it.
   std::optional<double> rate_error;
   /// In the coordinates' own units, all of the scene's coordinates in order; its first component that is not
   /// zero is 1. What is zero to within its error is exactly zero.

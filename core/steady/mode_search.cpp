@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.hpp"
 #include "core/compile/tape_evaluator.hpp"
+#include "core/steady/inertia.hpp"
+#include "core/steady/spectrum.hpp"
 
 namespace qdot {
 namespace {
 
 using Balls = std::vector<Ball>;
 using Shape = std::vector<ComplexBall>;
-
-/// Where no bound could be proven, numbers are told from zero by this share of the largest.
-constexpr double unproven = 1e-7;
 
 /// A value of an eigenvalue problem, and what is proven of it.
 struct Bounded {
@@ -36,9 +36,11 @@ class ModeSearch {
  private:
   // Without gyroscopic and damping terms.
 
+  /// False where no bound is to be had this way.
   bool from_squares() {
     const Eigensystem<Ball> found = squares(at_.reduced);
     const std::size_t n = found.values.size();
+    if (!std::ranges::all_of(found.radii, [](double r) { return std::isfinite(r); })) return false;
     for (std::size_t first = 0; first < n; ++first) {
       std::vector<std::size_t> members;
       for (std::size_t i = 0; i < n; ++i) {
@@ -138,47 +140,128 @@ class ModeSearch {
   // With them.
 
   void from_exponents() {
+    std::size_t zeros = 0;  // eigenvalues that the kernel of K answers for
     for (const Shape& shape : kernel(at_.reduced.stiffness)) {
       std::vector<Mode> modes(1);
       modes[0].kind = is_rigid(shape) ? ModeKind::rigid : ModeKind::neutral;
       modes[0].omega_error = 0.0;
       set_shapes(modes, {shape}, {});
       modes_.push_back(modes[0]);
+      zeros += is_undamped_along(shape) ? 2 : 1;
     }
-    const Eigensystem<ComplexBall> found = exponents(at_.reduced);
-    double largest = 0;
-    for (const ComplexBall& s : found.values) largest = std::max(largest, magnitude(s));
-    for (std::size_t i = 0; i < found.values.size(); ++i) {
-      const bool proven = std::isfinite(found.radii[i]);
-      const double radius = proven ? found.radii[i] : unproven * largest;
-      const auto members =
-          static_cast<std::size_t>(std::count(found.group.begin(), found.group.end(), found.group[i]));
-      add_exponent(found, i, radius, proven, members);
+    const Eigensystem<ComplexBall> vectors = exponents(at_.reduced);
+    if (std::ranges::all_of(vectors.radii, [](double r) { return std::isfinite(r); })) {
+      from_eigenvectors(vectors, zeros);
+    } else {
+      from_clusters(vectors, zeros);
     }
   }
 
-  void add_exponent(const Eigensystem<ComplexBall>& found, std::size_t i, double radius, bool proven,
-                    std::size_t members) {
-    const Bounded rate{{found.values[i].re.middle, radius}, proven};
-    const Bounded omega{{found.values[i].im.middle, radius}, proven};
-    const bool steady = rate.ball.contains_zero();
-    const bool swings = !omega.ball.contains_zero();
-    if (steady && !swings) return;                            // the kernel of K has it
-    if (swings && omega.ball.middle.high < 0) return;         // its conjugate has it
+  /// D v = 0, so that u = v t is a motion, too, and s = 0 counts twice.
+  [[nodiscard]] bool is_undamped_along(const Shape& v) const {
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      ComplexBall sum;
+      for (std::size_t j = 0; j < v.size(); ++j) sum = sum + ComplexBall(at_.reduced.rates(i, j)) * v[j];
+      if (!sum.re.contains_zero() || !sum.im.contains_zero()) return at_.reduced.undamped();
+    }
+    return true;
+  }
+
+  /// Eigenvalues with eigenvectors of their own, or groups that rounding makes one.
+  void from_eigenvectors(const Eigensystem<ComplexBall>& found, std::size_t zeros) {
+    for (std::size_t i = 0; i < found.values.size(); ++i) {
+      const auto members =
+          static_cast<std::size_t>(std::count(found.group.begin(), found.group.end(), found.group[i]));
+      const bool near_axis = Ball(found.values[i].re.middle, found.radii[i]).contains_zero();
+      const bool on_axis = near_axis && at_.reduced.undamped() && (members == 1 || held_by_potential());
+      add_exponent({found.values[i], found.radii[i], members, on_axis}, {shape_of(found, i)}, zeros);
+    }
+  }
+
+  /// Eigenvalues that may lack eigenvectors: their shapes are those that make s^2 M + s D + K vanish.
+  void from_clusters(const Eigensystem<ComplexBall>& vectors, std::size_t zeros) {
+    for (Exponent e : spectrum(at_.reduced)) {
+      if (!std::isfinite(e.radius)) {
+        throw Error(ErrorCode::not_applicable,
+                    "Eigenvalues of the small motions coincide to within rounding, and no bound of any of "
+                    "them could be proven.");
+      }
+      e.undamped = e.undamped || (at_.reduced.undamped() && held_by_potential());
+      std::vector<Shape> shapes = kernel(dynamic_stiffness(e));
+      if (shapes.empty() || shapes.size() > e.members) shapes = {nearest_vector(vectors, e)};
+      add_exponent(e, shapes, zeros);
+    }
+  }
+
+  /// K is positive definite: without damping nothing can grow.
+  [[nodiscard]] bool held_by_potential() const {
+    const std::size_t n = at_.reduced.size();
+    std::vector<Interval> stiffness;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        const Ball& k = at_.reduced.stiffness(i, j);
+        stiffness.emplace_back(k.value() - k.error(), k.value() + k.error());
+      }
+    }
+    return inertia_of(stiffness, n).positive == n;
+  }
+
+  /// s^2 M + s D + K.
+  [[nodiscard]] SquareMatrix<ComplexBall> dynamic_stiffness(const Exponent& e) const {
+    ComplexBall s = e.middle;
+    s.re.radius = s.im.radius = e.radius;
+    const std::size_t n = at_.reduced.size();
+    SquareMatrix<ComplexBall> result(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        result(i, j) = s * s * ComplexBall(at_.reduced.mass(i, j)) +
+                       s * ComplexBall(at_.reduced.rates(i, j)) + ComplexBall(at_.reduced.stiffness(i, j));
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] Shape nearest_vector(const Eigensystem<ComplexBall>& vectors, const Exponent& e) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < vectors.values.size(); ++i) {
+      const bool nearer =
+          magnitude(vectors.values[i] - e.middle) < magnitude(vectors.values[best] - e.middle);
+      if (nearer) best = i;
+    }
+    Shape shape;
+    for (std::size_t k = 0; k < at_.reduced.size(); ++k) shape.push_back(middle_of(vectors.vectors(k, best)));
+    return shape;
+  }
+
+  /// `zeros` eigenvalues zero belong to modes that are there already. Members of one disc come one by one,
+  /// and share its shapes.
+  void add_exponent(const Exponent& e, const std::vector<Shape>& shapes, std::size_t zeros) {
+    const Ball rate(e.undamped ? DoubleDouble{} : e.middle.re.middle, e.undamped ? 0 : e.radius);
+    const Ball omega(e.middle.im.middle, e.radius);
+    const bool steady = rate.contains_zero();
+    const bool swings = !omega.contains_zero();
+    if (swings && omega.middle.high < 0) return;              // its conjugate has it
     const bool mirrored = at_.reduced.undamped() && !swings;  // its mirror image has it
-    if (mirrored && rate.ball.middle.high < 0) return;
+    if (mirrored && !steady && rate.middle.high < 0) return;
     Mode mode;
-    mode.multiplicity = members;
-    mode.kind = steady                      ? ModeKind::oscillation
-                : rate.ball.middle.high > 0 ? ModeKind::growth
-                                            : ModeKind::decay;
-    mode.omega = swings ? omega.ball.value() : 0;
-    mode.rate = steady ? 0 : std::abs(rate.ball.value());
-    mode.omega_error = swings ? omega.error() : std::nullopt;
-    mode.rate_error = steady ? std::nullopt : rate.error();
-    if (steady || mirrored) mode.lambda = steady ? mode.omega * mode.omega : -mode.rate * mode.rate;
+    mode.multiplicity = e.members;
+    if (steady && !swings) {
+      if (near_zero_++ < zeros || (mirrored && near_zero_ % 2 == 0)) return;
+      mode.kind = ModeKind::neutral;
+      mode.omega_error = magnitude(e.middle) + e.radius;
+    } else {
+      mode.kind = steady ? ModeKind::oscillation : rate.middle.high > 0 ? ModeKind::growth : ModeKind::decay;
+      mode.omega = swings ? omega.value() : 0;
+      mode.rate = steady ? 0 : std::abs(rate.value());
+      if (swings) mode.omega_error = omega.error();
+      if (!steady || !e.undamped) mode.rate_error = steady ? rate.magnitude() : rate.error();
+      if ((steady && e.undamped) || mirrored)
+        mode.lambda = steady ? mode.omega * mode.omega : -mode.rate * mode.rate;
+    }
+    const std::size_t place = shape_in_disc_ % shapes.size();
+    shape_in_disc_ = e.members > 1 ? shape_in_disc_ + 1 : 0;
     std::vector<Mode> modes{mode};
-    set_shapes(modes, {shape_of(found, i)}, found.values[i]);
+    set_shapes(modes, {shapes[place]}, e.middle);
     modes_.push_back(modes[0]);
   }
 
@@ -223,6 +306,8 @@ class ModeSearch {
 
   const Linearization& at_;
   std::vector<Mode> modes_;
+  std::size_t near_zero_{};      ///< eigenvalues that may be zero, so far
+  std::size_t shape_in_disc_{};  ///< members of the present disc, so far
 };
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.hpp"
 #include "core/steady/mode_search.hpp"
+#include "core/steady/steady_forces.hpp"
 
 namespace qdot {
 namespace {
@@ -41,20 +43,27 @@ std::vector<double> part(const SquareMatrix<Ball>& a, int sign) {
 
 class Analysis {
  public:
-  Analysis(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> initial)
+  Analysis(const Dynamics& dynamics, const Reals& parameters, const Reals& initial)
       : dynamics_(dynamics),
         statics_(dynamics.statics(parameters)),
-        constants_(parameters.begin(), parameters.end()),
+        constants_(parameters.as<Ball>()),
         y_(initial.begin(), initial.end()) {
-    for (const std::size_t k : statics_->reduction.kept) y_[total() + k] = 0;  // steady motions are at rest
-    add_momenta();
+    refuse_dry_friction(dynamics, parameters);
+    smooth_ = dynamics.derived<SmoothForces>(
+        "smooth forces", parameters, [](const Statics& statics) { return derive_smooth_forces(statics); });
+    Balls at = initial.as<Ball>();
+    for (const std::size_t k : statics_->reduction.kept) {
+      y_[total() + k] = 0;  // steady motions are at rest
+      at[total() + k] = 0;
+    }
+    add_momenta(at);
   }
 
   Modes at(const std::optional<std::vector<double>>& given) {
     std::vector<double> guess;
     for (const std::size_t k : statics_->reduction.kept) guess.push_back(given ? (*given)[k] : y_[k]);
-    place_ = find_equilibrium(dynamics_, *statics_, constants_, guess,
-                              given ? EquilibriumSearch::nearest : EquilibriumSearch::stable);
+    place_ = found_from(guess, given ? EquilibriumSearch::nearest : EquilibriumSearch::stable);
+    refuse_kink();
     for (std::size_t c : statics_->reduction.ignored) y_[c] = given ? (*given)[c] : y_[c];
     const std::size_t n = statics_->reduction.degrees_of_freedom();
     reduced_ = {matrix(statics_->inertia, n), matrix(statics_->stiffness, n), matrix(statics_->damping, n)};
@@ -73,16 +82,41 @@ class Analysis {
   }
 
  private:
+  /// Newton's iteration does not end at a kink; where there are some, that may be why.
+  [[nodiscard]] Equilibrium found_from(const std::vector<double>& guess, EquilibriumSearch search) const {
+    try {
+      return find_equilibrium(dynamics_, *statics_, constants_, guess, search);
+    } catch (const Error& error) {
+      if (smooth_->kinks() == 0 || error.code() != ErrorCode::not_applicable) throw;
+      throw Error(error.code(), std::string(error.what()) +
+                                    " An abs() or a sign() in the forces has kinks; an equilibrium at one "
+                                    "has no modes, and 'equilibria' lists it.");
+    }
+  }
+
+  void refuse_kink() const {
+    Balls variables = place_.x;
+    variables.resize(variables.size() + smooth_->kinks());
+    for (std::size_t k = 0; k < smooth_->kinks(); ++k)
+      variables[place_.x.size() + k] = Ball(DoubleDouble{}, 1);
+    for (const Ball& u : evaluated(smooth_->arguments, constants_, variables)) {
+      if (!u.contains_zero()) continue;
+      throw Error(ErrorCode::not_applicable,
+                  "At this equilibrium an abs() or a sign() in the forces has its kink, so that they have no "
+                  "slope there and small motions no frequency; 'equilibria' says whether it is stable.");
+    }
+  }
+
   [[nodiscard]] std::size_t total() const { return y_.size() / 2; }
   [[nodiscard]] const Reduction& reduction() const { return statics_->reduction; }
   [[nodiscard]] SquareMatrix<Ball> matrix(const CompiledFunction& function, std::size_t n) const {
     return square_matrix(evaluated(function, constants_, place_.x), n);
   }
 
-  void add_momenta() {
+  void add_momenta(const Balls& y) {
     if (reduction().ignored.empty()) return;
     const auto momenta = dynamics_.columns(momentum_columns(dynamics_.model(), reduction().ignored));
-    const Balls p = evaluated(*momenta, constants_, Balls(y_.begin(), y_.end()));
+    const Balls p = evaluated(*momenta, constants_, y);
     constants_.insert(constants_.end(), p.begin(), p.end());
   }
 
@@ -138,6 +172,12 @@ class Analysis {
     result_.stability = Stability::neutral;
     if (has(ModeKind::growth)) {
       result_.stability = Stability::unstable;
+    } else if (std::ranges::any_of(result_.modes, [](const Mode& mode) {
+                 return mode.kind == ModeKind::oscillation && mode.rate_error.value_or(0) > 0;
+               })) {
+      result_.undecided =
+          "An eigenvalue lies on the imaginary axis to within its error: whether that motion grows or decays "
+          "is not decided.";
     } else if (has(ModeKind::neutral)) {
       result_.undecided =
           "Along the neutral mode the stiffness is zero to within the rounding of the parameters: higher "
@@ -166,6 +206,7 @@ class Analysis {
 
   const Dynamics& dynamics_;
   std::shared_ptr<const Statics> statics_;
+  std::shared_ptr<const SmoothForces> smooth_;
   Balls constants_;
   std::vector<double> y_;
   Equilibrium place_;
@@ -188,8 +229,8 @@ const char* name(Stability stability) {
   return "neutral";
 }
 
-Modes normal_modes(const Dynamics& dynamics, std::span<const double> parameters,
-                   std::span<const double> initial, const std::optional<std::vector<double>>& guess) {
+Modes normal_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
+                   const std::optional<std::vector<double>>& guess) {
   return Analysis(dynamics, parameters, initial).at(guess);
 }
 

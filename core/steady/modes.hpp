@@ -38,8 +38,7 @@ struct Modes {
 /// `initial` (q, q') gives ignorable coordinates their momenta and all coordinates a guess; `guess` (q),
 /// where given, is the equilibrium meant or near it. Without, the stable one nearest to `initial`.
 /// Throws Error(not_applicable) where the time enters the equations or no equilibrium is near.
-[[nodiscard]] Modes normal_modes(const Dynamics& dynamics, std::span<const double> parameters,
-                                 std::span<const double> initial,
+[[nodiscard]] Modes normal_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                                  const std::optional<std::vector<double>>& guess = std::nullopt);
 
 }  // namespace qdot

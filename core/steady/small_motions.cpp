@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/numerics/same_bits.hpp"
 
 namespace qdot {
 namespace {
@@ -75,7 +76,7 @@ Eigensystem<ComplexBall> quadratic_roots(const Ball& m, const Ball& d, const Bal
   }
   for (std::size_t i = 0; i < 2; ++i) {
     result.values.push_back(middle_of(roots[i]));
-    result.radii.push_back(std::hypot(roots[i].re.radius, roots[i].im.radius) * (1 + 0x1p-50));
+    result.radii.push_back(hypotenuse(roots[i].re.radius, roots[i].im.radius) * (1 + 0x1p-50));
     result.vectors(0, i) = Ball(1);
     result.vectors(1, i) = result.values[i];
   }
@@ -90,7 +91,14 @@ void subtract(std::vector<ComplexBall>& a, const ComplexBall& factor, const std:
 
 }  // namespace
 
-bool SmallMotions::depends_on_squares() const { return is_symmetric(rates, 1) && is_symmetric(rates, -1); }
+bool SmallMotions::depends_on_squares() const {
+  for (std::size_t i = 0; i < size(); ++i) {
+    for (std::size_t j = 0; j < size(); ++j) {
+      if (!rates(i, j).is_zero()) return false;
+    }
+  }
+  return true;
+}
 
 bool SmallMotions::undamped() const {
   return is_symmetric(mass, 1) && is_symmetric(stiffness, 1) && is_symmetric(rates, -1);
@@ -175,6 +183,14 @@ Vectors echelon_form(Vectors vectors) {
 }
 
 Vectors kernel(const SquareMatrix<Ball>& k) {
+  SquareMatrix<ComplexBall> entries(k.size());
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    for (std::size_t j = 0; j < k.size(); ++j) entries(i, j) = k(i, j);
+  }
+  return kernel(entries);
+}
+
+Vectors kernel(const SquareMatrix<ComplexBall>& k) {
   const std::size_t n = k.size();
   Vectors rows(n, std::vector<ComplexBall>(n));
   for (std::size_t i = 0; i < n; ++i) {

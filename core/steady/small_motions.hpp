@@ -12,7 +12,7 @@ struct SmallMotions {
   SquareMatrix<Ball> mass, stiffness, rates;  ///< M, K and D
 
   [[nodiscard]] std::size_t size() const { return mass.size(); }
-  /// D = 0.
+  /// D = 0, exactly.
   [[nodiscard]] bool depends_on_squares() const;
   /// M and K symmetric and D skew: s is an eigenvalue with -s.
   [[nodiscard]] bool undamped() const;
@@ -27,6 +27,7 @@ struct SmallMotions {
 
 /// A basis of the v with K v = 0, in columns, as many as the rank of K leaves.
 [[nodiscard]] std::vector<std::vector<ComplexBall>> kernel(const SquareMatrix<Ball>& k);
+[[nodiscard]] std::vector<std::vector<ComplexBall>> kernel(const SquareMatrix<ComplexBall>& k);
 
 /// Combinations of `vectors` in reduced echelon form: each has a component 1 where those before it have none
 /// and all others have 0.

@@ -6,6 +6,7 @@
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/numerics/same_bits.hpp"
 #include "core/steady/equilibria.hpp"
 
 namespace qdot {
@@ -88,7 +89,7 @@ class Ranges {
     const SquareSystem system{1, [&](auto x, auto out) { out[0] = curve(at(x[0])).value; },
                               [&](auto x, auto out) { out[0] = curve(at(x[0])).slope; }};
     const Isolation isolation = isolate_zeros(system, {region_});
-    complete_ = complete_ && isolation.complete;
+    complete_ = complete_ && isolation.complete && isolation.undecided.empty();
     for (const IsolatedZero& zero : isolation.zeros) {
       if (zero.enclosure[0].width() > widest_break) complete_ = false;  // it vanishes along a whole stretch
       const Interval x = turns_ ? reduced_angle(zero.enclosure[0]) : zero.enclosure[0];
@@ -127,7 +128,7 @@ class Ranges {
 
   /// Lengths are searched far out: their middle is a geometric one.
   [[nodiscard]] double between(double a, double b) const {
-    return turns_ ? (a + b) / 2 : std::sinh((std::asinh(a) + std::asinh(b)) / 2);
+    return turns_ ? (a + b) / 2 : evaluate(Function::sinh, (inverse_sinh(a) + inverse_sinh(b)) / 2);
   }
 
   void around() {

@@ -26,11 +26,10 @@ Interval with_neighbours(double x) {
 }
 
 /// The parameters with one that stands in for the unknown: it must not count as vanishing.
-std::vector<double> with_unknown(const Scene& scene, std::span<const double> parameters,
-                                 const std::string& unknown) {
-  std::vector<double> result(parameters.begin(), parameters.end());
+Reals with_unknown(const Scene& scene, const Reals& parameters, const std::string& unknown) {
+  Reals result = parameters;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (scene.parameters[i].name == unknown) result[i] = 1;
+    if (scene.parameters[i].name == unknown) result.set(i, 1);
   }
   return result;
 }
@@ -53,6 +52,8 @@ enum class Obstacle {
   no_real_value,
   negative_square,  ///< u^2 would have to be negative
   none_in_domain,   ///< no zero of a force that is no polynomial of u
+  not_decided,      ///< a force is too small to tell where it vanishes
+  at_kink,          ///< the forces have no single value at the position, or their kinks move with u
   no_common_value,  ///< no value makes all the forces vanish
   outside_domain
 };
@@ -86,6 +87,11 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
              state_written(found.number) + ".";
     case Obstacle::none_in_domain:
       return "No " + u + " in its domain holds " + at + ".";
+    case Obstacle::not_decided:
+      return "The forces are too small, or vanish too often, to tell which " + u + " hold " + at + ".";
+    case Obstacle::at_kink:
+      return "An abs() or a sign() in the forces has its kink at " + at + ", or one that moves with " + u +
+             ": forces have no single value there, and whole intervals of " + u + " may hold it.";
     case Obstacle::no_common_value:
       return "No single value of " + u + " balances all forces at " + at + ".";
     case Obstacle::outside_domain:
@@ -94,23 +100,41 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
   return "";
 }
 
+/// Kinks of the forces in x and u.
+struct SolverKinks {
+  bool move{};  ///< with u
+  SmoothForces at_rest;
+};
+
+SolverKinks derive_solver_kinks(const Statics& statics, const std::string& unknown) {
+  Graph graph(*statics.reduction.graph);
+  const Expression u = graph.symbol(unknown);
+  std::vector<Expression> rest;
+  for (const Expression& g : statics.rest) rest.push_back(graph.adopt(g));
+  return {!unfolded(rest, {&u, 1}).arguments.empty(), derive_smooth_forces(statics)};
+}
+
 class Solver {
  public:
-  Solver(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> y,
-         const std::string& unknown)
+  Solver(const Dynamics& dynamics, const Reals& parameters, const Reals& y, const std::string& unknown)
       : dynamics_(dynamics),
         scene_(dynamics.model().scene),
         unknown_(unknown),
         parameters_(with_unknown(scene_, parameters, unknown)),
-        y_(y.begin(), y.end()),
+        y_(y),
         statics_(dynamics.statics(parameters_)),
-        polynomial_(polynomial_of(dynamics, parameters_, unknown)) {
+        polynomial_(polynomial_of(dynamics, parameters_, unknown)),
+        kinks_(dynamics.derived<SolverKinks>(
+            "kinks beside " + unknown, parameters_,
+            [&](const Statics& statics) { return derive_solver_kinks(statics, unknown); })) {
     for (const std::size_t i : statics_->reduction.kept) {
-      x_.emplace_back(y_[i]);
+      x_.push_back(Interval::literal(y_.exact(i)));
       near_.push_back(with_neighbours(y_[i]));
     }
-    constants_.assign(parameters_.begin(), parameters_.end());
-    for (const std::size_t c : statics_->reduction.ignored) constants_.emplace_back(y_[y_.size() / 2 + c]);
+    constants_ = parameters_.as<Interval>();
+    for (const std::size_t c : statics_->reduction.ignored) {
+      constants_.push_back(Interval::literal(y_.exact(y_.size() / 2 + c)));
+    }
     if (polynomial_->place < parameters_.size()) domain_ = scene_.parameters[polynomial_->place].domain;
   }
 
@@ -122,6 +146,7 @@ class Solver {
       found.number = found.values[0].middle();
     }
     result_.reason = sentence(found, unknown_, at_position());
+    if (kinks_->at_rest.kinks() > 0) return std::move(result_);  // ranges would end at kinks, too
     result_.ranges = solvable_ranges(*polynomial_, constants_, domain_, position_domain());
     return std::move(result_);
   }
@@ -142,6 +167,7 @@ class Solver {
 
   /// All candidates that satisfy every equation, before the domain is asked.
   [[nodiscard]] Candidates candidates() const {
+    if (kinks_->move || is_at_kink()) return {Obstacle::at_kink, {}, "", 0};
     const std::vector<Interval> c = coefficients(x_);
     const std::vector<Interval> near = coefficients(near_);
     std::optional<std::size_t> chosen;
@@ -161,6 +187,13 @@ class Solver {
     std::erase_if(found.values, [&](const Interval& u) { return !satisfies_others(u, *chosen); });
     if (found.values.empty() && found.obstacle == Obstacle::none) found.obstacle = Obstacle::no_common_value;
     return found;
+  }
+
+  [[nodiscard]] bool is_at_kink() const {
+    std::vector<Interval> variables = near_, u(kinks_->at_rest.kinks());
+    variables.resize(variables.size() + u.size(), Interval(-1, 1));
+    TapeEvaluator<Interval>(kinks_->at_rest.arguments, constants_)(variables, u);
+    return std::ranges::any_of(u, [](const Interval& argument) { return argument.contains(0.0); });
   }
 
   [[nodiscard]] std::string coordinate_of(const SteadyPolynomial::Force& force) const {
@@ -202,7 +235,9 @@ class Solver {
     Interval region{std::max(domain_.lower, -largest_length), std::min(domain_.upper, largest_length)};
     if (polynomial_->u_turns) region = intersection(turn, region);
     Candidates found;
-    for (const IsolatedZero& zero : isolate_zeros({1, along(values), along(derivatives)}, {region}).zeros) {
+    const Isolation isolation = isolate_zeros({1, along(values), along(derivatives)}, {region});
+    if (!isolation.complete || !isolation.undecided.empty()) return {Obstacle::not_decided, {}, "", 0};
+    for (const IsolatedZero& zero : isolation.zeros) {
       const Interval u = polynomial_->u_turns ? reduced_angle(zero.enclosure[0]) : zero.enclosure[0];
       const auto is_same = [&](const Interval& other) { return !is_empty(intersection(other, u)); };
       if (std::ranges::none_of(found.values, is_same)) found.values.push_back(u);
@@ -244,14 +279,14 @@ class Solver {
     if (!domain_.contains(result.value))
       result.value = intersection(u, {domain_.lower, domain_.upper}).middle();
     result.error = distance_bound(result.value, u);
-    std::vector<double> parameters = parameters_;
-    std::vector<double> y = y_;
-    for (const std::size_t i : statics_->reduction.kept) y[y.size() / 2 + i] = 0;
+    Reals parameters = parameters_;
+    Reals y = y_;
+    for (const std::size_t i : statics_->reduction.kept) y.set(y.size() / 2 + i, 0);
     if (polynomial_->place < parameters.size()) {
-      parameters[polynomial_->place] = result.value;
+      parameters.set(polynomial_->place, result.value);
     } else {
       const std::size_t c = statics_->reduction.ignored[polynomial_->place - parameters.size()];
-      y[y.size() / 2 + c] = result.value;
+      y.set(y.size() / 2 + c, result.value);
     }
     SteadyProblem problem = steady_problem(dynamics_, parameters, y);
     enclose(problem, u);
@@ -276,16 +311,17 @@ class Solver {
   /// Where the value vanishes, other coordinates may be ignorable.
   [[nodiscard]] Box x_of(const SteadyProblem& problem) const {
     Box x;
-    for (const std::size_t i : problem.statics->reduction.kept) x.emplace_back(y_[i]);
+    for (const std::size_t i : problem.statics->reduction.kept) x.push_back(Interval::literal(y_.exact(i)));
     return x;
   }
 
   const Dynamics& dynamics_;
   const Scene& scene_;
   std::string unknown_;
-  std::vector<double> parameters_, y_;
+  Reals parameters_, y_;
   std::shared_ptr<const Statics> statics_;
   std::shared_ptr<const SteadyPolynomial> polynomial_;
+  std::shared_ptr<const SolverKinks> kinks_;
   std::vector<Interval> x_, near_, constants_;
   Domain domain_;
   Solution result_;
@@ -303,9 +339,9 @@ std::vector<std::string> solvable_names(const Dynamics& dynamics, std::span<cons
   return names;
 }
 
-std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics, std::span<const double> parameters,
+std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics, const Reals& parameters,
                                             const std::string& unknown) {
-  const std::vector<double> with = with_unknown(dynamics.model().scene, parameters, unknown);
+  const Reals with = with_unknown(dynamics.model().scene, parameters, unknown);
   const auto statics = dynamics.statics(with);
   std::vector<std::size_t> needed;
   for (const std::size_t j : polynomial_of(dynamics, with, unknown)->needed) {
@@ -314,7 +350,7 @@ std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics, std::span<
   return needed;
 }
 
-Solution solve_for(const Dynamics& dynamics, std::span<const double> parameters, std::span<const double> y,
+Solution solve_for(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
                    const std::string& unknown) {
   return Solver(dynamics, parameters, y, unknown).run();
 }

@@ -37,13 +37,12 @@ struct Solution {
                                                       std::span<const double> parameters);
 
 /// The coordinates that the position must give, by number in the scene: those that forces depend on.
-[[nodiscard]] std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics,
-                                                          std::span<const double> parameters,
+[[nodiscard]] std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics, const Reals& parameters,
                                                           const std::string& unknown);
 
 /// `y` = (q, q'): the position, and the velocities of the ignorable coordinates. `unknown` is one of
 /// solvable_names; what `parameters` or `y` say of it does not matter.
-[[nodiscard]] Solution solve_for(const Dynamics& dynamics, std::span<const double> parameters,
-                                 std::span<const double> y, const std::string& unknown);
+[[nodiscard]] Solution solve_for(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
+                                 const std::string& unknown);
 
 }  // namespace qdot

@@ -4,74 +4,77 @@
 #include <cmath>
 
 #include "core/expr/simplify.hpp"
-#include "core/numerics/dense_matrix.hpp"
+#include "core/numerics/same_bits.hpp"
+#include "core/steady/spectrum.hpp"
 
 namespace qdot {
 namespace {
-
-using Eigen::MatrixXd;
-
-/// Real parts smaller than this, relative to the largest eigenvalue, may be rounding: a double eigenvalue
-/// moves by the square root of it.
-constexpr double undecided_part = 3e-8;
 
 bool vanishes(const std::vector<Interval>& matrix) {
   return std::all_of(matrix.begin(), matrix.end(), [](const Interval& x) { return is_zero(x); });
 }
 
-MatrixXd middles(const std::vector<Interval>& matrix, std::size_t n) {
-  const auto size = static_cast<Eigen::Index>(n);
-  MatrixXd m(size, size);
-  for (std::size_t i = 0; i < n * n; ++i) {
-    m(static_cast<Eigen::Index>(i / n), static_cast<Eigen::Index>(i % n)) = matrix[i].middle();
-  }
-  return m;
+SquareMatrix<Ball> balls(const std::vector<Interval>& matrix, std::size_t n) {
+  SquareMatrix<Ball> result(n);
+  for (std::size_t i = 0; i < n * n; ++i) result(i / n, i % n) = Ball::of(matrix[i]);
+  return result;
 }
 
-/// Eigenvalues of the state form of M s^2 + D s + K, coordinates scaled so that M has ones on its diagonal.
-std::vector<std::complex<double>> eigenvalues_of(const MatrixXd& m, const MatrixXd& d, const MatrixXd& k) {
-  const Eigen::Index n = m.rows();
-  Eigen::VectorXd scale(n);
-  for (Eigen::Index i = 0; i < n; ++i) scale[i] = m(i, i) > 0 ? 1 / std::sqrt(m(i, i)) : 1;
-  const auto scaled = [&](const MatrixXd& a) {
-    return MatrixXd(scale.asDiagonal() * a * scale.asDiagonal());
-  };
-  const MatrixXd mass = scaled(m);
-  std::vector<std::complex<double>> result;
-  if (d.isZero(0)) {  // s^2 = -w: half the size, and s on the axes exactly
-    for (const std::complex<double>& w : eigenvalues(solve_columns(mass, scaled(k)))) {
-      const std::complex<double> s =
-          w.imag() == 0 && w.real() >= 0 ? std::complex<double>(0, std::sqrt(w.real())) : std::sqrt(-w);
-      result.push_back(s);
-      result.push_back(-s);
-    }
-  } else {
-    MatrixXd state = MatrixXd::Zero(2 * n, 2 * n);
-    state.topRightCorner(n, n).setIdentity();
-    state.bottomLeftCorner(n, n) = -solve_columns(mass, scaled(k));
-    state.bottomRightCorner(n, n) = -solve_columns(mass, scaled(d));
-    if (!state.allFinite()) return {};
-    for (const std::complex<double>& s : eigenvalues(state)) result.push_back(s);
-  }
-  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
-    return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
-  });
-  const bool finite = std::all_of(result.begin(), result.end(), [](const auto& s) {
-    return std::isfinite(s.real()) && std::isfinite(s.imag());
-  });
-  return finite ? result : std::vector<std::complex<double>>{};
+bool is_finite(const std::vector<Interval>& matrix) {
+  return std::ranges::all_of(matrix, &Interval::is_finite);
 }
 
-/// What the real parts say; a conservative system's come in pairs +-s.
-Stability by_eigenvalues(const std::vector<std::complex<double>>& s) {
-  double largest = 0;
-  for (const auto& value : s) largest = std::max(largest, std::abs(value));
-  const double limit = undecided_part * largest;
-  const auto real_part = [](const auto& a, const auto& b) { return a.real() < b.real(); };
-  if (s.empty()) return Stability::neutral;
-  const double most = std::max_element(s.begin(), s.end(), real_part)->real();
-  if (most > limit) return Stability::unstable;
-  return most < -limit ? Stability::stable : Stability::neutral;
+using Eigenvalue = SteadyStability::Eigenvalue;
+
+void sort(std::vector<Eigenvalue>& eigenvalues) {
+  std::ranges::sort(eigenvalues, [](const Eigenvalue& a, const Eigenvalue& b) {
+    return a.s.real() != b.s.real() ? a.s.real() < b.s.real() : a.s.imag() < b.s.imag();
+  });
+}
+
+std::vector<Eigenvalue> eigenvalues_of(const std::vector<Exponent>& exponents) {
+  std::vector<Eigenvalue> result;
+  for (const Exponent& e : exponents) {
+    const std::complex<double> s(e.undamped ? 0 : e.middle.re.value(), e.middle.im.value());
+    const double rounding = hypotenuse(e.middle.re.error(), e.middle.im.error());
+    if (!std::isfinite(s.real()) || !std::isfinite(s.imag())) return {};
+    result.push_back({s, (e.radius + rounding) * (1 + 0x1p-50)});
+  }
+  sort(result);
+  return result;
+}
+
+/// +-sqrt(-rate2).
+std::vector<Eigenvalue> eigenvalues_of(const Interval& rate2) {
+  const double middle = rate2.middle();
+  const double s = std::sqrt(std::abs(middle));
+  if (!std::isfinite(s)) return {};
+  const Interval root = sqrt(Interval(rate2.contains(0.0) ? 0 : rate2.least_magnitude(), rate2.magnitude()));
+  const double error = rate2.contains(0.0) ? s + root.upper : std::max(root.upper - s, s - root.lower);
+  const std::complex<double> last = middle < 0 ? std::complex(s, 0.0) : std::complex(0.0, s);
+  const double bound = error == 0 ? 0 : error * (1 + 0x1p-50);
+  return {{-last, bound}, {last, bound}};
+}
+
+Stability by_eigenvalues(const std::vector<Exponent>& exponents) {
+  switch (damping_of(exponents)) {
+    case Damping::all_decay:
+      return Stability::stable;
+    case Damping::one_grows:
+      return Stability::unstable;
+    case Damping::undecided:
+      break;
+  }
+  return Stability::neutral;
+}
+
+/// A + A^T.
+std::vector<Interval> symmetric_part(const std::vector<Interval>& a, std::size_t n) {
+  std::vector<Interval> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) result.push_back(a[i * n + j] + a[j * n + i]);
+  }
+  return result;
 }
 
 std::optional<Stability> by_potential(const Inertia& inertia, bool gyroscopic) {
@@ -86,53 +89,6 @@ constexpr const char* several =
     "degrees of freedom the terms beyond are not looked at.";
 
 }  // namespace
-
-Inertia inertia_of(std::vector<Interval> matrix, std::size_t n) {
-  Inertia result;
-  std::vector<std::size_t> left(n);
-  for (std::size_t i = 0; i < n; ++i) left[i] = i;
-  const auto entry = [&](std::size_t i, std::size_t j) -> Interval& { return matrix[i * n + j]; };
-  while (!left.empty()) {
-    // The pivot farthest from zero beside its own uncertainty: the units of the coordinates do not matter.
-    const auto certainty = [&](std::size_t i) {
-      return entry(i, i).least_magnitude() / entry(i, i).magnitude();
-    };
-    auto best = left.begin();
-    for (auto i = left.begin(); i != left.end(); ++i) {
-      if (certainty(*i) > certainty(*best) || !(certainty(*best) >= 0)) best = i;
-    }
-    const std::size_t p = *best;
-    if (!(entry(p, p).least_magnitude() > 0)) break;
-    left.erase(best);
-    ++(entry(p, p).lower > 0 ? result.positive : result.negative);
-    for (const std::size_t i : left) {
-      for (const std::size_t j : left) {
-        if (is_zero(entry(i, p)) || is_zero(entry(p, j))) continue;
-        entry(i, j) = entry(i, j) -
-                      (i == j ? square(entry(i, p)) / entry(p, p) : entry(i, p) * entry(p, j) / entry(p, p));
-      }
-    }
-  }
-  // Nothing certain on the diagonal: an entry beside it that is not zero means one of each sign.
-  while (left.size() >= 2) {
-    bool found = false;
-    for (std::size_t a = 0; a < left.size() && !found; ++a) {
-      for (std::size_t b = a + 1; b < left.size() && !found; ++b) {
-        const Interval off = square(entry(left[a], left[b]));
-        const Interval diagonal = entry(left[a], left[a]) * entry(left[b], left[b]);
-        if (!(off.lower > diagonal.upper)) continue;
-        ++result.positive;
-        ++result.negative;
-        result.undecided += left.size() - 2;
-        left.clear();
-        found = true;
-      }
-    }
-    if (!found) break;
-  }
-  result.undecided += left.size();
-  return result;
-}
 
 StabilityAnalysis::StabilityAnalysis(const Dynamics& dynamics, const SteadyProblem& problem)
     : dynamics_(dynamics),
@@ -160,6 +116,13 @@ bool StabilityAnalysis::has_potential(const Matrix& inertia, const Matrix& dampi
   return inertia_of(inertia, n_).positive == n_;
 }
 
+StabilityAnalysis::Energy StabilityAnalysis::energy(std::span<const Interval> x) {
+  const Matrix m = values(inertia_, x);
+  const Matrix d = values(damping_, x);
+  const bool damped = n_ == 1 && d[0].lower > 0;  // one force of one coordinate always has a potential
+  return {has_potential(m, d) || (damped && inertia_of(m, n_).positive == n_), !vanishes(d) && !damped};
+}
+
 SteadyStability StabilityAnalysis::at(std::span<const Interval> x) {
   const Matrix m = values(inertia_, x);
   const Matrix d = values(damping_, x);
@@ -167,31 +130,44 @@ SteadyStability StabilityAnalysis::at(std::span<const Interval> x) {
   const bool gyroscopic = !vanishes(d);
   const bool potential = has_potential(m, d);
   SteadyStability result;
+  std::vector<Exponent> exponents;
   if (n_ == 1 && !gyroscopic) {
     result.rate2 = k[0] / m[0];
-    const double s = std::sqrt(std::abs(result.rate2->middle()));
-    if (std::isfinite(s)) {
-      const std::complex<double> last =
-          result.rate2->middle() < 0 ? std::complex(s, 0.0) : std::complex(0.0, s);
-      result.eigenvalues = {-last, last};
-    }
-  } else {
-    result.eigenvalues = eigenvalues_of(middles(m, n_), middles(d, n_), middles(k, n_));
+    result.eigenvalues = eigenvalues_of(*result.rate2);
+  } else if (is_finite(m) && is_finite(d) && is_finite(k)) {
+    exponents = spectrum({balls(m, n_), balls(k, n_), balls(d, n_)});
+    result.eigenvalues = eigenvalues_of(exponents);
   }
   if (potential) {
     if (const auto decided = by_potential(inertia_of(k, n_), gyroscopic)) {
       result.stability = *decided;
       if (*decided == Stability::stable) {  // the energy stays: nothing grows or decays
-        for (auto& s : result.eigenvalues) s.real(0);
+        for (Eigenvalue& e : result.eigenvalues) e.s.real(0);
       }
       return result;
     }
   }
-  if (!potential || gyroscopic) result.stability = by_eigenvalues(result.eigenvalues);
+  if (loses_energy(m, d, k)) {
+    result.stability = Stability::stable;
+    return result;
+  }
+  if (n_ == 1 && !gyroscopic) {
+    if (!potential && result.rate2->upper < 0) result.stability = Stability::unstable;
+  } else if ((gyroscopic || !potential) && !exponents.empty()) {
+    result.stability = by_eigenvalues(exponents);
+  }
   if (result.stability == Stability::neutral) {
     result.undecided = n_ == 1 && potential ? next_terms(x) : several;
   }
   return result;
+}
+
+/// M and K positive definite, g = dU/dx: the energy 1/2 x'.M x' + U has a minimum at rest, and falls.
+bool StabilityAnalysis::loses_energy(const Matrix& inertia, const Matrix& damping,
+                                     const Matrix& stiffness) const {
+  return problem_.forces->symmetric && inertia_of(inertia, n_).positive == n_ &&
+         inertia_of(stiffness, n_).positive == n_ &&
+         inertia_of(symmetric_part(damping, n_), n_).positive == n_;
 }
 
 /// The signs of U''' and U'''' where U'' = 0 to within rounding.

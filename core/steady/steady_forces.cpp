@@ -1,49 +1,15 @@
 #include "core/steady/steady_forces.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_evaluator.hpp"
 #include "core/expr/full_turn.hpp"
-#include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/steady/numerator.hpp"
 
 namespace qdot {
 namespace {
-
-struct Fraction {
-  int p{};
-  int q{1};
-};
-
-bool less(const Fraction& a, const Fraction& b) { return a.p * b.q < b.p * a.q; }
-
-/// The most negative exponent of each base with one of the variables in it.
-std::map<NodeId, Fraction> poles_of(Graph& graph, const Polynomial& polynomial,
-                                    std::span<const Expression> variables) {
-  std::map<NodeId, Fraction> poles;
-  for (const auto& [monomial, coefficient] : polynomial) {
-    for (const Atom& atom : monomial) {
-      if (atom.p > 0 || !depends_on(Expression(graph, atom.base), variables)) continue;
-      Fraction& least = poles[atom.base];
-      if (less({atom.p, atom.q}, least)) least = {atom.p, atom.q};
-    }
-  }
-  return poles;
-}
-
-bool has_negative_power(const Expression& e, std::span<const Expression> variables) {
-  const NodeId root = e.id();
-  for (const NodeId id : reachable(e.graph(), {&root, 1})) {
-    const auto* power = std::get_if<Power>(&e.graph().node(id));
-    if (power != nullptr && power->exponent < Number(0) &&
-        depends_on(Expression(e.graph(), power->base), variables)) {
-      return true;
-    }
-  }
-  return false;
-}
 
 bool has_velocities(const Model& model, const Reduction& reduction) {
   const std::vector<Expression>& rate = model.lagrangian.symbols.coordinates.rate;
@@ -61,18 +27,6 @@ bool is_gradient(const std::vector<Expression>& stiffness, std::size_t n) {
 }
 
 }  // namespace
-
-Expression numerator_of(const Expression& e, std::span<const Expression> variables) {
-  if (!has_negative_power(e, variables)) return e;
-  Graph& graph = e.graph();
-  const Polynomial polynomial = multiplied_out(e);
-  Monomial common;
-  for (const auto& [base, exponent] : poles_of(graph, polynomial, variables)) {
-    common = times(common, base, -exponent.p, exponent.q);
-  }
-  if (common.empty()) return e;
-  return simplify(to_expression(graph, scaled(polynomial, common, Number(1))));
-}
 
 std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph) {
   std::vector<Replacement> rest;
@@ -94,16 +48,17 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
   const auto without_absent = [&](const Expression& e) {
     return zeros.empty() ? graph.adopt(e) : simplify(substitute(graph.adopt(e), zeros));
   };
-  std::vector<Expression> x, numerators, stiffness, rates;
+  std::vector<Expression> x, stiffness, rates;
   for (const Expression& symbol : reduction.x) x.push_back(graph.adopt(symbol));
   for (std::size_t i = 0; i < statics.rest.size(); ++i) {
     result.rest.push_back(without_absent(statics.rest[i]));
-    numerators.push_back(numerator_of(result.rest[i], x));
-    result.has_poles = result.has_poles || !(numerators[i] == result.rest[i]);
+    result.has_poles = result.has_poles || !(numerator_of(result.rest[i], x) == result.rest[i]);
     if (!result.rest[i].is_zero()) result.equations.push_back(i);
     for (const Expression& xj : x) stiffness.push_back(simplify(differentiate(result.rest[i], xj)));
   }
+  std::vector<Expression> nonzero;
   for (std::size_t j = 0; j < x.size(); ++j) {
+    if (!model.scene.coordinates[reduction.kept[j]].domain.contains(0)) nonzero.push_back(x[j]);
     const auto any = [&](const auto& holds) {
       return std::any_of(result.rest.begin(), result.rest.end(), holds);
     };
@@ -113,11 +68,12 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
     result.turns.push_back(angle && !any([&](const Expression& g) { return !has_full_turn(g, x[j]); }));
   }
   for (const Expression& rate : rates_at_rest(reduction, graph)) rates.push_back(without_absent(rate));
-  result.has_potential = !has_velocities(model, reduction) && is_gradient(stiffness, x.size());
+  result.symmetric = is_gradient(stiffness, x.size());
+  result.has_potential = result.symmetric && !has_velocities(model, reduction);
   result.forces = compiled_at_rest(reduction, graph, result.rest);
   result.stiffness = compiled_at_rest(reduction, graph, stiffness);
   result.ignored_rates = compiled_at_rest(reduction, graph, rates);
-  result.numerators = compiled_at_rest(reduction, graph, numerators);
+  result.smooth = derive_smooth_forces(reduction, graph, result.rest, nonzero);
   return result;
 }
 
@@ -125,14 +81,12 @@ namespace {
 
 /// The momenta of the ignored coordinates, enclosed:
 /// beside the parameters they are what the forces know of y.
-std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& statics,
-                                 std::span<const double> parameters, std::span<const double> y) {
+std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,
+                                 const Reals& y) {
   std::vector<Interval> momenta(statics.reduction.ignored.size());
   if (momenta.empty()) return momenta;
   const auto function = dynamics.columns(momentum_columns(dynamics.model(), statics.reduction.ignored));
-  const std::vector<Interval> bound(parameters.begin(), parameters.end());
-  const std::vector<Interval> state(y.begin(), y.end());
-  TapeEvaluator<Interval>(*function, bound)(state, momenta);
+  TapeEvaluator<Interval>(*function, parameters.as<Interval>())(y.as<Interval>(), momenta);
   for (const Interval& p : momenta) {
     if (!p.is_finite())
       throw Error(ErrorCode::invalid_state, "A momentum has no finite value in this state.");
@@ -142,10 +96,24 @@ std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& static
 
 }  // namespace
 
-SteadyProblem steady_problem(const Dynamics& dynamics, std::span<const double> parameters,
-                             std::span<const double> y) {
+void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters) {
+  struct Friction {
+    bool dry{};
+  };
+  const auto friction = dynamics.derived<Friction>("dry friction", parameters, [](const Statics& statics) {
+    return Friction{has_dry_friction(statics.reduction)};
+  });
+  if (!friction->dry) return;
+  throw Error(ErrorCode::not_applicable,
+              "Dry friction (the sign of a velocity) takes any value between its two sides at rest, so the "
+              "system stays wherever the other forces are weaker: whole intervals of positions are in "
+              "equilibrium, and no list of points names them.");
+}
+
+SteadyProblem steady_problem(const Dynamics& dynamics, const Reals& parameters, const Reals& y) {
+  refuse_dry_friction(dynamics, parameters);
   SteadyProblem problem{dynamics.statics(parameters), nullptr, {parameters.begin(), parameters.end()}, {}};
-  problem.constants.assign(parameters.begin(), parameters.end());
+  problem.constants = parameters.as<Interval>();
   std::string key = "steady forces";
   std::vector<Expression> absent;
   for (const Interval& p : momenta_at(dynamics, *problem.statics, parameters, y)) {

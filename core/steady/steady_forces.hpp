@@ -7,11 +7,9 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/numerics/interval.hpp"
+#include "core/steady/kinks.hpp"
 
 namespace qdot {
-
-/// e times those of its denominators that contain one of the variables; e itself where there are none.
-[[nodiscard]] Expression numerator_of(const Expression& e, std::span<const Expression> variables);
 
 /// The velocities of the ignored coordinates at rest, in `graph`, a copy of the reduction's.
 [[nodiscard]] std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph);
@@ -28,9 +26,10 @@ struct SteadyForces {
   CompiledFunction forces;             ///< g
   CompiledFunction stiffness;          ///< K_ij = dg_i/dx_j by rows
   CompiledFunction ignored_rates;      ///< q_c'
-  CompiledFunction numerators;         ///< of g
+  SmoothForces smooth;                 ///< g on each side of its kinks
   bool has_poles{};                    ///< some g_i is not its numerator
-  bool has_potential{};                ///< g = dU/dx: no force depends on a velocity, K symmetric
+  bool symmetric{};                    ///< K, so that g = dU/dx
+  bool has_potential{};                ///< symmetric, and no force depends on a velocity
 };
 
 /// `absent`: symbols of momenta that are zero.
@@ -45,9 +44,12 @@ struct SteadyProblem {
   std::vector<Interval> constants;  ///< the parameters, then the momenta of the ignored coordinates
 };
 
+/// Throws Error(not_applicable) where dry friction holds the system wherever it is left.
+void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters);
+
 /// With the momenta of the ignored coordinates in the state y = (q, q'). Throws Error(not_applicable) where
-/// the time enters the equations, and Error(invalid_state) where a momentum has no finite value.
-[[nodiscard]] SteadyProblem steady_problem(const Dynamics& dynamics, std::span<const double> parameters,
-                                           std::span<const double> y);
+/// the time enters the equations or dry friction holds the system wherever it is left, and
+/// Error(invalid_state) where a momentum has no finite value.
+[[nodiscard]] SteadyProblem steady_problem(const Dynamics& dynamics, const Reals& parameters, const Reals& y);
 
 }  // namespace qdot

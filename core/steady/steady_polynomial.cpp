@@ -7,6 +7,7 @@
 #include "core/expr/full_turn.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/steady/numerator.hpp"
 #include "core/steady/steady_forces.hpp"
 
 namespace qdot {

@@ -1,0 +1,164 @@
+#include "core/steady/force_system.hpp"
+
+#include <algorithm>
+
+namespace qdot {
+namespace {
+
+/// A value whose one end is as small, or infinite, may have lost its sign to the range of doubles.
+bool out_of_range(const Interval& g) {
+  constexpr double nearly_underflown = 1e-200;
+  return !g.is_finite() || std::min(std::abs(g.lower), std::abs(g.upper)) < nearly_underflown;
+}
+
+std::vector<LogInterval> by_logarithms(std::span<const Interval> x) {
+  return std::vector<LogInterval>(x.begin(), x.end());
+}
+
+}  // namespace
+
+ForceSystem::ForceSystem(const SteadyForces& forces, std::span<const Interval> constants, Box place)
+    : forces_(forces),
+      n_(place.size()),
+      kinks_(forces.smooth.kinks()),
+      values_(forces.smooth.forces, constants),
+      stiffness_(forces.smooth.stiffness, constants),
+      numerators_(forces.smooth.numerators, constants),
+      arguments_(forces.smooth.arguments, constants),
+      slopes_(forces.smooth.slopes, constants),
+      log_values_(forces.smooth.forces, by_logarithms(constants)),
+      log_numerators_(forces.smooth.numerators, by_logarithms(constants)),
+      variables_(std::move(place)),
+      g_(n_),
+      k_(n_ * (n_ + kinks_)),
+      u_(kinks_),
+      du_(kinks_ * (n_ + kinks_)) {
+  variables_.resize(n_ + kinks_);
+}
+
+std::vector<Sides> ForceSystem::patterns() const {
+  std::vector<Sides> result{{}};
+  for (std::size_t k = 0; k < kinks_; ++k) {
+    std::vector<Sides> longer;
+    for (const Sides& sides : result) {
+      for (const int side : {-1, 0, 1}) {
+        if (side == 0 && !forces_.smooth.jumps[k]) continue;
+        longer.push_back(sides);
+        longer.back().push_back(side);
+      }
+    }
+    result = std::move(longer);
+  }
+  return result;
+}
+
+SquareSystem ForceSystem::at(const Sides& sides) {
+  const auto active = static_cast<std::size_t>(std::ranges::count(sides, 0));
+  return {forces_.unknowns.size() + active, [this, sides](auto x, auto out) { write_values(sides, x, out); },
+          [this, sides](auto x, auto out) { write_jacobian(sides, x, out); },
+          [this, sides](auto x, auto values) { return excludes(sides, x, values); }};
+}
+
+Box ForceSystem::place_of(std::span<const Interval> unknowns) const {
+  Box x(variables_.begin(), variables_.begin() + static_cast<std::ptrdiff_t>(n_));
+  for (std::size_t j = 0; j < forces_.unknowns.size(); ++j) x[forces_.unknowns[j]] = unknowns[j];
+  return x;
+}
+
+std::span<const Interval> ForceSystem::arguments(const Sides& sides, std::span<const Interval> unknowns) {
+  std::size_t next = 0;
+  for (const std::size_t j : forces_.unknowns) variables_[j] = unknowns[next++];
+  for (std::size_t k = 0; k < kinks_; ++k) {
+    variables_[n_ + k] = sides[k] == 0 ? unknowns[next++] : Interval(sides[k]);
+  }
+  return variables_;
+}
+
+void ForceSystem::write_values(const Sides& sides, std::span<const Interval> unknowns,
+                               std::span<Interval> out) {
+  const auto v = arguments(sides, unknowns);
+  values_(v, g_);
+  std::size_t next = 0;
+  bool pole = false;
+  for (const std::size_t i : forces_.equations) {
+    out[next] = g_[i];
+    pole = pole || !out[next].is_finite();
+    ++next;
+  }
+  if (pole && forces_.has_poles) {  // the numerator has the same zeros
+    numerators_(v, g_);
+    for (std::size_t k = 0; k < next; ++k) {
+      if (!out[k].is_finite()) out[k] = g_[forces_.equations[k]];
+    }
+  }
+  if (next == out.size()) return;
+  arguments_(v, u_);
+  for (std::size_t k = 0; k < kinks_; ++k) {
+    if (sides[k] == 0) out[next++] = u_[k];
+  }
+}
+
+void ForceSystem::write_jacobian(const Sides& sides, std::span<const Interval> unknowns,
+                                 std::span<Interval> out) {
+  const auto v = arguments(sides, unknowns);
+  std::size_t next = 0;
+  const auto write_row = [&](const Box& rows, std::size_t row) {
+    const std::size_t first = row * (n_ + kinks_);
+    for (const std::size_t j : forces_.unknowns) out[next++] = rows[first + j];
+    for (std::size_t k = 0; k < kinks_; ++k) {
+      if (sides[k] == 0) out[next++] = rows[first + n_ + k];
+    }
+  };
+  stiffness_(v, k_);
+  for (const std::size_t i : forces_.equations) write_row(k_, i);
+  if (next == out.size()) return;
+  slopes_(v, du_);
+  for (std::size_t k = 0; k < kinks_; ++k) {
+    if (sides[k] == 0) write_row(du_, k);
+  }
+}
+
+bool ForceSystem::excludes(const Sides& sides, std::span<const Interval> unknowns,
+                           std::span<const Interval> values) {
+  const auto v = arguments(sides, unknowns);
+  if (kinks_ > 0) {
+    arguments_(v, u_);
+    for (std::size_t k = 0; k < kinks_; ++k) {
+      if (sides[k] > 0 ? u_[k].upper < 0 : sides[k] < 0 && u_[k].lower > 0) return true;
+    }
+  }
+  const auto forces = values.first(forces_.equations.size());
+  return std::ranges::any_of(forces, out_of_range) && never_vanishes(v);
+}
+
+bool ForceSystem::never_vanishes(std::span<const Interval> variables) {
+  const std::vector<LogInterval> v = by_logarithms(variables);
+  std::vector<LogInterval> g(n_);
+  for (auto* function : {&log_values_, &log_numerators_}) {
+    (*function)(v, g);
+    for (const std::size_t i : forces_.equations) {
+      if (!g[i].contains_zero()) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<bool> ForceSystem::holds(const Sides& sides, std::span<const Interval> unknowns) {
+  const auto v = arguments(sides, unknowns);
+  arguments_(v, u_);
+  bool certain = true;
+  for (std::size_t k = 0; k < kinks_; ++k) {
+    const Interval& s = v[n_ + k];
+    const Interval inside = sides[k] == 0 ? Interval(1) - square(s) : sides[k] > 0 ? u_[k] : -u_[k];
+    if (inside.upper < 0) return false;
+    certain = certain && inside.lower > 0;
+  }
+  return certain ? std::optional(true) : std::nullopt;
+}
+
+bool ForceSystem::is_pole(const Sides& sides, std::span<const Interval> unknowns) {
+  values_(arguments(sides, unknowns), g_);
+  return std::ranges::any_of(g_, [](const Interval& g) { return !g.is_finite(); });
+}
+
+}  // namespace qdot

@@ -1,0 +1,50 @@
+#pragma once
+// Which way equilibria of one unknown x appear, vanish or meet at (x0, p0), N = N_x = 0 there, proven from
+// the signs of enclosed derivatives of the force N(x, p):
+//   saddle_node     N_p != 0 and N_xx != 0
+//   transcritical   two curves of equilibria cross, N_xx != 0
+//   pitchfork       N is odd about x0 for every p (known from its formula), N_xp != 0 and N_xxx != 0
+// Where none of these is proven the kind is unresolved.
+// Source: Kuznetsov, Elements of Applied Bifurcation Theory (2004), 3.2 and 7.4; Golubitsky, Schaeffer,
+// Singularities and Groups in Bifurcation Theory I (1985), II.9.
+
+#include <vector>
+
+#include "core/steady/critical_value.hpp"
+#include "core/steady/critical_zeros.hpp"
+
+namespace qdot {
+
+struct NormalForm {
+  BifurcationKind kind{};
+  Interval x, p;
+  bool proven{};  ///< to be one point
+};
+
+/// What happens on the axes about which the forces are odd, where p moves through `range`.
+class SymmetryAxes {
+ public:
+  /// Of one unknown. All must outlive it.
+  SymmetryAxes(const SteadyProblem& problem, const BifurcationSystems& systems, const Interval& range);
+
+  [[nodiscard]] const std::vector<NormalForm>& found() const { return found_; }
+  [[nodiscard]] bool is_complete() const { return complete_; }
+  /// Every zero of N = N_x = 0 with (x, p) in the box is one of found().
+  [[nodiscard]] bool explain(std::span<const Interval> box);
+
+ private:
+  void search(const Interval& centre, const Interval& range);
+  Box derivatives(const CompiledFunction& function, const Interval& x, const Interval& p);
+  [[nodiscard]] bool is_alone(const Interval& x, const Interval& p);
+
+  const SteadyProblem& problem_;
+  const BifurcationSystems& systems_;
+  std::vector<NormalForm> found_;
+  bool complete_{true};
+};
+
+/// Two curves cross in the box, and neither turns back there.
+[[nodiscard]] bool is_transcritical(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                    const CriticalZero& crossing);
+
+}  // namespace qdot

@@ -1,0 +1,14 @@
+#pragma once
+// Forces without their denominators, whose zeros are poles: near one the numerator tells that no zero of the
+// force is there.
+
+#include <span>
+
+#include "core/expr/expression.hpp"
+
+namespace qdot {
+
+/// e times those of its denominators that contain one of the variables; e itself where there are none.
+[[nodiscard]] Expression numerator_of(const Expression& e, std::span<const Expression> variables);
+
+}  // namespace qdot

@@ -1,0 +1,57 @@
+#include "core/steady/region_ends.hpp"
+
+#include "core/compile/tape_evaluator.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t most_boxes_of_end = 5'000;
+
+/// The zeros with the unknown number `fixed` at `end`, the others and p in `region`.
+Isolation zeros_at_end(const SteadyProblem& problem, const BifurcationSystems& systems, const Box& region,
+                       std::size_t fixed, double end) {
+  TapeEvaluator<Interval> values(systems.numerators, problem.constants);
+  TapeEvaluator<Interval> slopes(systems.slopes, problem.constants);
+  const std::size_t n = region.size() - 1;
+  const auto whole = [=](std::span<const Interval> others) {
+    Box all(others.begin(), others.end());
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(fixed), Interval(end));
+    return all;
+  };
+  const SquareSystem system{n, [&](auto others, auto out) { values(whole(others), out); },
+                            [&](auto others, auto out) {
+                              Box all(n * (n + 1));
+                              slopes(whole(others), all);
+                              std::size_t next = 0;
+                              for (std::size_t k = 0; k < all.size(); ++k) {
+                                if (k % (n + 1) != fixed) out[next++] = all[k];
+                              }
+                            }};
+  Box others = region;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(fixed));
+  return isolate_zeros(system, others, {}, most_boxes_of_end);
+}
+
+}  // namespace
+
+std::vector<EndCrossing> end_crossings(const Model& model, const SteadyProblem& problem,
+                                       const BifurcationSystems& systems, const Interval& range) {
+  std::vector<EndCrossing> result;
+  Box region = search_region(model, problem);
+  region.push_back(range);
+  for (std::size_t k = 0; k + 1 < region.size(); ++k) {
+    if (problem.forces->turns[problem.forces->unknowns[k]]) continue;
+    for (const double end : {region[k].lower, region[k].upper}) {
+      const Isolation found = zeros_at_end(problem, systems, region, k, end);
+      for (const IsolatedZero& zero : found.zeros) {
+        if (!is_empty(intersection(zero.enclosure.back(), range)))
+          result.push_back({k, end, zero.enclosure.back()});
+      }
+      if (!found.complete || !found.undecided.empty() || !found.poles.empty())
+        result.push_back({k, end, Interval::whole()});
+    }
+  }
+  return result;
+}
+
+}  // namespace qdot

@@ -1,0 +1,25 @@
+#pragma once
+// Equilibria appear and vanish not only where they meet: as a parameter p moves they may come in from an end
+// of the region that is searched, such as from infinity. At an end x_k = e of an unknown that is no angle
+//   N_1 = ... = N_n = 0 in the other unknowns and p
+// is a square system, whose zeros are where that happens.
+
+#include <string>
+#include <vector>
+
+#include "core/steady/bifurcation_systems.hpp"
+#include "core/steady/search_region.hpp"
+
+namespace qdot {
+
+struct EndCrossing {
+  std::size_t unknown{};  ///< which of the forces' unknowns
+  double end{};           ///< e
+  Interval p;             ///< not finite where it could not be told
+};
+
+[[nodiscard]] std::vector<EndCrossing> end_crossings(const Model& model, const SteadyProblem& problem,
+                                                     const BifurcationSystems& systems,
+                                                     const Interval& range);
+
+}  // namespace qdot
