@@ -1,12 +1,17 @@
 #include "core/turning/energy_balance.hpp"
 
+#include <cmath>
+
+#include "core/numerics/constants.hpp"
+
 namespace qdot {
 namespace {
 
-std::vector<DividedDifference> unchanging(std::span<const Ball> constants) {
-  std::vector<DividedDifference> result;
+template <class Number>
+std::vector<Number> unchanging(std::span<const Ball> constants) {
+  std::vector<Number> result;
   result.reserve(constants.size());
-  for (const Ball& c : constants) result.push_back(DividedDifference::constant(interval_of(c)));
+  for (const Ball& c : constants) result.push_back(Number::constant(interval_of(c)));
   return result;
 }
 
@@ -16,6 +21,12 @@ std::vector<Interval> intervals_of(std::span<const Ball> constants) {
   for (const Ball& c : constants) result.push_back(interval_of(c));
   return result;
 }
+
+/// What nothing is known of.
+bool is_whole(const Interval& x) { return x.lower == -infinity && x.upper == infinity; }
+
+/// A place in x to compare the others with.
+Interval centre_of(const Interval& x) { return x.is_finite() ? Interval(x.middle()) : x; }
 
 template <class Number>
 Number value(TapeEvaluator<Number>& function, const Number& x) {
@@ -32,32 +43,43 @@ Interval interval_of(const Ball& ball) {
   return Interval(ball.value()) + Interval(-error, error);
 }
 
-EnergyBalance::EnergyBalance(const Statics& statics, std::span<const Ball> constants, double x0,
-                             double x0_dot)
-    : potential_(*statics.potential, unchanging(constants)),
+EnergyBalance::EnergyBalance(const Statics& statics, std::span<const Ball> constants, const Real& x0,
+                             const Real& x0_dot)
+    : potential_(*statics.potential, unchanging<DividedDifference>(constants)),
       rate_(statics.forces, intervals_of(constants)),
       stiffness_(statics.stiffness, intervals_of(constants)),
       inertia_(statics.inertia, intervals_of(constants)),
       sharp_potential_(*statics.potential, constants),
+      sharp_rate_(statics.forces, constants),
       sharp_inertia_(statics.inertia, constants),
+      curved_potential_(*statics.potential, unchanging<TaylorEnclosure<curvature_order>>(constants)),
+      potential_series_(*statics.potential, unchanging<TaylorEnclosure<quadrature_order>>(constants)),
+      inertia_series_(statics.inertia, unchanging<TaylorEnclosure<quadrature_order>>(constants)),
       x0_(x0),
       x0_dot_(x0_dot),
-      at_rest_(x0_dot == 0) {
-  if (!at_rest_) kinetic_energy_ = inertia(x0) * square(Interval(x0_dot)) * Interval(0.5);
+      at_rest_(x0_dot == Real(0)) {
+  if (!at_rest_) kinetic_energy_ = inertia(start()) * square(Interval::literal(x0_dot)) * Interval(0.5);
+}
+
+double EnergyBalance::rounding_of_start() {
+  const auto half_unit = [](double x) { return (std::nextafter(std::abs(x), infinity) - std::abs(x)) / 2; };
+  const double by_rate =
+      at_rest_ ? 0 : (inertia(start()) * Interval(x0_dot_.value)).magnitude() * half_unit(x0_dot_.value);
+  return by_rate + potential_rate(start()).magnitude() * half_unit(x0_.value);
 }
 
 Interval EnergyBalance::remaining(const Interval& x) {
-  const DividedDifference place = DividedDifference::variable(x0_, x);
+  const DividedDifference place = DividedDifference::variable(start(), x);
   DividedDifference u;
   potential_({&place, 1}, {&u, 1});
-  const Interval change = intersection((x - Interval(x0_)) * u.slope, u.at_b - u.at_a);
+  const Interval change = intersection((x - start()) * u.slope, u.at_b - u.at_a);
   return at_rest_ ? -change : kinetic_energy_ - change;
 }
 
 Interval EnergyBalance::remaining_sharply(double x) {
-  const Ball change = value(sharp_potential_, Ball(x)) - value(sharp_potential_, Ball(x0_));
-  const Ball start = value(sharp_inertia_, Ball(x0_)) * square(Ball(x0_dot_)) * Ball(0.5);
-  return interval_of(start - change);
+  const Ball change = value(sharp_potential_, Ball(x)) - value(sharp_potential_, Ball::literal(x0_));
+  const Ball kinetic = value(sharp_inertia_, Ball::literal(x0_)) * square(Ball::literal(x0_dot_)) * Ball(0.5);
+  return interval_of(kinetic - change);
 }
 
 Interval EnergyBalance::potential_slope(const Interval& a, const Interval& x) {
@@ -74,8 +96,27 @@ Interval EnergyBalance::potential(const Interval& x) {
   return u.at_b;
 }
 
-Interval EnergyBalance::potential_rate(const Interval& x) { return value(rate_, x); }
-Interval EnergyBalance::stiffness(const Interval& x) { return value(stiffness_, x); }
+Interval EnergyBalance::potential_rate_sharply(double x) {
+  return is_whole(stiffness(x)) ? Interval::whole() : interval_of(value(sharp_rate_, Ball(x)));
+}
+
+/// The formula of U' is silent about jumps of U, and takes one slope at a kink.
+Interval EnergyBalance::potential_rate(const Interval& x) {
+  const auto u = value(curved_potential_, TaylorEnclosure<curvature_order>::variable(centre_of(x), x)).over;
+  return is_whole(u[2]) ? u[1] : intersection(u[1], value(rate_, x));
+}
+
+/// The formula of U'' is silent about kinks.
+Interval EnergyBalance::stiffness(const Interval& x) {
+  const auto u = value(curved_potential_, TaylorEnclosure<curvature_order>::variable(centre_of(x), x)).over;
+  return is_whole(u[2]) ? u[2] : intersection(Interval(2) * u[2], value(stiffness_, x));
+}
+
 Interval EnergyBalance::inertia(const Interval& x) { return value(inertia_, x); }
+
+EnergySeries EnergyBalance::series(const Interval& centre, const Interval& piece) {
+  const auto x = TaylorEnclosure<quadrature_order>::variable(centre, piece);
+  return {value(potential_series_, x), value(inertia_series_, x)};
+}
 
 }  // namespace qdot

@@ -6,6 +6,7 @@
 // enclosed, rounding included, with a few roundings of T0 and of U(x) - U(x0) themselves: the divided
 // difference U[x0, x] never cancels (core/numerics/divided_difference.hpp). Motion needs F(x) >= 0.
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -13,37 +14,57 @@
 #include "core/dynamics/statics.hpp"
 #include "core/numerics/ball.hpp"
 #include "core/numerics/divided_difference.hpp"
+#include "core/numerics/taylor_enclosure.hpp"
 
 namespace qdot {
 
 /// The doubles between which a ball lies.
 [[nodiscard]] Interval interval_of(const Ball& ball);
 
+/// U and A about a centre and over a piece.
+struct EnergySeries {
+  TaylorEnclosure<quadrature_order> potential, inertia;
+};
+
 class EnergyBalance {
  public:
   /// `statics` has one coordinate and a potential, and is quadratic in its velocity; it must outlive this.
-  /// `constants`: the parameters and the momenta of the ignored coordinates. x0, x0' exact.
-  EnergyBalance(const Statics& statics, std::span<const Ball> constants, double x0, double x0_dot);
+  /// `constants`: the parameters and the momenta of the ignored coordinates. The motion starts at the numbers
+  /// x0 and x0', which are next to doubles.
+  EnergyBalance(const Statics& statics, std::span<const Ball> constants, const Real& x0, const Real& x0_dot);
 
-  [[nodiscard]] double x0() const { return x0_; }
+  [[nodiscard]] double x0() const { return x0_.value; }
+  [[nodiscard]] Interval start() const { return Interval::literal(x0_); }  ///< holds x0 itself
+  /// Of the double x0() from the number x0.
+  [[nodiscard]] double distance_from_start() const {
+    return std::max(start().upper - x0_.value, x0_.value - start().lower);
+  }
   [[nodiscard]] const Interval& kinetic_energy() const { return kinetic_energy_; }  ///< T0
   [[nodiscard]] bool starts_at_rest() const { return at_rest_; }
+  /// By how much h may change when x0 and x0' change by half a unit in their last place [J].
+  [[nodiscard]] double rounding_of_start();
 
   [[nodiscard]] Interval remaining(const Interval& x);  ///< F(x)
   /// F(x) by arithmetic of twice the digits: dearer, and sharper where U(x) - U(x0) is not small.
   [[nodiscard]] Interval remaining_sharply(double x);
+  [[nodiscard]] Interval potential_rate_sharply(double x);  ///< g(x), in the same way
   /// U[a, x], U'(a) where they meet.
   [[nodiscard]] Interval potential_slope(const Interval& a, const Interval& x);
-  [[nodiscard]] Interval potential(const Interval& x);       ///< U(x) [J]
-  [[nodiscard]] Interval potential_rate(const Interval& x);  ///< g(x) = U'(x)
-  [[nodiscard]] Interval stiffness(const Interval& x);       ///< K(x) = U''(x)
-  [[nodiscard]] Interval inertia(const Interval& x);         ///< A(x)
+  [[nodiscard]] Interval potential(const Interval& x);  ///< U(x) [J]
+  /// g(x) = U'(x); at a kink all slopes between those on its sides, so that the mean value theorem holds
+  /// across it. The whole line where U jumps.
+  [[nodiscard]] Interval potential_rate(const Interval& x);
+  [[nodiscard]] Interval stiffness(const Interval& x);  ///< K(x) = U''(x); the whole line where U has a kink
+  [[nodiscard]] Interval inertia(const Interval& x);    ///< A(x)
+  [[nodiscard]] EnergySeries series(const Interval& centre, const Interval& piece);
 
  private:
   TapeEvaluator<DividedDifference> potential_;
   TapeEvaluator<Interval> rate_, stiffness_, inertia_;
-  TapeEvaluator<Ball> sharp_potential_, sharp_inertia_;
-  double x0_, x0_dot_;
+  TapeEvaluator<Ball> sharp_potential_, sharp_rate_, sharp_inertia_;
+  TapeEvaluator<TaylorEnclosure<curvature_order>> curved_potential_;
+  TapeEvaluator<TaylorEnclosure<quadrature_order>> potential_series_, inertia_series_;
+  Real x0_, x0_dot_;
   bool at_rest_;
   Interval kinetic_energy_;
 };

@@ -11,13 +11,12 @@ namespace {
 
 /// The parameters and the momenta of the ignored coordinates, these with the rounding of their evaluation.
 std::vector<Ball> enclosed_constants(const Dynamics& dynamics, const Statics& statics,
-                                     std::span<const double> parameters, std::span<const double> y) {
-  std::vector<Ball> constants(parameters.begin(), parameters.end());
+                                     const Reals& parameters, const Reals& y) {
+  std::vector<Ball> constants = parameters.as<Ball>();
   if (statics.reduction.ignored.empty()) return constants;
   const auto function = dynamics.columns(momentum_columns(dynamics.model(), statics.reduction.ignored));
-  const std::vector<Ball> state(y.begin(), y.end());
   std::vector<Ball> momenta(statics.reduction.ignored.size());
-  TapeEvaluator<Ball>(*function, constants)(state, momenta);
+  TapeEvaluator<Ball>(*function, constants)(y.as<Ball>(), momenta);
   constants.insert(constants.end(), momenta.begin(), momenta.end());
   return constants;
 }
@@ -69,8 +68,7 @@ std::string why_not_by_energy(const Dynamics& dynamics, std::span<const double> 
   return "";
 }
 
-EnergyProblem energy_problem(const Dynamics& dynamics, std::span<const double> parameters,
-                             std::span<const double> y) {
+EnergyProblem energy_problem(const Dynamics& dynamics, const Reals& parameters, const Reals& y) {
   EnergyProblem problem;
   problem.original = problem.statics = dynamics.statics(parameters);
   problem.coordinate = problem.original->reduction.kept[0];

@@ -28,7 +28,6 @@ struct EnergyProblem {
 
 /// For the one coordinate that is left, with the momenta of the state y. Throws Error(not_applicable) where
 /// the energy integral does not answer.
-[[nodiscard]] EnergyProblem energy_problem(const Dynamics& dynamics, std::span<const double> parameters,
-                                           std::span<const double> y);
+[[nodiscard]] EnergyProblem energy_problem(const Dynamics& dynamics, const Reals& parameters, const Reals& y);
 
 }  // namespace qdot

@@ -7,6 +7,7 @@ Finding extremum_at(const MotionBound& bound, const std::string& name) {
   const auto none = [](const std::string& reason) { return Finding{std::nullopt, 0, reason}; };
   switch (bound.kind) {
     case MotionBound::Kind::turning:
+      if (bound.nearest) return {bound.nearest->value, bound.nearest->error, ""};
       return {place, bound.place.radius(), ""};
     case MotionBound::Kind::asymptote:
       return {place, bound.place.radius(),

@@ -1,13 +1,15 @@
 #pragma once
 // How long one coordinate takes from one turning point a to the other, b, and back; or for one turn:
 //
-//   T = 2 integral_a^b dx / sqrt(2 F(x)/A(x)) = 2 integral_0^pi sqrt(A(x) / (2 Q(x))) dphi,
-//   x = (a + b)/2 + (b - a)/2 cos(phi),  Q(x) = F(x)/((x - a)(b - x)).
+//   T = 2 integral_a^b dx / sqrt(2 F(x)/A(x)),     T = integral_x0^{x0 + 2 pi} dx / sqrt(2 F(x)/A(x)).
 //
-// The integrand is smooth, even and periodic in phi, so that the trapezoidal rule converges geometrically;
-// where a maximum of U comes near the motion it does so too slowly, and a double exponential rule takes over.
-// Source: Trefethen, Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56 (2014) 385-458;
-// Takahasi, Mori, Double exponential formulas for numerical integration, Publ. RIMS 9 (1974) 721-741.
+// The way is cut into pieces, on each of which the integral is enclosed by Taylor polynomials of U and A with
+// a proven remainder (core/numerics/root_quadrature.hpp); pieces whose remainder is too large are cut again.
+// Next to a turning point a the root of F is taken out: F(a + s) = s G(s), G_k = -U_{k+1}(a), so that nothing
+// cancels and the singularity is integrated exactly. A kink of U ends up in a piece too short to matter. So
+// the stated error holds whatever U does between two places; where the pieces allowed do not suffice it is
+// large, or there is no period.
+// Source: Corliss, Rall, Adaptive, self-validating numerical quadrature, SIAM J. Sci. Stat. Comput. 8 (1987).
 
 #include "core/numerics/finding.hpp"
 #include "core/turning/energy_balance.hpp"

@@ -1,5 +1,6 @@
 #include "core/turning/turning_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,13 +9,11 @@
 #include "core/numerics/constants.hpp"
 #include "core/turning/energy_problem.hpp"
 #include "core/turning/oscillation_period.hpp"
+#include "core/turning/rest.hpp"
 #include "core/turning/turning_search.hpp"
 
 namespace qdot {
 namespace {
-
-/// The doubles on both sides of x.
-Interval neighbours(double x) { return {std::nextafter(x, -infinity), std::nextafter(x, infinity)}; }
 
 Range range_of(const Coordinate& q, const Reduction& reduction) {
   Range range{q.domain, std::nullopt};
@@ -34,34 +33,17 @@ void check_start(EnergyBalance& energy, const std::string& name) {
   }
 }
 
-/// Whether the force at rest has a sign, and x0 is not the double nearest to an equilibrium.
-bool departs(EnergyBalance& energy) {
-  const double x0 = energy.x0();
-  const Interval g = energy.potential_rate(x0);
-  if (g.contains(0.0)) return false;
-  const Interval near = neighbours(x0);
-  const Interval k = energy.stiffness(near);
-  return k.contains(0.0) || is_empty(intersection(Interval(x0) - g / k, near));
-}
-
-/// How far the equilibrium may be from x0, a place at rest: g/K. No value where that cannot be told.
-std::optional<double> distance_to_equilibrium(EnergyBalance& energy) {
-  const double x0 = energy.x0();
-  const Interval g = energy.potential_rate(x0);
-  if (!(g.magnitude() > 0)) return 0.0;
-  constexpr double neighbourhood = 1e-6;
-  const double reach = neighbourhood * (1 + std::abs(x0));
-  const Interval near = energy.stiffness({x0 - reach, x0 + reach});
-  const double error = 2 * (g / near).magnitude();
-  return near.contains(0.0) || !(error < reach) ? std::nullopt : std::optional(error);
-}
-
-/// One more step of Newton's with twice the digits.
-Interval sharpened(EnergyBalance& energy, const Interval& place) {
-  const double m = place.middle();
-  const Interval slope = energy.potential_rate(place);
-  const Interval next = intersection(Interval(m) + energy.remaining_sharply(m) / slope, place);
-  return is_empty(next) ? place : next;
+/// One more step of Newton's with twice the digits, to the double nearest to the place.
+void sharpen(EnergyBalance& energy, MotionBound& bound) {
+  const double m = bound.place.middle();
+  const Interval offset = energy.remaining_sharply(m) / energy.potential_rate(bound.place);
+  const Interval next = intersection(Interval(m) + offset, bound.place);
+  if (is_empty(next) || !offset.is_finite()) return;
+  const double nearest = m + offset.middle();
+  const double half_unit = (std::nextafter(std::abs(nearest), infinity) - std::abs(nearest)) / 2;
+  const double error = std::max(half_unit, (offset + (Interval(m) - Interval(nearest))).magnitude());
+  if (error < next.radius()) bound.nearest = {nearest, error};
+  bound.place = next;
 }
 
 struct MotionBounds {
@@ -72,10 +54,10 @@ struct MotionBounds {
 MotionBounds bounds_of(EnergyBalance& energy, const Range& range) {
   const auto bound = [&](Direction direction) {
     MotionBound found = TurningSearch(energy, range, direction).run();
-    if (found.kind == MotionBound::Kind::turning) found.place = sharpened(energy, found.place);
+    if (found.kind == MotionBound::Kind::turning) sharpen(energy, found);
     return found;
   };
-  const MotionBound start{MotionBound::Kind::turning, energy.x0()};
+  const MotionBound start{MotionBound::Kind::turning, energy.start()};
   const double pull = energy.potential_rate(energy.x0()).middle();
   const bool moves = !energy.starts_at_rest();
   MotionBounds bounds{start, start};
@@ -158,24 +140,27 @@ std::vector<std::string> singular_places(const Dynamics& dynamics, std::span<con
 class Question {
  public:
   Question(const Dynamics& dynamics, const EnergyProblem& problem, std::span<const double> parameters,
-           std::span<const double> y0)
+           const Reals& y0)
       : dynamics_(dynamics),
         problem_(problem),
         parameters_(parameters),
         y0_(y0),
         x0_(y0[problem.coordinate]),
         x0_dot_(y0[y0.size() / 2 + problem.coordinate]),
-        energy_(*problem.statics, problem.constants, x0_, x0_dot_) {}
+        energy_(*problem.statics, problem.constants, y0.exact(problem.coordinate),
+                y0.exact(y0.size() / 2 + problem.coordinate)) {}
 
   TurningPoints answer() {
     const Coordinate& q = dynamics_.model().scene.coordinates[problem_.coordinate];
     answer_.coordinate = problem_.coordinate;
-    for (std::size_t i = parameters_.size(); i < problem_.constants.size(); ++i)
+    for (std::size_t i = parameters_.size(); i < problem_.constants.size(); ++i) {
       answer_.momenta.push_back(problem_.constants[i].value());
+      answer_.momenta_errors.push_back(problem_.constants[i].error());
+    }
     check_start(energy_, q.name);
-    const Interval h = energy_.kinetic_energy() + energy_.potential(x0_);
+    const Interval h = energy_.kinetic_energy() + energy_.potential(energy_.start());
     answer_.energy = {h.middle(), h.radius(), ""};
-    if (energy_.starts_at_rest() && !departs(energy_)) {
+    if (energy_.starts_at_rest() && !departs_from_rest(energy_)) {
       stay(q.name);
     } else {
       move(q);
@@ -188,19 +173,18 @@ class Question {
  private:
   /// Rest in an equilibrium, as far as the numbers tell.
   void stay(const std::string& name) {
-    const auto error = distance_to_equilibrium(energy_);
-    if (!error) {
+    const auto rest = resting_place(energy_);
+    if (!rest) {
       answer_.maximum.reason = answer_.minimum.reason = answer_.motion_reason = answer_.period.reason =
           why_rest_is_undecided(name);
       return;
     }
-    const Interval k = energy_.stiffness(x0_);
-    answer_.maximum = answer_.minimum = {x0_, *error, ""};
+    answer_.maximum = answer_.minimum = {x0_, rest->error + energy_.distance_from_start(), ""};
     answer_.motion = MotionKind::equilibrium;
     answer_.initial = InitialPlace::equilibrium;
-    answer_.stability = k.lower > 0 ? "stable" : k.upper < 0 ? "unstable" : "neutral";
+    answer_.stability = rest->stability;
     answer_.period.reason = why_not_periodic(MotionKind::equilibrium);
-    if (k.upper < 0 && *error > 0) {
+    if (rest->stability == "unstable" && rest->error > 0) {
       answer_.notes.push_back("The equilibrium is unstable, and " + name +
                               " is the nearest number to it: the least push carries the system away.");
     }
@@ -215,6 +199,8 @@ class Question {
     }
     answer_.maximum = extremum_at(bounds.up, q.name);
     answer_.minimum = extremum_at(bounds.down, q.name);
+    if (answer_.initial == InitialPlace::minimum) answer_.minimum = {x0_, energy_.distance_from_start(), ""};
+    if (answer_.initial == InitialPlace::maximum) answer_.maximum = {x0_, energy_.distance_from_start(), ""};
     answer_.motion = kind_of(bounds);
     if (!answer_.motion) answer_.motion_reason = why_kind_is_open(bounds, answer_);
     answer_.period = period_of(energy_, answer_, bounds);
@@ -241,8 +227,7 @@ class Question {
 
 }  // namespace
 
-TurningPoints turning_points(const Dynamics& dynamics, std::span<const double> parameters,
-                             std::span<const double> y0) {
+TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters, const Reals& y0) {
   const EnergyProblem problem = energy_problem(dynamics, parameters, y0);
   return Question(dynamics, problem, parameters, y0).answer();
 }

@@ -27,9 +27,9 @@ struct TurningPoints {
   std::optional<MotionKind> motion;
   std::string motion_reason;  ///< why the kind is not known
   InitialPlace initial{InitialPlace::between};
-  std::string stability;        ///< of an equilibrium: "stable", "unstable" or "neutral"
-  Finding energy;               ///< h [J]
-  std::vector<double> momenta;  ///< p_c of the ignored coordinates
+  std::string stability;                        ///< of an equilibrium: "stable", "unstable" or "neutral"
+  Finding energy;                               ///< h [J]
+  std::vector<double> momenta, momenta_errors;  ///< p_c of the ignored coordinates
   /// Of a libration: there and back; of a rotation: one turn [s].
   Finding period;
   std::vector<ValidityMinimum> validity;
@@ -39,7 +39,7 @@ struct TurningPoints {
 /// By the energy integral, for the one coordinate that is left. y0 = (q, q'). Throws Error(not_applicable)
 /// where the energy integral does not answer (why_not_by_energy says so beforehand), and Error(invalid_state)
 /// where the initial state has no energy.
-[[nodiscard]] TurningPoints turning_points(const Dynamics& dynamics, std::span<const double> parameters,
-                                           std::span<const double> y0);
+[[nodiscard]] TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters,
+                                           const Reals& y0);
 
 }  // namespace qdot

@@ -25,7 +25,7 @@ TurningSearch::TurningSearch(EnergyBalance& energy, const Range& range, Directio
       range_(range),
       sign_(static_cast<double>(direction)),
       p_(energy.x0()),
-      remaining_(energy.kinetic_energy()) {}
+      remaining_(energy.remaining(energy.x0())) {}
 
 double TurningSearch::limit() const {
   if (range_.period) return energy_.x0() + sign_ * *range_.period;
@@ -68,10 +68,19 @@ bool TurningSearch::falls(const Interval& slope) const {
 bool TurningSearch::is_positive(const Piece& piece) {
   if (piece.remaining.lower > 0) return true;
   if (energy_.starts_at_rest() && p_ == energy_.x0()) {  // F = -(x - x0) U[x0, x]
-    const Interval slope = energy_.potential_slope(p_, piece.x);
+    const Interval start = energy_.start();
+    const Interval slope =
+        intersection(energy_.potential_slope(start, piece.x), energy_.potential_rate(hull(start, piece.x)));
     return sign_ > 0 ? slope.upper < 0 : slope.lower > 0;
   }
-  return (remaining_ - (piece.x - Interval(p_)) * piece.slope).lower > 0;
+  const Interval slope = intersection(energy_.potential_slope(p_, piece.x), piece.slope);
+  return (remaining_ - (piece.x - Interval(p_)) * slope).lower > 0;
+}
+
+/// F(x) by whichever arithmetic says more.
+Interval TurningSearch::remaining_at(double x) {
+  const Interval remaining = energy_.remaining(x);
+  return remaining.contains(0.0) ? intersection(remaining, energy_.remaining_sharply(x)) : remaining;
 }
 
 MotionBound TurningSearch::run() {
@@ -82,17 +91,28 @@ MotionBound TurningSearch::run() {
     if (verdict == Verdict::bound) return bound_;
     if (verdict == Verdict::undecided) {
       width = std::abs(next.q - p_) / 2;
-      if (width < least_width(p_)) break;
-      continue;
+      if (width >= least_width(p_)) continue;
+      return sign_change_nearby();
     }
     p_ = next.q;
-    remaining_ = energy_.remaining(p_);
+    remaining_ = remaining_at(p_);
     if (p_ == limit()) {
       return {range_.period ? MotionBound::Kind::full_turn : MotionBound::Kind::domain_end, p_};
     }
     if (!std::isfinite(limit()) && is_free_from_here()) return {MotionBound::Kind::unbounded, p_};
     if (std::abs(p_) > farthest) break;
     width *= 2;
+  }
+  return {MotionBound::Kind::unresolved, p_};
+}
+
+/// Where nothing is known of the slope, as at a jump of U, two values still prove that F changes its sign.
+MotionBound TurningSearch::sign_change_nearby() {
+  constexpr int doublings = 24;
+  double width = least_width(p_);
+  for (int i = 0; i < doublings; ++i, width *= 2) {
+    const Piece next = piece(width);
+    if (remaining_at(next.q).upper < 0) return {MotionBound::Kind::turning, next.x};
   }
   return {MotionBound::Kind::unresolved, p_};
 }
@@ -106,7 +126,7 @@ TurningSearch::Verdict TurningSearch::look(Piece piece) {
 }
 
 TurningSearch::Verdict TurningSearch::look_at_end(const Piece& piece) {
-  const Interval end = energy_.remaining(piece.q);
+  const Interval end = remaining_at(piece.q);
   if (end.lower > 0) return Verdict::nothing;
   if (!(end.upper < 0)) return Verdict::undecided;
   bound_ = {MotionBound::Kind::turning, narrowed(p_, piece.q)};
@@ -118,15 +138,25 @@ TurningSearch::Verdict TurningSearch::look_at_crest(const Piece& piece) {
   if (is_empty(c)) {  // F has no least value here after all: it falls or rises all along
     return rises(energy_.potential_rate(piece.x.middle())) ? Verdict::nothing : look_at_end(piece);
   }
-  const Interval remaining = energy_.remaining(c);
-  if (remaining.lower > 0) return Verdict::nothing;
   const double centre = c.middle();
-  if (remaining.upper < 0) {
+  const Interval remaining = remaining_at_crest(c);
+  const double blur = energy_.rounding_of_start();
+  if (remaining.lower > blur) return Verdict::nothing;
+  if (remaining.upper < -blur) {
     bound_ = {MotionBound::Kind::turning, narrowed(p_, centre)};
   } else {
-    bound_ = {MotionBound::Kind::asymptote, touching_range(centre, piece.stiffness, remaining)};
+    const Interval open = hull(remaining, Interval(-blur, blur));
+    bound_ = {MotionBound::Kind::asymptote, touching_range(centre, piece.stiffness, open)};
   }
   return Verdict::bound;
+}
+
+/// Around a zero of g, F(x) = F(m) - (x - m) g is known far better than from the range of x alone.
+Interval TurningSearch::remaining_at_crest(const Interval& c) {
+  const double m = c.middle();
+  const Interval change = (c - Interval(m)) * energy_.potential_rate(c);
+  return intersection(energy_.remaining(c),
+                      intersection(energy_.remaining(m), energy_.remaining_sharply(m)) - change);
 }
 
 bool TurningSearch::is_free_from_here() {
@@ -140,7 +170,7 @@ Interval TurningSearch::narrowed(double from, double to) {
   for (int i = 0; i < most_narrowings; ++i) {
     const Interval x = hull(from, to);
     const double m = x.middle();
-    const Interval value = energy_.remaining(m);
+    const Interval value = remaining_at(m);
     const Interval slope = energy_.potential_rate(x);
     if (excludes_zero(slope)) {
       const Interval next = intersection(Interval(m) + value / slope, x);  // F' = -g

@@ -29,7 +29,13 @@ struct MotionBound {
     unresolved   ///< the search came no further than `place`
   };
   Kind kind{Kind::unresolved};
-  Interval place;  ///< where; for an asymptote, all of where F may vanish near the maximum
+  Interval place{};  ///< where; for an asymptote, all of where F may vanish near the maximum
+  /// A double near the place, and how far it is at most: less than a unit in the last place, if that is
+  /// known.
+  struct Nearest {
+    double value{}, error{};
+  };
+  std::optional<Nearest> nearest{};
 };
 
 /// How far the coordinate goes.
@@ -59,12 +65,15 @@ class TurningSearch {
   [[nodiscard]] double limit() const;
   [[nodiscard]] Piece piece(double width);
   [[nodiscard]] bool is_positive(const Piece& piece);
+  [[nodiscard]] Interval remaining_at(double x);
+  [[nodiscard]] Interval remaining_at_crest(const Interval& c);
   [[nodiscard]] bool rises(const Interval& slope) const;
   [[nodiscard]] bool falls(const Interval& slope) const;
   enum class Verdict { nothing, undecided, bound };
   [[nodiscard]] Verdict look(Piece piece);
   [[nodiscard]] Verdict look_at_crest(const Piece& piece);
   [[nodiscard]] Verdict look_at_end(const Piece& piece);
+  [[nodiscard]] MotionBound sign_change_nearby();
   [[nodiscard]] bool is_free_from_here();
   [[nodiscard]] Interval narrowed(double from, double to);
   [[nodiscard]] Interval critical_point(Interval x);
