@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/compile/taylor/composition.hpp"
+
 namespace qdot {
 namespace {
 
@@ -17,13 +19,48 @@ Quantity quantity(std::shared_ptr<const CompiledFunction> function, std::span<co
   };
 }
 
+using Series = decltype(EventFunction::series);
+
+/// Along a piece of a motion; made ready when it is first wanted, for all copies.
+Series series_of(std::shared_ptr<const CompiledFunction> function, std::span<const double> parameters) {
+  return [function, values = std::vector<double>(parameters.begin(), parameters.end()),
+          made = std::make_shared<std::unique_ptr<TaylorComposition>>()](
+             const MotionPiece& piece, unsigned order, std::span<double> coefficients) {
+    if (!*made) *made = std::make_unique<TaylorComposition>(function, values);
+    return (*made)->expand(piece.t, piece.rows, piece.order, piece.h, order, coefficients);
+  };
+}
+
+void watch_function(Watch& watch, const std::shared_ptr<const CompiledFunction>& function,
+                    std::span<const double> parameters) {
+  watch.value = quantity(function, parameters);
+  watch.series = series_of(function, parameters);
+}
+
+/// sign (y_i - limit)
+void watch_component(Watch& watch, std::size_t i, double sign, double limit) {
+  watch.value = [=](double, std::span<const double> y) { return sign * (y[i] - limit); };
+  watch.series = [=](const MotionPiece& piece, unsigned order, std::span<double> coefficients) {
+    const std::span<const double> row = piece.rows.subspan(i * (piece.order + 1), piece.order + 1);
+    double power = 1, rest = 0;
+    for (unsigned k = 0; k <= piece.order; ++k, power *= piece.h) {
+      if (k <= order) {
+        coefficients[k] = sign * row[k];
+      } else {
+        rest += std::abs(row[k]) * power;
+      }
+    }
+    coefficients[0] -= sign * limit;
+    return rest;
+  };
+}
+
 Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const std::string& text) {
   CompiledEvent event = dynamics.event(text);
   Watch watch;
   watch.name = text;
   watch.direction = event.direction;
-  watch.value =
-      quantity(std::make_shared<const CompiledFunction>(std::move(event.value)), request.parameters);
+  watch_function(watch, std::make_shared<const CompiledFunction>(std::move(event.value)), request.parameters);
   if (event.when) {
     const Quantity when =
         quantity(std::make_shared<const CompiledFunction>(std::move(*event.when)), request.parameters);
@@ -36,20 +73,21 @@ void add_validity(const Dynamics& dynamics, const WatchRequest& request, std::ve
   const std::vector<Column> columns = validity_columns(dynamics.model());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const ValidityCondition& condition = dynamics.model().scene.valid_while[i];
-    Watch watch{Watch::Kind::validity,
-                condition.name,
-                condition.reason,
-                condition.message,
-                Crossing::falling,
-                {},
-                {}};
-    watch.value = quantity(dynamics.columns({columns[i]}), request.parameters);
+    Watch watch{.kind = Watch::Kind::validity,
+                .name = condition.name,
+                .reason = condition.reason,
+                .message = condition.message,
+                .direction = Crossing::falling};
+    watch_function(watch, dynamics.columns({columns[i]}), request.parameters);
     all.push_back(std::move(watch));
   }
 }
 
-Watch singularity(const std::string& message, Crossing direction, Quantity value) {
-  return {Watch::Kind::singularity, "", "coordinate_singularity", message, direction, std::move(value), {}};
+Watch singularity(const std::string& message, Crossing direction) {
+  return {.kind = Watch::Kind::singularity,
+          .reason = "coordinate_singularity",
+          .message = message,
+          .direction = direction};
 }
 
 void add_domains(const Dynamics& dynamics, std::vector<Watch>& all) {
@@ -58,16 +96,13 @@ void add_domains(const Dynamics& dynamics, std::vector<Watch>& all) {
     const Domain& domain = coordinates[i].domain;
     const std::string message =
         "The coordinate " + coordinates[i].name + " left the range in which it describes a configuration.";
-    if (std::isfinite(domain.lower)) {
-      all.push_back(
-          singularity(message, Crossing::falling,
-                      [i, lower = domain.lower](double, std::span<const double> y) { return y[i] - lower; }));
-    }
-    if (std::isfinite(domain.upper)) {
-      all.push_back(
-          singularity(message, Crossing::falling,
-                      [i, upper = domain.upper](double, std::span<const double> y) { return upper - y[i]; }));
-    }
+    const auto add = [&](double sign, double limit) {
+      if (!std::isfinite(limit)) return;
+      all.push_back(singularity(message, Crossing::falling));
+      watch_component(all.back(), i, sign, limit);
+    };
+    add(1, domain.lower);
+    add(-1, domain.upper);
   }
 }
 
@@ -75,14 +110,16 @@ void add_singularities(const Dynamics& dynamics, const WatchRequest& request, st
   const Model& model = dynamics.model();
   for (std::size_t i = 0; i < model.scene.singular_where.size(); ++i) {
     const Column column{model.scene.singular_where[i].name, "", model.parsed.singular_where[i]};
-    all.push_back(singularity(model.scene.singular_where[i].message, Crossing::either,
-                              quantity(dynamics.columns({column}), request.parameters)));
+    all.push_back(singularity(model.scene.singular_where[i].message, Crossing::either));
+    watch_function(all.back(), dynamics.columns({column}), request.parameters);
   }
 }
 
 }  // namespace
 
-EventFunction Watch::event() const { return {value, direction, kind != Kind::event, condition}; }
+EventFunction Watch::event() const {
+  return {value, series, direction, kind != Kind::event, kind == Kind::impact, condition};
+}
 
 std::vector<Watch> watches(const Dynamics& dynamics, const WatchRequest& request) {
   std::vector<Watch> all;

@@ -26,11 +26,12 @@ struct Watch {
     singularity  ///< the motion ends when the value reaches 0
   };
   Kind kind{Kind::event};
-  std::string name;
-  std::string reason, message;  ///< of a stop
+  std::string name{};
+  std::string reason{}, message{};  ///< of a stop
   Crossing direction{Crossing::either};
-  std::function<double(double t, std::span<const double> y)> value;
-  std::function<bool(double t, std::span<const double> y)> condition;  ///< optional: where a zero counts
+  std::function<double(double t, std::span<const double> y)> value{};
+  decltype(EventFunction::series) series{};
+  std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: where a zero counts
 
   [[nodiscard]] EventFunction event() const;
 };

@@ -1,4 +1,5 @@
 #include "core/gait/gait_family.hpp"
+#include "core/numerics/same_bits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ std::optional<GaitFamily::Linearization> GaitFamily::linearized(const Place& pla
 std::optional<GaitFamily::Place> GaitFamily::moved(const Place& place, const VectorXd& step) const {
   const auto& [at, p] = place;
   const Index k = at.u.size();
-  return Place{{at.u + at.u.norm() * step.head(k), at.duration * std::exp(step[k])},
+  return Place{{at.u + at.u.norm() * step.head(k), at.duration * exponential(step[k])},
                p + (to_ - from_) * step[k + 1]};
 }
 
@@ -71,7 +72,7 @@ std::optional<GaitOnCurve> GaitFamily::ahead(const GaitOnCurve& from, double adv
 
 VectorXd GaitFamily::step_to(const Place& of, const Place& at) const {
   VectorXd x(at.at.u.size() + 2);
-  x << (of.at.u - at.at.u) / at.at.u.norm(), std::log(of.at.duration / at.at.duration),
+  x << (of.at.u - at.at.u) / at.at.u.norm(), logarithm(of.at.duration / at.at.duration),
       (of.p - at.p) / (to_ - from_);
   return x;
 }

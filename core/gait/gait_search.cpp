@@ -6,6 +6,7 @@
 
 #include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/path_following.hpp"
+#include "core/numerics/same_bits.hpp"
 
 namespace qdot {
 namespace {
@@ -57,7 +58,7 @@ class RecurrenceCurve {
 
   [[nodiscard]] static std::optional<Recurrence> moved(const Recurrence& at, const VectorXd& by) {
     const Index k = at.u.size();
-    Recurrence to{at.u + at.u.norm() * by.head(k), at.duration * std::exp(by[k])};
+    Recurrence to{at.u + at.u.norm() * by.head(k), at.duration * exponential(by[k])};
     return in_range(to) ? std::optional(std::move(to)) : std::nullopt;
   }
 
@@ -100,7 +101,7 @@ Settled search_settled(RecurrenceCurve& curve, Recurrence at) {
 bool is_on(const CurveOfPoints& curve, const Recurrence& at) {
   const auto place = [&](const Recurrence& p) {
     VectorXd x(at.u.size() + 1);
-    x << (p.u - at.u) / at.u.norm(), std::log(p.duration / at.duration);
+    x << (p.u - at.u) / at.u.norm(), logarithm(p.duration / at.duration);
     return x;
   };
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
@@ -123,7 +124,7 @@ void look_between(const CurvePoint<RecurrenceCurve>& a, const CurvePoint<Recurre
     if (before * g <= 0 && before != 0) {
       const VectorXd by = (x - 0.5 / parts) * advance * a.tangent;
       const Index k = a.at.u.size();
-      found.push_back({a.at.u + a.at.u.norm() * by.head(k), a.at.duration * std::exp(by[k])});
+      found.push_back({a.at.u + a.at.u.norm() * by.head(k), a.at.duration * exponential(by[k])});
     }
     before = g;
   }

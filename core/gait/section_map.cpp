@@ -7,6 +7,7 @@
 #include "core/integrate/integrate.hpp"
 #include "core/mechanics/units.hpp"
 #include "core/numerics/dense_matrix.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot {
 namespace {
@@ -134,7 +135,7 @@ void SectionMap::set_units() {
     const auto parsed = parse_unit(model.scene.coordinates[i].unit);
     for (std::size_t k = 0; parsed && k < scale.size(); ++k) {
       const Exponent& e = parsed->dimension.exponents[k];
-      unit_[to_index(i)] *= std::pow(scale[k], static_cast<double>(e.numerator) / e.denominator);
+      unit_[to_index(i)] *= power(scale[k], static_cast<double>(e.numerator) / e.denominator);
     }
     unit_[to_index(n + i)] = unit_[to_index(i)] / time_unit_;
   }
@@ -222,6 +223,22 @@ EventFunction SectionMap::scaled(const Watch& watch) const {
   event.value = [state, value = watch.value](double, std::span<const double> y) {
     return value(0, state(y));
   };
+  event.series = [this, series = watch.series](const MotionPiece& piece, unsigned order,
+                                               std::span<double> coefficients) {
+    std::vector<double> rows(piece.rows.begin(), piece.rows.end());
+    const std::size_t width = piece.order + 1;
+    for (std::size_t i = 0; i * width < rows.size(); ++i) {
+      double unit = unit_[to_index(i)];
+      for (std::size_t k = 0; k < width; ++k, unit /= time_unit_) rows[i * width + k] *= unit;
+    }
+    const double rest = series({0, piece.h * time_unit_, rows, piece.order}, order, coefficients);
+    double power = 1;
+    for (double& c : coefficients) {
+      c *= power;
+      power *= time_unit_;
+    }
+    return rest;
+  };
   if (watch.condition) {
     event.condition = [state, condition = watch.condition](double, std::span<const double> y) {
       return condition(0, state(y));
@@ -251,7 +268,7 @@ SectionMap::Result SectionMap::stride(const VectorXd& u, double rtol) {
   run.t_end = longest_stride;
   for (const Watch& watch : watched()) run.events.push_back(scaled(watch));
   EventFunction crossing = run.events.back();  // the impact's, wherever it happens
-  crossing.terminal = false;
+  crossing.terminal = crossing.counts_at_start = false;
   crossing.condition = {};
   run.events.push_back(std::move(crossing));
   const Run done = integrate(system, run);

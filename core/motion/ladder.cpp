@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
-#include "core/compile/taylor/expansion.hpp"
+#include "core/compile/extended/expansion.hpp"
+#include "core/motion/extended_motion.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
 
@@ -25,6 +25,9 @@ constexpr std::size_t instants = 64;  ///< at least so many places are compared
 constexpr double useful = 1e-3;       ///< horizon: of a column's largest magnitude
 constexpr double aim = 0.2;           ///< of the wanted error, when the next tolerance is chosen
 constexpr int most_rungs = 8;
+constexpr double dear =
+    12;  ///< times the work of a loose run and its check: that of a check in double-doubles
+constexpr std::uint64_t cost_of_digits = 3;  ///< of an evaluation in double-doubles
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 constexpr const char* work_spent =
@@ -32,6 +35,9 @@ constexpr const char* work_spent =
     "found.";
 constexpr const char* out_of_reach =
     "The error wanted is out of reach for this motion in double precision; this is the best found.";
+constexpr const char* not_bounded =
+    "The error was measured, but not every step has a bound of what it may hide between the places that were "
+    "looked at.";
 
 bool ended_well(const Simulation& s) { return s.ending == Ending::reached_end || s.ending == Ending::event; }
 
@@ -72,8 +78,7 @@ class Ladder {
         goal_(goal),
         grid_(request),
         is_stiff_(damping_times_span(dynamics, request.parameters, request.t_start, request.y_start,
-                                     request.t_end - request.t_start) > stiff),
-        has_series_(!is_stiff_ && has_taylor_expansion(dynamics.accelerations())) {}
+                                     request.t_end - request.t_start) > stiff) {}
 
   MeasuredSimulation climb() {
     if (goal_.kind == AccuracyGoal::Kind::tolerances) {
@@ -128,6 +133,7 @@ class Ladder {
     result_ = {};
     result_.tolerances = tolerances;
     result_.simulation = run(std::move(request));
+    result_.bounded = result_.simulation.bounded;
   }
 
   /// The second road: another order where the method is taylor, another method elsewhere; from parameters and
@@ -138,10 +144,10 @@ class Ladder {
     request.events.clear();
     const Method first = result_.simulation.method;
     const bool same = first == Method::taylor;
-    request.method = second_method(first);
+    request.method = second_method();
     const bool is_loose = first != Method::gauss && result_.tolerances.rtol >= loose;
     request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
-    const double least = has_series_ ? tightest_check : 1e-14;
+    const double least = is_stiff_ ? 1e-14 : tightest_check;
     // What a fixed step comes to is not known before: its check is as tight as can be.
     const double factor = first == Method::gauss ? 0 : same ? rung : check_of_others;
     const double rtol = std::max(least, result_.tolerances.rtol * factor);
@@ -170,45 +176,75 @@ class Ladder {
     return true;
   }
 
-  [[nodiscard]] Method second_method(Method first) const {
-    if (is_stiff_) return Method::bdf;
-    if (has_series_) return Method::taylor;
-    return first == Method::erk ? Method::adams : Method::erk;
-  }
+  [[nodiscard]] Method second_method() const { return is_stiff_ ? Method::bdf : Method::taylor; }
 
   /// Every number by one or two units in the last place, up and down in turn, so that the ratio of any two
   /// near each other moves as well: what rounding does to the motion, the rounding that all runs have in
   /// common included. It is nothing beside any other error.
-  static void nudge(std::vector<double>& numbers, double direction) {
-    double towards = direction * std::numeric_limits<double>::infinity();
+  static void nudge(Reals& numbers, double direction) {
+    double towards = direction * infinity;
     std::size_t moved = 0;
-    for (double& x : numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      double x = numbers[i];
       if (x == 0) continue;
       x = std::nextafter(x, towards);
       if (moved++ % 4 >= 2) x = std::nextafter(x, towards);
+      numbers.set(i, x);
       towards = -towards;
     }
   }
 
   void measure() {
-    const Simulation& first = result_.simulation;
     std::vector<Simulation> others;
-    for (const double direction : {1.0, -1.0}) {
-      if (!others.empty() && one_is_enough(others.front())) break;
-      const SimulationRequest request = check(direction);
-      result_.verified_by = request.method;
-      others.push_back(run(request));
-      if (const char* reason = not_comparable(others.back())) {
-        result_.reason = reason;
+    if (!add_check(others, 1)) return;
+    doubt_ = 0;
+    if (!one_is_enough(others.front())) {
+      if (std::optional<Simulation> sharper = in_more_digits()) {
+        others.push_back(std::move(*sharper));
+      } else if (left() < 2 * others.front().evaluations) {
+        doubt_ = near_round_off;  // no work is left to tell how much less it is
+      } else if (!add_check(others, -1)) {
         return;
-      }
-      if (first.stop && ended_well(others.back()) && !others.back().stop) {
-        result_.reason =
-            "The second computation went on beyond the end of this one: that it stops here is no more "
-            "certain than its error allows.";
       }
     }
     compare(others);
+  }
+
+  /// False where it does not tell the error of the first.
+  bool add_check(std::vector<Simulation>& others, double direction) {
+    const SimulationRequest request = check(direction);
+    result_.verified_by = request.method;
+    const Simulation& other = others.emplace_back(run(request));
+    result_.bounded = result_.bounded && other.bounded;
+    if (const char* reason = not_comparable(other)) {
+      result_.reason = reason;
+      return false;
+    }
+    if (result_.simulation.stop && ended_well(other) && !other.stop) {
+      result_.reason =
+          "The second computation went on beyond the end of this one: that it stops here is no more "
+          "certain than its error allows.";
+    }
+    return true;
+  }
+
+  /// The motion from the numbers as they were typed, in so many digits that the difference is what rounding
+  /// did to it. None where it has impacts, where something may lie hidden, or where that is too much work.
+  std::optional<Simulation> in_more_digits() {
+    const Simulation& first = result_.simulation;
+    const bool is_smooth = first.sections.empty() && has_extended_expansion(dynamics_.accelerations());
+    if (is_stiff_ || !is_smooth || first.rows == 0) return std::nullopt;
+    ExtendedMotionRequest request = extended_request(request_.parameters, request_.y_start, request_.t_start,
+                                                     std::span(grid_.t).first(first.rows));
+    request.look_for_hidden = true;
+    request.limits.max_evaluations = left() / cost_of_digits;
+    const ExtendedRun run = extended_states(dynamics_, request);
+    spent_ += cost_of_digits * run.evaluations;
+    if (run.rows < first.rows || !run.bounded) return std::nullopt;
+    Simulation result;
+    result.rows = run.rows;
+    for (const DoubleDouble& x : run.states) result.states.push_back(x.value());
+    return result;
   }
 
   void compare(const std::vector<Simulation>& others) {
@@ -216,18 +252,32 @@ class Ladder {
     const std::size_t width = request_.y_start.size();
     std::size_t rows = first.rows;
     for (const Simulation& other : others) rows = std::min(rows, other.rows);
-    RowErrors errors(largest_magnitudes(Rows::all));
+    const std::vector<double> largest = largest_magnitudes(Rows::all);
+    RowErrors errors(largest);
     const std::vector<double> scale = largest_magnitudes(Rows::wanted);
     result_.max_abs_error.assign(width, 0.0);
     for (std::size_t i = 0; i < rows; ++i) {
       std::vector<std::span<const double>> same_row;
       for (const Simulation& other : others)
         same_row.push_back(std::span(other.states).subspan(i * width, width));
-      errors.add(std::span(first.states).subspan(i * width, width), same_row);
+      errors.add(std::span(first.states).subspan(i * width, width), same_row, unseen_at(others, i));
       if (!grid_.wanted[i]) continue;
       result_.max_abs_error = errors.so_far();
+      for (std::size_t k = 0; k < width; ++k) result_.max_abs_error[k] += doubt_ * largest[k];
       note_horizon(i, result_.max_abs_error, scale);
     }
+  }
+
+  /// What the checks may have missed up to a row.
+  [[nodiscard]] std::vector<double> unseen_at(const std::vector<Simulation>& others, std::size_t row) const {
+    const std::size_t width = request_.y_start.size();
+    std::vector<double> unseen;
+    for (const Simulation& other : others) {
+      if (other.unseen.empty()) continue;
+      unseen.resize(width);
+      for (std::size_t k = 0; k < width; ++k) unseen[k] = std::max(unseen[k], other.unseen[row * width + k]);
+    }
+    return unseen;
   }
 
   /// Why the second run does not tell the error of the first.
@@ -287,7 +337,7 @@ class Ladder {
       return false;
     }
     const double now = excess();
-    result_.meets_request = now <= 1;
+    result_.meets_request = result_.bounded && now <= 1;
     excess_ = now;
     if (!best_ || now < best_excess_) {
       best_ = result_;
@@ -307,7 +357,10 @@ class Ladder {
     const double growth = static_cast<double>(left()) / cost;
     if (growth < 1) return std::nullopt;
     const double factor = evaluate(Function::exp, -15 * evaluate(Function::log, growth));
-    return with_rtol(std::clamp(now.rtol * factor, tightest, now.rtol * 0.1));
+    // Near round-off a check takes double-doubles, and several times the work.
+    const double least = growth < dear ? 100 * near_round_off : tightest;
+    if (now.rtol <= least) return std::nullopt;
+    return with_rtol(std::clamp(now.rtol * factor, least, std::max(least, now.rtol * 0.1)));
   }
 
   MeasuredSimulation finished() {
@@ -323,8 +376,8 @@ class Ladder {
       result_.meets_request = false;  // for the reason that there is already
     } else if (result_.meets_request == false) {
       const bool work_is_spent =
-          result_.tolerances.rtol > tightest && left() < result_.simulation.evaluations;
-      result_.reason = work_is_spent ? work_spent : out_of_reach;
+          doubt_ > 0 || (result_.tolerances.rtol > tightest && left() < result_.simulation.evaluations);
+      result_.reason = !result_.bounded ? not_bounded : work_is_spent ? work_spent : out_of_reach;
     }
     return std::move(result_);
   }
@@ -333,11 +386,11 @@ class Ladder {
   const SimulationRequest& request_;
   const AccuracyGoal& goal_;
   DenseGrid grid_;
-  bool is_stiff_;    ///< explicit methods are of no use
-  bool has_series_;  ///< and Taylor's is
+  bool is_stiff_;  ///< explicit methods are of no use
   MeasuredSimulation result_;
   std::optional<MeasuredSimulation> best_;
   double best_excess_{}, excess_{};
+  double doubt_{};  ///< of each column: round-off that was not measured
   std::uint64_t spent_{};
 };
 

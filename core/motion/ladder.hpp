@@ -5,10 +5,10 @@
 // motion, from ten to a million. So a motion is computed twice, the second time a hundred times tighter and
 // by another method or order; where the second is much more accurate, the difference of the two is the error
 // of the first. The returned motion is the first, and its error is twice the largest difference met up to
-// each instant (row_errors.hpp). The second has parameters and initial values changed in their last bits:
-// where both are as tight as double precision allows, what the difference shows is what rounding does to the
-// motion, the rounding that both runs have in common included. There a third run starts on the other side, so
-// that the difference is not small by chance.
+// each instant (row_errors.hpp). The second has parameters and initial values changed in their last bits, so
+// that a difference is not small by chance. Where both are as tight as double precision allows, what rounding
+// does to the motion, that of the numbers that were typed included, is measured in double-doubles
+// (extended_motion.hpp); a motion with impacts is computed a third time instead, from the other side.
 //
 // Method gauss has a step in place of tolerances:
 // it is checked by the tightest run there is, and does not climb.
@@ -47,13 +47,16 @@ struct MeasuredSimulation {
   std::optional<double> horizon;
   std::optional<bool> meets_request;  ///< no value where no error was wanted
   std::string reason;                 ///< why the error is not known, or not met
+  /// Whether nothing lies hidden between the places that the computations looked at: every step of all of
+  /// them has a bound of its defect. An error without it is what the places looked at say.
+  bool bounded{false};
   Method verified_by{};
   std::uint64_t evaluations{};  ///< of all runs
 };
 
-/// Method taylor is replaced by erk where a force has a kink, and by bdf where damping is strong;
-/// Simulation::method says which one was used. For goals other than tolerances the request's tolerances are
-/// ignored. Throws std::invalid_argument for gauss with such a goal.
+/// Method taylor is replaced by bdf where damping is strong; Simulation::method says which one was used. For
+/// goals other than tolerances the request's tolerances are ignored. Throws std::invalid_argument for gauss
+/// with such a goal.
 [[nodiscard]] MeasuredSimulation simulate_with_error(const Dynamics& dynamics,
                                                      const SimulationRequest& request,
                                                      const AccuracyGoal& goal);

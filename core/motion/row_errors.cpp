@@ -19,11 +19,13 @@ RowErrors::RowErrors(std::vector<double> scale)
       lowest_(scale_.size(), std::numeric_limits<double>::infinity()),
       highest_(scale_.size(), -std::numeric_limits<double>::infinity()) {}
 
-void RowErrors::add(std::span<const double> row, std::span<const std::span<const double>> others) {
+void RowErrors::add(std::span<const double> row, std::span<const std::span<const double>> others,
+                    std::span<const double> unseen) {
   for (std::size_t k = 0; k < row.size(); ++k) {
     double difference = 0;
     for (const auto& other : others) difference = std::max(difference, std::abs(row[k] - other[k]));
-    error_[k] = std::max(error_[k], safety * difference + round_off * std::abs(row[k]));
+    const double missed = unseen.empty() ? 0 : unseen[k];
+    error_[k] = std::max(error_[k], safety * difference + round_off * std::abs(row[k]) + missed);
     lost_ = lost_ || safety * difference > too_much * scale_[k];
   }
   if (!lost_) return;

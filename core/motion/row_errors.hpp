@@ -1,12 +1,12 @@
 #pragma once
 // The error of a motion's rows, from its differences to other computations of the same motion.
 //
-//   error = max over rows so far of ( 2 max_j |y - y_j| + eps |y| )
+//   error = max over rows so far of ( 2 max_j |y - y_j| + eps |y| + unseen )
 //
-// This holds while errors are small against the motion, for then they grow alike in all computations. Where a
-// quarter of a column is in doubt the motion is lost: two computations that are both wrong may agree by
-// chance, and an angle that winds may go any way. From there on the error is no less than the range of values
-// that the computations go through.
+// with `unseen` what the others may have missed. This holds while errors are small against the motion, for
+// then they grow alike in all computations. Where a quarter of a column is in doubt the motion is lost: two
+// computations that are both wrong may agree by chance, and an angle that winds may go any way. From there on
+// the error is no less than the range of values that the computations go through.
 
 #include <span>
 #include <vector>
@@ -18,8 +18,9 @@ class RowErrors {
   /// The largest magnitude of each column of the motion, by which errors count as large.
   explicit RowErrors(std::vector<double> scale);
 
-  /// The next row: of the motion, and of the other computations at the same instant.
-  void add(std::span<const double> row, std::span<const std::span<const double>> others);
+  /// The next row: of the motion, and of the other computations at the same instant; `unseen` may be empty.
+  void add(std::span<const double> row, std::span<const std::span<const double>> others,
+           std::span<const double> unseen = {});
 
   /// Of each column, up to the last row.
   [[nodiscard]] const std::vector<double>& so_far() const { return error_; }

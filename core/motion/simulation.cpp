@@ -2,24 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/work.hpp"
 #include "core/compile/taylor/expansion.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/integrate.hpp"
+#include "core/numerics/constants.hpp"
+#include "core/numerics/root.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
-
-/// A series knows no kinks: where a force has abs or sign, the Runge-Kutta method takes over.
-Method possible_method(const Dynamics& dynamics, Method wanted) {
-  const bool possible = wanted != Method::taylor || has_taylor_expansion(dynamics.accelerations());
-  return possible ? wanted : Method::erk;
-}
+constexpr std::size_t similar_sections = 6;  ///< their durations show a geometric series
+constexpr double similar = 1e-2;
+constexpr const char* accumulation =
+    "The impacts follow each other faster and faster, and accumulate at this time.";
+constexpr double negligible = 1e-9;  ///< of the span: what is left of the series
 
 /// The motion in (q, p); none where p does not determine q' in the initial state.
 std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynamics,
@@ -48,7 +48,8 @@ std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynam
 }
 
 /// q' and q'' from the compiled functions, each with a workspace of its own.
-RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request, Method method) {
+RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request) {
+  const Method method = request.method;
   const std::size_t n = dynamics.model().degrees_of_freedom();
   const CompiledFunction& accelerations = dynamics.accelerations();
   RightHandSide system;
@@ -71,6 +72,9 @@ RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest&
     system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
       return expansion->expand(t, y, order, c);
     };
+    system.defect = [expansion](double h, std::span<const double> allowed, std::span<double> defect) {
+      return expansion->bound_defect(h, allowed, defect);
+    };
   }
   return system;
 }
@@ -80,15 +84,14 @@ class Simulator {
   Simulator(const Dynamics& dynamics, const SimulationRequest& request)
       : dynamics_(dynamics),
         request_(request),
-        method_(possible_method(dynamics, request.method)),
-        system_(right_hand_side(dynamics, request, method_)),
+        system_(right_hand_side(dynamics, request)),
         watches_(watches(dynamics, {.parameters = request.parameters,
                                     .events = request.events,
                                     .on_invalid = request.on_invalid,
                                     .impacts = request.impacts})) {
     result_.t = request.t_start;
     result_.y = request.y_start;
-    result_.method = method_;
+    result_.method = request.method;
     result_.symplectic = system_.canonical.has_value();
   }
 
@@ -149,7 +152,7 @@ class Simulator {
     run.y_start = result_.y;
     run.t_end = request_.t_end;
     run.grid = std::span(request_.grid).subspan(result_.rows);
-    run.method = method_;
+    run.method = request_.method;
     run.taylor_order = request_.taylor_order;
     run.tolerances = request_.tolerances;
     run.h = request_.h;
@@ -158,6 +161,7 @@ class Simulator {
     run.limits.max_evaluations -= std::min(run.limits.max_evaluations, result_.evaluations);
     for (const Watch& watch : watches_) run.events.push_back(watch.event());
     Run done = integrate(system_, run);
+    add_unseen(done);
     result_.rows += done.rows;
     if (result_.states.empty()) {
       result_.states = std::move(done.states);
@@ -170,6 +174,19 @@ class Simulator {
     result_.t = done.t;
     result_.y = done.y;
     return record_events(done);
+  }
+
+  /// What a section may hide stays in doubt after it.
+  void add_unseen(const Run& done) {
+    const std::size_t width = result_.y.size(), before = result_.rows * width;
+    result_.bounded = result_.bounded && done.bounded;
+    if (unseen_.empty() && done.unseen_at_end.empty()) return;
+    unseen_.resize(width);
+    result_.unseen.resize(before + done.rows * width);
+    for (std::size_t i = 0; i < done.rows * width; ++i) {
+      result_.unseen[before + i] = unseen_[i % width] + (i < done.unseen.size() ? done.unseen[i] : 0);
+    }
+    for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
   }
 
   bool record_events(const Run& done) {
@@ -198,8 +215,32 @@ class Simulator {
       result_.ending = Ending::reached_end;
       return false;
     }
+    if (const auto rest = rest_of_impacts()) {
+      result_.t += *rest;
+      result_.stop = Stop{"impacts_accumulate", result_.t, accumulation};
+      return false;
+    }
     result_.y = std::move(after);
     return true;
+  }
+
+  /// How long all further impacts take together, where they follow each other faster and faster: sections
+  /// that are each q times as long as the one before leave d q/(1 - q).
+  [[nodiscard]] std::optional<double> rest_of_impacts() const {
+    const std::vector<SectionRecord>& sections = result_.sections;
+    const double last = sections.back().duration;
+    if (last <= 16 * time_round_off(result_.t)) return 0;
+    if (sections.size() < similar_sections) return std::nullopt;
+    double least = infinity, most = 0;
+    for (std::size_t i = sections.size() - similar_sections + 1; i < sections.size(); ++i) {
+      const double ratio = sections[i].duration / sections[i - 1].duration;
+      least = std::min(least, ratio);
+      most = std::max(most, ratio);
+    }
+    if (!(most < 1) || most - least > similar * (1 - most)) return std::nullopt;
+    const double rest = last * most / (1 - most);
+    if (rest > negligible * (request_.t_end - request_.t_start)) return std::nullopt;
+    return rest;
   }
 
   [[nodiscard]] std::vector<double> after_impact() const {
@@ -282,10 +323,10 @@ class Simulator {
 
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
-  Method method_;
   RightHandSide system_;
   std::vector<Watch> watches_;
   std::vector<Segment> segments_;
+  std::vector<double> unseen_;  ///< of the sections before
   Simulation result_;
 };
 

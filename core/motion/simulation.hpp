@@ -7,12 +7,13 @@
 
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/run.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot {
 
 struct SimulationRequest {
-  std::vector<double> parameters;  ///< all of them, in order
-  std::vector<double> y_start;     ///< q, then q'
+  Reals parameters;  ///< all of them, in order
+  Reals y_start;     ///< q, then q'
   double t_start{};
   double t_end{};
   std::vector<double> grid;         ///< increasing, in [t_start, t_end]
@@ -68,13 +69,15 @@ struct Simulation {
   double t{};             ///< how far it came
   std::vector<double> y;  ///< the state there, before an impact that ends the motion
   std::vector<ConservedRecord> conserved;
-  Method method{};  ///< the one used: erk for taylor where a force has a kink (abs, sign)
+  Method method{};
   /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an
   /// L that is not quadratic in q', and where a coordinate has no inertia
   /// in the initial state (massless parts).
   bool symplectic{false};
   std::uint64_t steps{};
   std::uint64_t evaluations{};
+  bool bounded{true};          ///< as Run::bounded, of all sections
+  std::vector<double> unseen;  ///< as Run::unseen, rows x 2n; empty where there is nothing
 };
 
 /// Throws Error(invalid_state) when the initial state describes no configuration,

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/compile/taylor/expansion.hpp"
-
 namespace qdot {
 namespace {
 
@@ -38,8 +36,7 @@ WorkPrecision::WorkPrecision(const Dynamics& dynamics, const SimulationRequest& 
   request_.columns.clear();
   request_.events.clear();
   request_.taylor_order = 0;
-  const bool has_series = has_taylor_expansion(dynamics.accelerations());
-  request_.method = has_series ? Method::taylor : Method::erk;
+  request_.method = Method::taylor;
   request_.tolerances = with_rtol(tightest_rtol(request_.method));
   reference_ = simulate_with_error(dynamics_, request_, {});
 }

@@ -1,7 +1,7 @@
 #pragma once
 // What an error costs: one motion computed by every method at every tolerance, each compared with a reference
-// of its own, a Taylor series at the last digit of double precision (another method
-// where a force has a kink).
+// of its own, a Taylor series at the last digit of double precision (bdf where damping
+// is strong).
 //
 // The error of a trial is the largest difference from the reference over the returned rows plus the
 // reference's own error, which the ladder measures (ladder.hpp): an upper bound, which settles at twice the

@@ -243,7 +243,8 @@ TEST(GaussOnScenes, StiffSpringIsSteppedOverOrNamed) {
     if (measured.simulation.ending == Ending::no_convergence) continue;
     ASSERT_EQ(measured.simulation.ending, Ending::reached_end) << k;
     EXPECT_LT(std::abs(test::row(measured.simulation, 100)[0] - 1), 1e-3) << k;
-    EXPECT_TRUE(!measured.reason.empty() || measured.max_abs_error[1] < 1e-2) << k;
+    // The quick oscillation along the spring is lost, which its horizon says.
+    EXPECT_TRUE(!measured.reason.empty() || measured.horizon || measured.max_abs_error[1] < 1e-2) << k;
   }
 }
 

@@ -1,0 +1,90 @@
+#include "core/motion/extended_motion.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "core/compile/extended/expansion.hpp"
+
+namespace qdot {
+namespace {
+
+using Form = ExtendedMotionRequest::Form;
+
+constexpr double round_off_of_mixed = 1e-18;
+constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;  ///< as for doubles at round-off
+constexpr double round_off_of_full = 1e-32;
+
+/// By series in doubles, whose remainder is bounded beyond their digits.
+decltype(ExtendedSystem::hidden) hidden_of(const CompiledFunction& accelerations,
+                                           std::span<const DoubleDouble> exact_parameters) {
+  constexpr unsigned order = TaylorExpansion::highest_order;
+  std::vector<double> parameters;
+  for (const DoubleDouble& p : exact_parameters) parameters.push_back(p.high);
+  const auto expansion = std::make_shared<TaylorExpansion>(accelerations, parameters);
+  return [expansion, t_expanded = 0.0, place = std::vector<double>(), c = std::vector<double>(),
+          defect = std::vector<double>()](double t, std::span<const double> y, double h,
+                                          std::span<const double> allowed) mutable {
+    if (t != t_expanded || !std::ranges::equal(place, y)) {
+      c.resize(y.size() * (order + 1));
+      defect.resize(y.size());
+      place.clear();
+      if (expansion->expand(t, y, order, c) != Evaluation::ok) return std::numeric_limits<double>::infinity();
+      t_expanded = t;
+      place.assign(y.begin(), y.end());
+    }
+    return expansion->bound_defect(h, allowed, defect);
+  };
+}
+
+ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
+  const CompiledFunction& accelerations = dynamics.accelerations();
+  ExtendedSystem system;
+  system.dimension = request.y_start.size();
+  const auto use = [&system](auto expansion) {
+    system.expansion = [expansion](const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
+                                   std::span<DoubleDouble> c) { return expansion->expand(t, y, order, c); };
+  };
+  if (request.form == Form::full) {
+    use(std::make_shared<ExtendedExpansion>(accelerations, request.parameters));
+  } else {
+    use(std::make_shared<MixedExpansion>(accelerations, request.parameters));
+    system.first_in_doubles = MixedExpansion::first_in_doubles;
+    system.round_off = 1e-18;
+  }
+  if (request.look_for_hidden) system.hidden = hidden_of(accelerations, request.parameters);
+  return system;
+}
+
+std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
+  std::vector<DoubleDouble> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
+  return result;
+}
+
+}  // namespace
+
+ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
+                                       std::span<const double> grid) {
+  ExtendedMotionRequest result;
+  result.parameters = double_doubles(parameters);
+  result.y_start = double_doubles(y_start);
+  result.t_start = t_start;
+  result.grid.assign(grid.begin(), grid.end());
+  return result;
+}
+
+ExtendedRun extended_states(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
+  const bool is_full = request.form == Form::full;
+  const double rtol = request.rtol > 0 ? request.rtol : is_full ? round_off_of_full : round_off_of_mixed;
+  const unsigned order = is_full ? extended_order(rtol, ExtendedExpansion::highest_order) : order_of_mixed;
+  const ExtendedRunRequest run{.t_start = request.t_start,
+                               .y_start = request.y_start,
+                               .t_end = request.grid.empty() ? request.t_start : request.grid.back(),
+                               .order = request.taylor_order > 0 ? request.taylor_order : order,
+                               .tolerances = {rtol, rtol * 1e-3},
+                               .limits = request.limits};
+  return integrate(extended_system(dynamics, request), run, request.grid);
+}
+
+}  // namespace qdot
