@@ -113,7 +113,7 @@ bool is_same_equation(const std::string& printed, const std::string& answer) {
 double half_a_unit(const std::string& printed) {
   const std::size_t point = printed.find('.');
   if (point == std::string::npos || printed.find_first_not_of("-0123456789.") != std::string::npos) return 0;
-  return 0.5 * std::pow(10.0, -static_cast<double>(printed.size() - point - 1));
+  return 0.5 * power(10.0, -static_cast<double>(printed.size() - point - 1));
 }
 
 bool is_same_number(const std::string& printed, double answer, const std::string& name, Values values) {

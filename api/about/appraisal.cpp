@@ -13,6 +13,7 @@
 #include "api/http/address.hpp"
 #include "api/json/limits.hpp"
 #include "core/integrate/methods.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot::api {
 namespace {
@@ -36,7 +37,7 @@ double derivation(const Json& fields) {
   if (system == fields.end() || !system->is_object()) return 0;
   const auto coordinates = system->find("coordinates");
   if (coordinates == system->end() || !coordinates->is_array()) return 0;
-  return 0.5 + 0.03 * std::pow(std::min<double>(static_cast<double>(coordinates->size()), 20), 5);
+  return 0.5 + 0.03 * power(std::min<double>(static_cast<double>(coordinates->size()), 20), 5.0);
 }
 
 std::optional<double> number(const Json& fields, const char* name, std::string_view unit) {
@@ -45,8 +46,8 @@ std::optional<double> number(const Json& fields, const char* name, std::string_v
   if (field->is_number()) return field->get<double>();
   if (!field->is_string()) return std::nullopt;
   const auto value = parse_quantity(field->get_ref<const std::string&>(), unit);
-  const auto* found = std::get_if<double>(&value);
-  return found == nullptr ? std::nullopt : std::optional(*found);
+  const auto* found = std::get_if<Real>(&value);
+  return found == nullptr ? std::nullopt : std::optional(found->value);
 }
 
 /// How much more a method costs than the Taylor method, for the same motion.

@@ -7,8 +7,8 @@
 namespace qdot::api {
 
 ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
-  const Values parameters(choice.parameters.begin(), choice.parameters.end());
-  const Values initial(choice.initial.begin(), choice.initial.end());
+  const RealValues parameters(choice.parameters.begin(), choice.parameters.end());
+  const RealValues initial(choice.initial.begin(), choice.initial.end());
   ResolvedState state;
   state.parameters = parameter_values(model, parameters);
   for (std::size_t i = 0; i < state.parameters.size(); ++i) {

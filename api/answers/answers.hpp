@@ -17,8 +17,8 @@ namespace qdot::api {
 
 /// The parameters and the initial state of a request, defaults filled in.
 struct ResolvedState {
-  std::vector<double> parameters;
-  std::vector<double> y;
+  Reals parameters;
+  Reals y;
 };
 
 /// Throws Error(invalid_state) where a default has no finite value.

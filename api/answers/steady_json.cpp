@@ -1,27 +1,22 @@
 #include "api/answers/steady_json.hpp"
 
-#include <cmath>
-
 #include "api/answers/answers.hpp"
-#include "api/json/writer.hpp"
+#include "api/answers/stated.hpp"
 
 namespace qdot::api {
-
-Json written_error(double value, double error, int digits) {
-  const double whole = error + std::abs(rounded(value, digits) - value);
-  return std::isfinite(whole) ? Json(whole) : Json(nullptr);
-}
 
 void put_stability(Json& json, const SteadyStability& stability, int digits) {
   json["stability"] = name(stability.stability);
   if (!stability.undecided.empty()) json["nonlinear"] = stability.undecided;
   if (stability.rate2 && stability.rate2->is_finite()) {
-    json["rate2"] = stability.rate2->middle();
-    json["rate2_error"] = written_error(stability.rate2->middle(), stability.rate2->radius(), digits);
+    const Stated rate2 = Stated::within(stability.rate2->middle(), *stability.rate2);
+    json["rate2"] = rate2.value;
+    json["rate2_error"] = stated_error(rate2, digits);
   }
   json["eigenvalues"] = Json::array();
-  for (const auto& s : stability.eigenvalues) {
-    json["eigenvalues"].push_back({{"re", s.real()}, {"im", s.imag()}});
+  for (const auto& [s, error] : stability.eigenvalues) {
+    json["eigenvalues"].push_back(
+        {{"re", s.real()}, {"im", s.imag()}, {"error", stated_error(s, error, digits)}});
   }
 }
 

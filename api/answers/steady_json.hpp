@@ -9,9 +9,6 @@ namespace qdot::api {
 /// Puts `stability`, `eigenvalues`, `rate2` with its error and, where undecided, `nonlinear` into `json`.
 void put_stability(Json& json, const SteadyStability& stability, int digits);
 
-/// The error of a value that is written with so many digits; null where that is not finite.
-[[nodiscard]] Json written_error(double value, double error, int digits);
-
 /// Units of the state's components, and of the numbers that put_stability puts.
 [[nodiscard]] Json steady_units(const Scene& scene);
 

@@ -12,6 +12,7 @@
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "api/json/writer.hpp"
+#include "core/expr/number.hpp"
 
 namespace qdot::api {
 namespace {
@@ -50,6 +51,13 @@ std::string number_text(double value) {
   std::string text;
   append_number(text, value);
   return text;
+}
+
+/// A decimal that JSON has, as "-1.5e3".
+Real real_of(std::string_view decimal) {
+  const bool negative = decimal.starts_with('-');
+  const Number size = Number::written(decimal.substr(negative ? 1 : 0)).value_or(Number(0));
+  return (negative ? -size : size).rounded();
 }
 
 std::optional<std::int64_t> whole_number(const Json& value, Road road) {
@@ -102,28 +110,34 @@ FieldError bad_name(const Place& place, std::string_view name) {
                          "letter, no _dot or _ddot at the end, and neither t, pi nor a function's name.");
 }
 
-std::optional<Json> read_value(const NumberKind& kind, const std::string& name, const Json& value,
-                               const Place& place, Errors& errors) {
-  double number{};
+std::optional<Real> read_number(const NumberKind& kind, const std::string& name, const Json& value,
+                                const Place& place, Errors& errors) {
+  Real number;
   if (value.is_number()) {
-    number = value.get<double>();
+    number = real_of(place.written(value));
   } else if (value.is_string()) {
     const auto quantity = parse_quantity(value.get_ref<const std::string&>(), kind.unit);
     if (const auto* error = std::get_if<QuantityError>(&quantity)) {
       return refuse(place, errors, error->code, "'" + name + "': " + error->detail);
     }
-    number = std::get<double>(quantity);
+    number = std::get<Real>(quantity);
   } else {
     const std::string needed = kind.unit == "1" ? "a number" : "a number of " + kind.unit;
     return refuse_type(place, errors, name, needed, value);
   }
-  if (!kind.range.contains(number)) {
+  if (!kind.range.contains(number.value)) {
     const std::string unit = kind.unit == "1" ? "" : " " + kind.unit;
-    return refuse(
-        place, errors, "out_of_range",
-        "'" + name + "' must be " + to_text(kind.range) + unit + "; it is " + number_text(number) + ".");
+    return refuse(place, errors, "out_of_range",
+                  "'" + name + "' must be " + to_text(kind.range) + unit + "; it is " +
+                      number_text(number.value) + ".");
   }
-  return number + 0.0;  // -0.0 means 0
+  return number;
+}
+
+std::optional<Json> read_value(const NumberKind& kind, const std::string& name, const Json& value,
+                               const Place& place, Errors& errors) {
+  const std::optional<Real> number = read_number(kind, name, value, place, errors);
+  return number ? std::optional<Json>(number->value) : std::nullopt;
 }
 
 std::optional<Json> read_value(const IntegerKind& kind, const std::string& name, const Json& value,
@@ -194,7 +208,7 @@ std::optional<Json> read_value(const NameKind& kind, const std::string& name, co
 
 std::optional<Json> read_value(const ExpressionKind&, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
-  if (value.is_number()) return value.dump();
+  if (value.is_number()) return place.written(value);
   const std::string* text = text_of(limits::expression_bytes, "an expression, such as \"-l*cos(theta)\"",
                                     name, value, place, errors);
   return text == nullptr ? std::nullopt : std::optional<Json>(*text);

@@ -9,6 +9,7 @@
 #include "api/contract/field.hpp"
 #include "api/contract/submission.hpp"
 #include "api/http/problem.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot::api {
 
@@ -27,6 +28,10 @@ void report(Errors& errors, FieldError error);
 /// The error of a value of another type: "'samples' needs a whole number, not a string."
 [[nodiscard]] FieldError wrong_type(const Place& place, const std::string& name, const std::string& needed,
                                     const Json& value);
+
+/// A number in SI with what a double leaves out of it, or none after it has reported an error.
+[[nodiscard]] std::optional<Real> read_number(const NumberKind&, const std::string& name, const Json& value,
+                                              const Place& place, Errors& errors);
 
 // Each returns the resolved value, or none after it has reported at least one error. `name` is the symbol or
 // field that is read.

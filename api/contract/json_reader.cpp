@@ -1,7 +1,9 @@
 #include "api/contract/json_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <list>
 #include <optional>
 #include <string>
@@ -33,6 +35,19 @@ Problem grammar_problem(std::string_view text, std::size_t byte) {
   return syntax_problem(text, byte, "This does not fit the grammar of JSON.");
 }
 
+constexpr std::size_t digits_of_doubles = 15;
+constexpr std::size_t most_digits = 1000;
+
+/// Digits from the first to the last that is not 0, before the exponent.
+std::size_t significant_digits(std::string_view number) {
+  number = number.substr(0, number.find_first_of("eE"));
+  const std::size_t first = number.find_first_of("123456789");
+  if (first == std::string_view::npos) return 0;
+  const std::size_t last = number.find_last_of("123456789");
+  const std::string_view digits = number.substr(first, last - first + 1);
+  return digits.size() - static_cast<std::size_t>(std::ranges::count(digits, '.'));
+}
+
 /// Builds the document from the events of the parser, counting as it goes. Returning false ends the parse.
 class Builder {
  public:
@@ -42,7 +57,23 @@ class Builder {
   bool boolean(bool value) { return add(value) != nullptr; }
   bool number_integer(std::int64_t value) { return add(value) != nullptr; }
   bool number_unsigned(std::uint64_t value) { return add(value) != nullptr; }
-  bool number_float(double value, const std::string& /*digits*/) { return add(value) != nullptr; }
+  bool number_float(double value, const std::string& digits) {
+    const std::size_t count = significant_digits(digits);
+    if (value == 0 && count > 0) {
+      problem = Problem{.kind = ProblemKind::invalid_json,
+                        .detail = "The number " + in_quotes(digits) + " is beyond double precision."};
+      return false;
+    }
+    if (count > most_digits) {
+      problem = Problem{.kind = ProblemKind::limit_exceeded,
+                        .detail = "A number has more than " + std::to_string(most_digits) + " digits."};
+      return false;
+    }
+    if (add(value) == nullptr) return false;
+    if (count > digits_of_doubles || std::abs(value) < std::numeric_limits<double>::min())
+      document.numbers.emplace(place_of_last(), digits);
+    return true;
+  }
   bool string(std::string& value) { return add(std::move(value)) != nullptr; }
   bool binary(Json::binary_t& /*value*/) { return false; }  // no JSON text has any
 
@@ -118,6 +149,11 @@ class Builder {
   bool close() {
     frames_.pop_back();
     return true;
+  }
+
+  /// Of the value that was added last: in an array it is counted already.
+  [[nodiscard]] std::string place_of_last() const {
+    return frames_.empty() ? std::string(root_pointer) : pointer();
   }
 
   [[nodiscard]] std::string pointer() const {

@@ -4,6 +4,8 @@
 // every key of an object once.
 
 #include <cstddef>
+#include <map>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -20,8 +22,13 @@ struct JsonLimits {
   std::size_t depth{limits::json_depth};
 };
 
+/// The digits of numbers that a double does not keep, as they were written, by the numbers' pointers: of up
+/// to 15 digits the shortest decimal of the double is what was written.
+using WrittenNumbers = std::map<std::string, std::string>;
+
 struct JsonDocument {
   Json value{};
+  WrittenNumbers numbers{};
   /// Keys that were given again, with their pointers. The value holds the first of each; the request is
   /// wrong, but its other mistakes are worth reporting with this one.
   std::vector<FieldError> duplicates{};

@@ -12,7 +12,7 @@ namespace {
 class RequestReader {
  public:
   RequestReader(const FieldSet& set, const Submission& submission, const FindSystem& find_system)
-      : set_(set), find_system_(find_system), root_(submission.road), fields_(submission.fields) {
+      : set_(set), find_system_(find_system), root_(submission), fields_(submission.fields) {
     reading_.errors = submission.errors;
   }
 

@@ -3,10 +3,24 @@
 #include "api/json/limits.hpp"
 #include "api/json/pointer.hpp"
 #include "api/json/text.hpp"
+#include "api/json/writer.hpp"
 
 namespace qdot::api {
 
-Place Place::of_document() { return {Road::body, std::string(root_pointer)}; }
+Place Place::of_document(const WrittenNumbers* numbers) {
+  return {Road::body, std::string(root_pointer), numbers};
+}
+
+std::string Place::written(const Json& number) const {
+  if (number.is_number_integer()) return number.dump();
+  if (numbers_ != nullptr && !numbers_->empty()) {
+    const auto found = numbers_->find(words());
+    if (found != numbers_->end()) return found->second;
+  }
+  std::string text;
+  append_number(text, number.get<double>());
+  return text;
+}
 
 std::string Place::words() const {
   if (above_ == nullptr) return words_;
@@ -40,8 +54,10 @@ std::variant<Submission, Problem> submission_of_body(std::string_view body, cons
   if (!document.value.is_object()) {
     return invalid_request({Place(Road::body).error("wrong_type", "A request is a JSON object, {...}.")});
   }
-  return Submission{
-      .road = Road::body, .fields = std::move(document.value), .errors = std::move(document.duplicates)};
+  return Submission{.road = Road::body,
+                    .fields = std::move(document.value),
+                    .errors = std::move(document.duplicates),
+                    .numbers = std::move(document.numbers)};
 }
 
 Submission submission_of_query(const std::vector<std::pair<std::string, std::string>>& query) {

@@ -44,28 +44,37 @@ FieldError unknown_symbol(const Scene& scene, SymbolRole role, const std::string
 
 /// An input is an expression; a number is one too.
 std::optional<Json> read_input(const Symbol& symbol, const Json& value, const Place& place, Errors& errors) {
-  if (value.is_number()) return value.dump();
+  if (value.is_number()) return place.written(value);
   return read_value(TextKind{.most_bytes = limits::expression_bytes}, symbol.name, value, place, errors);
 }
 
-void store(SymbolRole role, const std::string& name, const Json& value, SystemChoice& choice) {
+std::vector<std::pair<std::string, Real>>& numbers_of(SymbolRole role, SystemChoice& choice) {
   switch (role) {
     case SymbolRole::parameter:
-      choice.parameters.emplace_back(name, value.get<double>());
-      break;
-    case SymbolRole::initial:
-      choice.initial.emplace_back(name, value.get<double>());
-      break;
-    case SymbolRole::input:
-      choice.inputs.emplace_back(name, value.get<std::string>());
-      break;
+      return choice.parameters;
     case SymbolRole::equilibrium:
-      choice.equilibrium.emplace_back(name, value.get<double>());
-      break;
+      return choice.equilibrium;
     case SymbolRole::position:
-      choice.position.emplace_back(name, value.get<double>());
+      return choice.position;
+    case SymbolRole::initial:
+    case SymbolRole::input:  // has no numbers
       break;
   }
+  return choice.initial;
+}
+
+/// The resolved value, which `choice` has taken.
+std::optional<Json> read_symbol(SymbolRole role, const Symbol& symbol, const Json& value, const Place& place,
+                                SystemChoice& choice, Errors& errors) {
+  if (role == SymbolRole::input) {
+    std::optional<Json> text = read_input(symbol, value, place, errors);
+    if (text) choice.inputs.emplace_back(symbol.name, text->get<std::string>());
+    return text;
+  }
+  const auto number = read_number({symbol.unit, symbol.domain}, symbol.name, value, place, errors);
+  if (!number) return std::nullopt;
+  numbers_of(role, choice).emplace_back(symbol.name, *number);
+  return number->value;
 }
 
 }  // namespace
@@ -136,13 +145,8 @@ Json read_symbols(SymbolRole role, const Json& value, const Place& place, System
     const auto given = value.find(symbol.name);
     if (given == value.end()) continue;
     const Place here = place.below(symbol.name);
-    const std::optional<Json> read =
-        role == SymbolRole::input
-            ? read_input(symbol, *given, here, errors)
-            : read_value(NumberKind{symbol.unit, symbol.domain}, symbol.name, *given, here, errors);
-    if (!read) continue;
-    resolved[symbol.name] = *read;
-    store(role, symbol.name, *read, choice);
+    std::optional<Json> read = read_symbol(role, symbol, *given, here, choice, errors);
+    if (read) resolved[symbol.name] = std::move(*read);
   }
   return resolved;
 }

@@ -17,11 +17,11 @@ namespace qdot::api {
 /// Only what was given, in the scene's order; what is missing has the scene's defaults.
 struct SystemChoice {
   std::shared_ptr<const Scene> scene{};
-  std::vector<std::pair<std::string, double>> parameters{};   ///< SI
-  std::vector<std::pair<std::string, double>> initial{};      ///< coordinates and velocities, SI
+  std::vector<std::pair<std::string, Real>> parameters{};     ///< SI
+  std::vector<std::pair<std::string, Real>> initial{};        ///< coordinates and velocities, SI
   std::vector<std::pair<std::string, std::string>> inputs{};  ///< expressions in t and the parameters
-  std::vector<std::pair<std::string, double>> equilibrium{};  ///< coordinates where it is meant, SI
-  std::vector<std::pair<std::string, double>> position{};     ///< coordinates, SI
+  std::vector<std::pair<std::string, Real>> equilibrium{};    ///< coordinates where it is meant, SI
+  std::vector<std::pair<std::string, Real>> position{};       ///< coordinates, SI
 };
 
 /// Finds the system that a request's value names or is: a name, or a scene object. Without one it reports

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -15,7 +14,7 @@ namespace qdot::api {
 namespace {
 
 struct NumberAndRest {
-  double number{};
+  Number number;
   std::string_view rest;
 };
 
@@ -38,13 +37,13 @@ std::variant<NumberAndRest, QuantityError> split_number(std::string_view text,
     return QuantityError{"syntax",
                          in_quotes(text) + " is not a quantity; write " + example(expected_unit) + "."};
   }
-  NumberAndRest result;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result.number);
-  if (error != std::errc{}) {
-    return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
-  }
-  result.rest = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
-  return result;
+  double nearest{};
+  const char* const end = std::from_chars(digits.data(), digits.data() + digits.size(), nearest).ptr;
+  const auto length = static_cast<std::size_t>(end - digits.data());
+  const std::size_t sign = digits.starts_with('-') ? 1 : 0;
+  const std::optional<Number> number = Number::written(digits.substr(sign, length - sign));
+  if (!number) return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
+  return NumberAndRest{sign == 1 ? -*number : *number, trimmed(digits.substr(length))};
 }
 
 /// " (kg*m/s^2)" after N, nothing after m.
@@ -67,11 +66,11 @@ Unit declared_unit(std::string_view expected_unit) {
 
 }  // namespace
 
-std::variant<double, QuantityError> parse_quantity(std::string_view text, std::string_view expected_unit) {
+std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::string_view expected_unit) {
   const auto split = split_number(text, expected_unit);
   if (const auto* error = std::get_if<QuantityError>(&split)) return *error;
   const auto [number, rest] = std::get<NumberAndRest>(split);
-  if (rest.empty()) return number;
+  if (rest.empty()) return number.rounded();
 
   const Unit expected = declared_unit(expected_unit);
   const std::optional<Unit> unit = parse_unit(rest);
@@ -84,10 +83,12 @@ std::variant<double, QuantityError> parse_quantity(std::string_view text, std::s
                                                 std::string(expected_unit) +
                                                 in_base_units(expected_unit, expected) + " is needed."};
   }
-  double value = unit->to_si(number);
-  for (int turn = missing_turns(*unit, expected); turn > 0; --turn) value *= 2 * std::numbers::pi;
-  for (int turn = missing_turns(*unit, expected); turn < 0; ++turn) value /= 2 * std::numbers::pi;
-  if (!std::isfinite(value)) {
+  Unit with_turns = *unit;
+  const int turns = missing_turns(*unit, expected);
+  with_turns.pi_power += turns;
+  with_turns.factor = with_turns.factor * power(Number(2), turns);
+  const Real value = with_turns.to_si(number);
+  if (!value.is_finite()) {
     return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
   }
   return value;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <variant>
 
+#include "core/numerics/real.hpp"
+
 namespace qdot::api {
 
 struct QuantityError {
@@ -17,7 +19,7 @@ struct QuantityError {
 ///
 /// A turn: where the symbol is an angular velocity, "2 rev/s", "120 rpm" and "2 Hz" all are 4 pi rad/s; where
 /// it is a plain 1/s, Hz is 1/s. "2 1/s" is 2 rad/s: 1/s says nothing of turns.
-[[nodiscard]] std::variant<double, QuantityError> parse_quantity(std::string_view text,
-                                                                 std::string_view expected_unit);
+[[nodiscard]] std::variant<Real, QuantityError> parse_quantity(std::string_view text,
+                                                               std::string_view expected_unit);
 
 }  // namespace qdot::api

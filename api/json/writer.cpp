@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "core/base/work.hpp"
@@ -73,6 +74,27 @@ double rounded(double value, int digits) {
   return std::from_chars(text, end, result).ec == std::errc{} ? result : value;
 }
 
+double rounded_up(double bound, int digits) {
+  const double nearest = rounded(bound, digits);
+  if (nearest >= bound) return nearest;
+  char buffer[longest_number];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, bound, std::chars_format::scientific, digits - 1).ptr;
+  std::string text(buffer, end);  // to the next decimal: one more in the last digit, with its carry
+  std::size_t last = text.find('e') - 1;
+  for (; last > 0 && (text[last] == '9' || text[last] == '.'); --last) {
+    if (text[last] == '9') text[last] = '0';
+  }
+  if (text[last] == '9') {
+    text.replace(0, 1, "10");
+  } else {
+    ++text[last];
+  }
+  double result{};
+  const bool fits = std::from_chars(text.data(), text.data() + text.size(), result).ec == std::errc{};
+  return fits ? result : std::numeric_limits<double>::infinity();
+}
+
 void append_number(std::string& out, double value, int digits) {
   char text[longest_number];
   out.append(text, write_number(text, rounded(require_finite(value), digits)));
@@ -123,6 +145,22 @@ void JsonWriter::key(std::string_view name) {
 void JsonWriter::number(double value, int digits) {
   separate();
   append_number(out_, value, digits);
+}
+
+void JsonWriter::number_text(std::string_view digits) {
+  separate();
+  out_ += digits;
+}
+
+void JsonWriter::number_texts(std::span<const std::string> numbers) {
+  separate();
+  out_ += '[';
+  const std::string_view comma = layout_ == Layout::pretty ? ", " : ",";
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0) out_ += comma;
+    out_ += numbers[i];
+  }
+  out_ += ']';
 }
 
 void JsonWriter::string(std::string_view text) {

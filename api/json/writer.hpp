@@ -22,6 +22,8 @@ inline constexpr int shortest_digits = 0;
 
 /// `value` to so many significant decimal digits, as a double.
 [[nodiscard]] double rounded(double value, int digits);
+/// The least number of so many digits that is no less than `bound`, which is not negative.
+[[nodiscard]] double rounded_up(double bound, int digits);
 
 void append_number(std::string& out, double value, int digits = shortest_digits);
 
@@ -47,6 +49,9 @@ class JsonWriter {
   void key(std::string_view name);
 
   void number(double value, int digits = shortest_digits);
+  /// Numbers that are text already, with more digits than doubles have.
+  void number_text(std::string_view digits);
+  void number_texts(std::span<const std::string> numbers);
   void string(std::string_view text);
   void numbers(std::span<const double> values, int digits = shortest_digits);
   /// {"t": [...], "theta": [...]}

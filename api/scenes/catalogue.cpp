@@ -90,7 +90,7 @@ std::string Catalogue::add(std::string file, std::string_view text) {
   auto parsed = read_json(text);
   if (const auto* problem = std::get_if<Problem>(&parsed)) return mistake(file, "", problem->detail);
   auto& document = std::get<JsonDocument>(parsed);
-  auto [scene, errors] = read_scene(document.value);
+  auto [scene, errors] = read_scene(document.value, Place::of_document(&document.numbers));
 
   std::string mistakes;
   for (const FieldError& error : document.duplicates) mistakes += mistake(file, error);

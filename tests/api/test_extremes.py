@@ -140,9 +140,10 @@ class Extremes(Service):
         for text in ("NaN", "Infinity", "-Infinity", "1e999", "-1e999", "1" + "0"*400, "01", "0x10", "1.", "+1"):
             with self.subTest(text):
                 self.refused("simulate", body_with(f'"initial": {{"theta": {text}}}'), 400)
-        found = self.ask("simulate", body_with('"initial": {"theta": 0.' + "1"*5000 + "}"))
+        found = self.ask("simulate", body_with('"initial": {"theta": 0.' + "1"*900 + "}"))
         self.assertEqual(found["request"]["initial"]["theta"], 1/9)
-        self.assertEqual(self.ask("energy", '{"system": "spring_pendulum", "t": 1e-999}')["request"]["t"], 0)
+        self.refused("simulate", body_with('"initial": {"theta": 0.' + "1"*5000 + "}"), 422)
+        self.refused("energy", '{"system": "spring_pendulum", "t": 1e-999}', 400)  # neither 0 nor a double
 
     def test_units_of_another_dimension(self):
         self.refused_at("simulate", simulation(initial={"l": "30deg", "theta": "30cm", "theta_dot": "1 rad"},
@@ -150,7 +151,7 @@ class Extremes(Service):
                         "#/initial/l", "#/initial/theta", "#/initial/theta_dot", "#/parameters/m", "#/parameters/k")
         found = self.ask("energy", {"system": "spring_pendulum", "initial": {"l": "50 cm", "theta": "30deg"}})
         self.assertEqual(found["request"]["initial"]["l"], 0.5)
-        self.assertEqual(found["request"]["initial"]["theta"], math.radians(30))
+        self.assertEqual(found["request"]["initial"]["theta"], 0.5235987755982989)  # next to pi/6 = ...829887...
         found = self.ask("energy", {"system": "whirling_pendulum", "parameters": {"Omega": "2 rev/s"}})
         self.assertEqual(found["request"]["parameters"]["Omega"], 4*math.pi)
 

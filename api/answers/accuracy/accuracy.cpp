@@ -6,6 +6,7 @@
 
 #include "api/answers/accuracy/request.hpp"
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/stated.hpp"
 #include "core/integrate/methods.hpp"
 
 namespace qdot::api {
@@ -79,10 +80,15 @@ class AccuracyAnswer {
     costs_.push_back(least);
   }
 
+  /// An error, rounded up to the digits asked for.
+  [[nodiscard]] Json bound(double error) const {
+    return stated_bound(error, request_.digits.value_or(shortest_digits));
+  }
+
   [[nodiscard]] Json by_column(const std::vector<double>& values) const {
     Json json = Json::object();
     const std::vector<Symbol> state = symbols(scene_, SymbolRole::initial);
-    for (std::size_t k = 0; k < values.size(); ++k) json[state[k].name] = values[k];
+    for (std::size_t k = 0; k < values.size(); ++k) json[state[k].name] = bound(values[k]);
     return json;
   }
 
@@ -124,7 +130,7 @@ class AccuracyAnswer {
                             ? "Broken off: it takes much more work than others."
                             : "The run did not come to its end.";
     } else {
-      point["error"] = result.error;
+      point["error"] = bound(result.error);
       point["max_abs_error"] = by_column(result.max_abs_error);
     }
     return point;
@@ -149,7 +155,7 @@ class AccuracyAnswer {
     const TrialResult& result = results_[*best];
     Json json = setting(result.trial);
     json["max_error"] = wanted;
-    json["error"] = result.error;
+    json["error"] = bound(result.error);
     json["evaluations"] = result.evaluations;
     json["text"] = "For " + written(wanted) + ": " + std::string(record_of(result.trial.method).name) +
                    (result.trial.h > 0 ? " with h " + written(result.trial.h)

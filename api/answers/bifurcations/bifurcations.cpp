@@ -1,6 +1,7 @@
 #include "core/steady/bifurcations.hpp"
 #include "api/answers/bifurcations/request.hpp"
 #include "api/answers/gait/request.hpp"
+#include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
 #include "core/gait/gait_continuation.hpp"
 
@@ -9,9 +10,11 @@ namespace {
 
 constexpr const char* method_of_bifurcations =
     "Critical points are the zeros of square systems in the coordinates and the parameter, all of them found "
-    "by interval arithmetic; errors are proven bounds.";
+    "by interval arithmetic; errors are proven bounds. A kind is proven by the signs of enclosed derivatives, "
+    "else it is 'unresolved'.";
 constexpr const char* cluster =
-    "Round-off hides what happens within the error; the kind is told by the numbers of equilibria beside it.";
+    "Not proven to be one point: round-off hides what happens within the error, and a kind other than "
+    "'unresolved' is told by the numbers of equilibria beside it.";
 
 const char* kind_name(CriticalGait::Kind kind) {
   switch (kind) {
@@ -71,11 +74,12 @@ class BifurcationsAnswer {
     Json json{{"value", c.value},
               {"kind", name(c.kind)},
               {"state", state_json(scene_, c.y)},
-              {"error", written_error(c.value, c.error, digits_)},
+              {"error", stated_error({c.value, c.error}, digits_)},
               {"state_error", state_json(scene_, c.errors)}};
     for (auto& [name, error] : json["state_error"].items()) {
-      error = written_error(json["state"][name].get<double>(), error.get<double>(), digits_);
+      error = stated_error({json["state"][name].get<double>(), error.get<double>()}, digits_);
     }
+    if (!c.reason.empty()) json["reason"] = c.reason;
     if (!c.proven) json["note"] = cluster;
     return json;
   }
@@ -99,7 +103,7 @@ class BifurcationsAnswer {
       body["critical"].push_back({{"value", c.value},
                                   {"kind", kind_name(c.kind)},
                                   {"state", state_json(scene_, c.state)},
-                                  {"error", written_error(c.value, c.error, digits_)},
+                                  {"error", stated_error({c.value, c.error}, digits_)},
                                   {"step_time", c.step_time},
                                   {"multipliers", multipliers(c.multipliers)}});
     }

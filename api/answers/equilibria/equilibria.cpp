@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "api/answers/equilibria/request.hpp"
+#include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
 #include "api/json/text.hpp"
 #include "core/steady/equilibria.hpp"
@@ -55,7 +56,7 @@ class EquilibriaAnswer {
     Json json = Json::object();
     std::size_t i = 0;
     for (const auto& [name, value] : names.items()) {
-      json[name] = written_error(steady.y[i], steady.errors[i], digits_);
+      json[name] = stated_error({steady.y[i], steady.errors[i]}, digits_);
       ++i;
     }
     return json;
@@ -138,7 +139,7 @@ class SolutionAnswer {
     } else {
       const SolvedValue& first = solution.values.front();
       body[unknown_] = first.value;
-      body["error"] = written_error(first.value, first.error, digits_);
+      body["error"] = stated_error({first.value, first.error}, digits_);
       put_stability(body, first.stability, digits_);
     }
     put_all(body, solution);
@@ -151,7 +152,7 @@ class SolutionAnswer {
   void put_all(Json& body, const Solution& solution) const {
     body["all"] = Json::array();
     for (const SolvedValue& solved : solution.values) {
-      Json json{{unknown_, solved.value}, {"error", written_error(solved.value, solved.error, digits_)}};
+      Json json{{unknown_, solved.value}, {"error", stated_error({solved.value, solved.error}, digits_)}};
       put_stability(json, solved.stability, digits_);
       body["all"].push_back(std::move(json));
     }
@@ -164,8 +165,8 @@ class SolutionAnswer {
                                 {"to", range.to},
                                 {"from_included", range.from_included},
                                 {"to_included", range.to_included},
-                                {"from_error", written_error(range.from, range.from_error, digits_)},
-                                {"to_error", written_error(range.to, range.to_error, digits_)}});
+                                {"from_error", stated_error({range.from, range.from_error}, digits_)},
+                                {"to_error", stated_error({range.to, range.to_error}, digits_)}});
     }
     body["ranges_reason"] =
         "Positions for which a value of " + unknown_ +
@@ -211,11 +212,11 @@ std::vector<FieldError> take_position(const Dynamics& dynamics, const Equilibria
   for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
     const std::string& name = scene.coordinates[i].name;
     const auto given_in = [&](const auto& values) {
-      return std::ranges::find(values, name, &std::pair<std::string, double>::first);
+      return std::ranges::find(values, name, &std::pair<std::string, Real>::first);
     };
     const auto at = given_in(request.system.position);
     if (at != request.system.position.end()) {
-      state.y[i] = at->second;
+      state.y.set(i, at->second);
     } else if (given_in(request.system.initial) == request.system.initial.end()) {
       if (std::ranges::find(needed, i) == needed.end()) continue;
       errors.push_back(

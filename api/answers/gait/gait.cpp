@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cmath>
 
 #include "api/answers/gait/request.hpp"
+#include "api/answers/stated.hpp"
 
 namespace qdot::api {
 namespace {
@@ -39,8 +39,8 @@ class GaitAnswer {
   }
 
  private:
-  [[nodiscard]] double written_error(const Uncertain& number) const {
-    return number.error + std::abs(rounded(number.value, digits_) - number.value);
+  [[nodiscard]] Json written_error(const Uncertain& number) const {
+    return stated_error({number.value, number.error}, digits_);
   }
   [[nodiscard]] Json values(const std::vector<Uncertain>& state) const {
     std::vector<double> y;
@@ -49,9 +49,10 @@ class GaitAnswer {
   }
 
   [[nodiscard]] Json errors_of(const std::vector<Uncertain>& state) const {
-    std::vector<double> y;
-    for (const Uncertain& number : state) y.push_back(written_error(number));
-    return state_json(scene_, y);
+    Json errors = values(state);
+    std::size_t i = 0;
+    for (auto& [name, error] : errors.items()) error = written_error(state[i++]);
+    return errors;
   }
 
   [[nodiscard]] Json errors(const Gait& gait) const {
@@ -61,9 +62,7 @@ class GaitAnswer {
     if (gait.step_length) error["step_length"] = written_error(*gait.step_length);
     Json& multipliers = error["multipliers"] = Json::array();
     for (std::size_t i = 0; i < gait.multipliers.size(); ++i) {
-      const double re = gait.multipliers[i].real(), im = gait.multipliers[i].imag();
-      multipliers.push_back(gait.multiplier_errors[i] +
-                            std::hypot(rounded(re, digits_) - re, rounded(im, digits_) - im));
+      multipliers.push_back(stated_error(gait.multipliers[i], gait.multiplier_errors[i], digits_));
     }
     return error;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "api/answers/stated.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/mechanics/units.hpp"
@@ -25,7 +26,7 @@ std::optional<std::vector<double>> guess_of(const Scene& scene, const SystemChoi
   std::vector<double> guess(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(y.size() / 2));
   for (const auto& [name, value] : choice.equilibrium) {
     for (std::size_t i = 0; i < guess.size(); ++i) {
-      if (scene.coordinates[i].name == name) guess[i] = value;
+      if (scene.coordinates[i].name == name) guess[i] = value.value;
     }
   }
   return guess;
@@ -73,8 +74,20 @@ class ModesAnswer {
 
   /// The error of a value as it is written.
   [[nodiscard]] Json written_error(double value, const std::optional<double>& error) const {
-    if (!error) return nullptr;
-    return *error + std::abs(rounded(value, digits_) - value);
+    return error ? stated_error({value, *error}, digits_) : Json(nullptr);
+  }
+
+  /// Frequency and period, from omega with what their own rounding adds to its error.
+  void put_cycle(Json& json, double omega, const std::optional<double>& error) const {
+    const Interval turn = Interval(2) * enclosed_pi();
+    json["f"] = omega / (2 * std::numbers::pi);
+    if (omega == 0) return;
+    json["period"] = 2 * std::numbers::pi / omega;
+    if (!error) return;
+    const Interval enclosed = Stated{omega, *error}.enclosure();
+    if (!(enclosed.lower > 0)) return;
+    json["f_error"] = stated_error(Stated::within(json["f"], enclosed / turn), digits_);
+    json["period_error"] = stated_error(Stated::within(json["period"], turn / enclosed), digits_);
   }
 
   [[nodiscard]] Json equilibrium() const {
@@ -105,14 +118,15 @@ class ModesAnswer {
 
   [[nodiscard]] Json mode_json(const Mode& mode) const {
     const bool swings = mode.omega != 0;
-    Json json{{"kind", name(mode.kind)}, {"omega", mode.omega}, {"f", mode.omega / (2 * std::numbers::pi)}};
-    if (swings) json["period"] = 2 * std::numbers::pi / mode.omega;
+    Json json{{"kind", name(mode.kind)}, {"omega", mode.omega}};
+    put_cycle(json, mode.omega, mode.omega_error);
     const bool has_rate = mode.kind == ModeKind::growth || mode.kind == ModeKind::decay;
     if (has_rate) json["rate"] = mode.rate;
     const bool about_rate = has_rate && !swings;
     json["error"] =
         about_rate ? written_error(mode.rate, mode.rate_error) : written_error(mode.omega, mode.omega_error);
-    if (has_rate && swings) json["rate_error"] = written_error(mode.rate, mode.rate_error);
+    if (swings && (has_rate || mode.rate_error))
+      json["rate_error"] = written_error(mode.rate, mode.rate_error);
     if (json["error"].is_null()) json["reason"] = coinciding;
     if (unit_of_time_ && std::isfinite(*unit_of_time_) && mode.lambda)
       json["lambda"] = *mode.lambda * *unit_of_time_ * *unit_of_time_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/answers/motion_fields.hpp"
+#include "api/answers/simulate/extended_number.hpp"
 #include "api/contract/text_checks.hpp"
 #include "core/integrate/run.hpp"
 
@@ -19,6 +20,9 @@ void check_grid(SimulateRequest& request, Findings& findings) {
   if (has_open_end(request)) return;
   read_grid(request, column_count(*request.system.scene, request.include), findings);
 }
+
+constexpr int most_digits_of_doubles = 17;
+constexpr double least_extended_error = 1e-24;
 
 bool has_fixed_step(const MethodRecord& method) { return method.step == MethodRecord::Step::fixed; }
 
@@ -59,6 +63,48 @@ void complete_tolerances(SimulateRequest& request, Findings& findings) {
   findings.echo()["atol"] = request.atol;
 }
 
+/// Reports the fields that extended precision cannot honour.
+void check_extended(const SimulateRequest& request, Findings& findings) {
+  const auto refuse = [&](const char* field, bool is_given, const std::string& why) {
+    if (is_given) findings.report(field, "not_applicable", why);
+  };
+  const std::string only = "' does not go with precision extended, where the error wanted is max_error.";
+  const bool is_wanted_otherwise = request.accuracy || request.max_evaluations;
+  refuse(request.accuracy ? "accuracy" : "max_evaluations", is_wanted_otherwise,
+         std::string("'") + (request.accuracy ? "accuracy" : "max_evaluations") + only);
+  for (const char* field : {"rtol", "atol"}) {
+    refuse(field, findings.echo().contains(field) && !findings.is_defaulted(field),
+           std::string("'") + field + only);
+  }
+  refuse("h", request.h.has_value(), std::string("'h") + only);
+  refuse("method", request.method != Method::taylor, "Extended precision has one method: taylor.");
+  refuse("verify", !request.verify, "In extended precision the error is always measured.");
+  refuse("events", !request.events.empty(), "Events are located in double precision only.");
+  refuse("steps", request.steps.has_value(), "Strides are followed in double precision only.");
+  const Scene* scene = request.system.scene.get();
+  refuse("impacts", scene != nullptr && scene->impact && request.impacts,
+         "Impacts are applied in double precision only: with precision extended give impacts=false.");
+}
+
+/// What extended precision has beyond doubles, and what it has not.
+void check_precision(SimulateRequest& request, Findings& findings) {
+  if (request.is_extended()) {
+    check_extended(request, findings);
+    for (const char* tolerance : {"rtol", "atol"}) {
+      if (findings.is_defaulted(tolerance)) findings.echo().erase(tolerance);
+    }
+    return;
+  }
+  if (request.digits > most_digits_of_doubles) {
+    findings.report("digits", "out_of_range",
+                    "'digits' must be from 1 to 17; precision=extended has up to 31.");
+  }
+  if (request.max_error && *request.max_error < limits::least_error) {
+    findings.report("max_error", "out_of_range",
+                    "'max_error' must be from 1e-14 to 1; precision=extended goes down to 1e-24.");
+  }
+}
+
 /// The grid is checked only when its own fields could be read; the others do not matter to it.
 void check_simulate(SimulateRequest& request, Findings& findings) {
   const Scene* scene = request.system.scene.get();
@@ -73,6 +119,7 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
   check_inputs(request.system, findings);
   check_step(request, findings);
   complete_tolerances(request, findings);
+  check_precision(request, findings);
   if (request.steps && (!scene->impact || !request.impacts)) {
     findings.report(
         "steps", "not_applicable",
@@ -134,9 +181,9 @@ RequestTable<SimulateRequest> make_simulate_table() {
              {{"fast", Preset::fast}, {"balanced", Preset::balanced}, {"accurate", Preset::accurate}},
              "the error that is promised, relative to each column's largest magnitude: 1e-3, 1e-6 or 1e-9",
              {.aliases = {"preset", "quality", "precision_goal"}}),
-      number("max_error", &SimulateRequest::max_error, {"1", {limits::least_error, 1}},
+      number("max_error", &SimulateRequest::max_error, {"1", {least_extended_error, 1}},
              "the largest global error that you accept, in each column's own unit, for coordinates and "
-             "velocities in all rows",
+             "velocities in all rows; below 1e-14 it needs precision=extended",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
       integer("max_evaluations", &SimulateRequest::max_evaluations, {1, limits::evaluations},
               "the work allowed, as a number of evaluations of the accelerations, those that measure the "
@@ -144,7 +191,14 @@ RequestTable<SimulateRequest> make_simulate_table() {
               {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),
       boolean("verify", &SimulateRequest::verify, "whether the error of the answer is measured",
               {.default_value = true}),
-      digits_field<SimulateRequest>(),
+      choice("precision", &SimulateRequest::precision,
+             {{"double", Precision::double_precision}, {"extended", Precision::extended}},
+             "extended: computed with twice the digits of doubles, from the decimals as they are typed; "
+             "without it, double"),
+      integer("digits", &SimulateRequest::digits, {1, most_digits},
+              "significant digits of the answer's numbers, up to 17, or 31 with precision=extended; all "
+              "without it",
+              {.aliases = {"significant_digits"}}),
       choice("format", &SimulateRequest::format,
              {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
              "form of the answer; without this field the Accept header decides"),

@@ -20,6 +20,9 @@ enum class Preset { fast, balanced, accurate };
 
 enum class Format { json, csv, ndjson };
 
+/// Of numbers, all through the computation.
+enum class Precision { double_precision, extended };
+
 struct SimulateRequest {
   SystemChoice system{};
   double t_start{};
@@ -40,8 +43,11 @@ struct SimulateRequest {
   std::optional<std::int64_t> max_evaluations{};
   Method method{methods().front().method};
   bool verify{true};
+  std::optional<Precision> precision{};
   std::optional<int> digits{};
   std::optional<Format> format{};  ///< none: what the Accept header says
+
+  [[nodiscard]] bool is_extended() const { return precision == Precision::extended; }
 
   /// The instants to answer at, from the fields above; empty where the last of `steps` strides ends the
   /// motion.

@@ -2,14 +2,12 @@
 #include <cmath>
 
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/simulate/extended.hpp"
 #include "api/answers/simulate/request.hpp"
 #include "api/answers/simulate/terms.hpp"
 
 namespace qdot::api {
 namespace {
-
-constexpr const char* csv_type = "text/csv";
-constexpr const char* ndjson_type = "application/x-ndjson";
 
 class SimulationAnswer {
  public:
@@ -39,11 +37,7 @@ class SimulationAnswer {
   [[nodiscard]] const Dynamics& dynamics() const { return *system_.dynamics; }
   [[nodiscard]] const Scene& scene() const { return system_.scene(); }
   [[nodiscard]] int digits() const { return request_.digits.value_or(shortest_digits); }
-  [[nodiscard]] Format format() const {
-    if (request_.format) return *request_.format;
-    if (call_.accepted == csv_type) return Format::csv;
-    return call_.accepted == ndjson_type ? Format::ndjson : Format::json;
-  }
+  [[nodiscard]] Format format() const { return format_of(request_, call_); }
 
   void run() {
     SimulationRequest core = core_request(request_, dynamics(), system_.state);
@@ -162,6 +156,8 @@ class SimulationAnswer {
       json["max_abs_error"] = max_abs_errors();
       if (measured_.horizon) json["horizon"] = *measured_.horizon;
       json["verified_by"] = record_of(measured_.verified_by).name;
+      json["bounded"] = measured_.bounded;
+      if (!measured_.bounded && reason.empty()) reason = why_not_bounded();
     }
     if (measured_.meets_request) {
       const bool rounded_away =
@@ -171,6 +167,15 @@ class SimulationAnswer {
     }
     if (!reason.empty()) json["reason"] = reason;
     return json;
+  }
+
+  [[nodiscard]] const char* why_not_bounded() const {
+    if (result_.method != Method::taylor) {
+      return "The error was measured with a second computation, but the steps of this method have no bound of "
+             "what may happen between the places that they look at.";
+    }
+    return "The error was measured with a second computation, but for some steps no bound was found of what "
+           "may happen between the places that they look at.";
   }
 
   [[nodiscard]] static bool within(double wanted, const Json& accuracy) {
@@ -227,6 +232,10 @@ class SimulationAnswer {
 };
 
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
+  if (resolved.request.is_extended()) {
+    return extended_answer(resolved.request, resolved_system(resolved.request.system, resolved.echo, models),
+                           call);
+  }
   return SimulationAnswer(resolved, call, models).response();
 }
 

@@ -68,6 +68,12 @@ double patience(const Model& model, std::span<const double> parameters, std::int
 
 }  // namespace
 
+Format format_of(const SimulateRequest& request, const Call& call) {
+  if (request.format) return *request.format;
+  if (call.accepted == csv_type) return Format::csv;
+  return call.accepted == ndjson_type ? Format::ndjson : Format::json;
+}
+
 AccuracyGoal goal_of(const SimulateRequest& request) {
   AccuracyGoal goal;
   goal.verify = request.verify;

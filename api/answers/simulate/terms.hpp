@@ -9,6 +9,12 @@
 
 namespace qdot::api {
 
+inline constexpr const char* csv_type = "text/csv";
+inline constexpr const char* ndjson_type = "application/x-ndjson";
+
+/// JSON, CSV or NDJSON: what the request says, or else the Accept header.
+[[nodiscard]] Format format_of(const SimulateRequest& request, const Call& call);
+
 [[nodiscard]] AccuracyGoal goal_of(const SimulateRequest& request);
 
 /// The grid is empty where the last of the strides that were asked for ends the motion; t_end is then an

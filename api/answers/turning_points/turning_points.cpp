@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/stated.hpp"
 #include "api/answers/turning_points/request.hpp"
 #include "core/base/error.hpp"
 #include "core/expr/print/print.hpp"
@@ -123,14 +124,30 @@ class TurningPointsAnswer {
     units_[name] = unit;
   }
 
+  void put(const std::string& name, const std::optional<Stated>& number, const std::string& unit) {
+    put(name, number ? std::optional(number->value) : std::nullopt, unit);
+    if (number) put_error(name, *number);
+  }
+
+  void put_error(const std::string& name, const Stated& number) {
+    errors_[name] = stated_error(number, request_.digits.value_or(shortest_digits));
+  }
+
+  static std::optional<Stated> stated(const Finding& finding) {
+    return finding.value ? std::optional(Stated{*finding.value, finding.error}) : std::nullopt;
+  }
+
+  static Stated in_degrees(const Stated& angle) {
+    const Interval degrees = angle.enclosure() * Interval(180) / enclosed_pi();
+    return Stated::within(angle.value * (180 / std::numbers::pi), degrees);
+  }
+
   void put_extremum(const std::string& suffix, const Finding& extremum) {
     const std::string name = coordinate().name + suffix;
-    put(name, extremum.value, coordinate().unit);
-    if (coordinate().unit == "rad") {
-      const auto degrees = [](double x) { return x * (180 / std::numbers::pi); };
-      put(name + "_deg", extremum.value ? std::optional(degrees(*extremum.value)) : std::nullopt, "deg");
-    }
-    if (extremum.value) errors_[name] = extremum.error;
+    const std::optional<Stated> number = stated(extremum);
+    put(name, number, coordinate().unit);
+    if (coordinate().unit == "rad")
+      put(name + "_deg", number ? std::optional(in_degrees(*number)) : std::nullopt, "deg");
     if (!extremum.reason.empty()) reasons_[name] = extremum.reason;
   }
 
@@ -152,8 +169,7 @@ class TurningPointsAnswer {
     body_["method"] = "energy";
     put_extrema(found.maximum, found.minimum, found.initial);
     if (!found.stability.empty()) body_["stability"] = found.stability;
-    put("period", found.period.value, "s");
-    if (found.period.value) errors_["period"] = found.period.error;
+    put("period", stated(found.period), "s");
     if (!found.period.reason.empty()) reasons_["period"] = found.period.reason;
     put_constants(found);
     put_validity(found);
@@ -172,10 +188,11 @@ class TurningPointsAnswer {
                                            [&] { return equation_json(scene(), reduction, energy); });
     Json constants{{energy, *found.energy.value}};
     units_[energy] = "J";
-    errors_[energy] = found.energy.error;
+    put_error(energy, *stated(found.energy));
     for (std::size_t k = 0; k < found.momenta.size(); ++k) {
       const std::string name = "p_" + scene().coordinates[reduction.ignored[k]].name;
       constants[name] = found.momenta[k];
+      put_error(name, {found.momenta[k], found.momenta_errors[k]});
       units_[name] = momentum_unit(scene(), reduction.ignored[k]);
     }
     body_["constants"] = std::move(constants);

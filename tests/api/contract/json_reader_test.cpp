@@ -70,6 +70,17 @@ TEST(JsonReader, RefusesNumbersBeyondDoublePrecision) {
   EXPECT_LT(long_number.detail.size(), 200U) << "repeats the digits";
 }
 
+TEST(JsonReader, KeepsTheDigitsThatADoubleDoesNot) {
+  const JsonDocument read = document(
+      R"({"a": 0.1, "b": [1, 0.10000000000000000000, 0.1000000000000000055, 123456789012345678], "c/d": 1.00000000000000000001e3, "e": 1e-310})");
+  const WrittenNumbers expected{
+      {"#/b/2", "0.1000000000000000055"}, {"#/c~1d", "1.00000000000000000001e3"}, {"#/e", "1e-310"}};
+  EXPECT_EQ(read.numbers, expected);
+  EXPECT_EQ(problem("[1e-400]").kind, ProblemKind::invalid_json);
+  EXPECT_EQ(document("[0e-400, -0.000]").value[0], 0.0);
+  EXPECT_EQ(problem("[0." + std::string(1001, '3') + "]").kind, ProblemKind::limit_exceeded);
+}
+
 TEST(JsonReader, HoldsItsLimits) {
   EXPECT_EQ(document(repeated("[", 16) + repeated("]", 16)).duplicates.size(), 0U);
   EXPECT_EQ(problem(repeated("[", 17) + repeated("]", 17)).kind, ProblemKind::limit_exceeded);

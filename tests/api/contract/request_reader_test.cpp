@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "api/json/limits.hpp"
+#include "core/expr/number.hpp"
 #include "tests/api/example_systems.hpp"
 
 namespace qdot::api {
@@ -62,9 +63,9 @@ TEST(RequestReader, ResolvesUnitsAndDefaults) {
   EXPECT_EQ(request.colour, Colour::green);
   EXPECT_EQ(request.colours, (std::vector{Colour::green, Colour::red}));
   EXPECT_EQ(request.system.scene->name, "spring_pendulum");
-  EXPECT_EQ(request.system.parameters[0], (std::pair<std::string, double>{"m", 1}));  // the scene's order
-  EXPECT_DOUBLE_EQ(request.system.parameters[1].second, 4 * std::numbers::pi);
-  EXPECT_EQ(request.system.initial[0], (std::pair<std::string, double>{"l", 0.5}));
+  EXPECT_EQ(request.system.parameters[0], (std::pair<std::string, Real>{"m", 1}));  // the scene's order
+  EXPECT_DOUBLE_EQ(request.system.parameters[1].second.value, 4 * std::numbers::pi);
+  EXPECT_EQ(request.system.initial[0], (std::pair<std::string, Real>{"l", 0.5}));
   EXPECT_EQ(request.system.inputs[0].second, "0.8*cos(4*t)");
   EXPECT_EQ(echo.dump(),
             R"({"system":"spring_pendulum","parameters":{"m":1.0,"Omega":12.566370614359172},)"
@@ -88,6 +89,23 @@ TEST(RequestReader, TwoRoadsOfOneRequest) {
                              {"events", "atan2(l,theta)=0, theta=0+"}});
   EXPECT_EQ(good(posted).echo, good(gotten).echo);
   EXPECT_EQ(good(posted).request.system.initial, good(gotten).request.system.initial);
+}
+
+TEST(RequestReader, ANumberIsTheDecimalThatWasTyped) {
+  const std::string digits = "19.620000000000000000000001";
+  const Real typed = Number::written(digits)->rounded();
+  ASSERT_NE(typed, Real(19.62));
+  const auto given = [](const auto& outcome) { return good(outcome).request.system.parameters[0].second; };
+  const std::string head = R"({"system": "spring_pendulum", "parameters": {"k": )";
+  EXPECT_EQ(given(body(head + digits + "}}")), typed);
+  EXPECT_EQ(given(body(head + "\"" + digits + " N/m\"}}")), typed);
+  EXPECT_EQ(given(query({{"system", "spring_pendulum"}, {"k", digits}})), typed);
+  EXPECT_EQ(given(body(head + "19.62}}")), Number::ratio(981, 50).rounded());
+  EXPECT_EQ(given(body(head + "9007199254740993}}")), Number(9007199254740993).rounded());
+  EXPECT_EQ(good(body(R"({"system": "spring_pendulum", "inputs": {"F": )" + digits + "}}"))
+                .request.system.inputs[0]
+                .second,
+            digits);
 }
 
 TEST(RequestReader, AnswersItsOwnEchoWithTheSameEcho) {
@@ -118,7 +136,7 @@ TEST(RequestReader, SpeaksOfParametersInAQuery) {
 TEST(RequestReader, AFieldWinsOverASymbolOfItsNameInAQuery) {
   const auto outcome = query({{"system", "spring_pendulum"}, {"dt", "3"}, {"parameters.dt", "4"}});
   EXPECT_EQ(good(outcome).request.dt, 3);
-  EXPECT_EQ(good(outcome).request.system.parameters[0].second, 4);
+  EXPECT_EQ(good(outcome).request.system.parameters[0].second.value, 4);
 }
 
 TEST(RequestReader, KnowsWhereAMisplacedSymbolBelongs) {

@@ -18,12 +18,12 @@ double si(std::string_view text, std::string_view unit) {
     ADD_FAILURE() << text << ": " << error->code << ": " << error->detail;
     return 0;
   }
-  return std::get<double>(result);
+  return std::get<Real>(result).value;
 }
 
 QuantityError error_of(std::string_view text, std::string_view unit) {
   const auto result = parse_quantity(text, unit);
-  return std::holds_alternative<double>(result) ? QuantityError{"none", ""} : std::get<QuantityError>(result);
+  return std::holds_alternative<Real>(result) ? QuantityError{"none", ""} : std::get<QuantityError>(result);
 }
 
 TEST(Units, BareNumbersAreSi) {
@@ -47,6 +47,19 @@ TEST(Units, AnglesComeOutInRadians) {
   EXPECT_DOUBLE_EQ(si("30 deg", "rad"), pi / 6);
   EXPECT_EQ(si("1 rev", "rad"), 2 * pi);
   EXPECT_DOUBLE_EQ(si("90deg/s", "rad/s"), pi / 2);
+}
+
+TEST(Units, NothingIsRoundedBeforeItIsADouble) {
+  const auto real = [](std::string_view text, std::string_view unit) {
+    return std::get<Real>(parse_quantity(text, unit));
+  };
+  EXPECT_EQ(real("35cm", "m"), Number::ratio(7, 20).rounded());
+  EXPECT_EQ(real("0.1000000000000000000001", "m"), Number::written("0.1000000000000000000001")->rounded());
+  EXPECT_EQ(real("3 um^4", "m^4"), Number::written("3e-24")->rounded());
+  EXPECT_EQ(real("180deg", "rad").double_double().low, exact_pi.low);
+  EXPECT_LT(real("30deg", "rad").error, 1e-30);
+  EXPECT_NE(real("30deg", "rad").low, 0);
+  EXPECT_EQ(error_of("1 (um^99)^99", "m").code, "unknown_unit");
 }
 
 TEST(Units, AnAngularVelocityInHertzCountsTurns) {

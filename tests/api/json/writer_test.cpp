@@ -140,6 +140,24 @@ TEST(Csv, HasAHeaderRowAndLineFeeds) {
   EXPECT_THROW((void)to_csv(std::vector<Column>{{"t", t}, {"x", {}}}), std::logic_error);
 }
 
+TEST(Rounding, OfABoundGoesUpToTheDigitsThatAreWritten) {
+  EXPECT_EQ(rounded_up(0.00023333, 3), 0.000234);
+  EXPECT_EQ(rounded_up(0.000234, 3), 0.000234);
+  EXPECT_EQ(rounded_up(9.991, 3), 10);
+  EXPECT_EQ(rounded_up(0, 3), 0);
+  EXPECT_EQ(rounded_up(1.5, shortest_digits), 1.5);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> size(-300, 300);
+  for (int i = 0; i < 20000; ++i) {
+    const double bound = std::pow(10, size(random));
+    const int digits = 1 + i % 17;
+    const double written = rounded_up(bound, digits);
+    EXPECT_GE(written, bound) << digits;
+    EXPECT_EQ(rounded(written, digits), written) << digits;
+    EXPECT_LE(written, bound * (1 + 1.0001 * std::pow(10, 1 - digits))) << digits;
+  }
+}
+
 // Not a measurement, only a guard against a slip of an order of magnitude: tests/bench has the figures.
 TEST(JsonWriter, WritesATrajectoryAboutAsFastAsItsDigits) {
   std::mt19937_64 random(3);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "api/contract/json_reader.hpp"
 #include "api/json/limits.hpp"
 #include "api/scenes/scene_fields.hpp"
 #include "tests/support/files.hpp"
@@ -78,6 +79,18 @@ TEST(SceneReader, NumbersBecomeTheirShortestText) {
   EXPECT_EQ(scene.parameters[0].default_value, "1.5");
   EXPECT_EQ(scene.coordinates[0].initial_rate, "-1");
   EXPECT_EQ(scene.gravity[0], "0");
+}
+
+TEST(SceneReader, NumbersKeepTheirDigits) {
+  std::string text(full_scene);
+  const std::string digits = "1.50000000000000000000000001";
+  const std::size_t at = text.find("1.5");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 3, digits);
+  const auto document = std::get<JsonDocument>(read_json(text));
+  EXPECT_EQ(
+      read_scene(document.value, Place::of_document(&document.numbers)).scene.parameters[0].default_value,
+      digits);
 }
 
 TEST(SceneReader, AbsentExpressionsAreZero) {

@@ -1,0 +1,139 @@
+"""What happens between the places that a computation looks at: pulses, walls, crossings, kinks and impacts.
+
+Every truth is a closed form: the speed that a pulse gives a free mass, on which side of a wall a particle ends, how often
+a sine crosses a level, when a ball has bounced out.
+"""
+
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+from mpmath import atan, erf, exp, log, mp, mpf, pi, sqrt
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+
+mp.dps = 40
+
+
+def particle(potential=None, force=False, parameters=()):
+    scene = {"name": "particle_on_a_line",
+             "parameters": [{"name": "m", "unit": "kg", "default": "1"}, *parameters],
+             "coordinates": [{"name": "x", "unit": "m", "initial": "0", "initial_rate": "0"}],
+             "points": [{"name": "P", "components": ["x", "0"]}],
+             "bodies": [{"kind": "particle", "name": "body", "mass": "m", "position": "P"}]}
+    if potential:
+        scene["potential"] = potential
+    if force:
+        scene["inputs"] = [{"name": "F", "unit": "N", "default": "0"}]
+        scene["forces"] = [{"name": "push", "vector": ["F", "0"], "point": "P"}]
+    return scene
+
+
+def parameter(name, unit, default):
+    return {"name": name, "unit": unit, "default": default}
+
+
+def gauss(a, c, w, t):
+    return a*w*sqrt(pi)/2*(erf((t - c)/w) + erf(c/w))
+
+
+def lorentz(a, c, w, t):
+    return a*w*(atan((t - c)/w) + atan(c/w))
+
+
+def box(a, c, w, t):
+    def integral(z):  # of tanh
+        return abs(z) + log(1 + exp(-2*abs(z)))
+
+    def total(s):
+        return w*(integral((s - c + 1)/w) - integral((s - c - 1)/w))/2
+    return a*(total(t) - total(mpf(0)))
+
+
+PULSES = {"{a}*exp(-((t-{c})/{w})^2)": gauss, "{a}/(1+((t-{c})/{w})^2)": lorentz,
+          "{a}*(tanh((t-{c}+1)/{w})-tanh((t-{c}-1)/{w}))/2": box}
+ACCURACIES = ({}, {"accuracy": "fast"}, {"accuracy": "balanced"}, {"accuracy": "accurate"}, {"max_error": 1e-8})
+
+
+class BetweenPoints(Service):
+    def test_no_pulse_is_stepped_over(self):
+        draw = random.Random(11)
+        for _ in range(60):
+            text, speed = draw.choice(list(PULSES.items()))
+            a, c, w = (f"{value:.3g}" for value in (10**draw.uniform(-1, 2), draw.uniform(1.5, 8.5),
+                                                    10**draw.uniform(-6, -0.3)))
+            request = {"system": particle(force=True), "inputs": {"F": text.format(a=a, c=c, w=w)}, "t_end": 10,
+                       "samples": 11, **draw.choice(ACCURACIES)}
+            with self.subTest(request["inputs"]["F"], **{k: request[k] for k in ("accuracy",) if k in request}):
+                answer = self.ask("simulate", request)
+                error = abs(mpf(answer["trajectory"]["x_dot"][-1]) - speed(mpf(a), mpf(c), mpf(w), mpf(10)))
+                self.assertLessEqual(error, answer["accuracy"]["max_abs_error"]["x_dot"])
+                self.assertIs(answer["accuracy"]["bounded"], True)
+
+    def test_no_wall_is_tunnelled_through(self):
+        draw = random.Random(12)
+        wall = particle("V0*exp(-((x-c)/w)^2)", parameters=[parameter("V0", "J", "10"), parameter("w", "m", "0.3"),
+                                                            parameter("c", "m", "5")])
+        for _ in range(30):
+            height, width = draw.uniform(0.5, 20), 10**draw.uniform(-3, 0)
+            share = draw.choice((0.05, 0.3, 0.7, 0.95, 1.05, 1.5))
+            speed = math.sqrt(2*height*share)
+            with self.subTest(height=height, width=width, share=share):
+                answer = self.ask("simulate", {"system": wall, "parameters": {"V0": height, "w": width},
+                                               "initial": {"x": 0, "x_dot": speed}, "t_end": 12/speed, "samples": 3})
+                self.assertEqual(answer["trajectory"]["x"][-1] > 5, share > 1)
+
+    def test_every_crossing_is_an_event(self):
+        oscillator = particle("k*x^2/2", parameters=[parameter("k", "N/m", "1"), parameter("L", "m", "1")])
+        for rate in (1, 10, 63, 500):
+            answer = self.ask("simulate", {"system": oscillator, "parameters": {"k": rate**2}, "initial": {"x": 1},
+                                           "t_end": math.pi, "samples": 2, "events": ["x=0"]})
+            times = [event["t"] for event in answer["events"]]
+            self.assertEqual(len(times), rate)
+            for i, t in enumerate(times):
+                self.assertAlmostEqual(t, (i + 0.5)*math.pi/rate, 9)
+        answer = self.ask("simulate", {"system": oscillator, "initial": {"x": 1}, "t_end": 20, "samples": 2,
+                                       "events": ["tan(2*x/L)=0", "L/x=0", "abs(x)/L=1/2", "x^2=0", "x^2/L^2=1e-12"]})
+        names = [event["name"] for event in answer["events"]]
+        counts = {name: names.count(name) for name in set(names)}  # poles and touches are no crossings
+        self.assertEqual(counts, {"tan(2*x/L)=0": 6, "abs(x)/L=1/2": 13, "x^2/L^2=1e-12": 12})
+
+    def test_a_condition_that_fails_for_a_moment_stops_the_motion(self):
+        scene = particle("k*x^2/2", parameters=[parameter("k", "N/m", "1"), parameter("L", "m", "1")])
+        scene["valid_while"] = [{"name": "room", "unit": "m", "expression": "0.999*L - x", "reason": "hit",
+                                 "message": "The particle hit the wall."}]
+        answer = self.ask("simulate", {"system": scene, "initial": {"x_dot": 1}, "t_end": 20, "samples": 3})
+        self.assertEqual(answer["status"], "stopped")
+        self.assertAlmostEqual(answer["stop"]["t"], math.asin(0.999), 9)
+
+    def test_a_ball_bounces_out_and_never_falls_through_the_floor(self):
+        ball = particle("m*g*x", parameters=[parameter("g", "m/s^2", "9.81"), parameter("e", "1", "0.8")])
+        ball["events"] = [{"name": "floor", "expression": "x", "direction": "falling"}]
+        ball["impact"] = {"event": "floor", "map": {"x_dot": "-e*x_dot"}}
+        for e in (0.3, 0.5, 0.8, 0.95):
+            with self.subTest(e=e):
+                answer = self.ask("simulate", {"system": ball, "parameters": {"e": e}, "initial": {"x": 1}, "t_end": 30,
+                                               "samples": 301, "events": ["floor"]})
+                self.assertEqual(answer["stop"]["reason"], "impacts_accumulate")
+                end = math.sqrt(2/9.81)*(1 + 2*e/(1 - e))
+                self.assertAlmostEqual(answer["stop"]["t"], end, 9)
+                self.assertGreaterEqual(min(answer["trajectory"]["x"]), -1e-12)
+        resting = self.ask("simulate", {"system": ball, "initial": {"x": 0}, "t_end": 1, "samples": 11})
+        self.assertEqual((resting["stop"]["reason"], resting["stop"]["t"]), ("impacts_accumulate", 0))
+
+    def test_kinks_of_a_force_are_passed_on_both_smooth_sides(self):
+        corner = particle("k*abs(x)", parameters=[parameter("k", "N", "1")])  # parabolas between the zeros
+        answer = self.ask("simulate", {"system": corner, "initial": {"x": 0.5}, "t_end": 9, "samples": 10,
+                                       "max_error": 1e-9})
+        self.assertIs(answer["accuracy"]["meets_request"], True)
+        for t, x in zip(answer["trajectory"]["t"], answer["trajectory"]["x"]):
+            s = t % 4  # x = 1/2 - t^2/2 for a quarter of the period 4
+            exact = 0.5 - s*s/2 if s <= 1 else (s - 2)**2/2 - 0.5 if s <= 3 else 0.5 - (4 - s)**2/2
+            self.assertLessEqual(abs(x - exact), answer["accuracy"]["max_abs_error"]["x"] + 1e-15)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,208 @@
+"""precision=extended: every digit against mpmath's arithmetic with 45 digits, from the decimals as they are typed.
+
+The second road shares nothing with the program: the equations of the practice sheet, written by hand, and a series
+method of a fixed order and step in another arithmetic.
+"""
+
+import json
+import os
+import pathlib
+import random
+import sys
+import unittest
+
+import mpmath
+from mpmath import mpf
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+
+mpmath.mp.dps = 45
+ORDER = 44
+REQUESTS = int(os.environ.get("QDOT_EXTENDED_REQUESTS", "12"))
+
+
+def convolved(a, b, k):
+    return mpmath.fsum(a[j]*b[k - j] for j in range(k + 1))
+
+
+class Angle:
+    """Coefficients of the sine and cosine of a series."""
+
+    def __init__(self):
+        self.sine, self.cosine = [], []
+
+    def extend(self, u, k):
+        if k == 0:
+            self.sine.append(mpmath.sin(u[0]))
+            self.cosine.append(mpmath.cos(u[0]))
+            return
+        rate = [j*u[j] for j in range(k + 1)]
+        sine = mpmath.fsum(rate[j]*self.cosine[k - j] for j in range(1, k + 1))/k
+        cosine = -mpmath.fsum(rate[j]*self.sine[k - j] for j in range(1, k + 1))/k
+        self.sine.append(sine)
+        self.cosine.append(cosine)
+
+
+class SpringPendulum:
+    """Problem 1: l'' = l theta'^2 + g cos theta - k (l - l0)/m, theta'' = -(g sin theta + 2 l' theta')/l."""
+
+    name, parameters, state = "spring_pendulum", ("m", "k", "l0", "g"), ("l", "theta")
+
+    def __init__(self, p):
+        self.p, self.angle, self.square, self.turn = p, Angle(), [], []
+
+    def accelerations(self, q, v, k):
+        m, stiffness, l0, g = (self.p[name] for name in self.parameters)
+        self.angle.extend(q[1], k)
+        self.square.append(convolved(v[1], v[1], k))
+        stretch = convolved(q[0], self.square, k) + g*self.angle.cosine[k]
+        stretch -= stiffness/m*(q[0][k] - (l0 if k == 0 else 0))
+        turn = -(g*self.angle.sine[k] + 2*convolved(v[0], v[1], k))
+        turn -= mpmath.fsum(q[0][j]*self.turn[k - j] for j in range(1, k + 1))
+        self.turn.append(turn/q[0][0])
+        return [stretch, self.turn[k]]
+
+
+class WhirlingPendulum:
+    """Problem 6: theta'' = sin theta (Omega^2 cos theta - g/l)."""
+
+    name, parameters, state = "whirling_pendulum", ("m", "l", "R", "Omega", "g"), ("theta",)
+
+    def __init__(self, p):
+        self.p, self.angle = p, Angle()
+
+    def accelerations(self, q, _, k):
+        l, spin, g = (self.p[name] for name in ("l", "Omega", "g"))
+        self.angle.extend(q[0], k)
+        return [spin**2*convolved(self.angle.sine, self.angle.cosine, k) - g/l*self.angle.sine[k]]
+
+
+def motion(system, p, q, v, t_end, pieces):
+    h = t_end/pieces
+    for _ in range(pieces):
+        equations = system(p)
+        qs, vs = [[x] for x in q], [[x] for x in v]
+        for k in range(ORDER):
+            a = equations.accelerations(qs, vs, k)
+            for i, acceleration in enumerate(a):
+                qs[i].append(vs[i][k]/(k + 1))
+                vs[i].append(acceleration/(k + 1))
+        q = [mpmath.polyval(c[::-1], h) for c in qs]
+        v = [mpmath.polyval(c[::-1], h) for c in vs]
+    return q + v
+
+
+def decimal(rng, low, high):
+    """A decimal with up to 24 digits: some that doubles keep, and some that they do not."""
+    return f"{rng.uniform(low, high):.{rng.choice([1, 2, 3, 8])}f}" + rng.choice(["", "", "123456789"])
+
+
+def drawn(rng, system):
+    if system is SpringPendulum:
+        p = {"m": decimal(rng, .3, 2), "k": decimal(rng, 20, 60), "l0": decimal(rng, .3, .5), "g": decimal(rng, 5, 10)}
+        start = {"l": decimal(rng, .5, .7), "theta": decimal(rng, -.4, .4), "l_dot": decimal(rng, -.2, .2),
+                 "theta_dot": decimal(rng, -.4, .4)}
+    else:
+        p = {"m": decimal(rng, .3, 2), "l": decimal(rng, .4, 1), "R": decimal(rng, .1, .5), "Omega": decimal(rng, 1, 3),
+             "g": decimal(rng, 5, 10)}
+        start = {"theta": decimal(rng, .1, .6), "theta_dot": decimal(rng, -.5, .5)}
+    return p, start
+
+
+def numbers(table):
+    return "{" + ", ".join(f'"{name}": {value}' for name, value in table.items()) + "}"
+
+
+class Extended(Service):
+    def body(self, system, p, start, t_end, more=""):
+        return (f'{{"system": "{system.name}", "parameters": {numbers(p)}, "initial": {numbers(start)}, '
+                f'"t_end": {t_end}, "samples": 2, "precision": "extended", "on_invalid": "continue"{more}}}')
+
+    def extended(self, body):
+        response = self.post("simulate", body)
+        self.assertEqual(response.status, 200, response.data[:500])
+        return json.loads(response.data, parse_float=str)
+
+    def rows(self, fields):
+        response = self.post("simulate", fields)
+        self.assertEqual(response.status, 200, response.data[:500])
+        return response.data.decode().splitlines()
+
+    def test_every_digit_is_right_within_the_error_that_is_stated(self):
+        rng = random.Random(20240611)
+        for i in range(REQUESTS):
+            system = (SpringPendulum, WhirlingPendulum)[i % 2]
+            p, start = drawn(rng, system)
+            t_end = decimal(rng, .5, 2.5)
+            with self.subTest(system=system.name, p=p, start=start, t_end=t_end):
+                answer = self.extended(self.body(system, p, start, t_end, ', "max_error": 1e-24'))
+                exact = {name: mpf(value) for name, value in (p | start).items()}
+                names = list(system.state) + [q + "_dot" for q in system.state]
+                pieces = int(mpf(t_end)*60) + 1
+                t = mpf(answer["trajectory"]["t"][-1])
+                end = motion(system, exact, [exact[q] for q in system.state],
+                             [exact[q + "_dot"] for q in system.state], t, pieces)
+                self.assertTrue(answer["accuracy"]["meets_request"])
+                for name, value in zip(names, end):
+                    stated = mpf(answer["accuracy"]["max_abs_error"][name])
+                    found = mpf(answer["trajectory"][name][-1])
+                    self.assertLessEqual(abs(found - value), stated)
+                    self.assertLessEqual(stated, mpf("1e-24"))
+
+    def test_a_chaotic_motion_says_how_far_it_is_good(self):
+        rods = {"system": "rod_pendulum", "initial": {"theta": 2.5, "phi": 2.9}, "t_end": 40, "samples": 81,
+                "on_invalid": "continue"}
+        doubles = self.ask("simulate", rods | {"max_error": 1e-14})["accuracy"]["horizon"]
+        extended = self.ask("simulate", rods | {"precision": "extended"})["accuracy"]
+        self.assertGreaterEqual(extended["horizon"], 1.8*doubles)
+        self.assertLess(extended["horizon"], 40)
+        wanted = self.ask("simulate", rods | {"precision": "extended", "max_error": 1e-20})["accuracy"]
+        self.assertFalse(wanted["meets_request"])
+
+    def test_a_pulse_between_two_places_is_not_missed(self):
+        base = {"system": "forced_spring_pendulum", "initial": {"theta": 0, "theta_dot": 0}, "t_end": 8, "samples": 2}
+        for size, width in (("0.8", "0.3"), ("0.8", "0.001"), ("0.8", "1e-7"), ("1e-9", "0.001")):
+            with self.subTest(size=size, width=width):
+                request = base | {"inputs": {"F": f"{size}*exp(-((t-5)/{width})^2)"}}
+                doubles = self.ask("simulate", request | {"max_error": 1e-12})
+                answer = self.ask("simulate", request | {"precision": "extended"})
+                for name in ("theta", "theta_dot"):
+                    stated = answer["accuracy"]["max_abs_error"][name]
+                    difference = abs(answer["trajectory"][name][1] - doubles["trajectory"][name][1])
+                    self.assertLessEqual(difference, doubles["accuracy"]["max_abs_error"][name] + stated)
+                    self.assertLess(stated, 1e-25)
+                self.assertTrue(answer["accuracy"]["bounded"])
+                self.assertNotIn("reason", answer["accuracy"])
+
+    def test_a_get_asks_the_same(self):
+        fields = {"system": "spring_pendulum", "t_end": 1, "samples": 3, "precision": "extended", "digits": 28}
+        by_get = json.loads(self.get("simulate", fields).data, parse_float=str)
+        self.assertEqual(self.extended(json.dumps(fields))["trajectory"], by_get["trajectory"])
+
+    def test_rows_have_the_same_digits_in_every_form(self):
+        fields = {"system": "spring_pendulum", "t_end": 1, "samples": 2, "precision": "extended"}
+        columns = self.extended(json.dumps(fields))["trajectory"]
+        csv = self.rows(fields | {"format": "csv"})
+        self.assertEqual(csv[2], ",".join(columns[name][1] for name in columns))
+        last = json.loads(self.rows(fields | {"format": "ndjson"})[1], parse_float=str)
+        self.assertEqual(last, {name: columns[name][1] for name in columns})
+
+    def test_what_it_cannot_do_it_refuses_by_name(self):
+        base = {"system": "spring_pendulum", "t_end": 1, "precision": "extended"}
+        for more, field in (({"events": ["theta=0"]}, "events"), ({"method": "erk"}, "method"),
+                            ({"accuracy": "fast"}, "accuracy"), ({"rtol": 1e-9}, "rtol"), ({"verify": False}, "verify"),
+                            ({"max_error": 1e-25}, "max_error"), ({"digits": 32}, "digits"),
+                            ({"system": "compass_walker"}, "impacts")):
+            with self.subTest(field=field):
+                self.refused_at("simulate", base | more, "#/" + field)
+        for field, value in (("digits", 18), ("max_error", 1e-15)):
+            self.refused_at("simulate", {"system": "spring_pendulum", "t_end": 1, field: value}, "#/" + field)
+
+    def test_kinks_are_refused(self):
+        body = {"system": "forced_spring_pendulum", "inputs": {"F": "abs(sin(t))"}, "t_end": 1, "precision": "extended"}
+        self.assertIn("kinks", self.refused("simulate", body)["detail"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,116 @@
+"""Every answer that states an error: what 'digits' rounds away is in it, and the error is rounded up."""
+
+import pathlib
+import sys
+import unittest
+from fractions import Fraction
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, textbook_scene  # noqa: E402
+
+ALL_DIGITS = 17
+SOME_DIGITS = (1, 2, 3, 5, 8, 12, 14, 15, 16)
+
+
+def state_pairs(state, errors):
+    return [(state[name], errors[name]) for name in errors]
+
+
+def pairs_of_turning_points(answer):
+    values = {**answer, **answer["constants"]}
+    return [(values[name], error) for name, error in answer["error"].items()]
+
+
+def pairs_of_modes(answer):
+    yield from state_pairs(answer["equilibrium"]["state"], answer["equilibrium"]["error"])
+    for mode in answer["modes"]:
+        grows = mode["kind"] in ("growth", "decay") and mode["omega"] == 0
+        yield mode["rate" if grows else "omega"], mode["error"]
+        for name in ("f", "period", "rate"):
+            if name + "_error" in mode:
+                yield mode[name], mode[name + "_error"]
+
+
+def pairs_of_equilibria(answer):
+    for found in answer["equilibria"]:
+        yield from state_pairs(found["state"], found["error"])
+        if "rate2" in found:
+            yield found["rate2"], found["rate2_error"]
+
+
+def pairs_of_bifurcations(answer):
+    for critical in answer["critical"]:
+        yield critical["value"], critical["error"]
+        yield from state_pairs(critical["state"], critical["state_error"])
+
+
+def pairs_of_gait(answer):
+    for gait in answer["gaits"]:
+        for name in ("state", "pre_impact"):
+            yield from state_pairs(gait[name], gait["error"][name])
+        for name in ("step_time", "step_length"):
+            yield gait[name], gait["error"][name]
+
+
+class StatedErrors(Service):
+    def check(self, endpoint, request, pairs_of):
+        """The number with d digits is within its error of the true one, wherever that is within the error with all
+        digits. Returns how many numbers were compared."""
+        def ask(digits):
+            return list(pairs_of(self.ask(endpoint, {**request, "digits": digits})))
+
+        whole = ask(ALL_DIGITS)
+        count = 0
+        for digits in SOME_DIGITS:
+            rounded = ask(digits)
+            self.assertEqual(len(rounded), len(whole))
+            for (value, error), (best, least) in zip(rounded, whole):
+                if value is None or error is None:
+                    continue
+                needed = abs(Fraction(value) - Fraction(best)) + Fraction(least)*(1 - Fraction(1, 10**15))
+                self.assertGreaterEqual(Fraction(error), needed, f"{endpoint} {request} digits {digits}: {value}")
+                self.assertEqual(float(f"{error:.{digits - 1}e}"), error, "more digits than asked for")
+                count += 1
+        return count
+
+    def test_turning_points(self):
+        count = 0
+        for request in ({"system": "free_spin_pendulum"}, {"system": "orbiting_pendulum"},
+                        {"system": "whirling_pendulum", "initial": {"theta": 0.7, "theta_dot": 0.3}},
+                        {"system": "rotating_l_bar", "initial": {"theta": 0.2, "theta_dot": 0.1}},
+                        {"system": textbook_scene("plane_pendulum"), "initial": {"theta": 1, "theta_dot": -0.7}},
+                        {"system": textbook_scene("kepler")},
+                        {"system": textbook_scene("bead_on_hoop"), "initial": {"theta": 0.4}}):
+            count += self.check("turning_points", request, pairs_of_turning_points)
+        self.assertGreater(count, 300)
+
+    def test_modes(self):
+        count = 0
+        for system in ("cart_pendulum", "rod_pendulum", "spring_pendulum", "whirling_pendulum", "rotating_l_bar",
+                       textbook_scene("damped_oscillator"), textbook_scene("plane_pendulum")):
+            count += self.check("modes", {"system": system}, pairs_of_modes)
+        self.assertGreater(count, 300)
+
+    def test_equilibria(self):
+        count = 0
+        for request in ({"system": "whirling_pendulum", "parameters": {"Omega": 7}}, {"system": "rotating_l_bar"},
+                        {"system": "cart_pendulum"}, {"system": textbook_scene("bead_on_hoop")}):
+            count += self.check("equilibria", request, pairs_of_equilibria)
+        self.assertGreater(count, 100)
+
+    def test_solving_for_a_parameter(self):
+        request = {"system": "rotating_l_bar", "solve_for": "Omega", "at": {"theta": 0.3}}
+        count = self.check("equilibria", request, lambda answer: [(answer["Omega"], answer["error"])])
+        self.assertGreater(count, 5)
+
+    def test_bifurcations(self):
+        request = {"system": "whirling_pendulum", "parameter": "Omega", "from": 0, "to": 10}
+        self.assertGreater(self.check("bifurcations", request, pairs_of_bifurcations), 20)
+
+    def test_gaits(self):
+        request = {"system": "compass_walker", "parameters": {"gamma": 0.009, "m": 0}}
+        self.assertGreater(self.check("gait", request, pairs_of_gait), 100)
+
+
+if __name__ == "__main__":
+    unittest.main()
