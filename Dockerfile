@@ -17,7 +17,7 @@ LABEL org.opencontainers.image.title="qdot" \
       org.opencontainers.image.licenses="MIT"
 # SUNDIALS is linked from its static archives, so neither PETSc nor MPI comes along.
 RUN apt-get update -qq \
-    && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends libsleef3 libcpp-httplib0.11 \
+    && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends libsleef3 libgmp10 libcpp-httplib0.11 \
     && rm -rf /var/lib/apt/lists/* /var/cache/apt/* /var/log/*
 COPY --from=build /src/build/release/qdot /usr/local/bin/qdot
 # Inside a container the loopback address would be out of everybody's reach.

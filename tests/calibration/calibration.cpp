@@ -2,7 +2,7 @@
 //
 //   calibration --requests 2000 --seed 1 [--first 0] [--all]
 //
-// Prints every column whose error is understated (true > 3 stated) or overstated (stated > 100 true), every
+// Prints every column whose error is understated (true > stated) or overstated (stated > 100 true), every
 // wanted error that was said to be met and was not, and the sums.
 
 #include <cmath>

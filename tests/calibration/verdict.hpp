@@ -7,7 +7,6 @@
 
 namespace qdot::test {
 
-inline constexpr double understated = 3;          ///< true > 3 stated: in one column of a thousand at most
 inline constexpr double overstated = 100;         ///< stated > 100 true: in one of ten at most
 inline constexpr double round_off_level = 1e-14;  ///< of a column's size: below it nothing is overstated
 

@@ -156,6 +156,8 @@ REFUSED = {
     "far beyond double precision": b"-1e999999999",
     "exponent of many digits": b"1e" + b"9" * 5000,
     "integer beyond double precision": b"[" + b"9" * 400 + b"]",
+    "smaller than the least number": b"[1e-400,-1e-400]",
+    "exponent with very many digits, negative": b"[1e-" + b"9" * 400 + b"]",
 }
 
 ACCEPTED = {
@@ -189,8 +191,6 @@ ACCEPTED = {
     "greatest number": b"[1.7976931348623157e308]",
     "least normal number": b"[2.2250738585072014e-308]",
     "least number": b"[5e-324]",
-    "smaller than the least number": b"[1e-400,-1e-400]",
-    "exponent with very many digits, negative": b"[1e-" + b"9" * 400 + b"]",
     "greatest integer of 64 bits": b"[9223372036854775807,18446744073709551615]",
     "least integer of 64 bits": b"[-9223372036854775808]",
     "integers of more than 64 bits": b"[18446744073709551616,-9223372036854775809]",
