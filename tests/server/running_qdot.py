@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 QDOT = os.environ.get("QDOT_BINARY", str(ROOT / "build" / "release" / "qdot"))
@@ -53,6 +54,15 @@ class RunningQdot:
             return answer(connection, method, target, body, headers)
         finally:
             connection.close()
+
+    def request_until_there_is_room(self, *request):
+        """As request, asking again where the server is too busy, as Retry-After tells a client to."""
+        for _ in range(60):
+            response = self.request(*request)
+            if response.status != 503:
+                break
+            time.sleep(0.5)
+        return response
 
     def log_lines(self):
         self.log.seek(0)

@@ -9,7 +9,7 @@ import unittest
 
 import hostile_inputs
 import wire
-from running_qdot import RunningQdot
+from running_qdot import SANITIZED, RunningQdot
 
 GOOD = hostile_inputs.post(hostile_inputs.GOOD_BODY)
 LONG = hostile_inputs.simulate(t_end=1e6, rtol=1e-13, method="adams")  # about two seconds of work
@@ -118,7 +118,7 @@ class Hostile(unittest.TestCase):
         # None of the long ones is still computed: the threads are free at once.
         started = time.monotonic()
         self.assertEqual(self.ask_until_there_is_room(hostile_inputs.simulate(t_end=200), {200}).status, 200)
-        self.assertLess(time.monotonic() - started, 2)
+        self.assertLess(time.monotonic() - started, 40 if SANITIZED else 4)  # all of them: over ten times that
 
     def test_a_reader_that_stops_does_not_stop_others(self):
         large = hostile_inputs.simulate(samples=100000)
@@ -127,8 +127,10 @@ class Hostile(unittest.TestCase):
             sock.sendall(large)
         for _ in range(50):
             self.assert_unharmed()
+        replies = [wire.read_reply(sock, time.monotonic()).status for sock in stopped]
+        self.assertEqual(replies[0], 200)
+        self.assertLessEqual(set(replies), {200, 503})  # the others may find no room
         for sock in stopped:
-            self.assertEqual(wire.read_reply(sock, time.monotonic()).status, 200)
             sock.close()
 
     def test_more_connections_than_there_is_room_for(self):
