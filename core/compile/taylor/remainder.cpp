@@ -1,42 +1,6 @@
 #include "core/compile/taylor/remainder.hpp"
 
-#include <cstring>
-
 namespace qdot::taylor {
-namespace {
-
-using Two [[gnu::vector_size(16)]] = double;
-
-/// sum over i < count of a_i b_i; count is a multiple of four.
-double dot(const double* a, const double* b, unsigned count) {
-  const auto pair = [](const double* x) {
-    Two v;
-    std::memcpy(&v, x, sizeof v);
-    return v;
-  };
-  Two first{}, second{};
-  for (unsigned i = 0; i < count; i += 4) {
-    first += pair(a + i) * pair(b + i);
-    second += pair(a + i + 2) * pair(b + i + 2);
-  }
-  first += second;
-  return first[0] + first[1];
-}
-
-/// a u + b u^2 for 0 <= u <= 1, and by so much more or less.
-Range parabola(double a, double b, double rest) {
-  double least = std::min(0.0, a + b), most = std::max(0.0, a + b);
-  const double u = -a / (2 * b);
-  if (u > 0 && u < 1) {
-    least = std::min(least, 0.5 * a * u);
-    most = std::max(most, 0.5 * a * u);
-  }
-  return range(least - rest, most + rest);
-}
-
-unsigned padded(unsigned count) { return (count + 3) / 4 * 4; }
-
-}  // namespace
 
 Remainder::Remainder(const Program& program) : n_(program.state.n) {
   for (std::size_t i = 0; i < 2 * n_; ++i) state_.push_back(index_of(program.state.rows + i * stride));
@@ -82,17 +46,23 @@ Remainder::Rule Remainder::rule_for(const Step& step) {
 }
 
 double Remainder::bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect) {
-  prepare(h, order);
-  look(Effort::quick);
+  begin(h, order);
+  take_norms();
+  look(Effort::rough);
   const double ratio = excess(allowed, defect);
   if (ratio <= 1) return ratio;
+  take_tails();
+  look(Effort::quick);
+  const double closer = excess(allowed, defect);
+  if (closer <= 1) return closer;
   look(Effort::careful);
   return excess(allowed, defect);
 }
 
 double Remainder::distance(const double* row, double h, unsigned order,
                            std::span<const double> missing_of_state) {
-  prepare(h, order);
+  begin(h, order);
+  take_tails();
   for (std::size_t i = 0; i < 2 * n_; ++i) {
     conclude(rows_[state_[i]], missing_of_state[i]);
     if (i >= n_) rows_[state_[i]].argument_r = missing_of_state[i - n_];
@@ -101,41 +71,6 @@ double Remainder::distance(const double* row, double h, unsigned order,
   look(Effort::quick);
   if (!(result.r < infinity)) look(Effort::careful);
   return result.r;
-}
-
-void Remainder::prepare(double h, unsigned order) {
-  h_ = h;
-  order_ = order;
-  powers_[0] = 1;
-  for (unsigned k = 1; k <= order; ++k) powers_[k] = powers_[k - 1] * h;
-  for (Row& row : rows_) take_sizes(row);
-  std::size_t i = 0;
-  for (; i + 4 <= rows_.size(); i += 4) sum_tails<4>(&rows_[i]);
-  for (; i < rows_.size(); ++i) sum_tails<1>(&rows_[i]);
-  for (Row& row : rows_) take_range(row);
-}
-
-void Remainder::take_sizes(Row& row) {
-  const unsigned degree = order_ - row.missing;
-  for (unsigned k = 0; k <= degree; ++k) row.a[k] = std::abs(row.coefficients[k]) * powers_[k];
-  for (unsigned k = degree + 1; k < padded(order_ + 1); ++k) row.a[k] = 0;
-}
-
-/// Of several rows side by side, as each sum alone would wait for itself.
-template <std::size_t count>
-void Remainder::sum_tails(Row* rows) {
-  std::array<double, count> sum{};
-  for (unsigned k = 0; k <= order_; ++k) {
-    for (std::size_t i = 0; i < count; ++i) rows[i].reversed_tails[k] = sum[i] += rows[i].a[order_ - k];
-  }
-  for (std::size_t i = 0; i < count; ++i) rows[i].reversed_tails[order_ + 1] = rows[i].t0 = sum[i];
-}
-
-void Remainder::take_range(Row& row) {
-  const double* c = row.coefficients;
-  row.of_row = parabola(c[1] * h_, c[2] * powers_[2], row.reversed_tails[order_ - 3]) + c[0];
-  row.of_value = row.of_row;
-  row.own_top = row.missing == 0 ? row.a[order_] : 0;
 }
 
 void Remainder::look(Effort effort) {
@@ -147,7 +82,7 @@ double Remainder::excess(std::span<const double> allowed, std::span<double> defe
   double largest = 0;
   for (std::size_t i = 0; i < 2 * n_; ++i) {
     if (i < n_) {
-      defect[i] = rows_[state_[n_ + i]].a[order_];
+      defect[i] = size(rows_[state_[n_ + i]], order_);
     } else {
       const Row& acceleration = rows_[accelerations_[i - n_]];
       defect[i] = acceleration.r + acceleration.own_top;
@@ -157,19 +92,6 @@ double Remainder::excess(std::span<const double> allowed, std::span<double> defe
     largest = std::max(largest, share);
   }
   return largest;
-}
-
-double Remainder::tail(const Row& a, const Row& b) const {
-  return dot(a.a.data(), b.reversed_tails.data(), padded(order_ + 1));
-}
-
-double Remainder::tail_of_rate(const Row& rate, const Row& b) const {
-  return dot(rate.a.data(), b.reversed_tails.data() + 1, padded(order_ + 1));
-}
-
-Range Remainder::variation(const Row& rate) const {
-  const double* c = rate.coefficients;
-  return parabola(c[0] * h_, 0.5 * c[1] * powers_[2], h_ / 3 * rate.reversed_tails[order_ - 2]);
 }
 
 }  // namespace qdot::taylor

@@ -7,9 +7,11 @@
 //   product   x y - row = (x - p_x) p_y + p_x (y - p_y) + (x - p_x)(y - p_y) + terms of order >= N,
 //   and so on for every instruction (remainder_rules.cpp), each in O(N).
 //
-// Terms of order >= m of a product are bounded by  tail_m(a, b) = sum_i A_i(a) T_{max(m-i,0)}(b)  with
-// A_k = |c_k| h^k and T_k = sum_{j>=k} A_j. In the end r of an acceleration is the defect |p'' - a(t, p,
-// p')|. Where rows cannot tell (exp(-2500) = 0 and all its coefficients), the interval operation does.
+// Terms of order >= m of a product are  tail_m(a, b) = sum_i A_i(a) T_{max(m-i,0)}(b)  with A_k = |c_k| h^k
+// and T_k = sum_{j>=k} A_j. Roughly, on the disc of radius g = h/rho, rho < 1, by one multiplication: with
+// ||a|| = sum_k |a_k| g^k and  T_k <= rho^k/(1-rho) max_j |b_j| g^j  they are at most
+// rho^m ||a|| max_j |b_j| g^j / (1-rho).  In the end r of an acceleration is the defect |p'' - a(t, p, p')|.
+// Where rows cannot tell (exp(-2500) = 0 and all its coefficients), the interval operation does.
 //
 // Rounding is left out, but for what it may hide: a function that has become 0 or constant by it.
 // Sources: Makino, Berz, Taylor models and other validated functional inclusion methods, Int. J. Pure Appl.
@@ -41,20 +43,21 @@ class Remainder {
   double distance(const double* row, double h, unsigned order, std::span<const double> missing_of_state);
 
  private:
-  /// quick: ranges by the rows alone. careful: by interval operations too.
-  enum class Effort { quick, careful };
+  /// rough: products by norms. quick: by their terms. careful: ranges by interval operations too.
+  enum class Effort { rough, quick, careful };
 
   struct Row {
     const double* coefficients{};
     unsigned missing{1};  ///< orders that the row lacks: 0 for a state, 2 for a rate
     double r{};
-    double argument_r{};  ///< of what the row is the rate of
-    double own_top{};     ///< A_N of a state: what a sum that contains it does not have
-    Range of_row;         ///< of the polynomial
-    Range of_value;       ///< of what it stands for
-    /// A_k; T_{N-k}, and T_0 once more.
+    double argument_r{};    ///< of what the row is the rate of
+    double own_top{};       ///< A_N of a state: what a sum that contains it does not have
+    Range of_row;           ///< of the polynomial
+    Range of_value;         ///< of what it stands for
+    double norm{}, peak{};  ///< sum_k |a_k| g^k, max_k |a_k| g^k / (1 - rho), without a_0
+    double t0{}, t2{}, t3{};
+    /// A_k; T_{N-k}, and T_0 once more. Not where norms will do.
     alignas(32) std::array<double, highest_order + 8> a{}, reversed_tails{};
-    double t0{};
   };
   using Index = std::uint32_t;
   struct Factor {
@@ -73,12 +76,19 @@ class Remainder {
 
   [[nodiscard]] Index index_of(const double* row);
   [[nodiscard]] Rule rule_for(const Step& step);
-  void prepare(double h, unsigned order);
+  void begin(double h, unsigned order);
+  /// rho: by the last and the first coefficients of the velocities.
+  [[nodiscard]] double decay() const;
+  void take_norms();
+  void take_norm(Row& row);
+  void take_tails();
   void take_sizes(Row& row);
   template <std::size_t count>
   void sum_tails(Row* rows);
   void take_range(Row& row);
   void look(Effort effort);
+  /// |c_k| h^k
+  [[nodiscard]] double size(const Row& row, unsigned k) const;
   double excess(std::span<const double> allowed, std::span<double> defect) const;
 
   void apply(const Rule& rule);
@@ -98,6 +108,7 @@ class Remainder {
 
   /// sum_{i+j >= N} |a_i b_j| h^(i+j), and the same from N - 1 on.
   [[nodiscard]] double tail(const Row& a, const Row& b) const;
+  [[nodiscard]] static double product_norm(const Row& a, const Row& b);
   [[nodiscard]] double tail_of_rate(const Row& rate, const Row& b) const;
   /// By how much x is on the other side of zero than at s = 0.
   [[nodiscard]] double beyond_kink(const Row& x, double side) const;
@@ -114,6 +125,9 @@ class Remainder {
   std::vector<Index> state_;  ///< q, then v
   std::vector<Index> accelerations_;
   std::array<double, highest_order + 1> powers_{};  ///< h^k
+  std::array<double, highest_order + 1> radii_{};   ///< g^k
+  double beyond_{};                                 ///< 1/(1 - rho)
+  double rho3_{}, rho_of_rate_{}, rho_of_value_{};  ///< powers 3, N - 1 and N of rho
   double h_{};
   unsigned order_{};
   Effort effort_{Effort::quick};

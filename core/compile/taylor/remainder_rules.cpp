@@ -126,7 +126,7 @@ void Remainder::apply_rate(const Rule& rule) {
   }
   out.argument_r = 0;
   for (const auto& [factor, x, unused] : rule.terms) {
-    out.argument_r += std::abs(factor) * (rows_[x].argument_r + h_ / order_ * rows_[x].a[order_ - 1]);
+    out.argument_r += std::abs(factor) * (rows_[x].argument_r + h_ / order_ * size(rows_[x], order_ - 1));
   }
 }
 
@@ -239,8 +239,8 @@ void Remainder::apply_arc(const Rule& rule) {
   const Row &rate = rows_[rule.x], &w = rows_[rule.y];
   Row& z = rows_[rule.out];
   double slope = 0;  // h max |z_row'|
-  for (unsigned k = 1; k < order_; ++k) slope += k * z.a[k];
-  const double residual = tail(w, z) + h_ / order_ * rate.a[order_ - 1] + w.r * slope;
+  for (unsigned k = 1; k < order_; ++k) slope += k * size(z, k);
+  const double residual = tail(w, z) + h_ / order_ * size(rate, order_ - 1) + w.r * slope;
   conclude(z, (residual + rate.argument_r) / w.of_value.least_magnitude());
 }
 
@@ -248,7 +248,7 @@ void Remainder::apply_arc(const Rule& rule) {
 /// smaller.
 double Remainder::beyond_kink(const Row& x, double side) const {
   const double rise = side * x.coefficients[1] * h_;
-  if (rise > x.reversed_tails[order_ - 2] + x.r) return 0;
+  if (rise > x.t2 + x.r) return 0;
   return std::max(0.0, -(side > 0 ? x.of_value.lower : -x.of_value.upper));
 }
 

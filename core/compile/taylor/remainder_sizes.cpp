@@ -1,0 +1,186 @@
+// How large the coefficients of the rows are over a step, and with them the ranges of rows and the terms that
+// products do not keep.
+
+#include <cstring>
+
+#include "core/compile/taylor/remainder.hpp"
+
+namespace qdot::taylor {
+namespace {
+
+using Two [[gnu::vector_size(16)]] = double;
+
+Two pair_at(const double* x) {
+  Two v;
+  std::memcpy(&v, x, sizeof v);
+  return v;
+}
+
+Two magnitude(Two x) {
+  using Bits [[gnu::vector_size(16)]] = std::uint64_t;
+  return reinterpret_cast<Two>(reinterpret_cast<Bits>(x) & ~(std::uint64_t{1} << 63));
+}
+
+struct Weighted {
+  double sum{}, largest{};
+};
+
+/// Of |c_k| w_k with from <= k <= to.
+Weighted weighted(const double* c, const double* w, unsigned from, unsigned to) {
+  Two first{}, second{}, most{}, other{};
+  unsigned k = from;
+  for (; k + 3 <= to; k += 4) {
+    const Two x = magnitude(pair_at(c + k)) * pair_at(w + k);
+    const Two y = magnitude(pair_at(c + k + 2)) * pair_at(w + k + 2);
+    first += x;
+    second += y;
+    most = x > most ? x : most;
+    other = y > other ? y : other;
+  }
+  first += second;
+  most = other > most ? other : most;
+  Weighted result{first[0] + first[1], std::max(most[0], most[1])};
+  for (; k <= to; ++k) {
+    const double x = std::abs(c[k]) * w[k];
+    result.sum += x;
+    result.largest = std::max(result.largest, x);
+  }
+  return result;
+}
+
+/// sum over i < count of a_i b_i; count is a multiple of four.
+double dot(const double* a, const double* b, unsigned count) {
+  Two first{}, second{};
+  for (unsigned i = 0; i < count; i += 4) {
+    first += pair_at(a + i) * pair_at(b + i);
+    second += pair_at(a + i + 2) * pair_at(b + i + 2);
+  }
+  first += second;
+  return first[0] + first[1];
+}
+
+/// a u + b u^2 for 0 <= u <= 1, and by so much more or less.
+Range parabola(double a, double b, double rest) {
+  double least = std::min(0.0, a + b), most = std::max(0.0, a + b);
+  const double u = -a / (2 * b);
+  if (u > 0 && u < 1) {
+    least = std::min(least, 0.5 * a * u);
+    most = std::max(most, 0.5 * a * u);
+  }
+  return range(least - rest, most + rest);
+}
+
+unsigned padded(unsigned count) { return (count + 3) / 4 * 4; }
+
+double powered(double x, unsigned k) {
+  double result = 1;
+  for (; k > 0; --k) result *= x;
+  return result;
+}
+
+}  // namespace
+
+void Remainder::begin(double h, unsigned order) {
+  h_ = h;
+  order_ = order;
+  powers_[0] = 1;
+  for (unsigned k = 1; k <= order; ++k) powers_[k] = powers_[k - 1] * h;
+}
+
+double Remainder::size(const Row& row, unsigned k) const {
+  return std::abs(row.coefficients[k]) * powers_[k];
+}
+
+double Remainder::decay() const {
+  double first = 0, last = 0;
+  for (std::size_t i = n_; i < 2 * n_; ++i) {
+    const Row& velocity = rows_[state_[i]];
+    first = std::max(first, size(velocity, 1) + size(velocity, 2));
+    last = std::max(last, size(velocity, order_ - 1) + size(velocity, order_));
+  }
+  const double share = last / first;
+  if (!(share < 1)) return 1;
+  const double exponent = evaluate(Function::log, std::max(share, 1e-40)) / (order_ - 2);
+  return evaluate(Function::exp, exponent);
+}
+
+void Remainder::take_norms() {
+  const double rho = decay();
+  rho3_ = rho * rho * rho;
+  rho_of_rate_ = powered(rho, order_ - 1);
+  rho_of_value_ = rho_of_rate_ * rho;
+  beyond_ = 1 / (1 - rho);
+  const double g = h_ / rho;
+  radii_[0] = 1;
+  for (unsigned k = 1; k <= order_; ++k) radii_[k] = radii_[k - 1] * g;
+  for (Row& row : rows_) take_norm(row);
+}
+
+void Remainder::take_norm(Row& row) {
+  const double* c = row.coefficients;
+  const Weighted rest = weighted(c, radii_.data(), 3, order_ - row.missing);
+  const double first = std::abs(c[1]) * radii_[1], second = std::abs(c[2]) * radii_[2];
+  row.norm = first + second + rest.sum;
+  row.peak = std::min(row.norm, std::max({first, second, rest.largest}) * beyond_);
+  row.t3 = rho3_ * rest.sum;
+  take_range(row);
+}
+
+void Remainder::take_tails() {
+  for (Row& row : rows_) take_sizes(row);
+  std::size_t i = 0;
+  for (; i + 4 <= rows_.size(); i += 4) sum_tails<4>(&rows_[i]);
+  for (; i < rows_.size(); ++i) sum_tails<1>(&rows_[i]);
+  for (Row& row : rows_) {
+    row.t3 = row.reversed_tails[order_ - 3];
+    take_range(row);
+  }
+}
+
+void Remainder::take_sizes(Row& row) {
+  const unsigned degree = order_ - row.missing;
+  for (unsigned k = 0; k <= degree; ++k) row.a[k] = size(row, k);
+  for (unsigned k = degree + 1; k < padded(order_ + 1); ++k) row.a[k] = 0;
+}
+
+/// Of several rows side by side, as each sum alone would wait for itself.
+template <std::size_t count>
+void Remainder::sum_tails(Row* rows) {
+  std::array<double, count> sum{};
+  for (unsigned k = 0; k <= order_; ++k) {
+    for (std::size_t i = 0; i < count; ++i) rows[i].reversed_tails[k] = sum[i] += rows[i].a[order_ - k];
+  }
+  for (std::size_t i = 0; i < count; ++i) rows[i].reversed_tails[order_ + 1] = sum[i];
+}
+
+void Remainder::take_range(Row& row) {
+  const double* c = row.coefficients;
+  row.t2 = row.t3 + size(row, 2);
+  row.t0 = row.t2 + size(row, 1) + std::abs(c[0]);
+  row.of_row = parabola(c[1] * h_, c[2] * powers_[2], row.t3) + c[0];
+  row.of_value = row.of_row;
+  row.own_top = row.missing == 0 ? size(row, order_) : 0;
+}
+
+double Remainder::product_norm(const Row& a, const Row& b) {
+  return std::min(a.norm * b.peak, a.peak * b.norm);
+}
+
+double Remainder::tail(const Row& a, const Row& b) const {
+  if (effort_ != Effort::rough) return dot(a.a.data(), b.reversed_tails.data(), padded(order_ + 1));
+  return rho_of_value_ * product_norm(a, b) + std::abs(a.coefficients[0]) * b.own_top +
+         std::abs(b.coefficients[0]) * a.own_top;
+}
+
+double Remainder::tail_of_rate(const Row& rate, const Row& b) const {
+  if (effort_ != Effort::rough) return dot(rate.a.data(), b.reversed_tails.data() + 1, padded(order_ + 1));
+  return rho_of_rate_ * product_norm(rate, b) +
+         std::abs(rate.coefficients[0]) * (size(b, order_ - 1) + b.own_top);
+}
+
+Range Remainder::variation(const Row& rate) const {
+  const double* c = rate.coefficients;
+  return parabola(c[0] * h_, 0.5 * c[1] * powers_[2], h_ / 3 * rate.t2);
+}
+
+}  // namespace qdot::taylor
