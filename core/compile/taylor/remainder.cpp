@@ -1,6 +1,13 @@
 #include "core/compile/taylor/remainder.hpp"
 
 namespace qdot::taylor {
+namespace {
+
+// A step that is a little too long had better be shorter than looked at more closely.
+constexpr double nearly = 3;
+constexpr double by_far = 100;
+
+}  // namespace
 
 Remainder::Remainder(const Program& program) : n_(program.state.n) {
   for (std::size_t i = 0; i < 2 * n_; ++i) state_.push_back(index_of(program.state.rows + i * stride));
@@ -50,11 +57,11 @@ double Remainder::bound(double h, unsigned order, std::span<const double> allowe
   take_norms();
   look(Effort::rough);
   const double ratio = excess(allowed, defect);
-  if (ratio <= 1) return ratio;
+  if (ratio <= 1 || (ratio > nearly && ratio < by_far)) return ratio;
   take_tails();
   look(Effort::quick);
   const double closer = excess(allowed, defect);
-  if (closer <= 1) return closer;
+  if (closer < by_far) return closer;
   look(Effort::careful);
   return excess(allowed, defect);
 }
@@ -62,15 +69,23 @@ double Remainder::bound(double h, unsigned order, std::span<const double> allowe
 double Remainder::distance(const double* row, double h, unsigned order,
                            std::span<const double> missing_of_state) {
   begin(h, order);
+  const Row& result = rows_[index_of(row)];
+  take_norms();
+  put_missing(missing_of_state);
+  look(Effort::rough);
+  if (result.r < result.of_row.least_magnitude()) return result.r;  // the sign is plain
   take_tails();
+  put_missing(missing_of_state);
+  look(Effort::quick);
+  if (!(result.r < infinity)) look(Effort::careful);
+  return result.r;
+}
+
+void Remainder::put_missing(std::span<const double> missing_of_state) {
   for (std::size_t i = 0; i < 2 * n_; ++i) {
     conclude(rows_[state_[i]], missing_of_state[i]);
     if (i >= n_) rows_[state_[i]].argument_r = missing_of_state[i - n_];
   }
-  const Row& result = rows_[index_of(row)];
-  look(Effort::quick);
-  if (!(result.r < infinity)) look(Effort::careful);
-  return result.r;
 }
 
 void Remainder::look(Effort effort) {

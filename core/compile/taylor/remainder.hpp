@@ -39,7 +39,7 @@ class Remainder {
   double bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect);
 
   /// The same where the rows of the state are given: what they lack of the motion, for q and v, and how far
-  /// then what stands in `row` may be from it.
+  /// then what stands in `row` may be from it; roughly where that leaves no doubt of its sign.
   double distance(const double* row, double h, unsigned order, std::span<const double> missing_of_state);
 
  private:
@@ -77,6 +77,7 @@ class Remainder {
   [[nodiscard]] Index index_of(const double* row);
   [[nodiscard]] Rule rule_for(const Step& step);
   void begin(double h, unsigned order);
+  void put_missing(std::span<const double> missing_of_state);
   /// rho: by the last and the first coefficients of the velocities.
   [[nodiscard]] double decay() const;
   void take_norms();

@@ -104,7 +104,7 @@ void Remainder::apply_sum(const Rule& rule) {
   }
   Row& out = rows_[rule.out];
   conclude(out, r);
-  if (effort_ == Effort::quick) return;
+  if (effort_ != Effort::careful) return;
   Range value{out.coefficients[0], out.coefficients[0]};
   for (const auto& [factor, x, unused] : rule.terms) {
     value = value + factor * (rows_[x].of_value - rows_[x].coefficients[0]);
@@ -169,7 +169,7 @@ void Remainder::apply_sine_cosine(const Rule& rule) {
   const double r = rate.argument_r + h_ / order_ * (tail_of_rate(rate, sin) + tail_of_rate(rate, cos));
   conclude(sin, r);
   conclude(cos, r);
-  if (effort_ == Effort::quick) return;
+  if (effort_ != Effort::careful) return;
   meet(sin, sine(argument(rule), 0));
   meet(cos, sine(argument(rule), 1));
 }

@@ -122,7 +122,7 @@ void Remainder::take_norm(Row& row) {
   const double first = std::abs(c[1]) * radii_[1], second = std::abs(c[2]) * radii_[2];
   row.norm = first + second + rest.sum;
   row.peak = std::min(row.norm, std::max({first, second, rest.largest}) * beyond_);
-  row.t3 = rho3_ * rest.sum;
+  row.t3 = rho3_ * std::min(rest.sum, rest.largest * beyond_);
   take_range(row);
 }
 
