@@ -25,7 +25,8 @@ constexpr double largest_defect = 1e3;     ///< of an unbounded step, at its end
 constexpr double allowed_defect = 100;     ///< of a bounded step, times its length, in units of the tolerance
 constexpr int most_bounds = 120;           ///< tried for one step
 constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
-constexpr double visible = 1000;           ///< a defect so many times the last coefficients hides something
+constexpr double least_share = 0.5, grown_share = 1.03;
+constexpr double visible = 1000;  ///< a defect so many times the last coefficients hides something
 
 /// log2 x to five digits, for x > 0: sum of s^(2i+1)/(2i+1) with s = (m - a)/(m + a), a^2 = 1/2.
 double rough_log2(double x) {
@@ -230,18 +231,21 @@ class TaylorStepper final : public Stepper {
     bool found{};
   };
 
-  /// The longest step up to h whose defect is bounded by what is allowed; h itself where there is none.
+  /// A step up to h whose defect is bounded by what is allowed; h itself where there is none. Where the last
+  /// one had to be a little shorter than wanted, this one is tried so.
   Bound bounded(double h) {
     if (!system_.defect) return {h, false};
     for (std::size_t i = 0; i < y_.size(); ++i) allowed_[i] = allowed_defect * weight(i);
     const auto excess = [&](double length) { return system_.defect(length, allowed_, defect_); };
-    double good = h, bad = infinity;
+    double good = h * share_, bad = infinity;
+    share_ = std::min(1.0, grown_share * share_);
     for (int i = 0; i < most_bounds; ++i) {
       const double ratio = excess(good);
       if (ratio <= 1) break;
       bad = good;
       good = std::max(good / 2, 0.93 * good * rough_exp2(-rough_log2(std::min(ratio, 1e300)) / order_));
       if (good < least_of_wanted * h || t_ + good == t_) return {h, false};
+      share_ = std::max(least_share, good / h);
     }
     return {bad > 4 * h || good > h / 4 ? good : lengthened(good, bad), true};
   }
@@ -340,6 +344,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
   std::vector<double> unseen_;
   bool bounded_{true};
+  double share_{1};  ///< of the length wanted, to begin with
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
 };
