@@ -103,11 +103,12 @@ class Ladder {
  private:
   using Kind = AccuracyGoal::Kind;
 
-  /// A tolerance that is likely to do: errors are ten to a thousand times the tolerance.
+  /// A tolerance that is likely to do: errors are ten to a thousand times the tolerance. Where it would be so
+  /// tight that the check takes double-doubles, ten times that is tried first.
   [[nodiscard]] Tolerances start() const {
-    const double rtol =
-        goal_.kind == Kind::work ? loosest : std::clamp(goal_.value * 1e-3, tightest, loosest);
-    return with_rtol(rtol);
+    if (goal_.kind == Kind::work) return with_rtol(loosest);
+    const double likely = std::max(goal_.value * 1e-3, std::min(goal_.value * 1e-2, 10 * near_round_off));
+    return with_rtol(std::clamp(likely, tightest, loosest));
   }
 
   [[nodiscard]] static Tolerances with_rtol(double rtol) { return {rtol, rtol * 1e-3}; }
@@ -157,10 +158,13 @@ class Ladder {
     return request;
   }
 
+  [[nodiscard]] bool is_near_round_off() const {
+    return result_.simulation.method == Method::gauss || result_.tolerances.rtol <= near_round_off;
+  }
+
   /// One check tells the error of truncation. Where round-off is as large, a single difference may be small
   /// by chance; two checks that start on either side cannot both be.
   [[nodiscard]] bool one_is_enough(const Simulation& other) const {
-    if (result_.simulation.method == Method::gauss || result_.tolerances.rtol <= near_round_off) return false;
     const std::size_t width = request_.y_start.size();
     for (std::size_t k = 0; k < width; ++k) {
       double difference = 0, size = 0;
@@ -195,11 +199,19 @@ class Ladder {
   }
 
   void measure() {
+    doubt_ = 0;
+    const bool is_near = is_near_round_off();
+    std::optional<Simulation> sharper;
+    if (is_near) sharper = in_more_digits();
+    if (sharper && !result_.simulation.stop) {
+      result_.verified_by = Method::taylor;
+      return compare({std::move(*sharper)});
+    }
     std::vector<Simulation> others;
     if (!add_check(others, 1)) return;
-    doubt_ = 0;
-    if (!one_is_enough(others.front())) {
-      if (std::optional<Simulation> sharper = in_more_digits()) {
+    if (is_near || !one_is_enough(others.front())) {
+      if (!is_near) sharper = in_more_digits();
+      if (sharper) {
         others.push_back(std::move(*sharper));
       } else if (left() < 2 * others.front().evaluations) {
         doubt_ = near_round_off;  // no work is left to tell how much less it is
