@@ -41,6 +41,7 @@ Remainder::Rule Remainder::rule_for(const Step& step) {
     const Product& p = step.products[i];
     rule.products.push_back({p.factor, index_of(p.x), index_of(p.y)});
   }
+  mark_factors(rule);
   if (step.kind == Kind::rate || step.kind == Kind::rate_of_sum) rows_[rule.out].missing = 2;
   if (step.solve == nullptr) return rule;
   const std::size_t n = step.solve->n;
@@ -49,7 +50,20 @@ Remainder::Rule Remainder::rule_for(const Step& step) {
     rule.right.push_back(index_of(step.solve->right[i]));
     rule.unknowns.push_back(index_of(step.solve->unknowns[i]));
   }
+  for (const Index i : rule.matrix) rows_[i].is_factor = true;
+  for (const Index i : rule.unknowns) rows_[i].is_factor = true;
   return rule;
+}
+
+/// Terms of a sum are only added up.
+void Remainder::mark_factors(const Rule& rule) {
+  const auto mark = [this](Index i) { rows_[i].is_factor = true; };
+  for (const Factor& product : rule.products) {
+    mark(product.x);
+    mark(product.y);
+  }
+  if (rule.kind <= Kind::sum_2_2) return;
+  for (const Index i : {rule.x, rule.y, rule.out, rule.out2, rule.aux}) mark(i);
 }
 
 double Remainder::bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect) {
@@ -69,7 +83,8 @@ double Remainder::bound(double h, unsigned order, std::span<const double> allowe
 double Remainder::distance(const double* row, double h, unsigned order,
                            std::span<const double> missing_of_state) {
   begin(h, order);
-  const Row& result = rows_[index_of(row)];
+  Row& result = rows_[index_of(row)];
+  result.is_factor = true;
   take_norms();
   put_missing(missing_of_state);
   look(Effort::rough);

@@ -49,6 +49,7 @@ class Remainder {
   struct Row {
     const double* coefficients{};
     unsigned missing{1};  ///< orders that the row lacks: 0 for a state, 2 for a rate
+    bool is_factor{};     ///< its size counts, not only r
     double r{};
     double argument_r{};    ///< of what the row is the rate of
     double own_top{};       ///< A_N of a state: what a sum that contains it does not have
@@ -76,6 +77,7 @@ class Remainder {
 
   [[nodiscard]] Index index_of(const double* row);
   [[nodiscard]] Rule rule_for(const Step& step);
+  void mark_factors(const Rule& rule);
   void begin(double h, unsigned order);
   void put_missing(std::span<const double> missing_of_state);
   /// rho: by the last and the first coefficients of the velocities.

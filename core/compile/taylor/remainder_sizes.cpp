@@ -113,7 +113,13 @@ void Remainder::take_norms() {
   const double g = h_ / rho;
   radii_[0] = 1;
   for (unsigned k = 1; k <= order_; ++k) radii_[k] = radii_[k - 1] * g;
-  for (Row& row : rows_) take_norm(row);
+  for (Row& row : rows_) {
+    if (row.is_factor) {
+      take_norm(row);
+    } else {
+      row.own_top = row.missing == 0 ? size(row, order_) : 0;
+    }
+  }
 }
 
 void Remainder::take_norm(Row& row) {
