@@ -6,8 +6,11 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "api/contract/field_values.hpp"
 #include "api/json/limits.hpp"
+#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
+#include "core/mechanics/unit_names.hpp"
 #include "core/mechanics/units.hpp"
 
 namespace qdot::api {
@@ -24,8 +27,27 @@ bool begins_number(std::string_view text) {
   return !text.empty() && text[0] >= '0' && text[0] <= '9';  // from_chars alone would read "inf" and "nan"
 }
 
-std::string example(std::string_view unit) {
-  return unit == "1" ? "a plain number such as 0.5" : "a number of " + std::string(unit);
+/// expected_unit comes from a scene or a table that was checked when it was loaded.
+Unit declared_unit(std::string_view expected_unit) {
+  const std::optional<Unit> unit = parse_unit(expected_unit);
+  if (!unit) throw std::logic_error("a symbol is declared in an unknown unit");
+  return *unit;
+}
+
+/// "a number of m (km, cm, mm or um will do as well)"
+std::string example(std::string_view expected_unit) {
+  if (expected_unit == "1") return "a plain number such as 0.5";
+  std::vector<std::string> names = unit_names_like(declared_unit(expected_unit));
+  std::erase(names, expected_unit);
+  const std::string also = names.empty() ? "" : " (" + enumerated(names) + " will do as well)";
+  return "a number of " + std::string(expected_unit) + also;
+}
+
+QuantityError unknown_unit(std::string_view text, std::string_view expected_unit) {
+  const std::string near = closest(text, unit_names());
+  const std::string advice = near.empty() ? " write " : " did you mean " + near + "? Write ";
+  return {"unknown_unit",
+          in_quotes(text) + " is not a unit known here;" + advice + example(expected_unit) + "."};
 }
 
 std::variant<NumberAndRest, QuantityError> split_number(std::string_view text,
@@ -57,13 +79,6 @@ int missing_turns(const Unit& unit, const Unit& expected) {
   return unit.angle == 0 && unit.cycles == expected.angle ? unit.cycles : 0;
 }
 
-/// expected_unit comes from a scene or a table that was checked when it was loaded.
-Unit declared_unit(std::string_view expected_unit) {
-  const std::optional<Unit> unit = parse_unit(expected_unit);
-  if (!unit) throw std::logic_error("a symbol is declared in an unknown unit");
-  return *unit;
-}
-
 }  // namespace
 
 std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::string_view expected_unit) {
@@ -74,10 +89,7 @@ std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::str
 
   const Unit expected = declared_unit(expected_unit);
   const std::optional<Unit> unit = parse_unit(rest);
-  if (!unit) {
-    return QuantityError{
-        "unknown_unit", in_quotes(rest) + " is not a unit known here; write " + example(expected_unit) + "."};
-  }
+  if (!unit) return unknown_unit(rest, expected_unit);
   if (unit->dimension != expected.dimension) {
     return QuantityError{"wrong_dimension", in_quotes(rest) + in_base_units(rest, *unit) + " does not fit; " +
                                                 std::string(expected_unit) +

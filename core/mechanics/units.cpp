@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/error.hpp"
+#include "core/mechanics/unit_names.hpp"
 #include "core/numerics/ball.hpp"
 
 namespace qdot {
@@ -47,67 +48,6 @@ std::string power_text(std::string_view name, Exponent exponent) {
   const std::string numerator = std::to_string(exponent.numerator);
   if (exponent.denominator == 1) return text + "^" + numerator;
   return text + "^(" + numerator + "/" + std::to_string(exponent.denominator) + ")";
-}
-
-struct NamedUnit {
-  std::string_view name;
-  Unit unit;
-};
-
-constexpr Dimension dimension(int kg, int m, int s, int a = 0) {
-  return {{Exponent{kg, 1}, Exponent{m, 1}, Exponent{s, 1}, Exponent{a, 1}}};
-}
-
-constexpr Dimension mass = dimension(1, 0, 0);
-constexpr Dimension length = dimension(0, 1, 0);
-constexpr Dimension duration = dimension(0, 0, 1);
-constexpr Dimension frequency = dimension(0, 0, -1);
-constexpr Dimension force = dimension(1, 1, -2);
-constexpr Dimension energy = dimension(1, 2, -2);
-constexpr Dimension rate_of_work = dimension(1, 2, -3);
-constexpr Dimension pressure = dimension(1, -1, -2);
-constexpr Dimension current = dimension(0, 0, 0, 1);
-
-const auto& units() {
-  static const auto table = std::to_array<NamedUnit>({
-      {"1", {}},
-      {"kg", {Number(1), mass}},
-      {"g", {Number::ratio(1, 1000), mass}},
-      {"mg", {Number::ratio(1, 1000000), mass}},
-      {"km", {Number(1000), length}},
-      {"m", {Number(1), length}},
-      {"cm", {Number::ratio(1, 100), length}},
-      {"mm", {Number::ratio(1, 1000), length}},
-      {"um", {Number::ratio(1, 1000000), length}},
-      {"s", {Number(1), duration}},
-      {"ms", {Number::ratio(1, 1000), duration}},
-      {"us", {Number::ratio(1, 1000000), duration}},
-      {"min", {Number(60), duration}},
-      {"h", {Number(3600), duration}},
-      {"rad", {Number(1), {}, 0, 1}},
-      {"deg", {Number::ratio(1, 180), {}, 1, 1}},
-      {"rev", {Number(2), {}, 1, 1}},
-      {"Hz", {Number(1), frequency, 0, 0, 1}},
-      {"rpm", {Number::ratio(2, 60), frequency, 1, 1}},
-      {"N", {Number(1), force}},
-      {"kN", {Number(1000), force}},
-      {"mN", {Number::ratio(1, 1000), force}},
-      {"J", {Number(1), energy}},
-      {"kJ", {Number(1000), energy}},
-      {"mJ", {Number::ratio(1, 1000), energy}},
-      {"W", {Number(1), rate_of_work}},
-      {"kW", {Number(1000), rate_of_work}},
-      {"Pa", {Number(1), pressure}},
-      {"kPa", {Number(1000), pressure}},
-      {"MPa", {Number(1000000), pressure}},
-      {"A", {Number(1), current}},
-      {"mA", {Number::ratio(1, 1000), current}},
-      {"C", {Number(1), dimension(0, 0, 1, 1)}},
-      {"V", {Number(1), dimension(1, 2, -3, -1)}},
-      {"T", {Number(1), dimension(1, 0, -2, -1)}},
-      {"ohm", {Number(1), dimension(1, 2, -3, -2)}},
-  });
-  return table;
 }
 
 /// Held to what can mean anything, so that ((rad^99)^99)^99 does not overflow.
@@ -193,10 +133,10 @@ class UnitParser {
     const std::string_view rest = text_.substr(position_);
     const auto end = std::ranges::find_if_not(rest, is_letter);
     const std::string_view name = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
-    const auto found = std::ranges::find(units(), name, &NamedUnit::name);
-    if (found == units().end()) return std::nullopt;
+    const Unit* const found = find_unit(name);
+    if (found == nullptr) return std::nullopt;
     position_ += name.size();
-    return found->unit;
+    return *found;
   }
 
   std::optional<Exponent> exponent() {
@@ -292,7 +232,7 @@ std::string to_text(const Dimension& d) {
 std::optional<Unit> parse_unit(std::string_view text) {
   constexpr std::size_t longest = 80;
   if (text.size() > longest) return std::nullopt;
-  const std::optional<Unit> unit = parsed(text);
+  const std::optional<Unit> unit = parsed(in_ascii(text));
   // um^99 is beyond double precision.
   if (!unit || !std::isfinite(unit->factor.value()) || unit->factor.value() == 0) return std::nullopt;
   return unit;

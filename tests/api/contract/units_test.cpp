@@ -72,6 +72,27 @@ TEST(Units, AnAngularVelocityInHertzCountsTurns) {
   EXPECT_EQ(si("2 Hz", "Hz"), 2);
 }
 
+TEST(Units, WordsAndSignsArePeoplesOwn) {
+  EXPECT_EQ(si("180°", "rad"), pi);
+  EXPECT_EQ(si("180 degrees", "rad"), pi);
+  EXPECT_EQ(si("90 degrees/second", "rad/s"), pi / 2);
+  EXPECT_EQ(si("9.81 m/s²", "m/s^2"), 9.81);
+  EXPECT_EQ(si("3 N·m", "J"), 3);
+  EXPECT_EQ(si("5 µm", "m"), 5e-6);
+  EXPECT_EQ(si("10 rad/sec", "rad/s"), 10);
+  EXPECT_EQ(si("250 cm/s", "m/s"), 2.5);
+  EXPECT_EQ(si("2 newtons/meter", "kg/s^2"), 2);
+}
+
+TEST(Units, AMisspelledUnitIsToldTheOneMeantAndAllThatFit) {
+  EXPECT_EQ(error_of("30 dge", "rad").detail,
+            "'dge' is not a unit known here; did you mean deg? Write a number of rad (deg or rev will do as "
+            "well).");
+  EXPECT_EQ(error_of("3 furlong", "m").detail,
+            "'furlong' is not a unit known here; write a number of m (km, cm, mm or um will do as well).");
+  EXPECT_EQ(error_of("3 §", "m/s^2").detail, "'§' is not a unit known here; write a number of m/s^2.");
+}
+
 TEST(Units, AWrongDimensionNamesBoth) {
   const QuantityError error = error_of("3 kg", "m");
   EXPECT_EQ(error.code, "wrong_dimension");

@@ -1,0 +1,26 @@
+#pragma once
+// The names that units have, and the words and signs that people write for them: "degrees", "°", "sec",
+// "m/s²".
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/mechanics/units.hpp"
+
+namespace qdot {
+
+/// The unit of a name or of a word for it: "km", "deg", "degrees". Null where there is none.
+[[nodiscard]] const Unit* find_unit(std::string_view name);
+
+/// Signs beyond ASCII as unit expressions have them: "°" is deg, "²" ^2, "·" *, "µ" u, "Ω" ohm. What is no
+/// sign of a unit stays as it is.
+[[nodiscard]] std::string in_ascii(std::string_view text);
+
+/// The names of units, without words for them.
+[[nodiscard]] std::vector<std::string> unit_names();
+
+/// Those of a dimension, of which angles have one of their own here: km, m, cm, mm, um for m.
+[[nodiscard]] std::vector<std::string> unit_names_like(const Unit& unit);
+
+}  // namespace qdot
