@@ -9,7 +9,7 @@
 
 #include "api/contract/json_reader.hpp"
 #include "api/contract/submission.hpp"
-#include "api/contract/units.hpp"
+#include "api/contract/written_value.hpp"
 #include "api/http/address.hpp"
 #include "api/json/limits.hpp"
 #include "core/integrate/methods.hpp"
@@ -45,7 +45,8 @@ std::optional<double> number(const Json& fields, const char* name, std::string_v
   if (field == fields.end()) return std::nullopt;
   if (field->is_number()) return field->get<double>();
   if (!field->is_string()) return std::nullopt;
-  const auto value = parse_quantity(field->get_ref<const std::string&>(), unit);
+  ParameterScope numbers_only;
+  const auto value = written_value(field->get_ref<const std::string&>(), unit, numbers_only);
   const auto* found = std::get_if<Real>(&value);
   return found == nullptr ? std::nullopt : std::optional(found->value);
 }

@@ -7,7 +7,6 @@
 
 #include "api/contract/domain_text.hpp"
 #include "api/contract/names.hpp"
-#include "api/contract/units.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
@@ -111,14 +110,17 @@ FieldError bad_name(const Place& place, std::string_view name) {
 }
 
 std::optional<Real> read_number(const NumberKind& kind, const std::string& name, const Json& value,
-                                const Place& place, Errors& errors) {
+                                const Place& place, ParameterScope& scope, Errors& errors) {
   Real number;
   if (value.is_number()) {
     number = real_of(place.written(value));
   } else if (value.is_string()) {
-    const auto quantity = parse_quantity(value.get_ref<const std::string&>(), kind.unit);
-    if (const auto* error = std::get_if<QuantityError>(&quantity)) {
-      return refuse(place, errors, error->code, "'" + name + "': " + error->detail);
+    const auto quantity = written_value(value.get_ref<const std::string&>(), kind.unit, scope);
+    if (const auto* wrong = std::get_if<QuantityError>(&quantity)) {
+      FieldError error = place.error(wrong->code, "'" + name + "': " + wrong->detail);
+      error.allowed = wrong->allowed;
+      report(errors, std::move(error));
+      return std::nullopt;
     }
     number = std::get<Real>(quantity);
   } else {
@@ -136,7 +138,8 @@ std::optional<Real> read_number(const NumberKind& kind, const std::string& name,
 
 std::optional<Json> read_value(const NumberKind& kind, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
-  const std::optional<Real> number = read_number(kind, name, value, place, errors);
+  ParameterScope numbers_only;
+  const std::optional<Real> number = read_number(kind, name, value, place, numbers_only, errors);
   return number ? std::optional<Json>(number->value) : std::nullopt;
 }
 

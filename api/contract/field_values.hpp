@@ -8,6 +8,7 @@
 
 #include "api/contract/field.hpp"
 #include "api/contract/submission.hpp"
+#include "api/contract/written_value.hpp"
 #include "api/http/problem.hpp"
 #include "core/numerics/real.hpp"
 
@@ -30,8 +31,9 @@ void report(Errors& errors, FieldError error);
                                     const Json& value);
 
 /// A number in SI with what a double leaves out of it, or none after it has reported an error.
+/// A text may be an expression of what is in scope.
 [[nodiscard]] std::optional<Real> read_number(const NumberKind&, const std::string& name, const Json& value,
-                                              const Place& place, Errors& errors);
+                                              const Place& place, ParameterScope& scope, Errors& errors);
 
 // Each returns the resolved value, or none after it has reported at least one error. `name` is the symbol or
 // field that is read.

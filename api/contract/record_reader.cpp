@@ -75,8 +75,8 @@ std::string fields_in_words(const FieldSet& set) {
 class RecordReader {
  public:
   /// `whole` is the outermost object.
-  RecordReader(const Json& whole, SystemChoice& choice, Errors& errors)
-      : whole_(whole), choice_(choice), errors_(errors) {}
+  RecordReader(const Json& whole, const Place& place, SystemChoice& choice, Errors& errors)
+      : whole_(whole), whole_place_(place), choice_(choice), errors_(errors) {}
 
   RecordReading read(const FieldSet& set, const Json& object, const Place& place) {
     RecordReading reading;
@@ -240,7 +240,12 @@ class RecordReader {
   std::optional<Json> resolve(const SymbolsKind& kind, const std::string&, const Json& value,
                               const Place& place) {
     if (scene() == nullptr) return std::nullopt;
-    return read_symbols(kind.role, value, place, choice_, errors_);
+    static const Json none = Json::object();
+    const std::string parameters = field_name(SymbolRole::parameter);
+    const auto given = whole_.find(parameters);
+    const Place here = whole_place_.below(parameters);
+    ParameterScope scope(*scene(), given == whole_.end() ? none : *given, here);
+    return read_symbols(kind.role, value, place, scope, choice_, errors_);
   }
 
   std::optional<Json> resolve(const ParameterValueKind& kind, const std::string& name, const Json& value,
@@ -293,6 +298,7 @@ class RecordReader {
   }
 
   const Json& whole_;
+  const Place& whole_place_;
   SystemChoice& choice_;
   Errors& errors_;
 };
@@ -311,13 +317,13 @@ const FieldInfo* field_of(const FieldSet& set, SymbolRole role) {
 
 RecordReading read_record(const FieldSet& set, const Json& fields, const Place& place, SystemChoice& choice,
                           Errors& errors) {
-  return RecordReader(fields, choice, errors).read(set, fields, place);
+  return RecordReader(fields, place, choice, errors).read(set, fields, place);
 }
 
 std::optional<Json> read_value(const RecordKind& kind, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
   SystemChoice none;
-  return RecordReader(value, none, errors).read_any(kind, name, value, place);
+  return RecordReader(value, place, none, errors).read_any(kind, name, value, place);
 }
 
 }  // namespace qdot::api

@@ -65,13 +65,13 @@ std::vector<std::pair<std::string, Real>>& numbers_of(SymbolRole role, SystemCho
 
 /// The resolved value, which `choice` has taken.
 std::optional<Json> read_symbol(SymbolRole role, const Symbol& symbol, const Json& value, const Place& place,
-                                SystemChoice& choice, Errors& errors) {
+                                ParameterScope& scope, SystemChoice& choice, Errors& errors) {
   if (role == SymbolRole::input) {
     std::optional<Json> text = read_input(symbol, value, place, errors);
     if (text) choice.inputs.emplace_back(symbol.name, text->get<std::string>());
     return text;
   }
-  const auto number = read_number({symbol.unit, symbol.domain}, symbol.name, value, place, errors);
+  const auto number = read_number({symbol.unit, symbol.domain}, symbol.name, value, place, scope, errors);
   if (!number) return std::nullopt;
   numbers_of(role, choice).emplace_back(symbol.name, *number);
   return number->value;
@@ -125,8 +125,8 @@ std::optional<SymbolRole> role_of(const Scene& scene, const std::string& name) {
   return std::nullopt;
 }
 
-Json read_symbols(SymbolRole role, const Json& value, const Place& place, SystemChoice& choice,
-                  Errors& errors) {
+Json read_symbols(SymbolRole role, const Json& value, const Place& place, ParameterScope& scope,
+                  SystemChoice& choice, Errors& errors) {
   Json resolved = Json::object();
   if (!value.is_object()) {
     errors.push_back(
@@ -145,7 +145,7 @@ Json read_symbols(SymbolRole role, const Json& value, const Place& place, System
     const auto given = value.find(symbol.name);
     if (given == value.end()) continue;
     const Place here = place.below(symbol.name);
-    std::optional<Json> read = read_symbol(role, symbol, *given, here, choice, errors);
+    std::optional<Json> read = read_symbol(role, symbol, *given, here, scope, choice, errors);
     if (read) resolved[symbol.name] = std::move(*read);
   }
   return resolved;

@@ -46,7 +46,8 @@ struct Symbol {
 [[nodiscard]] std::optional<SymbolRole> role_of(const Scene& scene, const std::string& name);
 
 /// Reads an object of the role's symbols into `choice`, whose scene is set, and returns the resolved object.
-Json read_symbols(SymbolRole role, const Json& value, const Place& place, SystemChoice& choice,
-                  Errors& errors);
+/// `scope`: what the values may speak of.
+Json read_symbols(SymbolRole role, const Json& value, const Place& place, ParameterScope& scope,
+                  SystemChoice& choice, Errors& errors);
 
 }  // namespace qdot::api

@@ -4,14 +4,16 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/numerics/real.hpp"
 
 namespace qdot::api {
 
 struct QuantityError {
-  std::string code;    ///< syntax, unknown_unit, wrong_dimension or out_of_range
+  std::string code;    ///< syntax, unknown_unit, wrong_dimension or out_of_range; of expressions more
   std::string detail;  ///< one sentence that says what to write instead
+  std::vector<std::string> allowed{};  ///< names, of unknown_symbol
 };
 
 /// The SI value of `text`, a number and an optional unit (core/mechanics/units.hpp has the names), for a

@@ -148,6 +148,7 @@ class Parser {
     if (!known && is_function(text)) {
       throw Error(ErrorCode::syntax, "expected '(' after the function " + excerpt(text), token().offset);
     }
+    if (!known && text == "deg") return checked(Number::ratio(1, 180) * graph_.symbol("pi"));
     if (!known) note_unknown(text, name.offset);
     return checked(graph_.symbol(text));
   }

@@ -6,8 +6,9 @@
 //   power   = primary [ ^ {+|-} power ]              right associative; ** is ^; -x^2 = -(x^2)
 //   primary = number | name | function ( sum ) | ( sum )
 //
-// Functions are those of core/numerics/function.hpp and sqrt. The name `pi` is always known. There is no
-// implicit multiplication. Numbers are exactly the decimals that are written: 9.81 is 981/100.
+// Functions are those of core/numerics/function.hpp and sqrt. The name `pi` is always known, and `deg` is
+// pi/180 where no symbol has that name: 30*deg. There is no implicit multiplication. Numbers are exactly the
+// decimals that are written: 9.81 is 981/100.
 //
 // The text may be hostile: its bytes, tokens and depth and the nodes it makes are bounded (ParseLimits), and
 // a chain of a thousand terms makes one flat sum.

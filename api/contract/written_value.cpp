@@ -1,0 +1,125 @@
+#include "api/contract/written_value.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "api/json/text.hpp"
+#include "core/expr/calculus.hpp"
+#include "core/expr/parse.hpp"
+#include "core/mechanics/dimension_check.hpp"
+#include "core/mechanics/unit_names.hpp"
+
+namespace qdot::api {
+namespace {
+
+using Value = std::variant<Real, QuantityError>;
+
+/// "30 dge": after the number there is a word, and no operation.
+bool looks_like_a_quantity(std::string_view text) {
+  const auto first = std::ranges::find_if_not(text, [](unsigned char c) {
+    return std::isdigit(c) != 0 || c == '.' || c == ' ' || c == '+' || c == '-';
+  });
+  const bool begins_with_number = first != text.begin();
+  return begins_with_number && first != text.end() && *first != '*' && *first != '/' && *first != '^';
+}
+
+QuantityError wrong_text(const ParseError& error, const ParameterScope& scope) {
+  if (error.code != ErrorCode::unknown_symbol) return {"syntax", error.message + ".", {}};
+  if (find_unit(error.symbol) != nullptr) {
+    return {
+        "unknown_symbol",
+        "An expression has no units: " + in_quotes(error.symbol) +
+            " is none of the parameters. A quantity is a number with its unit behind it, such as '30 deg'.",
+        scope.names()};
+  }
+  return {"unknown_symbol", error.message + ".", scope.names()};
+}
+
+struct Spoken {
+  std::vector<RealAssignment> values;
+  SymbolDimensions dimensions;
+};
+
+/// The parameters that e speaks of.
+std::variant<Spoken, QuantityError> parameters_in(const Expression& e, ParameterScope& scope) {
+  Spoken spoken;
+  for (std::size_t i = 0; i < scope.names().size(); ++i) {
+    const Expression symbol = e.graph().symbol(scope.names()[i]);
+    if (!depends_on(e, symbol)) continue;
+    const Value value = scope.value_of(i);
+    if (const auto* error = std::get_if<QuantityError>(&value)) return *error;
+    spoken.values.emplace_back(symbol, std::get<Real>(value));
+    spoken.dimensions[symbol.id()] = parse_unit(scope.parameter(i).unit).value_or(Unit{}).dimension;
+  }
+  return spoken;
+}
+
+/// A number alone is in SI; what speaks of parameters has a dimension.
+std::optional<QuantityError> misfit(const Expression& e, const SymbolDimensions& symbols,
+                                    std::string_view expected_unit) {
+  if (symbols.empty()) return std::nullopt;
+  const DimensionResult found = dimension_of(e, symbols);
+  if (!found.mistake.empty())
+    return QuantityError{"wrong_dimension", "It does not fit: " + found.mistake + ".", {}};
+  const Dimension needed = parse_unit(expected_unit).value_or(Unit{}).dimension;
+  if (!found.dimension || *found.dimension == needed) return std::nullopt;
+  return QuantityError{
+      "wrong_dimension",
+      "Its value is in " + to_text(*found.dimension) + "; " + std::string(expected_unit) + " is needed.",
+      {}};
+}
+
+Value expression_value(std::string_view text, std::string_view expected_unit, ParameterScope& scope) {
+  Graph graph;
+  const ParseResult parsed = parse_all(text, graph, scope.names());
+  if (!parsed.errors.empty()) return wrong_text(parsed.errors.front(), scope);
+  const Expression& e = *parsed.expression;
+  const auto spoken = parameters_in(e, scope);
+  if (const auto* error = std::get_if<QuantityError>(&spoken)) return *error;
+  const auto& [values, dimensions] = std::get<Spoken>(spoken);
+  if (std::optional<QuantityError> error = misfit(e, dimensions, expected_unit)) return *std::move(error);
+  const Real value = evaluate_exactly(e, values);
+  if (!value.is_finite()) return QuantityError{"out_of_range", in_quotes(text) + " has no finite value.", {}};
+  return value;
+}
+
+}  // namespace
+
+ParameterScope::ParameterScope(const Scene& scene, const Json& given, const Place& place)
+    : scene_(&scene), given_(&given), place_(&place), is_open_(scene.parameters.size()) {
+  for (const Parameter& parameter : scene.parameters) names_.push_back(parameter.name);
+}
+
+std::variant<Real, QuantityError> ParameterScope::value_of(std::size_t i) {
+  if (is_open_[i]) {
+    return QuantityError{"circular", "The value of " + in_quotes(names_[i]) + " depends on itself.", {}};
+  }
+  is_open_[i] = true;
+  Value value = read(i);
+  is_open_[i] = false;
+  return value;
+}
+
+std::variant<Real, QuantityError> ParameterScope::read(std::size_t i) {
+  const Parameter& parameter = scene_->parameters[i];
+  const auto found = given_->is_object() ? given_->find(parameter.name) : given_->end();
+  if (found == given_->end()) return written_value(parameter.default_value, parameter.unit, *this);
+  if (found->is_number()) {
+    return written_value(place_->below(parameter.name).written(*found), parameter.unit, *this);
+  }
+  if (found->is_string()) return written_value(found->get_ref<const std::string&>(), parameter.unit, *this);
+  return QuantityError{"wrong_type", "It needs " + in_quotes(parameter.name) + ", which is no number.", {}};
+}
+
+std::variant<Real, QuantityError> written_value(std::string_view text, std::string_view expected_unit,
+                                                ParameterScope& scope) {
+  Value quantity = parse_quantity(text, expected_unit);
+  const auto* error = std::get_if<QuantityError>(&quantity);
+  if (error == nullptr || (error->code != "syntax" && error->code != "unknown_unit")) return quantity;
+  Value value = expression_value(text, expected_unit, scope);
+  const auto* other = std::get_if<QuantityError>(&value);
+  const bool is_no_expression = other != nullptr && (other->code == "syntax" || scope.names().empty());
+  return is_no_expression && (looks_like_a_quantity(text) || scope.names().empty()) ? quantity : value;
+}
+
+}  // namespace qdot::api
