@@ -167,16 +167,17 @@ Json echo_schema(const FieldSet& set) {
 }
 
 Json shared_schemas() {
-  const Json text{{"type", "string"},
-                  {"minLength", 1},
-                  {"description", "A number with a unit."},
-                  {"examples", {"30deg", "12 cm", "2 rev/s", "9.81 m/s^2"}}};
+  const Json text{
+      {"type", "string"},
+      {"minLength", 1},
+      {"description", "A number with a unit, or an expression of numbers and parameters in SI units."},
+      {"examples", {"30deg", "12 cm", "2 rev/s", "9.81 m/s^2", "pi/6", "2*m*g/l"}}};
   const Json input{{"anyOf", {{{"type", "number"}}, value_schema(TextKind{limits::expression_bytes})}},
                    {"description", "An expression in t and the parameters."}};
   return {{"QuantityText", text},
           {"Quantity",
            {{"anyOf", {{{"type", "number"}}, reference("QuantityText")}},
-            {"description", "A number in SI units, or a text that carries its unit."}}},
+            {"description", "A number in SI units, or a text: a quantity with its unit, or an expression."}}},
           {"TimeFunction", input}};
 }
 
