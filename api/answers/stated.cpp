@@ -1,6 +1,6 @@
 #include "api/answers/stated.hpp"
 
-#include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "core/numerics/constants.hpp"
@@ -8,12 +8,22 @@
 namespace qdot::api {
 namespace {
 
-/// How far the decimal that is written may be from the value.
-Interval rounded_away(double value, int digits) {
-  const double written = rounded(value, digits);
-  if (written == value) return 0;
-  const double half_unit = (std::nextafter(std::abs(written), infinity) - std::abs(written)) / 2;
-  return Interval((Interval(written) - Interval(value)).magnitude()) + Interval(half_unit);
+/// A double that is a decimal of few digits, too.
+bool is_short_decimal(double x) {
+  const double scaled = x * 0x1p10;
+  return std::abs(x) < 0x1p23 && scaled == std::trunc(scaled);
+}
+
+/// How far the decimal that is written is from the value: 0.1 is not the double that it names.
+double rounded_away(double value, int digits) {
+  const double written = digits == shortest_digits ? value : rounded(value, digits);
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof text, written).ptr;
+  long double decimal{};
+  std::from_chars(text, end, decimal);
+  const long double off = std::abs(decimal - static_cast<long double>(value));
+  if (off == 0 && is_short_decimal(value)) return 0;
+  return static_cast<double>(off) * (1 + 0x1p-50) + std::abs(value) * 0x1p-62;
 }
 
 }  // namespace
@@ -28,8 +38,8 @@ Interval Stated::enclosure() const { return Interval(value) + Interval(-error, e
 
 Json stated_error(const Stated& number, int digits) {
   if (!std::isfinite(number.error)) return nullptr;
-  const Interval lost = rounded_away(number.value, digits);
-  return stated_bound(is_zero(lost) ? number.error : (Interval(number.error) + lost).upper, digits);
+  const double lost = rounded_away(number.value, digits);
+  return stated_bound(lost == 0 ? number.error : (Interval(number.error) + Interval(lost)).upper, digits);
 }
 
 Json stated_error(const std::complex<double>& value, double error, int digits) {

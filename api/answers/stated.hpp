@@ -1,7 +1,8 @@
 #pragma once
 // A number and the bound of its error, as an answer states them: whoever reads both knows that the true
-// number is no farther than the error from what is written. So the error covers what `digits` and conversions
-// round away, and it is itself rounded up.
+// number is no farther than the error from what is written. So the error covers what `digits`, conversions
+// and the writing of decimals round away - a reader may take the text for a double or for the decimal that it
+// is - and it is itself rounded up.
 
 #include <complex>
 

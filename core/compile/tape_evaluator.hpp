@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "core/base/work.hpp"
@@ -60,8 +61,12 @@ class TapeEvaluator {
           break;
         case Operation::sine_cosine: {
           const T argument = x;
-          slots_[i.out] = sin(argument);
-          slots_[i.out + 1] = cos(argument);
+          if constexpr (requires { sine_cosine(argument); }) {
+            std::tie(slots_[i.out], slots_[i.out + 1]) = sine_cosine(argument);
+          } else {
+            slots_[i.out] = sin(argument);
+            slots_[i.out + 1] = cos(argument);
+          }
           break;
         }
         case Operation::call:

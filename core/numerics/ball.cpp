@@ -1,9 +1,11 @@
 #include "core/numerics/ball.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
 #include "core/numerics/constants.hpp"
+#include "core/numerics/double_double_function.hpp"
 
 namespace qdot {
 namespace {
@@ -11,6 +13,8 @@ namespace {
 /// An operation is within 10 u^2 = 10 2^-106 of the exact result; sine and cosine within some 30 of that.
 constexpr double unit = 0x1p-102;
 constexpr double wave_unit = 0x1p-97;
+/// Those of double_double_function.hpp are within 2e-31.
+constexpr double function_unit = 0x1p-101;
 /// Below this, the products inside an operation may underflow.
 constexpr double smallest_exact = 1e-250;
 
@@ -22,13 +26,6 @@ Ball rounded(const DoubleDouble& middle, double radius, double relative = unit) 
   if (!std::isfinite(size)) return {DoubleDouble{}, infinity};
   const double underflow = size < smallest_exact ? 1e-300 : 0;
   return {middle, slightly_above(radius + relative * size + underflow)};
-}
-
-Interval interval_of(const Ball& a) {
-  const double value = a.value();
-  const double error = a.error();
-  if (error == 0) return value;
-  return {std::nextafter(value - error, -infinity), std::nextafter(value + error, infinity)};
 }
 
 constexpr std::size_t terms = 15;  // (pi/4)^31/31! < 2^-120
@@ -75,15 +72,23 @@ Ball sine_wave(const Ball& a, long phase) {
   static const std::array<DoubleDouble, terms> cosine = alternating_inverse_factorials(0);
   if (!a.is_finite() || a.magnitude() > 1e6) {
     const Function function = phase == 0 ? Function::sin : Function::cos;
-    return a.is_finite() ? Ball::of(evaluate(function, interval_of(a))) : Ball(DoubleDouble{}, infinity);
+    return a.is_finite() ? Ball::of(evaluate(function, a.interval())) : Ball(DoubleDouble{}, infinity);
   }
   const Reduced angle = reduced(a.middle);
   const DoubleDouble square = angle.rest * angle.rest;
   const long quarter = angle.quarter + phase;
-  DoubleDouble value = quarter % 2 == 0 ? angle.rest * series(sine, square) : series(cosine, square);
+  const auto wave = [&](bool odd) {
+    return odd ? series(cosine, square) : angle.rest * series(sine, square);
+  };
+  DoubleDouble value = wave(quarter % 2 != 0);
   if (((quarter % 4) + 4) % 4 >= 2) value = -value;
   if (a.is_zero() && value.high == 0) return {};
-  return rounded(value, a.radius + angle.error, wave_unit);
+  double spread = 0;
+  if (a.radius > 0) {  // |sin(m + e) - sin m| <= |cos m| |e| + e^2/2
+    const double slope = std::abs(wave(quarter % 2 == 0).high) * (1 + 0x1p-50) + angle.error;
+    spread = a.radius * std::min(1.0, slope + a.radius);
+  }
+  return rounded(value, spread + angle.error, wave_unit);
 }
 
 Ball whole_power(Ball base, unsigned exponent) {
@@ -93,6 +98,34 @@ Ball whole_power(Ball base, unsigned exponent) {
     if (exponent > 1) base = base * base;
   }
   return result;
+}
+
+/// |f'| on all of x, f being smooth there.
+double steepest(Function function, const Interval& x) {
+  switch (function) {
+    case Function::tan:
+      return (Interval(1) / square(cos(x))).upper;
+    case Function::asin:
+    case Function::acos:
+      return (Interval(1) / sqrt(Interval(1) - square(x))).upper;
+    case Function::sinh:
+      return evaluate(Function::cosh, x).upper;
+    case Function::cosh:
+      return evaluate(Function::sinh, x).magnitude();
+    case Function::exp:
+      return evaluate(Function::exp, x).upper;
+    case Function::log:
+      return (Interval(1) / x).upper;
+    case Function::sin:
+    case Function::cos:
+    case Function::atan:
+    case Function::tanh:
+    case Function::abs:
+      return 1;
+    case Function::sign:
+      break;
+  }
+  return infinity;
 }
 
 }  // namespace
@@ -110,6 +143,12 @@ Ball Ball::of(const Interval& interval) {
 double Ball::error() const {
   const double left = std::abs((middle - DoubleDouble(value())).high);
   return slightly_above(left + radius);
+}
+
+Interval Ball::interval() const {
+  const double left = error();
+  if (left == 0) return value();
+  return Interval(value()) + Interval(-left, left);
 }
 
 Ball operator+(const Ball& a, const Ball& b) {
@@ -150,7 +189,7 @@ Ball power(const Ball& a, const Ball& exponent) {
   const double twice = 2 * exponent.middle.high;
   const bool exact = exponent.middle.low == 0 && exponent.radius == 0;
   if (!exact || twice != std::nearbyint(twice) || std::abs(twice) > 64) {
-    return a.is_finite() ? Ball::of(power(interval_of(a), interval_of(exponent))) : a;
+    return a.is_finite() ? Ball::of(power(a.interval(), exponent.interval())) : a;
   }
   const auto halves = static_cast<unsigned>(std::abs(twice));
   Ball result = whole_power(a, halves / 2);
@@ -161,7 +200,13 @@ Ball power(const Ball& a, const Ball& exponent) {
 Ball evaluate(Function function, const Ball& argument) {
   if (function == Function::sin) return sin(argument);
   if (function == Function::cos) return cos(argument);
-  return argument.is_finite() ? Ball::of(evaluate(function, interval_of(argument))) : argument;
+  if (!argument.is_finite()) return argument;
+  if (function == Function::sign) return Ball::of(evaluate(function, argument.interval()));
+  const double spread = argument.radius == 0 ? 0 : argument.radius * steepest(function, argument.interval());
+  const DoubleDouble value = evaluate(function, argument.middle);
+  if (value.high == 0 && function != Function::exp && argument.middle.high == 0) return {value, spread};
+  return std::isfinite(spread) ? rounded(value, slightly_above(spread), function_unit)
+                               : Ball(DoubleDouble{}, infinity);
 }
 
 }  // namespace qdot

@@ -30,6 +30,8 @@ struct Ball {
   [[nodiscard]] double magnitude() const { return (std::abs(middle.high) + radius) * (1 + 0x1p-50); }
   /// Bound of |x - value()| for every x in the ball.
   [[nodiscard]] double error() const;
+  /// The doubles between which it lies.
+  [[nodiscard]] Interval interval() const;
   [[nodiscard]] Real real() const { return {middle.high, middle.low, radius}; }
 };
 
@@ -44,7 +46,6 @@ struct Ball {
 [[nodiscard]] Ball sin(const Ball& a);
 [[nodiscard]] Ball cos(const Ball& a);
 [[nodiscard]] Ball power(const Ball& a, const Ball& exponent);
-/// Functions other than sine and cosine are enclosed in doubles.
 [[nodiscard]] Ball evaluate(Function function, const Ball& argument);
 
 }  // namespace qdot

@@ -141,6 +141,10 @@ Interval operator-(const Interval& a, const Interval& b) {
 Interval operator-(const Interval& a) { return {-a.upper, -a.lower}; }
 
 Interval operator*(const Interval& a, const Interval& b) {
+  const double p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower, s = a.upper * b.upper;
+  const double least = std::min(std::min(p, q), std::min(r, s));
+  const double most = std::max(std::max(p, q), std::max(r, s));
+  if (std::isfinite((p + q) + (r + s)) && least != 0 && most != 0) return {below(least), above(most)};
   return range_of({product(a.lower, b.lower), product(a.lower, b.upper), product(a.upper, b.lower),
                    product(a.upper, b.upper)});
 }

@@ -7,32 +7,29 @@
 //   |sqrt(p/q) - g| = |D| / (q (sqrt(p/q) + g)) <= sum |D_k| / (min q (min sqrt(p/q) + min g)),
 //
 // so that only D is enclosed and g itself may be rounded as it likes. The part of D below the order n is
-// rounding, the other one truncation, which a shorter piece makes smaller.
+// rounding, the other one truncation, which a shorter piece makes smaller. Rounding is that of numbers with
+// twice the digits of doubles.
 
 #include <span>
 
-#include "core/numerics/interval.hpp"
+#include "core/numerics/ball.hpp"
 
 namespace qdot {
 
 /// A function of t: its coefficients, all but the last thin, and its range as far as that is known better
 /// than the coefficients tell.
 struct EnclosedPolynomial {
-  std::span<const Interval> coefficients;
+  std::span<const Ball> coefficients;
   Interval range = Interval::whole();
 };
 
 struct EnclosedIntegral {
-  Interval value = Interval::whole();
+  Ball value{DoubleDouble{}, std::numeric_limits<double>::infinity()};
   double truncation{};  ///< what a shorter piece would take off the width of `value`
 };
 
 /// Of sqrt(p/q) from `from` to `to`, in [-1, 1]. As many coefficients of p as of q.
 [[nodiscard]] EnclosedIntegral integral_of_root(const EnclosedPolynomial& p, const EnclosedPolynomial& q,
-                                                const Interval& from, const Interval& to);
-
-/// Of sqrt(p/q)/sqrt(t) from 0 to `to`, at most 1.
-[[nodiscard]] EnclosedIntegral integral_of_singular_root(const EnclosedPolynomial& p,
-                                                         const EnclosedPolynomial& q, const Interval& to);
+                                                const Ball& from, const Ball& to);
 
 }  // namespace qdot

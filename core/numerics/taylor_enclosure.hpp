@@ -13,52 +13,57 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
+#include "core/numerics/ball.hpp"
 #include "core/numerics/interval.hpp"
 
 namespace qdot {
 
-template <std::size_t N>
+template <std::size_t N, class Centre = Interval>
 struct TaylorEnclosure {
-  using Coefficients = std::array<Interval, N + 1>;
-  Coefficients at;        ///< f_k(c)
-  Coefficients over;      ///< all of f_k(x), x in X
-  std::size_t terms = 1;  ///< coefficients from here on are 0; 1: a constant, 2: linear in x
-  Interval reach{0};      ///< X - c
+  std::array<Centre, N + 1> at;      ///< f_k(c)
+  std::array<Interval, N + 1> over;  ///< all of f_k(x), x in X
+  std::size_t terms = 1;             ///< coefficients from here on are 0; 1: a constant, 2: linear in x
+  Interval reach{0};                 ///< X - c
 
   /// A literal of a tape, as Interval::literal takes it.
-  [[nodiscard]] static TaylorEnclosure literal(const Real& value) {
-    return constant(Interval::literal(value));
-  }
-  [[nodiscard]] static TaylorEnclosure constant(const Interval& value);
+  [[nodiscard]] static TaylorEnclosure literal(const Real& value) { return constant(Centre::literal(value)); }
+  [[nodiscard]] static TaylorEnclosure constant(const Centre& value);
   /// x itself.
-  [[nodiscard]] static TaylorEnclosure variable(const Interval& centre, const Interval& piece);
+  [[nodiscard]] static TaylorEnclosure variable(const Centre& centre, const Interval& piece);
 };
 
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> operator+(const TaylorEnclosure<N>& u, const TaylorEnclosure<N>& v);
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> operator*(const TaylorEnclosure<N>& u, const TaylorEnclosure<N>& v);
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> operator/(const TaylorEnclosure<N>& u, const TaylorEnclosure<N>& v);
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> square(const TaylorEnclosure<N>& u);
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> sqrt(const TaylorEnclosure<N>& u);
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> sin(const TaylorEnclosure<N>& u);
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> cos(const TaylorEnclosure<N>& u);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> operator+(const TaylorEnclosure<N, C>& u, const TaylorEnclosure<N, C>& v);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> operator*(const TaylorEnclosure<N, C>& u, const TaylorEnclosure<N, C>& v);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> operator/(const TaylorEnclosure<N, C>& u, const TaylorEnclosure<N, C>& v);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> square(const TaylorEnclosure<N, C>& u);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> sqrt(const TaylorEnclosure<N, C>& u);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> sin(const TaylorEnclosure<N, C>& u);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> cos(const TaylorEnclosure<N, C>& u);
+template <std::size_t N, class C>
+[[nodiscard]] std::pair<TaylorEnclosure<N, C>, TaylorEnclosure<N, C>> sine_cosine(
+    const TaylorEnclosure<N, C>& u);
 /// u^exponent for u > 0 or a whole exponent, which is a constant.
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> power(const TaylorEnclosure<N>& u, const TaylorEnclosure<N>& exponent);
-template <std::size_t N>
-[[nodiscard]] TaylorEnclosure<N> evaluate(Function function, const TaylorEnclosure<N>& u);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> power(const TaylorEnclosure<N, C>& u,
+                                          const TaylorEnclosure<N, C>& exponent);
+template <std::size_t N, class C>
+[[nodiscard]] TaylorEnclosure<N, C> evaluate(Function function, const TaylorEnclosure<N, C>& u);
 
 /// The orders there are: value, slope and curvature; and what quadrature takes.
 inline constexpr std::size_t curvature_order = 2;
 inline constexpr std::size_t quadrature_order = 16;
+using Curvature = TaylorEnclosure<curvature_order>;
+using FineSeries = TaylorEnclosure<quadrature_order, Ball>;
 extern template struct TaylorEnclosure<curvature_order>;
-extern template struct TaylorEnclosure<quadrature_order>;
+extern template struct TaylorEnclosure<quadrature_order, Ball>;
 
 }  // namespace qdot

@@ -46,6 +46,7 @@ class Analysis {
   Analysis(const Dynamics& dynamics, const Reals& parameters, const Reals& initial)
       : dynamics_(dynamics),
         statics_(dynamics.statics(parameters)),
+        parameters_(parameters.begin(), parameters.end()),
         constants_(parameters.as<Ball>()),
         y_(initial.begin(), initial.end()) {
     refuse_dry_friction(dynamics, parameters);
@@ -188,9 +189,24 @@ class Analysis {
       result_.undecided =
           "The potential has no minimum here; gyroscopic terms hold the system to first order, and "
           "linearization does not decide.";
+    } else if (has(ModeKind::oscillation) && !energy_decides()) {
+      result_.undecided =
+          "Small motions neither grow nor decay to first order, and the forces have no potential that would "
+          "decide: they are not the gradient of one, or depend on velocities.";
     } else {
       result_.stability = Stability::stable;
     }
+  }
+
+  [[nodiscard]] bool energy_decides() const {
+    struct Potential {
+      bool exists{};
+    };
+    return dynamics_
+        .derived<Potential>(
+            "potential of small motions", parameters_,
+            [&](const Statics& statics) { return Potential{has_potential(dynamics_.model(), statics)}; })
+        ->exists;
   }
 
   /// Undamped with a direction in which the potential falls.
@@ -207,6 +223,7 @@ class Analysis {
   const Dynamics& dynamics_;
   std::shared_ptr<const Statics> statics_;
   std::shared_ptr<const SmoothForces> smooth_;
+  std::vector<double> parameters_;
   Balls constants_;
   std::vector<double> y_;
   Equilibrium place_;

@@ -28,6 +28,20 @@ bool is_gradient(const std::vector<Expression>& stiffness, std::size_t n) {
 
 }  // namespace
 
+bool has_potential(const Model& model, const Statics& statics) {
+  const auto& forces = model.lagrangian.generalized_forces;
+  if (std::ranges::all_of(forces, [](const Expression& force) { return force.is_zero(); })) return true;
+  if (has_velocities(model, statics.reduction)) return false;
+  Graph graph(*statics.reduction.graph);
+  const std::size_t n = statics.rest.size();
+  std::vector<Expression> stiffness;
+  for (const Expression& force : statics.rest) {
+    for (const Expression& x : statics.reduction.x)
+      stiffness.push_back(differentiate(graph.adopt(force), graph.adopt(x)));
+  }
+  return is_gradient(stiffness, n);
+}
+
 std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph) {
   std::vector<Replacement> rest;
   for (const Expression& symbol : reduction.x_dot) rest.emplace_back(graph.adopt(symbol), graph.number(0));

@@ -44,6 +44,9 @@ struct SteadyProblem {
   std::vector<Interval> constants;  ///< the parameters, then the momenta of the ignored coordinates
 };
 
+/// The forces of a scene without kinks are the gradient of a potential, and none depends on a velocity.
+[[nodiscard]] bool has_potential(const Model& model, const Statics& statics);
+
 /// Throws Error(not_applicable) where dry friction holds the system wherever it is left.
 void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters);
 

@@ -11,14 +11,14 @@ template <class Number>
 std::vector<Number> unchanging(std::span<const Ball> constants) {
   std::vector<Number> result;
   result.reserve(constants.size());
-  for (const Ball& c : constants) result.push_back(Number::constant(interval_of(c)));
+  for (const Ball& c : constants) result.push_back(Number::constant(c.interval()));
   return result;
 }
 
 std::vector<Interval> intervals_of(std::span<const Ball> constants) {
   std::vector<Interval> result;
   result.reserve(constants.size());
-  for (const Ball& c : constants) result.push_back(interval_of(c));
+  for (const Ball& c : constants) result.push_back(c.interval());
   return result;
 }
 
@@ -37,12 +37,6 @@ Number value(TapeEvaluator<Number>& function, const Number& x) {
 
 }  // namespace
 
-Interval interval_of(const Ball& ball) {
-  const double error = ball.error();
-  if (error == 0) return ball.value();
-  return Interval(ball.value()) + Interval(-error, error);
-}
-
 EnergyBalance::EnergyBalance(const Statics& statics, std::span<const Ball> constants, const Real& x0,
                              const Real& x0_dot)
     : potential_(*statics.potential, unchanging<DividedDifference>(constants)),
@@ -52,13 +46,16 @@ EnergyBalance::EnergyBalance(const Statics& statics, std::span<const Ball> const
       sharp_potential_(*statics.potential, constants),
       sharp_rate_(statics.forces, constants),
       sharp_inertia_(statics.inertia, constants),
-      curved_potential_(*statics.potential, unchanging<TaylorEnclosure<curvature_order>>(constants)),
-      potential_series_(*statics.potential, unchanging<TaylorEnclosure<quadrature_order>>(constants)),
-      inertia_series_(statics.inertia, unchanging<TaylorEnclosure<quadrature_order>>(constants)),
+      curved_potential_(*statics.potential, unchanging<Curvature>(constants)),
+      statics_(statics),
+      constants_(constants.begin(), constants.end()),
       x0_(x0),
       x0_dot_(x0_dot),
       at_rest_(x0_dot == Real(0)) {
-  if (!at_rest_) kinetic_energy_ = inertia(start()) * square(Interval::literal(x0_dot)) * Interval(0.5);
+  sharp_start_ = value(sharp_potential_, Ball::literal(x0));
+  if (at_rest_) return;
+  kinetic_energy_ = inertia(start()) * square(Interval::literal(x0_dot)) * Interval(0.5);
+  sharp_kinetic_ = value(sharp_inertia_, Ball::literal(x0)) * square(Ball::literal(x0_dot)) * Ball(0.5);
 }
 
 double EnergyBalance::rounding_of_start() {
@@ -77,9 +74,7 @@ Interval EnergyBalance::remaining(const Interval& x) {
 }
 
 Interval EnergyBalance::remaining_sharply(double x) {
-  const Ball change = value(sharp_potential_, Ball(x)) - value(sharp_potential_, Ball::literal(x0_));
-  const Ball kinetic = value(sharp_inertia_, Ball::literal(x0_)) * square(Ball::literal(x0_dot_)) * Ball(0.5);
-  return interval_of(kinetic - change);
+  return (sharp_kinetic_ + sharp_start_ - value(sharp_potential_, Ball(x))).interval();
 }
 
 Interval EnergyBalance::potential_slope(const Interval& a, const Interval& x) {
@@ -97,26 +92,34 @@ Interval EnergyBalance::potential(const Interval& x) {
 }
 
 Interval EnergyBalance::potential_rate_sharply(double x) {
-  return is_whole(stiffness(x)) ? Interval::whole() : interval_of(value(sharp_rate_, Ball(x)));
+  return is_whole(stiffness(x)) ? Interval::whole() : value(sharp_rate_, Ball(x)).interval();
 }
 
 /// The formula of U' is silent about jumps of U, and takes one slope at a kink.
 Interval EnergyBalance::potential_rate(const Interval& x) {
-  const auto u = value(curved_potential_, TaylorEnclosure<curvature_order>::variable(centre_of(x), x)).over;
+  const auto u = value(curved_potential_, Curvature::variable(centre_of(x), x)).over;
   return is_whole(u[2]) ? u[1] : intersection(u[1], value(rate_, x));
 }
 
 /// The formula of U'' is silent about kinks.
 Interval EnergyBalance::stiffness(const Interval& x) {
-  const auto u = value(curved_potential_, TaylorEnclosure<curvature_order>::variable(centre_of(x), x)).over;
+  const auto u = value(curved_potential_, Curvature::variable(centre_of(x), x)).over;
   return is_whole(u[2]) ? u[2] : intersection(Interval(2) * u[2], value(stiffness_, x));
 }
 
 Interval EnergyBalance::inertia(const Interval& x) { return value(inertia_, x); }
 
-EnergySeries EnergyBalance::series(const Interval& centre, const Interval& piece) {
-  const auto x = TaylorEnclosure<quadrature_order>::variable(centre, piece);
-  return {value(potential_series_, x), value(inertia_series_, x)};
+EnergySeries EnergyBalance::along(const FineSeries& x) {
+  if (!potential_series_) {
+    std::vector<FineSeries> constants;
+    for (const Ball& c : constants_) constants.push_back(FineSeries::constant(c));
+    potential_series_.emplace(*statics_.potential, constants);
+    inertia_series_.emplace(statics_.inertia, constants);
+  }
+  EnergySeries series{FineSeries::literal(-1) * value(*potential_series_, x), value(*inertia_series_, x)};
+  series.remaining.at[0] = sharp_kinetic_ + sharp_start_ + series.remaining.at[0];
+  series.remaining.over[0] = remaining(x.over[0]);
+  return series;
 }
 
 }  // namespace qdot

@@ -7,6 +7,7 @@
 // difference U[x0, x] never cancels (core/numerics/divided_difference.hpp). Motion needs F(x) >= 0.
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,12 +19,9 @@
 
 namespace qdot {
 
-/// The doubles between which a ball lies.
-[[nodiscard]] Interval interval_of(const Ball& ball);
-
-/// U and A about a centre and over a piece.
+/// F and A along a path x(s).
 struct EnergySeries {
-  TaylorEnclosure<quadrature_order> potential, inertia;
+  FineSeries remaining, inertia;
 };
 
 class EnergyBalance {
@@ -40,6 +38,7 @@ class EnergyBalance {
     return std::max(start().upper - x0_.value, x0_.value - start().lower);
   }
   [[nodiscard]] const Interval& kinetic_energy() const { return kinetic_energy_; }  ///< T0
+  [[nodiscard]] Ball energy() const { return sharp_kinetic_ + sharp_start_; }       ///< h [J]
   [[nodiscard]] bool starts_at_rest() const { return at_rest_; }
   /// By how much h may change when x0 and x0' change by half a unit in their last place [J].
   [[nodiscard]] double rounding_of_start();
@@ -56,14 +55,17 @@ class EnergyBalance {
   [[nodiscard]] Interval potential_rate(const Interval& x);
   [[nodiscard]] Interval stiffness(const Interval& x);  ///< K(x) = U''(x); the whole line where U has a kink
   [[nodiscard]] Interval inertia(const Interval& x);    ///< A(x)
-  [[nodiscard]] EnergySeries series(const Interval& centre, const Interval& piece);
+  [[nodiscard]] EnergySeries along(const FineSeries& x);
 
  private:
   TapeEvaluator<DividedDifference> potential_;
   TapeEvaluator<Interval> rate_, stiffness_, inertia_;
   TapeEvaluator<Ball> sharp_potential_, sharp_rate_, sharp_inertia_;
-  TapeEvaluator<TaylorEnclosure<curvature_order>> curved_potential_;
-  TapeEvaluator<TaylorEnclosure<quadrature_order>> potential_series_, inertia_series_;
+  TapeEvaluator<Curvature> curved_potential_;
+  std::optional<TapeEvaluator<FineSeries>> potential_series_, inertia_series_;  ///< made when asked for
+  const Statics& statics_;
+  std::vector<Ball> constants_;
+  Ball sharp_start_, sharp_kinetic_;  ///< U(x0), T0
   Real x0_, x0_dot_;
   bool at_rest_;
   Interval kinetic_energy_;

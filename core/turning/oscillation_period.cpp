@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "core/base/work.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/numerics/double_double_function.hpp"
 #include "core/turning/period_pieces.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr std::size_t most_period_pieces = 4000;
-/// A piece is short enough when it leaves this much of the whole open, or less than its roundings do.
-constexpr double wanted = 0x1p-57;
-constexpr double share_of_rounding = 0.125;
+/// A piece is short enough when it leaves this much of its time open, or of what has passed before it.
+constexpr double wanted = 0x1p-56;
+constexpr double share_of_past = 0.0625;
+constexpr double first_length = 0.1;
 
 Finding unknown() {
   return {
@@ -23,68 +23,82 @@ Finding unknown() {
       "way, or the potential varies too fast for the work allowed."};
 }
 
-/// Pieces in the order of the way, cut until they are good enough or too many.
-std::vector<PeriodPiece> refined(PeriodPieces& pieces, std::vector<PeriodPiece> way) {
-  for (std::size_t made = way.size(); made < most_period_pieces;) {
-    double known = 0;
-    for (const PeriodPiece& piece : way) {
-      if (piece.time.is_finite()) known += piece.time.lower;
+/// Walks along s in pieces that are as long as the error wanted allows.
+class Walk {
+ public:
+  Walk(PeriodPieces& pieces, const PeriodEnd* end) : pieces_(pieces), end_(end) {}
+
+  Ball duration(double from, double to) {
+    Ball sum;
+    double length = first_length;
+    for (std::size_t tries = 0; from < to; ++tries) {
+      const bool last = tries >= most_period_pieces;
+      const double next = last ? to : ahead(from, to, length);
+      const PeriodPiece piece = pieces_.between(from, next, end_);
+      const double enough = wanted * std::max(least(piece.time), share_of_past * least(sum));
+      const bool shortest = from / 2 + next / 2 <= from || from / 2 + next / 2 >= next;
+      length = (next - from) * better_factor(piece, enough);
+      if (!(piece.truncation <= enough) && !shortest && !last) continue;
+      sum = sum + piece.time;
+      if (end_ != nullptr && from == 0) length *= 2;  // the first one reaches to one side only
+      from = next;
     }
-    std::vector<PeriodPiece> next;
-    for (const PeriodPiece& piece : way) {
-      const double rounding = piece.time.width() - piece.truncation;
-      const bool good = piece.truncation <= std::max(wanted * known, share_of_rounding * rounding);
-      const auto parts = good || made >= most_period_pieces ? std::nullopt : pieces.halves(piece);
-      if (parts) {
-        next.insert(next.end(), parts->begin(), parts->end());
-        made += 2;
-      } else {
-        next.push_back(piece);
-      }
-    }
-    if (next.size() == way.size()) break;
-    way = std::move(next);
+    return sum;
   }
-  return way;
-}
 
-Interval duration(PeriodPieces& pieces, std::vector<PeriodPiece> way) {
-  Interval sum(0);
-  for (const PeriodPiece& piece : refined(pieces, std::move(way))) sum = sum + piece.time;
-  return sum;
-}
+ private:
+  static double least(const Ball& time) {
+    return time.is_finite() ? std::max(0.0, time.interval().lower) : 0;
+  }
 
-Finding finding_of(const Interval& period) {
+  /// Without leaving a sliver before the end.
+  static double ahead(double from, double to, double length) {
+    const double rest = to - from;
+    if (rest <= length) return to;
+    const double next = from + (rest < 2 * length ? rest / 2 : length);
+    return next > from ? std::min(next, to) : std::min(std::nextafter(from, infinity), to);
+  }
+
+  /// By how much a piece should be longer: the truncation goes with a power of it.
+  static double better_factor(const PeriodPiece& piece, double enough) {
+    constexpr double safety = 0.9, least_factor = 0.25, most_factor = 2;
+    const double ratio = enough / piece.truncation;
+    if (!(ratio > 0)) return least_factor;
+    if (!std::isfinite(ratio)) return most_factor;
+    return std::clamp(safety * power(ratio, 1 / static_cast<double>(piece.order)), least_factor, most_factor);
+  }
+
+  PeriodPieces& pieces_;
+  const PeriodEnd* end_;
+};
+
+Finding finding_of(const Ball& period) {
   if (!period.is_finite()) return unknown();
-  return {period.middle(), std::nextafter(period.radius(), infinity), ""};
+  return {period.value(), period.error(), ""};
 }
 
 }  // namespace
 
 Finding libration_period(EnergyBalance& energy, const Interval& a, const Interval& b) {
   PeriodPieces pieces(energy);
-  const double middle = a.middle() / 2 + b.middle() / 2;
-  if (!(a.upper < middle) || !(middle < b.lower)) return unknown();
-  const PeriodEnd left = turning_end(energy, a, 1), right = turning_end(energy, b, -1);
-  return finding_of(Interval(2) *
-                    duration(pieces, {pieces.beside(left, middle), pieces.beside(right, middle)}));
+  const Ball left = turning_place(energy, a), right = turning_place(energy, b), span = right - left;
+  if (span.contains_zero() || !(a.upper < b.lower)) return unknown();
+  const PeriodEnd from_left{left, span}, from_right{right, -span};
+  const Ball halves =
+      Walk(pieces, &from_left).duration(0, pi / 4) + Walk(pieces, &from_right).duration(0, pi / 4);
+  // Both halves end a little before the middle, and |b - a| ds = dx there.
+  const Ball gap = Ball(pi_double_double, 1e-32) * Ball(0.5) - Ball(pi / 4) - Ball(pi / 4);
+  const Ball middle = left + span * Ball({0.5, 0}, 1e-15);
+  const Interval rest = gap.interval() * span.interval() * pieces.slowness(middle.interval());
+  return finding_of(Ball(2) * (halves + Ball::of(rest)));
 }
 
 Finding rotation_period(EnergyBalance& energy) {
   PeriodPieces pieces(energy);
-  const Interval turn = Interval(2) * Interval(std::nextafter(pi, 0), std::nextafter(pi, 4));
   const double from = energy.x0(), to = from + 2 * pi;
-  constexpr int first_pieces = 8;
-  std::vector<PeriodPiece> way;
-  double p = from;
-  for (int k = 1; k <= first_pieces; ++k) {
-    const double q = k == first_pieces ? to : from + 2 * pi * k / first_pieces;
-    way.push_back(pieces.between(p, q));
-    p = q;
-  }
-  const Interval end = Interval(from) + turn;
-  const Interval rest = (end - Interval(to)) * pieces.slowness(hull(end, to));
-  return finding_of(duration(pieces, std::move(way)) + rest);
+  const Ball end = Ball(from) + Ball(2) * Ball(pi_double_double, 1e-32);
+  const Interval rest = (end - Ball(to)).interval() * pieces.slowness(hull(end.interval(), to));
+  return finding_of(Walk(pieces, nullptr).duration(from, to) + Ball::of(rest));
 }
 
 }  // namespace qdot

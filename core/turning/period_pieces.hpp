@@ -1,39 +1,36 @@
 #pragma once
-// The time that a motion takes for a piece of its way, integral of sqrt(A/(2 F)) dx, enclosed.
-
-#include <array>
-#include <optional>
+// The time that a motion takes for a piece of its way, enclosed. Between two turning points a and b
+//
+//   x = a + (b - a) sin^2 s,   dt = sqrt(2) |b - a| sin s cos s sqrt(A/F) ds = sqrt(p/q) ds,
+//   p = 4 sin^2 s cos^2 s A,   q = 2 F/(b - a)^2,
+//
+// where the zeros of q at both ends are those of p, so that dt/ds is smooth all the way. At a itself s^2 is
+// taken out of both. For one turn of an angle s = x, p = A, q = 2 F.
 
 #include "core/turning/energy_balance.hpp"
 
 namespace qdot {
 
-/// A turning point a = near + offset, with more digits than a double has.
+/// A turning point and the way from there to the other one, with more digits than a double has.
 struct PeriodEnd {
-  double near{};
-  Interval offset;
-  Interval slope;   ///< U'(a)
-  double inward{};  ///< the motion is at x = a + inward s, s > 0
+  Ball place, way;
 };
 
 /// `place` holds one zero of F.
-[[nodiscard]] PeriodEnd turning_end(EnergyBalance& energy, const Interval& place, double inward);
+[[nodiscard]] Ball turning_place(EnergyBalance& energy, const Interval& place);
 
 struct PeriodPiece {
-  double from{}, to{};
-  std::optional<PeriodEnd> end;  ///< the piece begins there, not at `from`
-  Interval time;                 ///< the whole line where F cannot be told from 0 [s]
-  double truncation{};           ///< how much narrower `time` would be with pieces shorter than this
+  Ball time;            ///< not finite where F cannot be told from 0 [s]
+  double truncation{};  ///< how much narrower `time` would be with pieces shorter than this
+  std::size_t order{};  ///< with which power of its length the truncation falls
 };
 
 class PeriodPieces {
  public:
   explicit PeriodPieces(EnergyBalance& energy) : energy_(energy) {}
 
-  [[nodiscard]] PeriodPiece between(double from, double to);
-  [[nodiscard]] PeriodPiece beside(const PeriodEnd& end, double to);
-  /// Nothing where there is no place between its ends.
-  [[nodiscard]] std::optional<std::array<PeriodPiece, 2>> halves(const PeriodPiece& piece);
+  /// s between two places; `end`: where s = 0, none for a turn.
+  [[nodiscard]] PeriodPiece between(double from, double to, const PeriodEnd* end);
   /// sqrt(A/(2 F)) on all of x.
   [[nodiscard]] Interval slowness(const Interval& x);
 

@@ -158,8 +158,7 @@ class Question {
       answer_.momenta_errors.push_back(problem_.constants[i].error());
     }
     check_start(energy_, q.name);
-    const Interval h = energy_.kinetic_energy() + energy_.potential(energy_.start());
-    answer_.energy = {h.middle(), h.radius(), ""};
+    answer_.energy = {energy_.energy().value(), energy_.energy().error(), ""};
     if (energy_.starts_at_rest() && !departs_from_rest(energy_)) {
       stay(q.name);
     } else {

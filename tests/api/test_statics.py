@@ -236,6 +236,26 @@ class Spectra(Service):
                     off = min(abs(mp.mpc(s["re"], s["im"]) - r) for r in exact)
                     self.assertLessEqual(off, s["error"] + EXACT)
 
+    def test_what_no_energy_decides_is_neither_stable_nor_unstable(self):
+        for forces in (["-k*x0 + c*x0_dot*(T*x0_dot/a)^2"],  # pumps, and with the other sign brakes: to third order
+                       ["-k*x0 - c*x0_dot*(T*x0_dot/a)^2"],
+                       ["-k*x0 + c*x0_dot*(x0/a)^2"],
+                       ["-k*x0", "-k*x1 + k*x0"],  # driven in its resonance
+                       ["-k*x0 + k*x0*(x0/a)*x1/a", "-2*k*x1"]):
+            scene = chain([[0.0]*len(forces)]*len(forces), [[0.0]*len(forces)]*len(forces))
+            scene["parameters"] += [{"name": "T", "unit": "s", "default": "1"},
+                                    {"name": "a", "unit": "m", "default": "1"}]
+            for entry, force in zip(scene["forces"], forces):
+                entry["vector"][0] = force
+            with self.subTest(forces):
+                modes = self.ask("modes", {"system": scene})["equilibrium"]
+                self.assertEqual(modes["stability"], "neutral")
+                self.assertTrue(modes["nonlinear"])
+                entry, = self.ask("equilibria", {"system": scene})["equilibria"]
+                self.assertEqual(entry["stability"], "neutral")
+        scene = chain([[2.0, -1.0], [-1.0, 2.0]], [[0.0, 0.0], [0.0, 0.0]])  # springs, written as forces
+        self.assertEqual(self.ask("modes", {"system": scene})["equilibrium"]["stability"], "stable")
+
     def test_at_the_verge_of_gyroscopic_stabilization_nothing_is_decided(self):
         stiffness, damping = [[-1.0, 0.0], [0.0, -1.0]], [[0.0, -2.0], [2.0, 0.0]]
         entry, = self.ask("equilibria", {"system": chain(stiffness, damping)})["equilibria"]

@@ -19,6 +19,13 @@ TEST(StatedNumber, HasWhatItsDigitsRoundAwayInItsError) {
   EXPECT_EQ(stated_error({0.5, 1.234e-9}, 2).get<double>(), 1.3e-9);
 }
 
+TEST(StatedNumber, IsWithinItsErrorAsADecimalAndAsADouble) {
+  const double third = 1.0 / 3;  // written as 0.3333333333333333, 1.85e-17 less than the double
+  EXPECT_GE(stated_error({third, 0}, shortest_digits).get<double>(), 1.85e-17);
+  EXPECT_LE(stated_error({third, 0}, shortest_digits).get<double>(), 1.86e-17);
+  EXPECT_EQ(stated_error({0.75, 0}, shortest_digits).get<double>(), 0);
+}
+
 TEST(StatedNumber, OfWhichNothingIsKnownHasNoError) {
   EXPECT_TRUE(stated_error({1, std::numeric_limits<double>::infinity()}, 3).is_null());
   EXPECT_TRUE(stated_error({1, std::numeric_limits<double>::quiet_NaN()}, shortest_digits).is_null());

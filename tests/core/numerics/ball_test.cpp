@@ -54,6 +54,49 @@ TEST(Ball, HasTheSinesOfSumsAndOfLargeAngles) {
               1e-14);
 }
 
+TEST(Ball, HasAllFunctionsToTwiceTheDigits) {
+  test::Random random(6);
+  for (int i = 0; i < 500; ++i) {
+    const Ball a = random.real(-0.9, 0.9), b = random.real(-20, 20);
+    expect_same(evaluate(Function::exp, a + b), evaluate(Function::exp, a) * evaluate(Function::exp, b),
+                1e-27);
+    expect_same(evaluate(Function::log, evaluate(Function::exp, b)), b, 1e-25);
+    expect_same(evaluate(Function::tanh, b), evaluate(Function::sinh, b) / evaluate(Function::cosh, b),
+                1e-27);
+    expect_same(evaluate(Function::tan, a), sin(a) / cos(a), 1e-26);
+    expect_same(sin(evaluate(Function::asin, a)), a, 1e-26);
+    expect_same(cos(evaluate(Function::acos, a)), a, 1e-24);
+    expect_same(evaluate(Function::tan, evaluate(Function::atan, b)), b, 1e-24);
+  }
+}
+
+TEST(Ball, OfAFunctionHoldsItsValuesAtBothEnds) {
+  test::Random random(7);
+  for (std::size_t i = 0; i < function_names.size(); ++i) {
+    const auto function = static_cast<Function>(i);
+    for (int trial = 0; trial < 50; ++trial) {
+      const double m = random.real(0.05, 0.9), r = std::ldexp(1.0, -random.integer(4, 40)) / 2;
+      const Ball wide = evaluate(function, Ball({m, 0}, r));
+      for (const double x : {m - r, m + r}) {
+        const Ball narrow = evaluate(function, Ball(x));
+        EXPECT_LE(std::abs((wide.middle - narrow.middle).high), wide.radius + narrow.radius)
+            << name(function);
+      }
+    }
+  }
+  EXPECT_FALSE(evaluate(Function::log, Ball({0.5, 0}, 0.6)).is_finite());
+  EXPECT_FALSE(evaluate(Function::asin, Ball({0.9, 0}, 0.2)).is_finite());
+}
+
+TEST(Ball, OfASineNearItsTopIsHardlySpread) {
+  const Ball top = sin(Ball({1.5707963267948966, 0}, 1e-20));
+  EXPECT_LT(top.radius, 1e-28);
+  EXPECT_TRUE((top - Ball(1)).contains_zero());
+  const Ball aside = sin(Ball({1, 0}, 1e-3));
+  for (const double x : {1 - 1e-3, 1 + 1e-3})
+    EXPECT_LE(std::abs((aside.middle - sin(Ball(x)).middle).high), aside.radius);
+}
+
 TEST(Ball, GrowsWithWhatIsNotKnown) {
   const Ball x({1.0, 0.0}, 1e-3);
   for (const double inside : {-1e-3, 0.0, 1e-3}) {

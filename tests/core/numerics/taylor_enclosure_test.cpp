@@ -11,14 +11,14 @@
 namespace qdot {
 namespace {
 
-using Enclosure = TaylorEnclosure<quadrature_order>;
+using Enclosure = FineSeries;
 
 /// f at x by its coefficients at the centre up to the order n, and the one over the piece for the rest.
 Interval value_at(const Enclosure& f, double centre, double x, std::size_t n) {
   const Interval s = Interval(x) - Interval(centre);
   Interval sum(0), power(1);
   for (std::size_t k = 0; k <= n; ++k) {
-    sum = sum + (k < n ? f.at[k] : f.over[k]) * power;
+    sum = sum + (k < n ? f.at[k].interval() : f.over[k]) * power;
     power = power * s;
   }
   return sum;
@@ -71,9 +71,30 @@ TEST(TaylorEnclosure, OfTheExponentialIsItsSeries) {
   double factorial = 1;
   for (std::size_t k = 0; k <= quadrature_order; ++k) {
     if (k > 0) factorial *= static_cast<double>(k);
-    EXPECT_TRUE(f.at[k].contains(1 / factorial)) << k;
-    EXPECT_LT(f.at[k].width(), 1e-14 / factorial);
+    EXPECT_TRUE((f.at[k] - Ball(1) / Ball(factorial)).contains_zero()) << k;
+    EXPECT_LT(f.at[k].radius, 1e-29 / factorial);
     EXPECT_TRUE(f.over[k].contains(Interval(0.61, 1.64) / Interval(factorial)));
+  }
+}
+
+TEST(TaylorEnclosure, FarFromAStepKnowsThatItsSlopesVanish) {
+  const auto f = evaluate(Function::tanh, Enclosure::literal(1e5) * Enclosure::variable(0.1, {0.05, 0.15}));
+  for (std::size_t k = 1; k <= quadrature_order; ++k) {
+    EXPECT_LT(f.at[k].magnitude(), 1e-200) << k;
+    EXPECT_LT(f.over[k].magnitude(), 1e-200) << k;
+  }
+}
+
+TEST(TaylorEnclosure, OfPolynomialsKeepsTwiceTheDigits) {
+  test::Random random(5);
+  for (int trial = 0; trial < 100; ++trial) {
+    const double c = random.real(-2, 2);
+    const auto x = Enclosure::variable(c, {c - 0.1, c + 0.1});
+    const auto sum = square(x + Enclosure::literal(-3) * square(x));  // x^2 - 6 x^3 + 9 x^4
+    const Ball at(c), third = Ball(-6) + Ball(36) * at;               // a sixth of the third derivative
+    EXPECT_TRUE((sum.at[3] - third).contains_zero());
+    EXPECT_LT(sum.at[3].radius, 1e-27);
+    EXPECT_TRUE(sum.over[3].contains(third.value()));
   }
 }
 
