@@ -23,7 +23,9 @@ double rounded_away(double value, int digits) {
   std::from_chars(text, end, decimal);
   const long double off = std::abs(decimal - static_cast<long double>(value));
   if (off == 0 && is_short_decimal(value)) return 0;
-  return static_cast<double>(off) * (1 + 0x1p-50) + std::abs(value) * 0x1p-62;
+  // With fewer digits, also from the decimal that names the double.
+  const double other_reading = std::abs(value) * (written == value ? 0x1p-62 : 0x1p-52);
+  return static_cast<double>(off) * (1 + 0x1p-50) + other_reading;
 }
 
 }  // namespace

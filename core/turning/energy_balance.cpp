@@ -122,4 +122,15 @@ EnergySeries EnergyBalance::along(const FineSeries& x) {
   return series;
 }
 
+CurvedEnergy EnergyBalance::along(const Curvature& x) {
+  if (!curved_inertia_) curved_inertia_.emplace(statics_.inertia, unchanging<Curvature>(constants_));
+  CurvedEnergy energy{Curvature::literal(-1) * value(curved_potential_, x), value(*curved_inertia_, x)};
+  energy.remaining.at[0] = remaining(x.at[0]);
+  energy.remaining.over[0] = remaining(x.over[0]);
+  const Interval by_slope = energy.remaining.at[0] + energy.remaining.over[1] * x.reach;
+  const Interval both = intersection(energy.remaining.over[0], by_slope);
+  if (!is_empty(both)) energy.remaining.over[0] = both;
+  return energy;
+}
+
 }  // namespace qdot

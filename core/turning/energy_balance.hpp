@@ -23,6 +23,9 @@ namespace qdot {
 struct EnergySeries {
   FineSeries remaining, inertia;
 };
+struct CurvedEnergy {
+  Curvature remaining, inertia;
+};
 
 class EnergyBalance {
  public:
@@ -56,12 +59,14 @@ class EnergyBalance {
   [[nodiscard]] Interval stiffness(const Interval& x);  ///< K(x) = U''(x); the whole line where U has a kink
   [[nodiscard]] Interval inertia(const Interval& x);    ///< A(x)
   [[nodiscard]] EnergySeries along(const FineSeries& x);
+  [[nodiscard]] CurvedEnergy along(const Curvature& x);
 
  private:
   TapeEvaluator<DividedDifference> potential_;
   TapeEvaluator<Interval> rate_, stiffness_, inertia_;
   TapeEvaluator<Ball> sharp_potential_, sharp_rate_, sharp_inertia_;
   TapeEvaluator<Curvature> curved_potential_;
+  std::optional<TapeEvaluator<Curvature>> curved_inertia_;
   std::optional<TapeEvaluator<FineSeries>> potential_series_, inertia_series_;  ///< made when asked for
   const Statics& statics_;
   std::vector<Ball> constants_;

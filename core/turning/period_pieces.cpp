@@ -38,8 +38,12 @@ std::vector<Ball> scaled(const FineSeries& f, std::size_t taken_out, std::size_t
 /// A row of coefficients takes this much more work than a value.
 void count_work() { spend_work(quadrature_order * quadrature_order); }
 
+const Ball& narrower(const Ball& a, const Ball& b) { return b.radius < a.radius ? b : a; }
+
 Integrand of_turn(EnergyBalance& energy, const FineSeries& s) {
-  const EnergySeries series = energy.along(s);
+  EnergySeries series = energy.along(s);
+  Ball& centre = series.remaining.at[0];
+  centre = narrower(centre, Ball::of(energy.remaining(s.at[0].interval())));
   const FineSeries q = FineSeries::literal(2) * series.remaining;
   return {series.inertia, q, series.inertia.over[0], Interval(2) * series.remaining.over[0]};
 }
@@ -49,7 +53,11 @@ Integrand of_libration(EnergyBalance& energy, const PeriodEnd& end, const FineSe
   const FineSeries sine2 = square(sine), cosine2 = square(cosine);
   FineSeries x = FineSeries::constant(end.place) + FineSeries::constant(end.way) * sine2;
   x.over[0] = intersection(x.over[0], hull(end.place.interval(), (end.place + end.way).interval()));
-  const EnergySeries series = energy.along(x);
+  EnergySeries series = energy.along(x);
+  // Of small motions h and U nearly cancel; U[a, x] does not.
+  const Interval slope = energy.potential_slope(end.place.interval(), x.at[0].interval());
+  Ball& centre = series.remaining.at[0];
+  centre = narrower(centre, -(end.way * sine2.at[0] * Ball::of(slope)));
   Integrand f;
   f.p = FineSeries::literal(4) * (sine2 * cosine2) * series.inertia;
   const Ball scale = Ball(1) / end.way;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/base/error.hpp"
 #include "core/expr/full_turn.hpp"
@@ -105,42 +106,30 @@ std::vector<ValidityMinimum> no_minima(const Model& model, const std::string& re
 }
 
 /// The energy integral knows nothing of places where other coordinates lose their meaning: a change of sign
-/// of a `singular_where` expression between the turning points, the other coordinates as in y.
-std::vector<std::string> singular_places(const Dynamics& dynamics, std::span<const double> parameters,
-                                         std::vector<double> y, const TurningPoints& answer) {
-  const Model& model = dynamics.model();
+/// of a `singular_where` expression on the way.
+std::vector<std::string> singular_places(const Scene& scene, EnclosedMotion& motion) {
   std::vector<std::string> notes;
-  if (model.scene.singular_where.empty() || !answer.minimum.value || !answer.maximum.value) return notes;
-  std::vector<Column> columns;
-  for (std::size_t i = 0; i < model.scene.singular_where.size(); ++i)
-    columns.push_back({model.scene.singular_where[i].name, "", model.parsed.singular_where[i]});
-  const auto function = dynamics.columns(columns);
-  Workspace workspace = function->bind(parameters);
-  std::vector<double> values(columns.size());
-  std::vector<int> signs(columns.size());  // 0: none yet
-  std::vector<bool> noted(columns.size());
-  constexpr int pieces = 64;
-  for (int k = 0; k <= pieces; ++k) {
-    y[answer.coordinate] =
-        *answer.minimum.value + (*answer.maximum.value - *answer.minimum.value) * k / pieces;
-    if (function->evaluate(0, y, workspace, values) != Evaluation::ok) return notes;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const int sign = (values[i] > 0) - (values[i] < 0);
-      if (!noted[i] && signs[i] != 0 && sign != signs[i]) {
-        noted[i] = true;
-        notes.push_back("On its way the motion passes a singular place: " +
-                        model.scene.singular_where[i].message);
-      }
-      signs[i] = sign;
+  for (std::size_t i = 0; i < scene.singular_where.size(); ++i) {
+    const std::string& message = scene.singular_where[i].message;
+    switch (motion.vanishes(i)) {
+      case Vanishes::never:
+        break;
+      case Vanishes::changes_sign:
+        notes.push_back("On its way the motion passes a singular place: " + message);
+        break;
+      case Vanishes::undecided:
+        notes.push_back("On its way the motion may come to a singular place: " + message);
+        break;
     }
   }
   return notes;
 }
 
+const Interval turn = Interval(2) * Interval(std::nextafter(pi, 0), std::nextafter(pi, 4));
+
 class Question {
  public:
-  Question(const Dynamics& dynamics, const EnergyProblem& problem, std::span<const double> parameters,
-           const Reals& y0)
+  Question(const Dynamics& dynamics, const EnergyProblem& problem, const Reals& parameters, const Reals& y0)
       : dynamics_(dynamics),
         problem_(problem),
         parameters_(parameters),
@@ -164,8 +153,6 @@ class Question {
     } else {
       move(q);
     }
-    for (std::string& note : singular_places(dynamics_, parameters_, {y0_.begin(), y0_.end()}, answer_))
-      answer_.notes.push_back(std::move(note));
     return std::move(answer_);
   }
 
@@ -187,7 +174,8 @@ class Question {
       answer_.notes.push_back("The equilibrium is unstable, and " + name +
                               " is the nearest number to it: the least push carries the system away.");
     }
-    answer_.validity = minima_along([this](double) { return std::pair(x0_, 0.0); });
+    const PeriodicWay here{energy_.start(), energy_.start(), true};
+    answer_.validity = minima_along([this](double) { return std::pair(x0_, 0.0); }, here);
   }
 
   void move(const Coordinate& q) {
@@ -204,21 +192,50 @@ class Question {
     if (!answer_.motion) answer_.motion_reason = why_kind_is_open(bounds, answer_);
     answer_.period = period_of(energy_, answer_, bounds);
     if (answer_.motion == MotionKind::libration) {
-      answer_.validity = minima_along(libration_path(energy_, bounds.down.place, bounds.up.place));
+      const PeriodicWay way{bounds.down.place, bounds.up.place, true};
+      answer_.validity = minima_along(libration_path(energy_, way.from, way.to), way);
+      note_singular_places(way);
     } else if (answer_.motion == MotionKind::rotation) {
-      answer_.validity = minima_along(rotation_path(energy_, x0_dot_));
+      const PeriodicWay way{energy_.start(), energy_.start() + turn, false, std::copysign(1.0, x0_dot_)};
+      answer_.validity = minima_along(rotation_path(energy_, x0_dot_), way);
+      note_singular_places(way);
     } else {
       answer_.validity = no_minima(dynamics_.model(), "The motion is not periodic.");
     }
   }
 
-  [[nodiscard]] std::vector<ValidityMinimum> minima_along(const PhasePath& path) const {
+  [[nodiscard]] EnclosedMotion motion_along(const PeriodicWay& way, const CompiledFunction& values) {
+    const auto momenta = std::span(problem_.constants).subspan(parameters_.size());
+    return {energy_, way, values, dynamics_, problem_.original->reduction, parameters_, momenta, y0_};
+  }
+
+  [[nodiscard]] std::vector<ValidityMinimum> minima_along(const PhasePath& path,
+                                                          const std::optional<PeriodicWay>& way) {
+    const std::vector<Column> columns = validity_columns(dynamics_.model());
+    if (columns.empty()) return {};
+    if (way) {
+      const auto values = dynamics_.columns(columns);
+      EnclosedMotion motion = motion_along(*way, *values);
+      std::vector<ValidityMinimum> proven = proven_minima(motion, columns.size());
+      if (!proven.empty()) return proven;
+    }
     return validity_minima(dynamics_, problem_.original->reduction, parameters_, answer_.momenta, y0_, path);
+  }
+
+  void note_singular_places(const PeriodicWay& way) {
+    const Scene& scene = dynamics_.model().scene;
+    if (scene.singular_where.empty()) return;
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < scene.singular_where.size(); ++i)
+      columns.push_back({scene.singular_where[i].name, "", dynamics_.model().parsed.singular_where[i]});
+    const auto values = dynamics_.columns(columns);
+    EnclosedMotion motion = motion_along(way, *values);
+    for (std::string& note : singular_places(scene, motion)) answer_.notes.push_back(std::move(note));
   }
 
   const Dynamics& dynamics_;
   const EnergyProblem& problem_;
-  std::span<const double> parameters_, y0_;
+  const Reals &parameters_, &y0_;
   double x0_, x0_dot_;
   EnergyBalance energy_;
   TurningPoints answer_;

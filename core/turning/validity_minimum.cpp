@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numerics/constants.hpp"
 #include "core/numerics/linear_system.hpp"
 
 namespace qdot {
@@ -117,6 +118,17 @@ std::vector<ValidityMinimum> validity_minima(const Dynamics& dynamics, const Red
     if (!result[i].reason.empty()) result[i].value.reset();
   }
   return result;
+}
+
+std::vector<ValidityMinimum> proven_minima(EnclosedMotion& motion, std::size_t conditions) {
+  std::vector<ValidityMinimum> minima;
+  for (std::size_t i = 0; i < conditions; ++i) {
+    const std::optional<LeastValue> least = motion.least(i);
+    if (!least) return {};
+    const double error = (least->range - Interval(least->value)).magnitude();
+    minima.push_back({i, least->value, error, least->x, least->x_dot, ""});
+  }
+  return minima;
 }
 
 }  // namespace qdot

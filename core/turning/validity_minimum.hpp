@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/dynamics/dynamics.hpp"
+#include "core/turning/enclosed_motion.hpp"
 #include "core/turning/phase_path.hpp"
 
 namespace qdot {
@@ -16,8 +17,9 @@ namespace qdot {
 struct ValidityMinimum {
   std::size_t condition{};  ///< number of the condition in the scene
   std::optional<double> value;
-  double x{}, x_dot{};  ///< where the coordinate is then
-  std::string reason;   ///< why there is no value
+  std::optional<double> error;  ///< proven for the whole motion; none: the least of those looked at
+  double x{}, x_dot{};          ///< where the coordinate is then
+  std::string reason;           ///< why there is no value
 };
 
 /// Sampled at 32 phases of the path, the smallest value refined by parabolas. `momenta`: those of
@@ -27,5 +29,9 @@ struct ValidityMinimum {
                                                            std::span<const double> parameters,
                                                            std::span<const double> momenta,
                                                            std::span<const double> y0, const PhasePath& path);
+
+/// Of the same along all states of `motion`, whose values are the conditions: none where one of them has no
+/// proven least value.
+[[nodiscard]] std::vector<ValidityMinimum> proven_minima(EnclosedMotion& motion, std::size_t conditions);
 
 }  // namespace qdot

@@ -171,6 +171,27 @@ class HiddenPotentials(Service):
             self.within(answer, "x_min", low)
             self.within(answer, "period", period, 1e-9)
 
+    def test_a_condition_that_fails_between_places_fails(self):
+        draw = random.Random(14)
+        for _ in range(12):
+            width, place = 10**draw.uniform(-4, -1), round(draw.uniform(-0.9, 0.9), 3)
+            depth = draw.choice([0.5, 0.999, 1.001, 1.5])
+            system = scene("x", "(x/a)^2/2")
+            system["valid_while"] = [{"name": "grip", "unit": "1", "reason": "slips", "message": "It slips.",
+                                      "expression": f"1 - {depth}*exp(-((x/a - ({place!r}))/{width!r})^2)"}]
+            grip = self.ask("turning_points", {"system": system, "initial": {"x": 1}})["validity"]["grip"]
+            self.assertEqual(grip["holds"], depth <= 1, system)
+            self.assertLessEqual(abs(mpf(grip["min"]) - (1 - mpf(repr(depth)))), mpf(grip["error"]))
+            self.assertLess(grip["error"], 1e-9)
+
+    def test_a_singular_place_between_places_is_told(self):
+        for expression, sentence in (("(x/a - 0.3)*(x/a - 0.3001)", "passes a singular place"),
+                                     ("x/a - 1.0001", None), ("(x/a - 0.3)^2 + 1e-9", None)):
+            system = scene("x", "(x/a)^2/2")
+            system["singular_where"] = [{"name": "pole", "expression": expression, "message": "A pole."}]
+            notes = self.ask("turning_points", {"system": system, "initial": {"x": 1}}).get("notes", [])
+            self.assertEqual([sentence in note for note in notes], [True] if sentence else [], (expression, notes))
+
 
 if __name__ == "__main__":
     unittest.main()

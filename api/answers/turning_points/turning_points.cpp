@@ -198,21 +198,36 @@ class TurningPointsAnswer {
     body_["constants"] = std::move(constants);
   }
 
+  /// Whether it holds is said where the least value and its error tell.
+  Json validity_json(const ValidityCondition& condition, const ValidityMinimum& least) const {
+    if (!least.value) return {{"min", nullptr}, {"holds", nullptr}, {"reason", least.reason}};
+    Json json{{"min", *least.value},
+              {"at", {{coordinate().name, least.x}, {coordinate().name + "_dot", least.x_dot}}}};
+    const double error = least.error.value_or(0);
+    if (least.error) {
+      json["error"] = stated_error({*least.value, error}, request_.digits.value_or(shortest_digits));
+    } else {
+      json["reason"] = "The least of the values at some places of the motion: it may be less between them.";
+    }
+    if (*least.value + error < 0) {
+      json["holds"] = false;
+      json["message"] = condition.message;
+    } else if (least.error && *least.value - error >= 0) {
+      json["holds"] = true;
+    } else {
+      json["holds"] = nullptr;
+      if (least.error) json["reason"] = "The least value is zero to within its error.";
+    }
+    return json;
+  }
+
   void put_validity(const TurningPoints& found) {
     if (found.validity.empty()) return;
     Json validity = Json::object();
     for (const ValidityMinimum& least : found.validity) {
       const ValidityCondition& condition = scene().valid_while[least.condition];
       units_[condition.name] = condition.unit;
-      if (least.value) {
-        validity[condition.name] = {
-            {"min", *least.value},
-            {"at", {{coordinate().name, least.x}, {coordinate().name + "_dot", least.x_dot}}},
-            {"holds", *least.value >= 0}};
-        if (*least.value < 0) validity[condition.name]["message"] = condition.message;
-      } else {
-        validity[condition.name] = {{"min", nullptr}, {"holds", nullptr}, {"reason", least.reason}};
-      }
+      validity[condition.name] = validity_json(condition, least);
     }
     body_["validity"] = std::move(validity);
   }
