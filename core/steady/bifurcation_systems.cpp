@@ -99,16 +99,19 @@ class SystemsDerivation {
     if (x_.size() > most) return;
     for (std::size_t set = 1; set < (std::size_t{1} << x_.size()); ++set) {
       std::vector<Replacement> reflection;
-      std::vector<std::size_t> mirror;
+      BifurcationSystems::Mirror mirror;
       for (std::size_t j = 0; j < x_.size(); ++j) {
         if ((set >> j & 1U) == 0) continue;
         reflection.emplace_back(x_[j], -x_[j]);
-        mirror.push_back(j);
+        mirror.turned.push_back(j);
       }
-      const bool same = std::ranges::all_of(numerators, [&](const Expression& g) {
-        const Expression image = substitute(g, reflection);
-        return simplify(image - g).is_zero() || simplify(image + g).is_zero();
-      });
+      bool same = true;
+      for (std::size_t i = 0; same && i < numerators.size(); ++i) {
+        const Expression image = substitute(numerators[i], reflection);
+        const bool even = simplify(image - numerators[i]).is_zero();
+        if (even) mirror.even.push_back(i);
+        same = even || simplify(image + numerators[i]).is_zero();
+      }
       if (same) result_.mirrors.push_back(std::move(mirror));
     }
   }

@@ -35,8 +35,12 @@ struct BifurcationSystems {
   /// Centres of reflections that turn N into -N, whatever p: functions without variables that matter. Of one
   /// unknown.
   CompiledFunction centres;
-  /// Unknowns whose signs change together without changing what vanishes; of several unknowns.
-  std::vector<std::vector<std::size_t>> mirrors;
+  /// Of several unknowns.
+  struct Mirror {
+    std::vector<std::size_t> turned;  ///< unknowns whose signs change together without changing what vanishes
+    std::vector<std::size_t> even;    ///< numerators that stay the same; the others change their signs
+  };
+  std::vector<Mirror> mirrors;
 };
 
 /// `place`: which of the reduction's constants p is. Throws Error(not_applicable) for too many systems.

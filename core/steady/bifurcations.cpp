@@ -287,13 +287,38 @@ class CriticalSearch {
     }
   }
 
+  /// On the mirror of a symmetry, and what folds there folds across it: along the mirror the equilibrium is
+  /// regular.
   [[nodiscard]] bool is_on_mirror(const CriticalZero& here) const {
-    return std::ranges::any_of(systems_->mirrors, [&](const std::vector<std::size_t>& mirror) {
-      return std::ranges::all_of(mirror, [&](std::size_t j) {
+    return std::ranges::any_of(systems_->mirrors, [&](const BifurcationSystems::Mirror& mirror) {
+      const bool on_it = std::ranges::all_of(mirror.turned, [&](std::size_t j) {
         const bool turns = problem_.forces->turns[unknowns()[j]];
         return here.x[j].contains(0.0) || (turns && here.x[j].contains(std::numbers::pi));
       });
+      return on_it && is_regular_along(mirror, here);
     });
+  }
+
+  /// The derivatives of the even forces along the unknowns that keep their signs have a determinant other
+  /// than 0 everywhere in the enclosure; at most two of each.
+  [[nodiscard]] bool is_regular_along(const BifurcationSystems::Mirror& mirror,
+                                      const CriticalZero& here) const {
+    const std::size_t n = here.x.size();
+    std::vector<std::size_t> kept_signs;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (std::ranges::find(mirror.turned, j) == mirror.turned.end()) kept_signs.push_back(j);
+    }
+    if (kept_signs.size() != mirror.even.size() || kept_signs.size() > 2) return false;
+    if (kept_signs.empty()) return true;
+    Box place = here.x, slopes(systems_->slopes.outputs());
+    place.push_back(here.p);
+    TapeEvaluator<Interval>(systems_->slopes, problem_.constants)(place, slopes);
+    const auto entry = [&](std::size_t i, std::size_t j) {
+      return slopes[mirror.even[i] * (n + 1) + kept_signs[j]];
+    };
+    const Interval determinant =
+        kept_signs.size() == 1 ? entry(0, 0) : entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
+    return !determinant.contains(0.0);
   }
 
   /// Where a curve changes its stability on the mirror of a symmetry, two more equilibria on one side than on

@@ -294,6 +294,17 @@ class NormalForms(Service):
                     self.assertLessEqual(abs(one["value"] - number(p)), one["error"] + EXACT)
                     self.assertLessEqual(abs(one["state"]["x"]), one["state_error"]["x"] + EXACT)
 
+    def test_a_mirror_makes_no_pitchfork_of_what_crosses_along_it(self):
+        for tilt in (1e-3, 1e-9, 1e-16):
+            scene = chain([[0.0, 0.0], [0.0, 1.0]], [[0.0, 0.0], [0.0, 0.0]])
+            scene["parameters"] += [{"name": "p", "unit": "1", "default": "0.5"},
+                                    {"name": "a", "unit": "m", "default": "1"}]
+            u = "(x0/a - 0.7)"  # a line u = 0 and a parabola that leans; x1 = 0 is a mirror of its own
+            scene["forces"][0]["vector"][0] = f"k*a*{u}*(p - 0.3 - {u}^2 + {tilt!r}*{u})"
+            found = self.ask("bifurcations", {"system": scene, "parameter": "p", "from": -1, "to": 1})
+            for one in found["critical"]:
+                self.assertIn(one["kind"], ("transcritical", "saddle_node", "unresolved"), (tilt, one))
+
     def test_what_comes_from_infinity_is_told(self):
         found = self.critical("(p - 0.25)*x^2/2 - 2*x")
         self.assertIs(found["complete"], False)
