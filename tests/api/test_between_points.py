@@ -10,7 +10,7 @@ import random
 import sys
 import unittest
 
-from mpmath import atan, erf, exp, log, mp, mpf, pi, sqrt
+from mpmath import atan, erf, exp, log, mp, mpf, pi, sqrt, tanh
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
@@ -53,15 +53,24 @@ def box(a, c, w, t):
     return a*(total(t) - total(mpf(0)))
 
 
+def bell(a, c, w, t):  # of 1/cosh^2
+    return a*w*(tanh((t - c)/w) + tanh(c/w))
+
+
+def hill(a, c, w, t):  # of the logistic function's slope
+    return a*w*(1/(1 + exp((c - t)/w)) - 1/(1 + exp(c/w)))
+
+
 PULSES = {"{a}*exp(-((t-{c})/{w})^2)": gauss, "{a}/(1+((t-{c})/{w})^2)": lorentz,
-          "{a}*(tanh((t-{c}+1)/{w})-tanh((t-{c}-1)/{w}))/2": box}
+          "{a}*(tanh((t-{c}+1)/{w})-tanh((t-{c}-1)/{w}))/2": box, "{a}/cosh((t-{c})/{w})^2": bell,
+          "{a}*exp((t-{c})/{w})/(1+exp((t-{c})/{w}))^2": hill}
 ACCURACIES = ({}, {"accuracy": "fast"}, {"accuracy": "balanced"}, {"accuracy": "accurate"}, {"max_error": 1e-8})
 
 
 class BetweenPoints(Service):
     def test_no_pulse_is_stepped_over(self):
         draw = random.Random(11)
-        for _ in range(60):
+        for _ in range(80):
             text, speed = draw.choice(list(PULSES.items()))
             a, c, w = (f"{value:.3g}" for value in (10**draw.uniform(-1, 2), draw.uniform(1.5, 8.5),
                                                     10**draw.uniform(-6, -0.3)))
