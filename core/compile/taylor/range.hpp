@@ -71,7 +71,8 @@ class RangeOfSum {
   }
   [[nodiscard]] Range rounded_outwards() const {
     constexpr double share = 64 * std::numeric_limits<double>::epsilon();
-    return range(sum_.lower - share * of_lower_, sum_.upper + share * of_upper_);
+    return range(std::isinf(sum_.lower) ? sum_.lower : sum_.lower - share * of_lower_,
+                 std::isinf(sum_.upper) ? sum_.upper : sum_.upper + share * of_upper_);
   }
 
  private:
