@@ -68,10 +68,41 @@ std::optional<Expression> shortened(const Expression& above, const Expression& b
   return pow(divided_by(above, below), Number(-1));
 }
 
+bool is_term_of(const Expression& term, const Expression& sum) {
+  const auto* other = std::get_if<Sum>(&sum.node());
+  const Expression factor = split_coefficient(term).rest;
+  return other != nullptr && call_of(factor, Function::exp) != nullptr &&
+         std::ranges::any_of(other->terms, [&](NodeId id) {
+           return has_factor(split_coefficient({sum.graph(), id}).rest, factor);
+         });
+}
+
+/// (e^u - e^-u)/(e^u + e^-u)^2 term by term; nothing where no term grows as what it is divided by.
+std::optional<Expression> distributed(const Expression& product, const std::vector<WholePower>& powers) {
+  for (const WholePower& above : powers) {
+    const auto* sum = std::get_if<Sum>(&above.base.node());
+    if (sum == nullptr || above.exponent != 1) continue;
+    const bool grows = std::ranges::any_of(powers, [&](const WholePower& below) {
+      return below.exponent < 0 && std::ranges::any_of(sum->terms, [&](NodeId id) {
+               return is_term_of({product.graph(), id}, below.base);
+             });
+    });
+    if (!grows) continue;
+    const std::vector<NodeId> ids = sum->terms;
+    std::vector<Expression> terms;
+    for (const NodeId id : ids) {
+      terms.push_back(without_growing_quotients(product / above.base * Expression(product.graph(), id)));
+    }
+    return product.graph().sum(terms);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Expression without_growing_quotients(const Expression& product) {
   const std::vector<WholePower> powers = whole_powers(product);
+  if (const auto terms = distributed(product, powers)) return *terms;
   for (const WholePower& above : powers) {
     for (const WholePower& below : powers) {
       if (above.exponent < 0 || below.exponent > 0) continue;

@@ -4,7 +4,8 @@
 //   sinh^a u / cosh^b u  =  tanh^m u sinh^(a-m) u / cosh^(b-m) u                     m = min(a, b)
 //   e^(a u) / S^b        =  e^((a-m) u) / (S^(b-m) (S e^-u)^m)   S a sum in which e^u is a factor of a term
 //
-// Both are identities. In doubles e^u / (1 + e^u)^2 is inf/inf from u = 710 on, and the right side 0.
+// where a sum above is taken term by term if one of its terms is such an e^u. All are identities. In doubles
+// e^u / (1 + e^u)^2 is inf/inf from u = 710 on, and the right side 0.
 
 #include "core/expr/expression.hpp"
 
