@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/compile/growing_factors.hpp"
 #include "core/numerics/constants.hpp"
 
 namespace qdot {
@@ -170,6 +171,9 @@ Slot TapeBuilder::emitted_product(NodeId id, const Product& product) {
   const bool varying = varies(id);
   if (varying) {
     if (const auto factors = factors_of(id)) return product_of(factors->coefficient, factors->varying, true);
+    const Expression written(graph_, id);
+    const Expression bounded = without_growing_quotients(written);
+    if (!(bounded == written)) return emitted(bounded.id());
   }
   std::vector<Slot> above, below;
   for (const NodeId factor : product.factors) {

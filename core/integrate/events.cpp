@@ -87,9 +87,11 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
     power *= piece.h;
     size += std::abs(coefficient);
   }
-  result.off += of_values * size;
+  // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
+  const double rounding = of_values * size;
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
-  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time;
+  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= rounding + of_time;
+  result.off += rounding;
   if (result.is_divided) c.erase(c.begin());
   return result;
 }

@@ -3,6 +3,7 @@
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/trigonometry.hpp"
+#include "core/mechanics/kept_terms.hpp"
 
 namespace qdot {
 namespace {
@@ -61,13 +62,40 @@ Expression divide(const Lagrangian& lagrangian, RawEquation& equation, const Exp
   return divisor;
 }
 
+std::vector<Replacement> without_accelerations(const Lagrangian& lagrangian) {
+  std::vector<Replacement> result;
+  for (const Expression& acceleration : lagrangian.symbols.coordinates.second_rate) {
+    result.emplace_back(acceleration, lagrangian.graph->number(0));
+  }
+  return result;
+}
+
+/// Whether terms without velocities, or of the generalized force, are kept as they are written.
+bool has_kept_terms(const Lagrangian& lagrangian, std::size_t i) {
+  const Expression of_l = split_kept_terms(lagrangian.lagrangian).kept;
+  const Expression of_force = split_kept_terms(lagrangian.generalized_forces[i]).kept;
+  return (!of_l.is_zero() || !of_force.is_zero()) && !depends_on(of_l, lagrangian.symbols.coordinates.rate);
+}
+
+/// (Q - (d/dt dL/dq' - dL/dq) without accelerations)/divisor, with those terms' slopes as they are.
+Expression forcing_as_written(const Lagrangian& lagrangian, std::size_t i, const Expression& divisor) {
+  const Symbols::Varying& q = lagrangian.symbols.coordinates;
+  const Terms l = split_kept_terms(lagrangian.lagrangian);
+  const Terms force = split_kept_terms(lagrangian.generalized_forces[i]);
+  const Expression momentum = differentiate(l.plain, q.rate[i]);
+  const Expression left =
+      total_derivative(momentum, lagrangian.symbols.rates()) - differentiate(l.plain, q.value[i]);
+  const Expression plain = force.plain - substitute(left, without_accelerations(lagrangian));
+  return simplify_quotient(plain, divisor) + differentiate(l.kept, q.value[i]) / divisor +
+         force.kept / divisor;
+}
+
 }  // namespace
 
 EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
   Graph& graph = *lagrangian.graph;
   const Symbols::Varying& q = lagrangian.symbols.coordinates;
-  std::vector<Replacement> at_rest;
-  for (const Expression& acceleration : q.second_rate) at_rest.emplace_back(acceleration, graph.number(0));
+  const std::vector<Replacement> at_rest = without_accelerations(lagrangian);
   EquationsOfMotion result;
   for (std::size_t i = 0; i < q.value.size(); ++i) {
     RawEquation raw = raw_equation(lagrangian, i);
@@ -85,7 +113,8 @@ EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
     for (const Expression& acceleration : q.second_rate) {
       result.mass_matrix.back().push_back(simplify(differentiate(left, acceleration)));
     }
-    result.forcing.push_back(simplify(right - substitute(left, at_rest)));
+    result.forcing.push_back(has_kept_terms(lagrangian, i) ? forcing_as_written(lagrangian, i, divisor)
+                                                           : simplify(right - substitute(left, at_rest)));
   }
   if (q.value.size() == 2) result.determinant = simplify(determinant(result.mass_matrix));
   return result;

@@ -5,6 +5,7 @@
 #include "core/expr/factored_form.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/kept_terms.hpp"
 #include "core/mechanics/units.hpp"
 
 namespace qdot {
@@ -110,7 +111,7 @@ Expression generalized_force(const ParsedScene& scene, const Expression& x, cons
     }
   }
   if (scene.dissipation) terms.push_back(-differentiate(*scene.dissipation, rate));
-  return simplify(substitute(scene.graph->sum(terms), holding(scene)));
+  return shortened(substitute(scene.graph->sum(terms), holding(scene)));
 }
 
 std::vector<Expression> generalized_forces(const ParsedScene& scene, const Symbols::Varying& varying) {
@@ -138,7 +139,7 @@ Lagrangian derive_lagrangian(const ParsedScene& scene) {
   result.held_forces = generalized_forces(scene, scene.symbols.held);
   if (scene.lagrangian) {
     result.varied = *scene.lagrangian;
-    result.lagrangian = simplify_by_degree(substitute(result.varied, result.holding), scene.symbols);
+    result.lagrangian = shortened_by_degree(substitute(result.varied, result.holding), scene.symbols);
   } else {
     const Energies energies(scene);
     const Expression kinetic = energies.kinetic();
@@ -146,7 +147,7 @@ Lagrangian derive_lagrangian(const ParsedScene& scene) {
     result.varied = kinetic - scene.graph->sum(potentials);
     result.kinetic_energy = simplify_by_degree(substitute(kinetic, result.holding), scene.symbols);
     std::vector<Expression> terms;
-    for (const Expression& term : potentials) terms.push_back(simplify(substitute(term, result.holding)));
+    for (const Expression& term : potentials) terms.push_back(shortened(substitute(term, result.holding)));
     result.potential_energy = scene.graph->sum(terms);
     result.lagrangian = *result.kinetic_energy - *result.potential_energy;
   }
@@ -184,10 +185,11 @@ Lagrangian replaced(const Lagrangian& lagrangian, std::span<const Replacement> r
   if (lagrangian.kinetic_energy) {
     result.kinetic_energy =
         simplify_by_degree(substitute(*lagrangian.kinetic_energy, replacements), lagrangian.symbols);
-    result.potential_energy = simplify(substitute(*lagrangian.potential_energy, replacements));
+    result.potential_energy = shortened(substitute(*lagrangian.potential_energy, replacements));
   }
-  result.lagrangian = simplify_by_degree(substitute(lagrangian.lagrangian, replacements), lagrangian.symbols);
-  for (Expression& force : result.generalized_forces) force = simplify(substitute(force, replacements));
+  result.lagrangian =
+      shortened_by_degree(substitute(lagrangian.lagrangian, replacements), lagrangian.symbols);
+  for (Expression& force : result.generalized_forces) force = shortened(substitute(force, replacements));
   return result;
 }
 
@@ -219,6 +221,12 @@ Expression simplify_by_degree(const Expression& e, const Symbols& symbols) {
   return e.graph().sum(terms);
 }
 
+Expression shortened_by_degree(const Expression& e, const Symbols& symbols) {
+  const auto [plain, kept] = split_kept_terms(e);
+  if (kept.is_zero() || depends_on(kept, symbols.coordinates.rate)) return simplify_by_degree(e, symbols);
+  return simplify_by_degree(plain, symbols) + kept;
+}
+
 std::vector<Expression> conjugate_momenta(const Lagrangian& lagrangian) {
   std::vector<Expression> momenta;
   for (const Expression& rate : lagrangian.symbols.coordinates.rate) {
@@ -238,7 +246,7 @@ Expression jacobi_integral(const Lagrangian& lagrangian) {
   for (const Expression& rate : symbols.coordinates.rate) {
     terms.push_back(rate * differentiate(lagrangian.lagrangian, rate));
   }
-  return simplify_by_degree(lagrangian.graph->sum(terms), symbols);
+  return shortened_by_degree(lagrangian.graph->sum(terms), symbols);
 }
 
 Expression reaction(const Lagrangian& lagrangian, const ParsedReaction& which) {

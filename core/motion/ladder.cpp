@@ -6,6 +6,7 @@
 
 #include "core/compile/extended/expansion.hpp"
 #include "core/motion/extended_motion.hpp"
+#include "core/motion/kept_quantities.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
 
@@ -38,6 +39,12 @@ constexpr const char* out_of_reach =
 constexpr const char* not_bounded =
     "The error was measured, but not every step has a bound of what it may hide between the places that were "
     "looked at.";
+
+std::string contradiction(const std::string& conserved) {
+  return "The answer contradicts itself: " + conserved +
+         " is conserved, and changes by more than the errors stated of coordinates and velocities can explain. Do "
+         "not rely on them.";
+}
 
 bool ended_well(const Simulation& s) { return s.ending == Ending::reached_end || s.ending == Ending::event; }
 
@@ -199,6 +206,7 @@ class Ladder {
   }
 
   void measure() {
+    contradicts_ = false;
     doubt_ = 0;
     const bool is_near = is_near_round_off();
     std::optional<Simulation> sharper;
@@ -268,16 +276,36 @@ class Ladder {
     RowErrors errors(largest);
     const std::vector<double> scale = largest_magnitudes(Rows::wanted);
     result_.max_abs_error.assign(width, 0.0);
+    std::vector<double> stated;  // of each row
     for (std::size_t i = 0; i < rows; ++i) {
       std::vector<std::span<const double>> same_row;
       for (const Simulation& other : others)
         same_row.push_back(std::span(other.states).subspan(i * width, width));
       errors.add(std::span(first.states).subspan(i * width, width), same_row, unseen_at(others, i));
+      stated.insert(stated.end(), errors.so_far().begin(), errors.so_far().end());
       if (!grid_.wanted[i]) continue;
       result_.max_abs_error = errors.so_far();
       for (std::size_t k = 0; k < width; ++k) result_.max_abs_error[k] += doubt_ * largest[k];
       note_horizon(i, result_.max_abs_error, scale);
     }
+    for (std::size_t i = 0; i < stated.size(); ++i) stated[i] += doubt_ * largest[i % width];
+    look_for_contradiction(stated);
+  }
+
+  /// What is conserved must not change by more than the errors stated of the rows allow.
+  void look_for_contradiction(std::span<const double> stated) {
+    const Simulation& first = result_.simulation;
+    const std::size_t rows = stated.size() / request_.y_start.size();
+    const std::string changed =
+        changed_conserved_quantity(dynamics_, request_.parameters,
+                                   {.t_start = request_.t_start,
+                                    .start = request_.y_start,
+                                    .t = std::span(grid_.t).first(rows),
+                                    .states = std::span(first.states).first(stated.size()),
+                                    .errors = stated},
+                                   first.sections);
+    contradicts_ = !changed.empty();
+    if (contradicts_) result_.reason = contradiction(changed);
   }
 
   /// What the checks may have missed up to a row.
@@ -349,13 +377,14 @@ class Ladder {
       return false;
     }
     const double now = excess();
-    result_.meets_request = result_.bounded && now <= 1;
+    result_.meets_request = result_.bounded && now <= 1 && !contradicts_;
     excess_ = now;
-    if (!best_ || now < best_excess_) {
+    if (!best_ || best_contradicts_ || (now < best_excess_ && !contradicts_)) {
       best_ = result_;
       best_excess_ = now;
+      best_contradicts_ = contradicts_;
     }
-    return now <= 1;
+    return now <= 1 && !contradicts_;
   }
 
   /// The next tolerance; none when there is no work left for it.
@@ -386,7 +415,7 @@ class Ladder {
     const bool error_wanted = goal_.kind == Kind::absolute || goal_.kind == Kind::relative;
     if (error_wanted && result_.max_abs_error.empty()) {
       result_.meets_request = false;  // for the reason that there is already
-    } else if (result_.meets_request == false) {
+    } else if (result_.meets_request == false && result_.reason.empty()) {
       const bool work_is_spent =
           doubt_ > 0 || (result_.tolerances.rtol > tightest && left() < result_.simulation.evaluations);
       result_.reason = !result_.bounded ? not_bounded : work_is_spent ? work_spent : out_of_reach;
@@ -402,7 +431,8 @@ class Ladder {
   MeasuredSimulation result_;
   std::optional<MeasuredSimulation> best_;
   double best_excess_{}, excess_{};
-  double doubt_{};  ///< of each column: round-off that was not measured
+  bool contradicts_{false}, best_contradicts_{false};  ///< what is conserved has changed
+  double doubt_{};                                     ///< of each column: round-off that was not measured
   std::uint64_t spent_{};
 };
 

@@ -10,7 +10,7 @@ import random
 import sys
 import unittest
 
-from mpmath import atan, erf, exp, log, mp, mpf, pi, sqrt
+from mpmath import atan, erf, exp, log, mp, mpf, pi, sin, sqrt, tanh
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
@@ -53,15 +53,24 @@ def box(a, c, w, t):
     return a*(total(t) - total(mpf(0)))
 
 
+def bell(a, c, w, t):  # of 1/cosh^2
+    return a*w*(tanh((t - c)/w) + tanh(c/w))
+
+
+def hill(a, c, w, t):  # of the logistic function's slope
+    return a*w*(1/(1 + exp((c - t)/w)) - 1/(1 + exp(c/w)))
+
+
 PULSES = {"{a}*exp(-((t-{c})/{w})^2)": gauss, "{a}/(1+((t-{c})/{w})^2)": lorentz,
-          "{a}*(tanh((t-{c}+1)/{w})-tanh((t-{c}-1)/{w}))/2": box}
+          "{a}*(tanh((t-{c}+1)/{w})-tanh((t-{c}-1)/{w}))/2": box, "{a}/cosh((t-{c})/{w})^2": bell,
+          "{a}*exp((t-{c})/{w})/(1+exp((t-{c})/{w}))^2": hill}
 ACCURACIES = ({}, {"accuracy": "fast"}, {"accuracy": "balanced"}, {"accuracy": "accurate"}, {"max_error": 1e-8})
 
 
 class BetweenPoints(Service):
     def test_no_pulse_is_stepped_over(self):
         draw = random.Random(11)
-        for _ in range(60):
+        for _ in range(80):
             text, speed = draw.choice(list(PULSES.items()))
             a, c, w = (f"{value:.3g}" for value in (10**draw.uniform(-1, 2), draw.uniform(1.5, 8.5),
                                                     10**draw.uniform(-6, -0.3)))
@@ -86,6 +95,21 @@ class BetweenPoints(Service):
                                                "initial": {"x": 0, "x_dot": speed}, "t_end": 12/speed, "samples": 3})
                 self.assertEqual(answer["trajectory"]["x"][-1] > 5, share > 1)
 
+    def test_a_layer_far_from_the_origin_keeps_its_digits(self):
+        """Multiplied out, 1 + ((x - c)/w)^8 is a sum of terms (c/w)^8, and its 1 is lost."""
+        layer = particle(parameters=[parameter("b", "kg/s", "1"), parameter("c", "m", "2"), parameter("w", "m", "1")])
+        layer["dissipation"] = "b*x_dot^2/(1+((x-c)/w)^8)"
+        for b, c, w in (("2.085", "1.153", "0.0003814"), ("0.9838", "3.666", "0.004614"), ("20", "2.5", "0.01")):
+            lost = 2*mpf(b)*mpf(w)*2*(pi/8)/sin(pi/8)
+            for accuracy in ({"rtol": 1e-5, "atol": 1e-8}, *ACCURACIES):
+                with self.subTest(c=c, w=w, **accuracy):
+                    answer = self.ask("simulate", {"system": layer, "initial": {"x_dot": 5}, "t_end": 3, "samples": 3,
+                                                   "parameters": {"b": float(b), "c": float(c), "w": float(w)},
+                                                   **accuracy})
+                    error = abs(mpf(answer["trajectory"]["x_dot"][-1]) - 5 + lost)
+                    self.assertLessEqual(error, answer["accuracy"]["max_abs_error"]["x_dot"] + 1e-16)
+                    self.assertIsNot(answer["accuracy"].get("meets_request"), False)
+
     def test_every_crossing_is_an_event(self):
         oscillator = particle("k*x^2/2", parameters=[parameter("k", "N/m", "1"), parameter("L", "m", "1")])
         for rate in (1, 10, 63, 500):
@@ -100,6 +124,27 @@ class BetweenPoints(Service):
         names = [event["name"] for event in answer["events"]]
         counts = {name: names.count(name) for name in set(names)}  # poles and touches are no crossings
         self.assertEqual(counts, {"tan(2*x/L)=0": 6, "abs(x)/L=1/2": 13, "x^2/L^2=1e-12": 12})
+
+    def test_crossings_of_the_first_step_are_events_too(self):
+        """Over a long first step g is known less well than where it starts, and g is not zero there for that."""
+        oscillator = particle("k*x^2/2", parameters=[parameter("k", "N/m", "1"), parameter("L", "m", "1")])
+        for amplitude, rate, event, levels in ((2.5, 0.6, "(x/L+0.65)*(x/L-1.07)*(x/L+0.640)=0", (-0.65, 1.07, -0.64)),
+                                               (0.22, 1.66, "sin(2.08*x/L)=0", (0,)),
+                                               (1, 13, "(x/L+0.45)*(x/L-0.57)*(x/L+0.4499)=0", (-0.45, 0.57, -0.4499))):
+            for start in (0.1, 0.5, 0.7, 1.3, 2.9):  # phase
+                for goal in ACCURACIES:
+                    answer = self.ask("simulate", {
+                        "system": oscillator, "parameters": {"k": rate**2}, "t_end": 20/rate, "samples": 2,
+                        "initial": {"x": amplitude*math.cos(start), "x_dot": -amplitude*rate*math.sin(start)},
+                        "events": [event], **goal})
+                    phases = [s + turn for level in levels for turn in (0, 2*math.pi, 4*math.pi, 6*math.pi)
+                              for s in (math.acos(level/amplitude), 2*math.pi - math.acos(level/amplitude))]
+                    times = sorted((phase - start)/rate for phase in phases if 0 < phase - start < 20)
+                    found = [found["t"] for found in answer["events"]]
+                    with self.subTest(event=event, start=start, **goal):
+                        self.assertEqual(len(found), len(times))
+                        for one, other in zip(found, times):
+                            self.assertAlmostEqual(one, other, 3)
 
     def test_a_condition_that_fails_for_a_moment_stops_the_motion(self):
         scene = particle("k*x^2/2", parameters=[parameter("k", "N/m", "1"), parameter("L", "m", "1")])

@@ -27,7 +27,8 @@ enum class Kind : std::uint8_t {
   integral,  ///< out' = factor x
   quotient,  ///< x/y; inverse: 1/y_0
   root,      ///< square root of x; inverse: 1/(2 sqrt(x_0))
-  solve      ///< M x = f
+  solve,     ///< M x = f
+  still      ///< out keeps its coefficient 0: a quotient or function that has reached its limit
 };
 
 struct Term {
@@ -51,6 +52,8 @@ struct System {
 
 struct Step {
   Kind kind{};
+  Kind usual{};              ///< what a step that is still was, and may be again
+  const double* argument{};  ///< of exp and tanh, which reach limits; null of others
   /// 1 for rows of rates, whose coefficient k - 1 is found with the others' coefficient k.
   unsigned lag{};
   std::span<const Term> terms{};

@@ -113,6 +113,8 @@ namespace {
       return store(step.out, n, (coefficient(step.x, n) - cauchy(step.out, step.out, n)) * step.inverse);
     case Kind::solve:
       return solve(*step.system, n);
+    case Kind::still:
+      return;
   }
 }
 

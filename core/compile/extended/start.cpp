@@ -1,6 +1,7 @@
 // Coefficients 0 of the rows, and what the kernels multiply by instead of dividing.
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/compile/extended/translation.hpp"
 #include "core/numerics/double_double_function.hpp"
@@ -14,6 +15,17 @@ DoubleDouble first_of(const double* row) { return {row[0], row[extended::run_len
 void set_first(double* row, const DoubleDouble& value) {
   row[0] = row[2 * extended::run_length + extended::last] = value.high;
   row[extended::run_length] = row[3 * extended::run_length + extended::last] = value.low;
+}
+
+/// As in doubles (core/compile/taylor/start.cpp): rows that are no numbers need not matter.
+bool has_reached_limit(const extended::Step& step) {
+  constexpr double huge = 1e150;
+  const double value = step.out == nullptr ? 1 : std::abs(step.out[0]);
+  if (step.kind == extended::Kind::quotient && step.lag == 0) {
+    return std::abs(step.y[0]) > huge && value < 1 / huge;
+  }
+  if (step.kind != extended::Kind::integral || step.argument == nullptr) return false;
+  return value == 0 || std::abs(step.argument[0]) > huge;
 }
 
 /// Coefficients up to `order`, in all four runs.
@@ -39,6 +51,11 @@ bool ExtendedTranslation::start(const ExtendedTape& tape, unsigned order) {
     if (!invert(system, slots)) return false;
   }
   for (extended::Step& step : steps_) {
+    if (step.kind == extended::Kind::still) step.kind = step.usual;
+    if (has_reached_limit(step)) {
+      step.usual = step.kind;
+      step.kind = extended::Kind::still;
+    }
     if (step.kind == extended::Kind::quotient) step.inverse = DoubleDouble(1) / first_of(step.y);
     if (step.kind == extended::Kind::root) step.inverse = DoubleDouble(0.5) / first_of(step.out);
   }
@@ -56,6 +73,8 @@ void ExtendedTranslation::start_own_row(const OwnRow& own) {
     case Start::one_minus_square:
       return set_first(own.row, (one - x) * (one + x));
     case Start::inverse_square_of_cosh: {
+      constexpr double underflows = 400;
+      if (std::abs(x.high) > underflows) return set_first(own.row, 0.0);
       const DoubleDouble inverse = one / evaluate(Function::cosh, x);
       return set_first(own.row, inverse * inverse);
     }

@@ -2,11 +2,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/numerics/double_double_function.hpp"
 #include "core/numerics/double_double_system.hpp"
 
 namespace qdot {
+namespace {
+
+/// Beyond the largest numbers error-free transformations give no number; which infinity it is, doubles tell.
+template <class InDoubles>
+DoubleDouble or_infinite(const DoubleDouble& value, const InDoubles& in_doubles) {
+  if (is_finite(value)) return value;
+  const double rough = in_doubles();
+  return std::isinf(rough) ? DoubleDouble(rough) : value;
+}
+
+DoubleDouble quotient(const DoubleDouble& x, const DoubleDouble& y) {
+  return std::isinf(y.high) ? DoubleDouble(x.high / y.high) : x / y;
+}
+
+}  // namespace
 
 ExtendedTape::ExtendedTape(const CompiledFunction& function, std::span<const DoubleDouble> parameters)
     : function_(function), slots_(function.slots_) {
@@ -37,10 +53,10 @@ bool ExtendedTape::run(std::span<const Instruction> instructions) {
     const DoubleDouble x = slots_[operand[0]];
     switch (i.operation) {
       case Operation::sum_of_products:
-        slots_[i.out] = sum_of_products(i, operand);
+        slots_[i.out] = or_infinite(sum_of_products(i, operand), [&] { return rough_sum(i, operand); });
         break;
       case Operation::quotient:
-        slots_[i.out] = x / slots_[operand[1]];
+        slots_[i.out] = quotient(x, slots_[operand[1]]);
         break;
       case Operation::power:
         slots_[i.out] = power(x, slots_[operand[1]]);
@@ -55,7 +71,8 @@ bool ExtendedTape::run(std::span<const Instruction> instructions) {
         break;
       }
       case Operation::call:
-        slots_[i.out] = qdot::evaluate(i.function, x);
+        slots_[i.out] =
+            or_infinite(qdot::evaluate(i.function, x), [&] { return qdot::evaluate(i.function, x.high); });
         break;
       case Operation::solve:
         if (!solve(i, operand)) return false;
@@ -70,6 +87,17 @@ DoubleDouble ExtendedTape::sum_of_products(const Instruction& i, const Slot* ope
   for (unsigned k = 0; k < i.linear; ++k, operand += 2) sum = sum + slots_[operand[0]] * slots_[operand[1]];
   for (unsigned k = 0; k < i.products; ++k, operand += 3) {
     sum = sum + slots_[operand[0]] * (slots_[operand[1]] * slots_[operand[2]]);
+  }
+  return sum;
+}
+
+double ExtendedTape::rough_sum(const Instruction& i, const Slot* operand) const {
+  double sum = 0;
+  for (unsigned k = 0; k < i.linear; ++k, operand += 2) {
+    sum += slots_[operand[0]].high * slots_[operand[1]].high;
+  }
+  for (unsigned k = 0; k < i.products; ++k, operand += 3) {
+    sum += slots_[operand[0]].high * (slots_[operand[1]].high * slots_[operand[2]].high);
   }
   return sum;
 }

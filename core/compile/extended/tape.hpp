@@ -31,6 +31,8 @@ class ExtendedTape {
  private:
   [[nodiscard]] bool run(std::span<const Instruction> instructions);
   [[nodiscard]] DoubleDouble sum_of_products(const Instruction& i, const Slot* operand) const;
+  /// The same in doubles.
+  [[nodiscard]] double rough_sum(const Instruction& i, const Slot* operand) const;
   [[nodiscard]] bool solve(const Instruction& i, const Slot* operand);
 
   const CompiledFunction& function_;

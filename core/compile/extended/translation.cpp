@@ -144,7 +144,9 @@ void ExtendedTranslation::add_call(const Instruction& instruction) {
   double* out = row(instruction.out);
   switch (instruction.function) {
     case Function::exp:
-      return add_integral_of_product(1.0, rate_of(u), out, out);
+      add_integral_of_product(1.0, rate_of(u), out, out);
+      steps_.back().argument = row(u);
+      return;
     case Function::log: {
       double* rate = own_row(Start::none);
       add_quotient(rate_of(u), row(u), rate, 1);
@@ -193,6 +195,7 @@ void ExtendedTranslation::add_tangent(const Instruction& instruction) {
   double* w =
       is_hyperbolic ? own_row(Start::inverse_square_of_cosh, row(u)) : own_row(Start::one_plus_square, z);
   add_integral_of_product(1.0, rate_of(u), w, z);
+  if (is_hyperbolic) steps_.back().argument = row(u);
   add_product(is_hyperbolic ? -1.0 : 1.0, z, z, w, 0);
 }
 

@@ -43,7 +43,8 @@ enum class Kind : std::uint8_t {
   arc,          ///< asin, acos, atan by z' = sign u'/w; x: the argument's rate, y: w
   solve,        ///< see Solve
   solve_2,      ///< the same with two unknowns
-  solve_3
+  solve_3,
+  still  ///< out keeps its coefficient 0: a quotient or function that has reached its limit
 };
 
 struct Term {
@@ -76,8 +77,10 @@ struct Solve {
 
 struct Step {
   Kind kind{};
+  Kind usual{};  ///< what a step that is still was, and may be again
   std::uint16_t term_count{}, product_count{};
-  double constant{};  ///< exponent; sign of an arc or a tangent; of what stands in abs or sign
+  double constant{};  ///< exponent; of a sum; sign of an arc or a tangent; of what stands in abs or sign; 1:
+                      ///< out is cosh
   const Term* terms{};
   const Product* products{};
   const double* x{};

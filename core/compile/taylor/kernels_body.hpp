@@ -306,6 +306,7 @@ template <unsigned K>
         store<K>(step->out, step->constant * step->x[K]);
         break;
       case Kind::sign:
+      case Kind::still:
         break;
       case Kind::arc:
         arc<K>(*step);

@@ -38,21 +38,47 @@ struct Range {
   return factor < 0 ? range(factor * a.upper, factor * a.lower) : range(factor * a.lower, factor * a.upper);
 }
 
+/// A bound 0 times an infinite one: what is inside may come to anything of the sign of the other products.
 [[nodiscard]] inline Range operator*(const Range& a, const Range& b) {
   const double products[]{a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper};
   double lower = infinity, upper = -infinity;
   for (const double product : products) {
-    if (std::isnan(product)) return {};
-    lower = std::min(lower, product);
-    upper = std::max(upper, product);
+    const bool is_open = std::isnan(product);
+    lower = std::min(lower, is_open ? 0 : product);
+    upper = std::max(upper, is_open ? 0 : product);
   }
-  return {lower, upper};
+  const bool is_known =
+      lower < 0 || upper > 0 || std::ranges::none_of(products, [](double p) { return std::isnan(p); });
+  return is_known ? Range{lower, upper} : Range{};
 }
 
 [[nodiscard]] inline Range square(const Range& a) {
   const double most = a.magnitude(), least = a.least_magnitude();
   return range(least * least, most * most);
 }
+
+/// A sum of ranges. Its bounds are rounded by as much as what each of them is the sum of is large: 1 + u^8 is
+/// not less than 1, however large u^8 may be elsewhere.
+class RangeOfSum {
+ public:
+  explicit RangeOfSum(double constant)
+      : sum_{constant, constant}, of_lower_(std::abs(constant)), of_upper_(std::abs(constant)) {}
+
+  void add(const Range& term) {
+    sum_ = sum_ + term;
+    of_lower_ += std::abs(term.lower);
+    of_upper_ += std::abs(term.upper);
+  }
+  [[nodiscard]] Range rounded_outwards() const {
+    constexpr double share = 64 * std::numeric_limits<double>::epsilon();
+    return range(std::isinf(sum_.lower) ? sum_.lower : sum_.lower - share * of_lower_,
+                 std::isinf(sum_.upper) ? sum_.upper : sum_.upper + share * of_upper_);
+  }
+
+ private:
+  Range sum_;
+  double of_lower_{}, of_upper_{};  ///< sums of magnitudes
+};
 
 [[nodiscard]] inline Range operator/(const Range& a, const Range& b) {
   return b.contains_zero() ? Range{} : a * range(1 / b.upper, 1 / b.lower);

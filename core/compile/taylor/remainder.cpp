@@ -25,7 +25,7 @@ Remainder::Index Remainder::index_of(const double* row) {
 
 Remainder::Rule Remainder::rule_for(const Step& step) {
   const auto index = [this](const double* row) { return row == nullptr ? Index{} : index_of(row); };
-  Rule rule{.kind = step.kind,
+  Rule rule{.kind = step.kind == Kind::still ? step.usual : step.kind,
             .constant = &step.constant,
             .x = index(step.x),
             .y = index(step.y),

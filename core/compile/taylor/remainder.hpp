@@ -53,6 +53,7 @@ class Remainder {
     double r{};
     double argument_r{};    ///< of what the row is the rate of
     double own_top{};       ///< A_N of a state: what a sum that contains it does not have
+    Range of_argument;      ///< of what it is the rate of, as far as that is known
     Range of_row;           ///< of the polynomial
     Range of_value;         ///< of what it stands for
     double norm{}, peak{};  ///< sum_k |a_k| g^k, max_k |a_k| g^k / (1 - rho), without a_0

@@ -12,7 +12,13 @@ namespace {
 // Bounds are computed in double; this is far more than their own rounding.
 constexpr double slack = 1 + 1e-9;
 constexpr double smallest_exponential = 1e-322;  ///< what is less may have become 0
-constexpr double rounding_of_one = 1.2e-16;      ///< 1 - z^2 of a tanh that has become 1
+constexpr double rounding_of_one = 1.2e-16;      ///< z of a tanh that has become 1
+
+/// For what a function of a bound is rounded.
+Range widened(const Range& a) {
+  return range(a.lower < 0 ? a.lower * slack : a.lower / slack,
+               a.upper < 0 ? a.upper / slack : a.upper * slack);
+}
 
 double exponential(double x) { return evaluate(Function::exp, x); }
 
@@ -44,8 +50,10 @@ void Remainder::meet(Row& row, const Range& by_operation) const {
 Range Remainder::argument(const Rule& rule) const {
   const Row& rate = rows_[rule.x];
   const Range moved = variation(rate);
-  return range(*rule.argument + moved.lower - rate.argument_r,
-               *rule.argument + moved.upper + rate.argument_r);
+  const Range by_rate =
+      range(*rule.argument + moved.lower - rate.argument_r, *rule.argument + moved.upper + rate.argument_r);
+  return range(std::max(by_rate.lower, rate.of_argument.lower),
+               std::min(by_rate.upper, rate.of_argument.upper));
 }
 
 void Remainder::apply(const Rule& rule) {
@@ -89,6 +97,8 @@ void Remainder::apply(const Rule& rule) {
     case Kind::solve_2:
     case Kind::solve_3:
       return apply_solve(rule);
+    case Kind::still:
+      break;  // rules have the usual kind
   }
 }
 
@@ -105,16 +115,13 @@ void Remainder::apply_sum(const Rule& rule) {
   Row& out = rows_[rule.out];
   conclude(out, r);
   if (effort_ != Effort::careful) return;
-  Range value{out.coefficients[0], out.coefficients[0]};
-  for (const auto& [factor, x, unused] : rule.terms) {
-    value = value + factor * (rows_[x].of_value - rows_[x].coefficients[0]);
-  }
+  RangeOfSum value(*rule.constant);
+  for (const auto& [factor, x, unused] : rule.terms) value.add(factor * rows_[x].of_value);
   for (const auto& [factor, x, y] : rule.products) {
     const Row &a = rows_[x], &b = rows_[y];
-    const Range product = x == y ? square(a.of_value) : a.of_value * b.of_value;
-    value = value + factor * (product - a.coefficients[0] * b.coefficients[0]);
+    value.add(factor * (x == y ? square(a.of_value) : a.of_value * b.of_value));
   }
-  meet(out, value);
+  meet(out, value.rounded_outwards());
 }
 
 /// The row of a rate belongs to the argument's polynomial: by how much does the argument depart from it?
@@ -122,6 +129,7 @@ void Remainder::apply_rate(const Rule& rule) {
   Row& out = rows_[rule.out];
   if (rule.kind == Kind::rate) {
     out.argument_r = rows_[rule.x].r + rows_[rule.x].own_top;
+    out.of_argument = rows_[rule.x].of_value;
     return;
   }
   out.argument_r = 0;
@@ -216,7 +224,8 @@ void Remainder::apply_tangent(const Rule& rule) {
   const double growth = exponential((most + z.of_row.magnitude()) * rate.t0 * h_);
   const double residual = h_ / order_ * (tail_of_rate(rate, square_row) + rate.t0 * tail(z, z));
   const double slope = *rule.constant > 0 ? 1 + most * most : 1;
-  conclude(z, growth * (residual + rounding_of_one * moved) + slope * rate.argument_r);
+  // What has become 0 by underflow grows as 1/cosh^2 does.
+  conclude(z, growth * (residual + smallest_exponential * moved) + slope * rate.argument_r);
   if (effort_ == Effort::careful && *rule.constant < 0) {
     const Range value = rising(Function::tanh, argument(rule));
     meet(z, range(value.lower - rounding_of_one, value.upper + rounding_of_one));
@@ -232,6 +241,14 @@ void Remainder::apply_hyperbolic(const Rule& rule) {
                              start * rate.argument_r);
   conclude(out, r);
   conclude(other, r);
+  if (effort_ != Effort::careful) return;
+  const Range u = argument(rule);
+  const Range sinh = rising(Function::sinh, u);
+  const Range cosh = range(evaluate(Function::cosh, u.least_magnitude()) / slack,
+                           evaluate(Function::cosh, u.magnitude()) * slack);
+  const bool is_cosh_first = *rule.constant > 0;
+  meet(is_cosh_first ? out : other, cosh);
+  meet(is_cosh_first ? other : out, widened(sinh));
 }
 
 /// w z' = c u', w = 1 + u^2 or sqrt(1 - u^2).

@@ -1,7 +1,9 @@
 // How large the coefficients of the rows are over a step, and with them the ranges of rows and the terms that
 // products do not keep.
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/compile/taylor/remainder.hpp"
 
@@ -61,6 +63,7 @@ double dot(const double* a, const double* b, unsigned count) {
 
 /// a u + b u^2 for 0 <= u <= 1, and by so much more or less.
 Range parabola(double a, double b, double rest) {
+  if (std::isnan(a + b)) return {};
   double least = std::min(0.0, a + b), most = std::max(0.0, a + b);
   const double u = -a / (2 * b);
   if (u > 0 && u < 1) {
@@ -163,7 +166,8 @@ void Remainder::take_range(Row& row) {
   const double* c = row.coefficients;
   row.t2 = row.t3 + size(row, 2);
   row.t0 = row.t2 + size(row, 1) + std::abs(c[0]);
-  row.of_row = parabola(c[1] * h_, c[2] * powers_[2], row.t3) + c[0];
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // (t/w)^8 is 0 somewhere
+  row.of_row = parabola(c[1] * h_, c[2] * powers_[2], row.t3 + rounding * row.t0) + c[0];
   row.of_value = row.of_row;
   row.own_top = row.missing == 0 ? size(row, order_) : 0;
 }

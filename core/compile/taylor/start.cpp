@@ -30,8 +30,47 @@ bool TaylorTranslation::invert(System& system, const Workspace& slots) {
   return true;
 }
 
+/// What a function tends to where its argument, or what it is divided by, grows beyond all numbers: there the
+/// rows of that are no numbers, and its own is a constant. How far from it, the remainder tells.
+bool TaylorTranslation::has_reached_limit(const Step& step) {
+  constexpr double huge = 1e150;  // its coefficients of higher order may be no numbers
+  const double value = std::abs(step.out[0]);
+  switch (step.kind) {
+    case Kind::quotient:
+      return std::abs(step.y[0]) > huge && value < 1 / huge;
+    case Kind::power:
+      return step.x[0] > huge && value < 1 / huge;
+    case Kind::exponential:
+      return value == 0;
+    case Kind::tangent:
+      return step.constant < 0 && std::abs(*step.argument) > huge;
+    default:
+      return false;
+  }
+}
+
+void TaylorTranslation::hold_still(Step& step) {
+  step.usual = step.kind;
+  step.kind = Kind::still;
+  for (unsigned k = 1; k <= taylor::highest_order; ++k) {
+    step.out[k] = 0;
+    step.out[taylor::reversed - static_cast<int>(k)] = 0;
+  }
+}
+
+/// 1 + tan^2 u or 1 - tanh^2 u; that cancels where it is small, and 1/cosh^2 u does not.
+double TaylorTranslation::slope_of_tangent(const Step& step) {
+  constexpr double cancels = 0.5;
+  const double z = step.out[0];
+  if (step.constant > 0 || z * z < cancels) return 1 + step.constant * z * z;
+  const double inverse = 1 / evaluate(Function::cosh, *step.argument);
+  return inverse * inverse;
+}
+
 /// Rows that are no slots, and reciprocals of what a step divides by.
 void TaylorTranslation::start_own_rows(Step& step) {
+  if (step.kind == Kind::still) step.kind = step.usual;
+  if (has_reached_limit(step)) hold_still(step);
   switch (step.kind) {
     case Kind::sum_0_1:  // 1 + u^2 or 1 - u^2, where it is a row of our own
       if (!is_row_of_slot(step.out)) {
@@ -50,7 +89,7 @@ void TaylorTranslation::start_own_rows(Step& step) {
       step.constant = evaluate(Function::sign, step.x[0]);
       break;
     case Kind::tangent:
-      step.aux[0] = 1 + step.constant * step.out[0] * step.out[0];
+      step.aux[0] = slope_of_tangent(step);
       break;
     default:
       break;

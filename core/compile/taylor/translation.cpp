@@ -114,6 +114,7 @@ void TaylorTranslation::add_sum(const Form& form, double* out) {
   for (const auto& [factor, x, y] : form.products) products.push_back({factor, row(x), row(y), 0, 0});
   Step step;
   step.kind = sum_kind(terms.size(), products.size());
+  step.constant = form.constant;
   step.term_count = static_cast<std::uint16_t>(terms.size());
   step.product_count = static_cast<std::uint16_t>(products.size());
   step.terms = kept(terms_, std::move(terms));
@@ -169,6 +170,7 @@ void TaylorTranslation::translate_call(const Instruction& instruction, Step& ste
     case Function::sinh:
     case Function::cosh:
       step.kind = Kind::hyperbolic;
+      step.constant = instruction.function == Function::cosh ? 1 : 0;
       step.out2 = new_row();
       partners_.emplace_back(instruction.function == Function::cosh ? Function::sinh : Function::cosh, u);
       break;

@@ -88,6 +88,9 @@ class TaylorTranslation {
   [[nodiscard]] double* new_row() { return row(rows_used_++); }
   [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
   void start_own_rows(taylor::Step& step);
+  [[nodiscard]] static bool has_reached_limit(const taylor::Step& step);
+  [[nodiscard]] static double slope_of_tangent(const taylor::Step& step);
+  static void hold_still(taylor::Step& step);
   [[nodiscard]] static bool invert(System& system, const Workspace& slots);
 
   template <class T>

@@ -87,7 +87,12 @@ const char* const formulas[]{"-sin(q)",
                              "sqrt(3.2 - t)",
                              "cosh(t - 2)^-2",
                              "(2.5 - t)^(-3/2)",
-                             "exp(q_dot)*tanh(q_dot)"};
+                             "exp(q_dot)*tanh(q_dot)",
+                             "1/cosh((t - 2)/0.001)^2",
+                             "sinh((t - 2)/0.01)/cosh((t - 2)/0.01)^3",
+                             "exp((t - 2)/0.002)/(1 + exp((t - 2)/0.002))^2",
+                             "exp(-cosh((t - 2)/0.001))",
+                             "tanh(sinh((t - 2)/0.001))"};
 
 TEST(Remainder, IsNeverBelowTheDefect) {
   test::Random random(8);
@@ -129,6 +134,23 @@ TEST(Remainder, SeesAPulseWhereAllCoefficientsAreZero) {
   EXPECT_GE(before.defect[1], 1);
   const Step short_of_it(test::function_of("exp(-((t - 5)/0.1)^2)"), {}, 0, {0, 0}, 20, 4);
   EXPECT_LT(short_of_it.defect[1], 1e-40);
+}
+
+TEST(Remainder, SeesAPulseFromWhereItsDenominatorIsInfinite) {
+  for (const char* formula :
+       {"1/cosh((t - 5)/0.001)^2", "3/(exp((t - 5)/0.001) + exp((5 - t)/0.001))", "exp(-cosh((t - 5)/0.001))",
+        "sinh((t - 5)/0.001)/cosh((t - 5)/0.001)^3", "exp((t - 5)/0.001)/(1 + exp((t - 5)/0.001))^2"}) {
+    const CompiledFunction tape = test::function_of(formula);
+    const Step before(tape, {}, 0, {0, 0}, 20, 10);
+    EXPECT_EQ(before.c, std::vector<double>(42)) << formula;
+    EXPECT_GE(before.defect[1], 0.25) << formula;
+    EXPECT_LT(Step(tape, {}, 0, {0, 0}, 20, 4.9).defect[1], 1e-40) << formula;
+    EXPECT_GT(Step(tape, {}, 4.9995, {0, 0}, 20, 1e-4).c[23], 0.04) << formula;  // and its series are back
+  }
+}
+
+TEST(Remainder, OfASaturatedTanhIsBelowTheDigitsOfDoubles) {
+  EXPECT_LT(Step(test::function_of("tanh((t - 5)/0.1)"), {}, 0, {0, 0}, 24, 0.5).defect[1], 1e-30);
 }
 
 TEST(Remainder, SeesAKinkAheadAndNoneBehind) {

@@ -1,0 +1,70 @@
+#include "core/mechanics/kept_terms.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::int64_t most_of_an_exponent = 1024;
+
+/// How many sums are multiplied in e: 3 for (x + y)^2 (x - y).
+std::int64_t sums_multiplied(const Expression& e) {
+  const auto of_factor = [&](NodeId id) -> std::int64_t {
+    const auto [base, exponent] = split_power({e.graph(), id});
+    const auto whole = exponent.whole(most_of_an_exponent);
+    return std::holds_alternative<Sum>(base.node()) && whole && *whole > 0 ? *whole : 0;
+  };
+  const auto* product = std::get_if<Product>(&e.node());
+  if (product == nullptr) return of_factor(e.id());
+  std::int64_t count = 0;
+  for (const NodeId id : product->factors) count += of_factor(id);
+  return count;
+}
+
+/// What stands inside functions of e, and in what it divides by.
+std::vector<NodeId> insides(const Expression& e) {
+  std::vector<NodeId> result;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(e.graph(), root)) {
+    const Node& node = e.graph().node(id);
+    if (const auto* call = std::get_if<Call>(&node)) result.push_back(call->argument);
+    const auto* power = std::get_if<Power>(&node);
+    if (power != nullptr && power->exponent.whole(most_of_an_exponent).value_or(-1) < 0) {
+      result.push_back(power->base);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool loses_digits_multiplied_out(const Expression& e) {
+  const auto multiplies = [&](std::span<const NodeId> roots, std::int64_t most) {
+    const std::vector<NodeId> below = reachable(e.graph(), roots);
+    return std::ranges::any_of(below, [&](NodeId id) { return sums_multiplied({e.graph(), id}) > most; });
+  };
+  const NodeId root[]{e.id()};
+  return multiplies(root, 2) || multiplies(insides(e), 1);
+}
+
+Terms split_kept_terms(const Expression& e) {
+  std::vector<NodeId> ids{e.id()};
+  if (const auto* sum = std::get_if<Sum>(&e.node())) ids = sum->terms;
+  std::vector<Expression> plain, kept;
+  for (const NodeId id : ids) {
+    const Expression term(e.graph(), id);
+    (loses_digits_multiplied_out(term) ? kept : plain).push_back(term);
+  }
+  return {e.graph().sum(plain), e.graph().sum(kept)};
+}
+
+Expression shortened(const Expression& e) {
+  const Terms terms = split_kept_terms(e);
+  return terms.kept.is_zero() ? simplify(e) : simplify(terms.plain) + terms.kept;
+}
+
+}  // namespace qdot

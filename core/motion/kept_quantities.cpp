@@ -1,0 +1,140 @@
+#include "core/motion/kept_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/work.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t most_looked_at = 8;  ///< rows: of each part of the motion that where most has changed
+constexpr double of_second_order = 2;
+constexpr double of_rounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double least_difference = 1e-7;  ///< for a slope, relative
+
+/// All conserved quantities of a system, and what errors of a state do to each.
+class Quantities {
+ public:
+  Quantities(const Dynamics& dynamics, std::span<const double> parameters)
+      : conserved_(dynamics.conserved(parameters)),
+        workspace_(count() == 0 ? Workspace() : conserved_->values->bind(parameters)) {}
+
+  [[nodiscard]] std::size_t count() const { return conserved_->quantities.size(); }
+  [[nodiscard]] const std::string& name(std::size_t k) const { return conserved_->quantities[k].name; }
+
+  /// Not a number where there is no value.
+  [[nodiscard]] std::vector<double> at(double t, std::span<const double> y) {
+    std::vector<double> values(count());
+    if (conserved_->values->evaluate(t, y, workspace_, values) != Evaluation::ok) {
+      std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
+  }
+
+  struct Effect {
+    double of_errors{};
+    double size{};  ///< of the terms that it is the sum of, roughly
+  };
+  [[nodiscard]] Effect effect(std::size_t quantity, double t, std::vector<double> y,
+                              std::span<const double> errors) {
+    Effect effect{0, std::abs(at(t, y)[quantity])};
+    const double dt = least_difference * std::abs(t);
+    if (dt > 0) effect.size += std::abs(at(t + dt, y)[quantity] - at(t, y)[quantity]) / least_difference;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      const double place = y[k], h = std::max(errors[k], least_difference * std::abs(place));
+      if (h == 0) continue;
+      y[k] = place + h;
+      const double beyond = at(t, y)[quantity];
+      y[k] = place - h;
+      const double slope = std::abs(beyond - at(t, y)[quantity]) / (2 * h);
+      y[k] = place;
+      effect.of_errors += slope * errors[k];
+      effect.size += slope * std::abs(place);
+    }
+    return effect;
+  }
+
+ private:
+  std::shared_ptr<const Conserved> conserved_;
+  Workspace workspace_;
+};
+
+class Comparison {
+ public:
+  Comparison(Quantities& quantities, const StatedRows& rows, std::span<const SectionRecord> sections)
+      : quantities_(quantities), rows_(rows) {
+    Place begin{rows.t_start, rows.start};
+    std::vector<double> before = quantities_.at(begin.t, begin.y);
+    auto next = sections.begin();
+    for (std::size_t i = 0; i < rows.t.size(); ++i) {
+      if (i % 256 == 0) check_interruption();
+      for (; next != sections.end() && next->t < rows.t[i]; ++next) {
+        begin = {next->t, next->after};
+        before = quantities_.at(begin.t, begin.y);
+      }
+      begins_.push_back(begin);
+      const std::vector<double> now = quantities_.at(rows.t[i], state(i));
+      for (std::size_t k = 0; k < now.size(); ++k) changes_.push_back(std::abs(now[k] - before[k]));
+    }
+  }
+
+  [[nodiscard]] bool has_changed(std::size_t quantity) {
+    double unexplained = 0, size = 0;
+    const std::size_t count = rows_.t.size(), parts = std::min(count, most_looked_at);
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t i = most_changed(quantity, part * count / parts, (part + 1) * count / parts);
+      const auto here = quantities_.effect(quantity, rows_.t[i], copy(state(i)), errors(i));
+      const auto there = quantities_.effect(quantity, begins_[i].t, copy(begins_[i].y), errors(i));
+      const double explained = of_second_order * (here.of_errors + there.of_errors);
+      unexplained = std::max(unexplained, change(quantity, i) - explained);  // not a number: explained
+      size = std::max({size, here.size, there.size});
+    }
+    return unexplained > of_rounding * size;
+  }
+
+ private:
+  struct Place {
+    double t{};
+    std::span<const double> y;
+  };
+
+  [[nodiscard]] static std::vector<double> copy(std::span<const double> y) { return {y.begin(), y.end()}; }
+  [[nodiscard]] std::span<const double> state(std::size_t i) const {
+    return rows_.states.subspan(i * rows_.start.size(), rows_.start.size());
+  }
+  [[nodiscard]] std::span<const double> errors(std::size_t i) const {
+    return rows_.errors.subspan(i * rows_.start.size(), rows_.start.size());
+  }
+  [[nodiscard]] double change(std::size_t quantity, std::size_t i) const {
+    return changes_[i * quantities_.count() + quantity];
+  }
+
+  [[nodiscard]] std::size_t most_changed(std::size_t quantity, std::size_t from, std::size_t to) const {
+    for (std::size_t i = from; i < to; ++i) {
+      if (change(quantity, i) > change(quantity, from)) from = i;
+    }
+    return from;
+  }
+
+  Quantities& quantities_;
+  const StatedRows& rows_;
+  std::vector<Place> begins_;    ///< of each row: where the section began that it is in
+  std::vector<double> changes_;  ///< rows x quantities
+};
+
+}  // namespace
+
+std::string changed_conserved_quantity(const Dynamics& dynamics, std::span<const double> parameters,
+                                       const StatedRows& rows, std::span<const SectionRecord> sections) {
+  Quantities quantities(dynamics, parameters);
+  if (quantities.count() == 0 || rows.t.empty()) return {};
+  Comparison comparison(quantities, rows, sections);
+  for (std::size_t k = 0; k < quantities.count(); ++k) {
+    if (comparison.has_changed(k)) return quantities.name(k);
+  }
+  return {};
+}
+
+}  // namespace qdot
