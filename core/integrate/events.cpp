@@ -11,6 +11,7 @@ namespace {
 
 constexpr unsigned low_order = 5;  ///< cheap, and mostly enough to see that nothing happens
 constexpr unsigned full_order = 20;
+constexpr double short_share = 1e-9;
 constexpr std::size_t most_looks = 4000;
 constexpr int halvings = 60;
 constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
@@ -21,6 +22,11 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
+
+// Nothing is to be found by looking closer.
+bool is_constantly_zero(const std::vector<double>& c, double off) {
+  return std::abs(c[0]) <= off && std::all_of(c.begin() + 1, c.end(), [](double x) { return x == 0; });
+}
 
 // At a pole both sides outgrow what the bracket began with; at a zero or a jump they do not.
 bool is_pole(const SignChange& begin, const SignChange& end) {
@@ -34,7 +40,9 @@ EventSearch::EventSearch(const RunRequest& request)
     : request_(request),
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
-      y_(request.y_start.size()) {}
+      y_(request.y_start.size()) {
+  for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = request.events[i].sign_at_start;
+}
 
 EventSearch::Found EventSearch::search(Stepper& stepper) {
   Found found;
@@ -89,9 +97,17 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   }
   result.off += of_values * size;
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
-  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time;
+  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time &&
+                      std::abs(c[0]) <= doubt_at_start(event, piece) + of_values * size + of_time;
   if (result.is_divided) c.erase(c.begin());
   return result;
+}
+
+/// What g may be away from its first coefficient: the bound over a very short piece.
+double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece) const {
+  std::vector<double> c(low_order + 1);
+  piece.h *= short_share;
+  return request_.events[event].series(piece, low_order, c);
 }
 
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
@@ -122,6 +138,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const double shortest = 16 * time_round_off(whole.t + whole.h);
   const UnitSeries series = unit_series(event, whole, full_order);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
+  if (is_constantly_zero(series.coefficients, series.off)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients, series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;
@@ -157,9 +174,9 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
     bracket.value_before = g(bracket.before);
   }
   if (found.failure) return std::nullopt;
-  if (!is_bracket()) return crossed.before;
+  if (!is_bracket()) return event.sign_at_start == 0 ? crossed.before : crossed.after;
   const SignChange place = find_sign_change(g, bracket);
-  if (is_pole(bracket, place)) return std::nullopt;
+  if (event.sign_at_start == 0 && is_pole(bracket, place)) return std::nullopt;
   return place.after;
 }
 

@@ -64,6 +64,7 @@ class EventSearch {
     bool is_divided{false};  ///< by that unit: g is zero at t_start
   };
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
+  [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 
