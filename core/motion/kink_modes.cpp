@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t most_at_once = 4;  ///< kinks, whose combinations are tried
 constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
+constexpr double step_errors = 10;   ///< that u may have gathered, in units of the tolerances
 constexpr double far = 1e-6;         ///< of the numbers that make it up: no rounding error of u
 constexpr double same_rates = 1e-9;  ///< of two ways that are one
 constexpr double full_side = 1 + 1e-12;
@@ -34,16 +35,33 @@ void move_by(double u, std::span<const double> gradient, std::span<double> y) {
 
 using Series = decltype(EventFunction::series);
 
-/// factor times a function of one output along a piece; the first `contact` coefficients of a piece that
-/// begins at t_begin are 0.
-Series series_along(const std::shared_ptr<const CompiledFunction>& function,
-                    const std::vector<double>& parameters, double factor, double t_begin, unsigned contact) {
-  return [=, along = std::make_shared<TaylorComposition>(function, parameters)](
+/// What of a kink ends a section: factor times a function, plus a margin.
+struct End {
+  std::shared_ptr<const CompiledFunction> function;
+  double factor{}, margin{};
+  double t_begin{};
+  unsigned contact{};  ///< so many coefficients at t_begin are 0
+};
+
+Series series_along(const End& end, const std::vector<double>& parameters) {
+  return [end, along = std::make_shared<TaylorComposition>(end.function, parameters)](
              const MotionPiece& piece, unsigned order, std::span<double> c) {
     const double rest = along->expand(piece.t, piece.rows, piece.order, piece.h, order, c);
-    for (double& x : c) x *= factor;
-    if (piece.t == t_begin) std::fill_n(c.begin(), std::min<std::size_t>(contact, c.size()), 0.0);
+    for (double& x : c) x *= end.factor;
+    if (end.contact > 0 && piece.t == end.t_begin) {
+      std::fill_n(c.begin(), std::min<std::size_t>(end.contact, c.size()), 0.0);
+    } else {
+      c[0] += end.margin;
+    }
     return rest;
+  };
+}
+
+decltype(EventFunction::value) value_along(const End& end, const std::vector<double>& parameters) {
+  return [end, workspace = end.function->bind(parameters)](double t, std::span<const double> y) mutable {
+    double value{};
+    const bool ok = end.function->evaluate(t, y, workspace, {&value, 1}) == Evaluation::ok;
+    return ok ? end.factor * value + end.margin : std::numeric_limits<double>::quiet_NaN();
   };
 }
 
@@ -128,35 +146,47 @@ Sides KinkModes::sides_at(double t, std::span<const double> y) {
   return completed(Sides(kinks_.size(), 1), t, y);
 }
 
-std::optional<KinkModes::Way> KinkModes::way_on(double t, std::vector<double>& y,
+std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double> y,
                                                 const std::vector<bool>& met) {
   const Sides sides = sides_at(t, y);
   const std::vector<double> places = geometry(sides, t, y);
   const std::size_t row = 2 + y.size();
+  std::vector<double> sizes;
   for (std::size_t k = 0; k < kinks_.size(); ++k) {
     const std::span<const double> of_kink(places.data() + k * row, row);
     double size = std::abs(of_kink[1] * t);
     for (std::size_t i = 0; i < y.size(); ++i) size += std::abs(of_kink[2 + i] * y[i]);
+    sizes.push_back(size);
     if (std::abs(of_kink[0]) <= (met[k] ? std::max(far * size, far) : round_off * size)) active_.push_back(k);
   }
-  Way way{sides, std::vector<unsigned>(sides.size())};
+  Way way{sides, std::vector<unsigned>(sides.size()), sizes, {}};
   if (active_.empty()) return way;
   if (active_.size() > most_at_once) return std::nullopt;
   t_ = t;
-  y_ = y;
+  y_.assign(y.begin(), y.end());
   series_.clear();
   const std::optional<Sides> only = only_way();
   if (!only) return std::nullopt;
   way.sides = *only;
   for (const std::size_t k : active_) {
     const std::optional<Lead> first = way.sides[k] == 0 ? std::nullopt : lead(way.sides, k);
-    if (first && first->sign != 0) {
-      way.contact[k] = first->power;
-    } else {
-      put_on(k, way.sides, t, y);
-    }
+    const bool leaves = first && first->sign != 0;
+    if (leaves) way.contact[k] = first->power;
+    if (!leaves || first->power > 1) way.begins.push_back(k);
   }
   return way;
+}
+
+void KinkModes::settle(const Way& way, double t, std::vector<double>& y) {
+  for (const std::size_t k : way.begins) put_on(k, way.sides, t, y);
+}
+
+double KinkModes::time_since(std::size_t kink, const Sides& sides, double t, std::span<const double> y) {
+  t_ = t;
+  y_.assign(y.begin(), y.end());
+  series_.clear();
+  const Series& all = series(sides);
+  return all ? (*all)[kink][0] / (*all)[kink][1] : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// All combinations for the active kinks.
@@ -261,25 +291,27 @@ void KinkModes::put_on(std::size_t kink, const Sides& sides, double t, std::vect
   }
 }
 
-std::vector<EventFunction> KinkModes::ends(const Way& way, double t) const {
+std::vector<EventFunction> KinkModes::ends(const Way& way, double t, Method method,
+                                           const Tolerances& tolerances) const {
   const std::vector<double> with = parameters(way.sides);
   const std::shared_ptr<const KinkedMotion> functions = motion(way.sides);
   std::vector<EventFunction> ends;
   for (std::size_t k = 0; k < way.sides.size(); ++k) {
-    const bool stays = way.sides[k] == 0;
-    const auto& function = stays ? functions->holds[k] : functions->arguments[k];
-    const double factor = stays ? 1 : way.sides[k];
-    EventFunction& end = ends.emplace_back();
-    end.value = [function, factor, workspace = function->bind(with)](double at,
-                                                                     std::span<const double> y) mutable {
-      double value{};
-      const bool ok = function->evaluate(at, y, workspace, {&value, 1}) == Evaluation::ok;
-      return ok ? factor * value : std::numeric_limits<double>::quiet_NaN();
-    };
-    end.series = series_along(function, with, factor, t, way.contact[k]);
-    end.direction = Crossing::falling;
-    end.terminal = true;
-    end.sign_at_start = 1;
+    const bool stays = way.sides[k] == 0, leaves = way.contact[k] > 0;
+    End end{stays ? functions->holds[k] : functions->arguments[k], stays ? 1.0 : way.sides[k], 0, t, 0};
+    if (leaves && method == Method::taylor) {
+      end.margin = 4 * round_off * way.size[k];
+      end.contact = way.contact[k];
+    } else if (leaves) {
+      end.margin = step_errors * (tolerances.atol + tolerances.rtol * way.size[k]);
+    }
+    ends.push_back({.value = value_along(end, with),
+                    .series = series_along(end, with),
+                    .direction = Crossing::falling,
+                    .terminal = true,
+                    .counts_at_start = false,
+                    .condition = {},
+                    .sign_at_start = 1});
   }
   return ends;
 }

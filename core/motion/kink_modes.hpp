@@ -36,21 +36,29 @@ class KinkModes {
     Sides sides;
     /// For each kink at which the way begins, how many coefficients of u are 0 there; 0 for the others.
     std::vector<unsigned> contact;
+    std::vector<double> size;         ///< of the numbers that make up u there
+    std::vector<std::size_t> begins;  ///< kinks on which it stays, or from which it goes without a speed
   };
   /// The way on from (t, y). `met`: kinks that count as u = 0, beside those where u is zero but for
-  /// round-off; they are none any more where u is far from it. y moves by a rounding error, on to what it
-  /// stays on. None where it is undetermined.
-  [[nodiscard]] std::optional<Way> way_on(double t, std::vector<double>& y, const std::vector<bool>& met);
+  /// round-off; they are none any more where u is far from it. None where it is undetermined.
+  [[nodiscard]] std::optional<Way> way_on(double t, std::span<const double> y, const std::vector<bool>& met);
+  /// y, which is there but for a rounding error, on the kinks on which the way begins.
+  void settle(const Way& way, double t, std::vector<double>& y);
 
   /// The sides on which (t, y) is; kinks count as their sides u > 0.
   [[nodiscard]] Sides sides_at(double t, std::span<const double> y);
+
+  /// How long ago the motion with these sides was at u = 0, a short time before (t, y).
+  [[nodiscard]] double time_since(std::size_t kink, const Sides& sides, double t, std::span<const double> y);
 
   /// The model's parameters and the sides.
   [[nodiscard]] std::vector<double> parameters(const Sides& sides) const;
   /// Null where the motion cannot stay so.
   [[nodiscard]] std::shared_ptr<const KinkedMotion> motion(const Sides& sides) const;
-  /// Where a way that begins at time t ends, for each kink.
-  [[nodiscard]] std::vector<EventFunction> ends(const Way& way, double t) const;
+  /// Where a way that begins at time t ends, for each kink. One at which it begins it meets again only when
+  /// its u is negative by more than round-off, or than the tolerances where the method is not taylor.
+  [[nodiscard]] std::vector<EventFunction> ends(const Way& way, double t, Method method,
+                                                const Tolerances& tolerances) const;
 
  private:
   static constexpr unsigned order = 8;

@@ -45,7 +45,9 @@ bool MotionSections::begin(double t, std::vector<double>& y) {
   if (!modes_) return true;
   met_.assign(names_.size(), false);
   tried_.clear();
-  return go_on(t, y, met_);
+  if (!go_on(t, y)) return false;
+  modes_->settle(way_, t, y);
+  return true;
 }
 
 bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bool>& met) {
@@ -54,17 +56,37 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
     met_.assign(names_.size(), false);
   }
   for (std::size_t k = 0; k < met.size(); ++k) met_[k] = met_[k] || met[k];
-  return go_on(t, y, met_);
+  const Sides before = way_.sides;
+  const RightHandSide& old = now_->system;
+  if (!go_on(t, y)) return false;
+  if (std::ranges::count(met_, true) == 1) {
+    const auto k = static_cast<std::size_t>(std::ranges::find(met_, true) - met_.begin());
+    if (before[k] != 0) take_back(k, before, old, t, y);
+  }
+  modes_->settle(way_, t, y);
+  return true;
+}
+
+/// The kink was met a little before t, by the round-off of t, always to the same side: since then the motion
+/// has been the new one.
+void MotionSections::take_back(std::size_t kink, const Sides& before, const RightHandSide& old, double t,
+                               std::vector<double>& y) {
+  const double late = modes_->time_since(kink, before, t, y);
+  if (!(late > 0 && late <= resolution_)) return;
+  std::vector<double> was(y.size()), is(y.size());
+  if (old.derivative(t, y, was) != Evaluation::ok) return;
+  if (now_->system.derivative(t, y, is) != Evaluation::ok) return;
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += late * (is[i] - was[i]);
 }
 
 /// No way is tried twice at one instant.
-bool MotionSections::go_on(double t, std::vector<double>& y, const std::vector<bool>& met) {
-  const std::optional<KinkModes::Way> way = modes_->way_on(t, y, met);
+bool MotionSections::go_on(double t, std::span<const double> y) {
+  const std::optional<KinkModes::Way> way = modes_->way_on(t, y, met_);
   const bool is_known = way && tried_.insert(way->sides).second;
   if (is_known) {
     enter(*way, t);
   } else if (now_ == nullptr) {
-    enter({modes_->sides_at(t, y), std::vector<unsigned>(names_.size())}, t);
+    enter({modes_->sides_at(t, y), std::vector<unsigned>(names_.size()), {}, {}}, t);
   }
   return is_known;
 }
@@ -103,7 +125,7 @@ void MotionSections::finish(double t) {
 }
 
 std::vector<EventFunction> MotionSections::ends() const {
-  return modes_ ? modes_->ends(way_, t_) : std::vector<EventFunction>{};
+  return modes_ ? modes_->ends(way_, t_, request_.method, request_.tolerances) : std::vector<EventFunction>{};
 }
 
 MotionSections::Columns& MotionSections::columns_in(std::size_t section) {

@@ -52,7 +52,9 @@ class MotionSections {
     Staying staying;
     Columns columns;
   };
-  [[nodiscard]] bool go_on(double t, std::vector<double>& y, const std::vector<bool>& met);
+  [[nodiscard]] bool go_on(double t, std::span<const double> y);
+  void take_back(std::size_t kink, const Sides& before, const RightHandSide& old, double t,
+                 std::vector<double>& y);
   void enter(const KinkModes::Way& way, double t);
 
   const Dynamics& dynamics_;

@@ -12,8 +12,7 @@ std::vector<double> values_at_kinks(const Dynamics& dynamics, const std::vector<
                                     std::span<const double> parameters, double t, std::span<const double> y) {
   if (dynamics.kinks() == nullptr) return values_at(dynamics, columns, parameters, t, y);
   KinkModes modes(dynamics, parameters, 16 * time_round_off(std::max(1.0, std::abs(t))));
-  std::vector<double> state(y.begin(), y.end());
-  const auto way = modes.way_on(t, state, std::vector<bool>(dynamics.kinks()->size()));
+  const auto way = modes.way_on(t, y, std::vector<bool>(dynamics.kinks()->size()));
   if (!way) {
     throw Error(ErrorCode::invalid_state,
                 "In this state the argument of an abs or a sign is zero, and the equations of motion do not "

@@ -14,11 +14,14 @@ namespace {
 using test::instants;
 using test::row;
 
-/// A mass of 1 kg on a line under a force, an expression in t, x and x_dot.
+/// A mass of 1 kg on a line under a force, an expression in t, x, x_dot and the units F, L and T.
 std::shared_ptr<const Model> mass_under(const std::string& force) {
   Scene scene = test::scene_of("damped_oscillator");
   scene.name = "mass";
-  scene.parameters = {Parameter{"m", "kg", "1", {}, {}, {}}};
+  scene.parameters.clear();
+  for (const auto& [name, unit] : {std::pair{"m", "kg"}, {"F", "N"}, {"L", "m"}, {"T", "s"}}) {
+    scene.parameters.push_back({name, unit, "1", {}, {}, {}});
+  }
   scene.coordinates = {Coordinate{"x", "m", "0", "0", {}, {}, {}, {}}};
   scene.inputs.clear();
   scene.points = {{"P", {"x", "0"}}};
@@ -63,7 +66,7 @@ struct State {
 
 TEST(DryFriction, BringsAMassToRestAndHoldsIt) {
   for (const Method method : test::all_methods) {
-    const auto found = measured("-0.5*sign(x_dot)", {{"x_dot", 2}}, 10, 20, method);
+    const auto found = measured("-0.5*F*sign(x_dot)", {{"x_dot", 2}}, 10, 20, method);
     expect_within(found, 10, 20, [](double t) {
       return t < 4 ? State{2 * t - 0.25 * t * t, 2 - 0.5 * t} : State{4, 0};
     });
@@ -77,21 +80,21 @@ TEST(DryFriction, BringsAMassToRestAndHoldsIt) {
 }
 
 TEST(DryFriction, BoundsItsSteps) {
-  EXPECT_TRUE(measured("-0.5*sign(x_dot) - x", {{"x_dot", 2}}, 10, 20).bounded);
+  EXPECT_TRUE(measured("-0.5*F*sign(x_dot) - F*x/L", {{"x_dot", 2}}, 10, 20).bounded);
 }
 
 /// On an incline whose tangent is below the coefficient of friction, or above it.
 TEST(DryFriction, HoldsABlockOnAnIncline) {
-  const auto held = measured("-4 - 5*sign(x_dot)", {}, 3, 6);
+  const auto held = measured("-4*F - 5*F*sign(x_dot)", {}, 3, 6);
   expect_within(held, 3, 6, [](double) { return State{0, 0}; });
-  const auto sliding = measured("-4 - 3*sign(x_dot)", {}, 3, 6);
+  const auto sliding = measured("-4*F - 3*F*sign(x_dot)", {}, 3, 6);
   expect_within(sliding, 3, 6, [](double t) { return State{-t * t / 2, -t}; });
   EXPECT_TRUE(sliding.simulation.stays.empty());
 }
 
 /// It goes when the force has grown to that of friction, at t = asin(1/2).
 TEST(DryFriction, LetsGoWhenTheForceIsLargeEnough) {
-  const auto found = measured("2*sin(t) - sign(x_dot)", {}, 2, 8);
+  const auto found = measured("2*F*sin(t/T) - F*sign(x_dot)", {}, 2, 8);
   const double t0 = std::asin(0.5);
   expect_within(found, 2, 8, [t0](double t) {
     if (t < t0) return State{0, 0};
@@ -105,7 +108,7 @@ TEST(DryFriction, LetsGoWhenTheForceIsLargeEnough) {
 
 /// On a belt of 1 m/s the mass is carried until the spring pulls harder than friction.
 TEST(DryFriction, CarriesABlockOnABelt) {
-  const auto found = measured("-4*x - 2*sign(x_dot - 1)", {{"x_dot", 1}}, 1, 10);
+  const auto found = measured("-4*F*x/L - 2*F*sign(x_dot - L/T)", {{"x_dot", 1}}, 1, 10);
   expect_within(found, 1, 10, [](double t) {
     const double s = t - 0.5;  // then 4 x = 2
     if (s < 0) return State{t, 1};
@@ -115,7 +118,7 @@ TEST(DryFriction, CarriesABlockOnABelt) {
 
 /// V = |x|: parabolas, four of them a period of 4 sqrt(2).
 TEST(Kinks, OfAPotentialArePassed) {
-  const auto found = measured("-sign(x)", {{"x", 1}}, 60, 120);
+  const auto found = measured("-F*sign(x)", {{"x", 1}}, 60, 120);
   const double quarter = std::numbers::sqrt2;
   expect_within(found, 60, 120, [quarter](double t) {
     const double turns = std::floor(t / (2 * quarter) + 0.5);
@@ -127,13 +130,13 @@ TEST(Kinks, OfAPotentialArePassed) {
 }
 
 TEST(Kinks, HoldWhatRestsOnThem) {
-  const auto found = measured("-sign(x)", {}, 5, 5);
+  const auto found = measured("-F*sign(x)", {}, 5, 5);
   expect_within(found, 5, 5, [](double) { return State{0, 0}; });
   ASSERT_EQ(found.simulation.stays.size(), 1u);
 }
 
 TEST(Kinks, OfADriveArePassed) {
-  const auto found = measured("abs(sin(t))", {}, 10, 20);
+  const auto found = measured("F*abs(sin(t/T))", {}, 10, 20);
   expect_within(found, 10, 20, [](double t) {
     const double half = std::floor(t / std::numbers::pi), s = t - half * std::numbers::pi;
     const double v = 2 * half + 1 - std::cos(s);
@@ -144,13 +147,13 @@ TEST(Kinks, OfADriveArePassed) {
 
 /// The force may begin at once or never: nothing tells.
 TEST(Kinks, ThatPushAwayOnBothSidesAreUndetermined) {
-  EXPECT_EQ(measured("sign(x_dot)", {}, 5, 5).simulation.ending, Ending::undetermined);
-  EXPECT_EQ(measured("sign(x_dot)", {{"x_dot", 0.1}}, 5, 5).simulation.ending, Ending::reached_end);
+  EXPECT_EQ(measured("F*sign(x_dot)", {}, 5, 5).simulation.ending, Ending::undetermined);
+  EXPECT_EQ(measured("F*sign(x_dot)", {{"x_dot", 0.1}}, 5, 5).simulation.ending, Ending::reached_end);
 }
 
 /// The oscillation of a mass held by friction and by |x| ends: infinitely many turns in a finite time.
 TEST(DryFriction, EndsInfinitelyManyTurns) {
-  const auto found = measured("-sign(x) - 0.5*sign(x_dot)", {{"x", 1}}, 20, 20);
+  const auto found = measured("-F*sign(x) - 0.5*F*sign(x_dot)", {{"x", 1}}, 20, 20);
   EXPECT_EQ(found.simulation.ending, Ending::reached_end);
   EXPECT_LT(std::abs(row(found.simulation, 20)[0]), 1e-9);
   EXPECT_LT(std::abs(row(found.simulation, 20)[1]), 1e-9);
