@@ -6,6 +6,13 @@
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
+namespace {
+
+[[noreturn]] void refuse() {
+  throw Error(ErrorCode::not_applicable, "the motion does not stay on such a kink");
+}
+
+}  // namespace
 
 MotionBuilder::MotionBuilder(const Model& model, const InputTexts& inputs, const Graph& graph)
     : model_(model),
@@ -31,6 +38,12 @@ MotionBuilder::MotionBuilder(const Model& model, const InputTexts& inputs, const
                              const Staying& staying)
     : MotionBuilder(model, inputs, graph) {
   unfold();
+  for (std::size_t k = 0; k < staying.size(); ++k) {
+    if (staying[k]) unknown_sides_.push_back(kinks_.sides[k]);
+  }
+  for (const Expression& u : kinks_.arguments) {
+    if (depends_on(u, unknown_sides_)) refuse();
+  }
   for (std::size_t k = 0; k < staying.size(); ++k) {
     if (staying[k]) stay_on(k);
   }
@@ -93,11 +106,7 @@ void MotionBuilder::unfold() {
 
 /// w = u, or u' where no velocity stands in u: w' = slope . q'' + rest = 0.
 void MotionBuilder::stay_on(std::size_t kink) {
-  const auto refuse = [] {
-    throw Error(ErrorCode::not_applicable, "the motion does not stay on such a kink");
-  };
   const Expression side = kinks_.sides[kink];
-  if (depends_on(kinks_.arguments[kink], kinks_.sides)) refuse();
   std::vector<Replacement> rates{{t_, graph_.number(1)}};
   for (std::size_t i = 0; i < q_.size(); ++i) rates.emplace_back(q_[i], rates_[i]);
   Expression w = kinks_.arguments[kink];
@@ -109,7 +118,7 @@ void MotionBuilder::stay_on(std::size_t kink) {
     const Replacement ahead{side, graph_.number(1)}, behind{side, graph_.number(-1)};
     const Expression one = substitute(f, {&ahead, 1}), other = substitute(f, {&behind, 1});
     half.push_back(simplify(Number::ratio(1, 2) * (one - other)));
-    if (depends_on(half.back(), kinks_.sides)) refuse();
+    if (depends_on(half.back(), unknown_sides_)) refuse();
     f = simplify(Number::ratio(1, 2) * (one + other));
   }
   for (const auto& row : matrix_) {

@@ -67,6 +67,7 @@ class MotionBuilder {
   Expression t_;
   std::vector<Replacement> replacements_;
   Unfolded kinks_;
+  std::vector<Expression> unknown_sides_;  ///< of the kinks on which the motion stays
   // matrix x = right for x = unknowns: q'', some of them replaced by the sides of kinks, and more of those.
   Matrix matrix_;
   std::vector<Expression> right_, unknowns_;

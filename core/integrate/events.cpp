@@ -11,6 +11,7 @@ namespace {
 
 constexpr unsigned low_order = 5;  ///< cheap, and mostly enough to see that nothing happens
 constexpr unsigned full_order = 20;
+constexpr double of_doubt = 16;  ///< times what g may be away from its series
 constexpr double short_share = 1e-9;
 constexpr std::size_t most_looks = 4000;
 constexpr int halvings = 60;
@@ -22,11 +23,6 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
-
-// Nothing is to be found by looking closer.
-bool is_constantly_zero(const std::vector<double>& c, double off) {
-  return std::abs(c[0]) <= off && std::all_of(c.begin() + 1, c.end(), [](double x) { return x == 0; });
-}
 
 // At a pole both sides outgrow what the bracket began with; at a zero or a jump they do not.
 bool is_pole(const SignChange& begin, const SignChange& end) {
@@ -131,6 +127,14 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   }
 }
 
+/// g is zero but for the round-off of its values, all along: looking closer shows no more.
+bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
+  double size = 0;
+  for (const double c : series.coefficients) size += std::abs(c);
+  if (series.is_divided || size > of_doubt * series.off) return false;
+  return series.off <= 2 * (doubt_at_start(event, piece) + of_values * size);
+}
+
 /// The pieces of [from, to], in times since the step's beginning.
 void EventSearch::explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces) {
   if (++looks_ > most_looks) saw_everything_ = false;
@@ -138,7 +142,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const double shortest = 16 * time_round_off(whole.t + whole.h);
   const UnitSeries series = unit_series(event, whole, full_order);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
-  if (is_constantly_zero(series.coefficients, series.off)) return pieces.push_back({from, to, 0});
+  if (is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients, series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;

@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::size_t most_at_once = 4;  ///< kinks, whose combinations are tried
 constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
-constexpr double step_errors = 10;   ///< that u may have gathered, in units of the tolerances
 constexpr double far = 1e-6;         ///< of the numbers that make it up: no rounding error of u
 constexpr double same_rates = 1e-9;  ///< of two ways that are one
 constexpr double full_side = 1 + 1e-12;
@@ -31,38 +30,6 @@ void move_by(double u, std::span<const double> gradient, std::span<double> y) {
   for (std::size_t i = 0; i < y.size(); ++i) {
     if (gradient[i] != 0) y[i] -= u * gradient[i] / norm(gradient);
   }
-}
-
-using Series = decltype(EventFunction::series);
-
-/// What of a kink ends a section: factor times a function, plus a margin.
-struct End {
-  std::shared_ptr<const CompiledFunction> function;
-  double factor{}, margin{};
-  double t_begin{};
-  unsigned contact{};  ///< so many coefficients at t_begin are 0
-};
-
-Series series_along(const End& end, const std::vector<double>& parameters) {
-  return [end, along = std::make_shared<TaylorComposition>(end.function, parameters)](
-             const MotionPiece& piece, unsigned order, std::span<double> c) {
-    const double rest = along->expand(piece.t, piece.rows, piece.order, piece.h, order, c);
-    for (double& x : c) x *= end.factor;
-    if (end.contact > 0 && piece.t == end.t_begin) {
-      std::fill_n(c.begin(), std::min<std::size_t>(end.contact, c.size()), 0.0);
-    } else {
-      c[0] += end.margin;
-    }
-    return rest;
-  };
-}
-
-decltype(EventFunction::value) value_along(const End& end, const std::vector<double>& parameters) {
-  return [end, workspace = end.function->bind(parameters)](double t, std::span<const double> y) mutable {
-    double value{};
-    const bool ok = end.function->evaluate(t, y, workspace, {&value, 1}) == Evaluation::ok;
-    return ok ? end.factor * value + end.margin : std::numeric_limits<double>::quiet_NaN();
-  };
 }
 
 }  // namespace
@@ -289,31 +256,6 @@ void KinkModes::put_on(std::size_t kink, const Sides& sides, double t, std::vect
       move_by(of_kink[1] + dot(by_q, v), by_q, v);
     }
   }
-}
-
-std::vector<EventFunction> KinkModes::ends(const Way& way, double t, Method method,
-                                           const Tolerances& tolerances) const {
-  const std::vector<double> with = parameters(way.sides);
-  const std::shared_ptr<const KinkedMotion> functions = motion(way.sides);
-  std::vector<EventFunction> ends;
-  for (std::size_t k = 0; k < way.sides.size(); ++k) {
-    const bool stays = way.sides[k] == 0, leaves = way.contact[k] > 0;
-    End end{stays ? functions->holds[k] : functions->arguments[k], stays ? 1.0 : way.sides[k], 0, t, 0};
-    if (leaves && method == Method::taylor) {
-      end.margin = 4 * round_off * way.size[k];
-      end.contact = way.contact[k];
-    } else if (leaves) {
-      end.margin = step_errors * (tolerances.atol + tolerances.rtol * way.size[k]);
-    }
-    ends.push_back({.value = value_along(end, with),
-                    .series = series_along(end, with),
-                    .direction = Crossing::falling,
-                    .terminal = true,
-                    .counts_at_start = false,
-                    .condition = {},
-                    .sign_at_start = 1});
-  }
-  return ends;
 }
 
 }  // namespace qdot

@@ -31,6 +31,7 @@ class KinkModes {
   /// `resolution`: what happens in so short a time is not told apart. Keeps the references; the model has
   /// kinks.
   KinkModes(const Dynamics& dynamics, std::span<const double> parameters, double resolution);
+  ~KinkModes();
 
   struct Way {
     Sides sides;
@@ -55,10 +56,6 @@ class KinkModes {
   [[nodiscard]] std::vector<double> parameters(const Sides& sides) const;
   /// Null where the motion cannot stay so.
   [[nodiscard]] std::shared_ptr<const KinkedMotion> motion(const Sides& sides) const;
-  /// Where a way that begins at time t ends, for each kink. One at which it begins it meets again only when
-  /// its u is negative by more than round-off, or than the tolerances where the method is not taylor.
-  [[nodiscard]] std::vector<EventFunction> ends(const Way& way, double t, Method method,
-                                                const Tolerances& tolerances) const;
 
  private:
   static constexpr unsigned order = 8;
@@ -94,9 +91,6 @@ class KinkModes {
   std::vector<double> y_;
   std::vector<std::size_t> active_;
   std::map<Sides, Series> series_;
-
- public:
-  ~KinkModes();
 };
 
 }  // namespace qdot

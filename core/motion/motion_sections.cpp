@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/integrate/events.hpp"
+#include "core/motion/kink_ends.hpp"
 #include "core/motion/motion_system.hpp"
 #include "core/numerics/root.hpp"
 
@@ -125,7 +126,8 @@ void MotionSections::finish(double t) {
 }
 
 std::vector<EventFunction> MotionSections::ends() const {
-  return modes_ ? modes_->ends(way_, t_, request_.method, request_.tolerances) : std::vector<EventFunction>{};
+  return modes_ ? kink_ends(*modes_, way_, t_, request_.method, request_.tolerances)
+                : std::vector<EventFunction>{};
 }
 
 MotionSections::Columns& MotionSections::columns_in(std::size_t section) {
