@@ -26,6 +26,10 @@ Failure failure_of(Ending ending) {
           "larger ones."};
     case Ending::blow_up:
       return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
+    case Ending::undetermined:
+      return {"undetermined",
+              "At this state the argument of an abs or a sign is zero, and the equations of motion do not "
+              "tell how the motion goes on: to no side, or to more than one of them."};
     case Ending::no_convergence:
       return {"no-convergence",
               "Method gauss found no solution for the equations of its next step: the step h is too long at "

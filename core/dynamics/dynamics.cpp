@@ -21,15 +21,30 @@ const CanonicalFunctions* Dynamics::canonical() const {
   return canonical_.get({}, [&] { return canonical_functions(specialized(*model_, inputs_, {})); }).get();
 }
 
-std::shared_ptr<const CompiledFunction> Dynamics::columns(const std::vector<Column>& columns) const {
+const Kinks* Dynamics::kinks() const {
+  return kinks_.get({}, [&] { return kinks_of(*model_, inputs_); }).get();
+}
+
+std::shared_ptr<const KinkedMotion> Dynamics::kinked(const Staying& staying) const {
+  return kinked_.get(staying, [&] { return kinked_motion(*model_, inputs_, staying); });
+}
+
+const CompiledFunction& Dynamics::kinked_jacobian(const Staying& staying) const {
+  return kinked_jacobian_.get(staying, [&] { return jacobian_of(*model_, inputs_, &staying); });
+}
+
+std::shared_ptr<const CompiledFunction> Dynamics::columns(const std::vector<Column>& columns,
+                                                          const Staying* staying) const {
   std::vector<NodeId> key;
   std::vector<Expression> expressions;
   for (const Column& column : columns) {
     key.push_back(column.value.id());
     expressions.push_back(column.value);
   }
-  return columns_.get(key, [&] {
-    return std::make_shared<const CompiledFunction>(compiled(*model_->parsed.graph, expressions));
+  const auto on = staying == nullptr ? std::nullopt : std::optional(*staying);
+  return columns_.get({key, on}, [&] {
+    return std::make_shared<const CompiledFunction>(
+        compiled_along_motion(*model_, inputs_, *model_->parsed.graph, expressions, staying));
   });
 }
 
@@ -47,8 +62,8 @@ std::shared_ptr<const Statics> Dynamics::statics(std::span<const double> paramet
   });
 }
 
-CompiledEvent Dynamics::event(const std::string& text) const {
-  return compiled_event(*model_, inputs_, text);
+CompiledEvent Dynamics::event(const std::string& text, const Staying* staying) const {
+  return compiled_event(*model_, inputs_, text, staying);
 }
 
 CompiledFunction Dynamics::compiled(const Graph& graph, std::span<const Expression> expressions) const {
@@ -57,10 +72,14 @@ CompiledFunction Dynamics::compiled(const Graph& graph, std::span<const Expressi
 
 std::vector<double> values_at(const Dynamics& dynamics, const std::vector<Column>& columns,
                               std::span<const double> parameters, double t, std::span<const double> y) {
-  const auto function = dynamics.columns(columns);
-  Workspace workspace = function->bind(parameters);
+  return values_at(*dynamics.columns(columns), columns, parameters, t, y);
+}
+
+std::vector<double> values_at(const CompiledFunction& function, const std::vector<Column>& columns,
+                              std::span<const double> parameters, double t, std::span<const double> y) {
+  Workspace workspace = function.bind(parameters);
   std::vector<double> values(columns.size());
-  switch (function->evaluate(t, y, workspace, values)) {
+  switch (function.evaluate(t, y, workspace, values)) {
     case Evaluation::ok:
       return values;
     case Evaluation::singular_mass:

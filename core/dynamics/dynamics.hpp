@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "core/base/made_once.hpp"
 #include "core/dynamics/canonical_functions.hpp"
 #include "core/dynamics/columns.hpp"
+#include "core/dynamics/kink_functions.hpp"
 #include "core/dynamics/motion_functions.hpp"
 #include "core/dynamics/specialization.hpp"
 
@@ -33,10 +35,17 @@ class Dynamics {
   [[nodiscard]] const CompiledFunction& accelerations() const;
   /// d(q', q'')/d(q, q'), 2n x 2n by rows.
   [[nodiscard]] const CompiledFunction& jacobian() const;
+  /// The kinks in the equations of motion; null where there are none.
+  [[nodiscard]] const Kinks* kinks() const;
+  /// The motion on their sides, staying on some of them; null where it cannot.
+  [[nodiscard]] std::shared_ptr<const KinkedMotion> kinked(const Staying& staying) const;
+  /// The same as jacobian().
+  [[nodiscard]] const CompiledFunction& kinked_jacobian(const Staying& staying) const;
   /// The equations of first order in (q, p); null where L is not quadratic in the velocities.
   [[nodiscard]] const CanonicalFunctions* canonical() const;
-  /// The values of columns, which belong to the model's graph.
-  [[nodiscard]] std::shared_ptr<const CompiledFunction> columns(const std::vector<Column>& columns) const;
+  /// The values of columns, which belong to the model's graph; `staying` as in motion_functions.hpp.
+  [[nodiscard]] std::shared_ptr<const CompiledFunction> columns(const std::vector<Column>& columns,
+                                                                const Staying* staying = nullptr) const;
 
   /// The conserved quantities; which there are depends on the parameters that are 0.
   [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
@@ -54,7 +63,7 @@ class Dynamics {
   }
 
   /// As compiled_event; made for the caller and not kept.
-  [[nodiscard]] CompiledEvent event(const std::string& text) const;
+  [[nodiscard]] CompiledEvent event(const std::string& text, const Staying* staying = nullptr) const;
   /// As compiled_along_motion; made for the caller and not kept.
   [[nodiscard]] CompiledFunction compiled(const Graph& graph, std::span<const Expression> expressions) const;
 
@@ -65,7 +74,11 @@ class Dynamics {
   InputTexts inputs_;
   mutable MadeOnce<Only, CompiledFunction> accelerations_, jacobian_;
   mutable MadeOnce<Only, std::unique_ptr<const CanonicalFunctions>> canonical_;
-  mutable MadeOnce<std::vector<NodeId>, std::shared_ptr<const CompiledFunction>> columns_;
+  mutable MadeOnce<Only, std::unique_ptr<const Kinks>> kinks_;
+  mutable MadeOnce<Staying, std::shared_ptr<const KinkedMotion>> kinked_;
+  mutable MadeOnce<Staying, CompiledFunction> kinked_jacobian_;
+  using ColumnsKey = std::pair<std::vector<NodeId>, std::optional<Staying>>;
+  mutable MadeOnce<ColumnsKey, std::shared_ptr<const CompiledFunction>> columns_;
   mutable MadeOnce<Vanishing, std::shared_ptr<const Conserved>> conserved_;
   mutable MadeOnce<Vanishing, std::shared_ptr<const Statics>> statics_;
   mutable MadeOnce<std::pair<std::string, const Statics*>, std::shared_ptr<const void>> derived_;
@@ -73,6 +86,12 @@ class Dynamics {
 
 /// The columns' values at one state. Throws Error(invalid_state) where one of them has none.
 [[nodiscard]] std::vector<double> values_at(const Dynamics& dynamics, const std::vector<Column>& columns,
+                                            std::span<const double> parameters, double t,
+                                            std::span<const double> y);
+
+/// The same where their function is there.
+[[nodiscard]] std::vector<double> values_at(const CompiledFunction& function,
+                                            const std::vector<Column>& columns,
                                             std::span<const double> parameters, double t,
                                             std::span<const double> y);
 

@@ -6,11 +6,17 @@
 //   M(q,t) q'' = f(q,q',t)
 //   M dq''/dy = df/dy - dM/dy q''      for every component of y
 //
-// All throw Error(syntax | unknown_symbol | too_large) for an input that does not parse.
+// Where the equations have kinks, `staying` tells on which of them the motion stays; the kinks' sides are
+// then parameters behind the model's own (core/dynamics/motion_builder.hpp). Without it abs and sign are
+// functions like others.
+//
+// All throw Error(syntax | unknown_symbol | too_large) for an input that does not parse, and, given
+// `staying`, Error(not_applicable) where that cannot be.
 
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/compile/compiled_function.hpp"
 #include "core/dynamics/inputs.hpp"
@@ -18,17 +24,23 @@
 
 namespace qdot {
 
+/// For each kink of the equations of motion, whether the motion stays on it.
+using Staying = std::vector<bool>;
+
 /// q'', n outputs.
-[[nodiscard]] CompiledFunction accelerations_of(const Model& model, const InputTexts& inputs);
+[[nodiscard]] CompiledFunction accelerations_of(const Model& model, const InputTexts& inputs,
+                                                const Staying* staying = nullptr);
 
 /// d(q', q'')/d(q, q'), 2n x 2n by rows.
-[[nodiscard]] CompiledFunction jacobian_of(const Model& model, const InputTexts& inputs);
+[[nodiscard]] CompiledFunction jacobian_of(const Model& model, const InputTexts& inputs,
+                                           const Staying* staying = nullptr);
 
 /// Expressions of a graph that was copied from the model's, as they are along motions:
 /// q'' solved for, inputs replaced.
 [[nodiscard]] CompiledFunction compiled_along_motion(const Model& model, const InputTexts& inputs,
                                                      const Graph& graph,
-                                                     std::span<const Expression> expressions);
+                                                     std::span<const Expression> expressions,
+                                                     const Staying* staying = nullptr);
 
 /// An event: the function whose zero it is, which way that is crossed, and optionally where a zero counts
 /// (when > 0).
@@ -41,6 +53,6 @@ struct CompiledEvent {
 /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the direction;
 /// or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
 [[nodiscard]] CompiledEvent compiled_event(const Model& model, const InputTexts& inputs,
-                                           const std::string& text);
+                                           const std::string& text, const Staying* staying = nullptr);
 
 }  // namespace qdot

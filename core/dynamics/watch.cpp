@@ -56,7 +56,7 @@ void watch_component(Watch& watch, std::size_t i, double sign, double limit) {
 }
 
 Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const std::string& text) {
-  CompiledEvent event = dynamics.event(text);
+  CompiledEvent event = dynamics.event(text, request.staying);
   Watch watch;
   watch.name = text;
   watch.direction = event.direction;
@@ -78,7 +78,7 @@ void add_validity(const Dynamics& dynamics, const WatchRequest& request, std::ve
                 .reason = condition.reason,
                 .message = condition.message,
                 .direction = Crossing::falling};
-    watch_function(watch, dynamics.columns({columns[i]}), request.parameters);
+    watch_function(watch, dynamics.columns({columns[i]}, request.staying), request.parameters);
     all.push_back(std::move(watch));
   }
 }
@@ -111,7 +111,7 @@ void add_singularities(const Dynamics& dynamics, const WatchRequest& request, st
   for (std::size_t i = 0; i < model.scene.singular_where.size(); ++i) {
     const Column column{model.scene.singular_where[i].name, "", model.parsed.singular_where[i]};
     all.push_back(singularity(model.scene.singular_where[i].message, Crossing::either));
-    watch_function(all.back(), dynamics.columns({column}), request.parameters);
+    watch_function(all.back(), dynamics.columns({column}, request.staying), request.parameters);
   }
 }
 

@@ -41,6 +41,7 @@ struct WatchRequest {
   std::span<const std::string> events{};  ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};
   Impacts impacts{Impacts::apply};
+  const Staying* staying{};  ///< where the motion has kinks: their sides follow the parameters
 };
 
 /// All that a request watches, in the order in which simultaneous ones count.

@@ -11,6 +11,8 @@ namespace {
 
 constexpr unsigned low_order = 5;  ///< cheap, and mostly enough to see that nothing happens
 constexpr unsigned full_order = 20;
+constexpr double of_doubt = 16;  ///< times what g may be away from its series
+constexpr double short_share = 1e-9;
 constexpr std::size_t most_looks = 4000;
 constexpr int halvings = 60;
 constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
@@ -34,7 +36,9 @@ EventSearch::EventSearch(const RunRequest& request)
     : request_(request),
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
-      y_(request.y_start.size()) {}
+      y_(request.y_start.size()) {
+  for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = request.events[i].sign_at_start;
+}
 
 EventSearch::Found EventSearch::search(Stepper& stepper) {
   Found found;
@@ -87,13 +91,21 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
     power *= piece.h;
     size += std::abs(coefficient);
   }
-  // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   const double rounding = of_values * size;
-  const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
-  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= rounding + of_time;
   result.off += rounding;
+  const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
+  // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
+  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time &&
+                      std::abs(c[0]) <= doubt_at_start(event, piece) + rounding + of_time;
   if (result.is_divided) c.erase(c.begin());
   return result;
+}
+
+/// What g may be away from its first coefficient: the bound over a very short piece.
+double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece) const {
+  std::vector<double> c(low_order + 1);
+  piece.h *= short_share;
+  return request_.events[event].series(piece, low_order, c);
 }
 
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
@@ -117,6 +129,14 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   }
 }
 
+/// g is zero but for the round-off of its values, all along: looking closer shows no more.
+bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
+  double size = 0;
+  for (const double c : series.coefficients) size += std::abs(c);
+  if (series.is_divided || size > of_doubt * series.off) return false;
+  return series.off <= 2 * (doubt_at_start(event, piece) + of_values * size);
+}
+
 /// The pieces of [from, to], in times since the step's beginning.
 void EventSearch::explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces) {
   if (++looks_ > most_looks) saw_everything_ = false;
@@ -124,6 +144,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const double shortest = 16 * time_round_off(whole.t + whole.h);
   const UnitSeries series = unit_series(event, whole, full_order);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
+  if (is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients, series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;
@@ -159,9 +180,9 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
     bracket.value_before = g(bracket.before);
   }
   if (found.failure) return std::nullopt;
-  if (!is_bracket()) return crossed.before;
+  if (!is_bracket()) return event.sign_at_start == 0 ? crossed.before : crossed.after;
   const SignChange place = find_sign_change(g, bracket);
-  if (is_pole(bracket, place)) return std::nullopt;
+  if (event.sign_at_start == 0 && is_pole(bracket, place)) return std::nullopt;
   return place.after;
 }
 

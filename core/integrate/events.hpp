@@ -5,7 +5,7 @@
 // for a bounded rest (EventFunction::series), so that its signs on the whole step are known: no zero lies
 // between two places that were looked at. Where a polynomial does not tell, a shorter piece of the step does,
 // down to the round-off of t. A function that touches zero and turns back does not count, nor does one that
-// passes zero and comes back by less than the round-off of its values; one that is zero at a step's end is
+// passes zero and comes back by less than some round-off of its values; one that is zero at a step's end is
 // decided when it leaves zero. A pole, such as tan has, changes sign too, but its values grow towards the
 // place, and so it does not count.
 //
@@ -64,6 +64,8 @@ class EventSearch {
     bool is_divided{false};  ///< by that unit: g is zero at t_start
   };
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
+  [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece) const;
+  [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 

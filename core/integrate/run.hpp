@@ -60,6 +60,7 @@ struct EventFunction {
   bool terminal{false};
   bool counts_at_start{false};  ///< a zero at t_start that g then leaves in its direction is one
   std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: whether a zero counts
+  int sign_at_start{0};  ///< the strict sign that g counts as having had at t_start, where that is known
 };
 
 /// - taylor: Taylor series of order 16 or 20. It takes the fewest and longest steps, its polynomial is the
@@ -103,13 +104,14 @@ struct RunRequest {
 
 enum class Ending {
   reached_end,
-  event,          ///< a terminal event
-  step_limit,     ///< max_steps or max_evaluations spent, no progress in 1000 steps, or no step accepted
-  nonfinite,      ///< f became infinite or undefined
-  singular_mass,  ///< the mass matrix lost its inverse
-  tolerance,      ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
-  blow_up,        ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
-  no_convergence  ///< gauss: no solution found for the equations of a step; h is too long at this place
+  event,           ///< a terminal event
+  step_limit,      ///< max_steps or max_evaluations spent, no progress in 1000 steps, or no step accepted
+  nonfinite,       ///< f became infinite or undefined
+  singular_mass,   ///< the mass matrix lost its inverse
+  tolerance,       ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
+  blow_up,         ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
+  no_convergence,  ///< gauss: no solution found for the equations of a step; h is too long at this place
+  undetermined     ///< at a kink the equations do not tell how a motion goes on (core/motion)
 };
 
 struct EventOccurrence {

@@ -252,7 +252,8 @@ class Ladder {
   /// did to it. None where it has impacts, where something may lie hidden, or where that is too much work.
   std::optional<Simulation> in_more_digits() {
     const Simulation& first = result_.simulation;
-    const bool is_smooth = first.sections.empty() && has_extended_expansion(dynamics_.accelerations());
+    const bool is_smooth = first.sections.empty() && dynamics_.kinks() == nullptr &&
+                           has_extended_expansion(dynamics_.accelerations());
     if (is_stiff_ || !is_smooth || first.rows == 0) return std::nullopt;
     ExtendedMotionRequest request = extended_request(request_.parameters, request_.y_start, request_.t_start,
                                                      std::span(grid_.t).first(first.rows));

@@ -7,9 +7,9 @@
 namespace qdot {
 namespace {
 
-constexpr double safety = 2;           ///< differences were between 0.85 and 1.2 times the error
-constexpr double round_off = 0x1p-52;  ///< a number is rounded when it is stored
-constexpr double too_much = 0.5;       ///< of a column
+constexpr double safety = 2;         ///< differences were between 0.85 and 1.2 times the error
+constexpr double storing = 0x1p-52;  ///< a number is rounded when it is stored
+constexpr double too_much = 0.5;     ///< of a column
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void RowErrors::add(std::span<const double> row, std::span<const std::span<const
     double difference = 0;
     for (const auto& other : others) difference = std::max(difference, std::abs(row[k] - other[k]));
     const double missed = unseen.empty() ? 0 : unseen[k];
-    error_[k] = std::max(error_[k], safety * difference + round_off * std::abs(row[k]) + missed);
+    error_[k] = std::max(error_[k], safety * difference + storing * std::abs(row[k]) + missed);
     lost_ = lost_ || safety * difference > too_much * scale_[k];
   }
   if (!lost_) return;

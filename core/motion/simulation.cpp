@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/base/work.hpp"
-#include "core/compile/taylor/expansion.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/integrate.hpp"
+#include "core/motion/motion_sections.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/root.hpp"
 
@@ -21,78 +21,15 @@ constexpr const char* accumulation =
     "The impacts follow each other faster and faster, and accumulate at this time.";
 constexpr double negligible = 1e-9;  ///< of the span: what is left of the series
 
-/// The motion in (q, p); none where p does not determine q' in the initial state.
-std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynamics,
-                                                           const SimulationRequest& request) {
-  const CanonicalFunctions* functions = dynamics.canonical();
-  if (functions == nullptr) return std::nullopt;
-  const std::size_t n = dynamics.model().degrees_of_freedom();
-  RightHandSide::CanonicalForm form;
-  form.variables = [functions, n, workspace = functions->momenta().bind(request.parameters)](
-                       double t, std::span<const double> y, std::span<double> z) mutable {
-    std::copy_n(y.begin(), n, z.begin());
-    return functions->momenta().evaluate(t, y, workspace, z.subspan(n));
-  };
-  form.derivative = [functions, workspace = functions->derivative().bind(request.parameters)](
-                        double t, std::span<const double> z, std::span<double> derivative) mutable {
-    return functions->derivative().evaluate(t, z, workspace, derivative);
-  };
-  form.jacobian = [functions, workspace = functions->bind_jacobian(request.parameters)](
-                      double t, std::span<const double> z, std::span<double> jacobian) mutable {
-    return functions->jacobian(t, z, workspace, jacobian);
-  };
-  std::vector<double> z(2 * n), slope(2 * n);
-  if (form.variables(request.t_start, request.y_start, z) != Evaluation::ok) return std::nullopt;
-  if (form.derivative(request.t_start, z, slope) == Evaluation::singular_mass) return std::nullopt;
-  return form;
-}
-
-/// q' and q'' from the compiled functions, each with a workspace of its own.
-RightHandSide right_hand_side(const Dynamics& dynamics, const SimulationRequest& request) {
-  const Method method = request.method;
-  const std::size_t n = dynamics.model().degrees_of_freedom();
-  const CompiledFunction& accelerations = dynamics.accelerations();
-  RightHandSide system;
-  system.dimension = 2 * n;
-  system.derivative = [&accelerations, n, workspace = accelerations.bind(request.parameters)](
-                          double t, std::span<const double> y, std::span<double> derivative) mutable {
-    std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(n), n, derivative.begin());
-    return accelerations.evaluate(t, y, workspace, derivative.subspan(n));
-  };
-  if (method == Method::gauss) system.canonical = canonical_form(dynamics, request);
-  if (method == Method::bdf || (method == Method::gauss && !system.canonical)) {
-    const CompiledFunction& jacobian = dynamics.jacobian();
-    system.jacobian = [&jacobian, workspace = jacobian.bind(request.parameters)](
-                          double t, std::span<const double> y, std::span<double> out) mutable {
-      return jacobian.evaluate(t, y, workspace, out);
-    };
-  }
-  if (method == Method::taylor) {
-    const auto expansion = std::make_shared<TaylorExpansion>(accelerations, request.parameters);
-    system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
-      return expansion->expand(t, y, order, c);
-    };
-    system.defect = [expansion](double h, std::span<const double> allowed, std::span<double> defect) {
-      return expansion->bound_defect(h, allowed, defect);
-    };
-  }
-  return system;
-}
-
 class Simulator {
  public:
   Simulator(const Dynamics& dynamics, const SimulationRequest& request)
-      : dynamics_(dynamics),
-        request_(request),
-        system_(right_hand_side(dynamics, request)),
-        watches_(watches(dynamics, {.parameters = request.parameters,
-                                    .events = request.events,
-                                    .on_invalid = request.on_invalid,
-                                    .impacts = request.impacts})) {
+      : dynamics_(dynamics), request_(request), sections_(dynamics, request) {
     result_.t = request.t_start;
     result_.y = request.y_start;
     result_.method = request.method;
-    result_.symplectic = system_.canonical.has_value();
+    is_determined_ = sections_.begin(result_.t, result_.y);
+    result_.symplectic = sections_.system().canonical.has_value();
   }
 
   Simulation run() {
@@ -104,6 +41,8 @@ class Simulator {
         if (impacts == most_impacts || !apply_impact()) break;
       }
     }
+    sections_.finish(result_.t);
+    result_.stays = std::move(sections_.stays());
     fill_columns();
     fill_conserved();
     return std::move(result_);
@@ -112,13 +51,14 @@ class Simulator {
  private:
   /// The motion is over before it begins where a condition fails in the initial state.
   bool stopped_at_start() {
-    for (const Watch& watch : watches_) {
+    for (const Watch& watch : sections_.watches()) {
       if (watch.kind != Watch::Kind::validity || holds_at_start(watch)) continue;
       result_.stop = Stop{watch.reason, result_.t, watch.message};
       result_.ending = Ending::event;
       result_.states = result_.y;
       result_.rows = !request_.grid.empty() && request_.grid.front() == result_.t ? 1 : 0;
       result_.states.resize(result_.rows * result_.y.size());
+      row_sections_.resize(result_.rows, sections_.section());
       return true;
     }
     return false;
@@ -130,13 +70,13 @@ class Simulator {
     if (value != 0) return !(value < 0);
     const double h = 1e-9 * std::min(1.0, request_.t_end - request_.t_start);
     std::vector<double> y = result_.y, slope(y.size());
-    if (system_.derivative(result_.t, y, slope) != Evaluation::ok) return true;
+    if (sections_.system().derivative(result_.t, y, slope) != Evaluation::ok) return true;
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];
     return !(watch.value(result_.t + h, y) < 0);
   }
 
   void check_configuration() const {
-    for (const Watch& watch : watches_) {
+    for (const Watch& watch : sections_.watches()) {
       if (watch.kind != Watch::Kind::singularity) continue;
       const double value = watch.value(result_.t, result_.y);
       if (watch.direction == Crossing::falling ? value > 0 : value != 0) continue;
@@ -147,6 +87,22 @@ class Simulator {
   /// Integrates to the next impact. True when there was one.
   bool segment() {
     segments_.push_back({result_.rows, result_.t, result_.y});
+    while (is_determined_) {
+      const Run done = section();
+      if (record_events(done)) return true;
+      if (result_.stop || done.ending != Ending::event) return false;
+      if (done.t >= request_.t_end) {
+        result_.ending = Ending::reached_end;
+        return false;
+      }
+      is_determined_ = sections_.pass(result_.t, result_.y, kinks_met(done));
+    }
+    result_.ending = Ending::undetermined;
+    return false;
+  }
+
+  /// Integrates to the next kink or impact.
+  Run section() {
     RunRequest run;
     run.t_start = result_.t;
     run.y_start = result_.y;
@@ -159,8 +115,9 @@ class Simulator {
     run.limits = request_.limits;
     run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);
     run.limits.max_evaluations -= std::min(run.limits.max_evaluations, result_.evaluations);
-    for (const Watch& watch : watches_) run.events.push_back(watch.event());
-    Run done = integrate(system_, run);
+    for (const Watch& watch : sections_.watches()) run.events.push_back(watch.event());
+    for (EventFunction& end : sections_.ends()) run.events.push_back(std::move(end));
+    Run done = integrate(sections_.system(), run);
     add_unseen(done);
     result_.rows += done.rows;
     if (result_.states.empty()) {
@@ -168,12 +125,22 @@ class Simulator {
     } else {
       result_.states.insert(result_.states.end(), done.states.begin(), done.states.end());
     }
+    row_sections_.resize(result_.rows, sections_.section());
     result_.steps += done.steps;
     result_.evaluations += done.evaluations;
     result_.ending = done.ending;
     result_.t = done.t;
     result_.y = done.y;
-    return record_events(done);
+    return done;
+  }
+
+  [[nodiscard]] std::vector<bool> kinks_met(const Run& done) const {
+    std::vector<bool> met(sections_.kinks());
+    const std::size_t first = sections_.watches().size();
+    for (const EventOccurrence& occurrence : done.events) {
+      if (occurrence.event >= first && occurrence.t == done.t) met[occurrence.event - first] = true;
+    }
+    return met;
   }
 
   /// What a section may hide stays in doubt after it.
@@ -192,7 +159,8 @@ class Simulator {
   bool record_events(const Run& done) {
     bool impact = false;
     for (const EventOccurrence& occurrence : done.events) {
-      const Watch& watch = watches_[occurrence.event];
+      if (occurrence.event >= sections_.watches().size()) continue;  // a kink
+      const Watch& watch = sections_.watches()[occurrence.event];
       const bool last = done.ending == Ending::event && occurrence.t == done.t;
       if (watch.kind == Watch::Kind::event || watch.kind == Watch::Kind::impact) {
         result_.events.push_back({watch.name, occurrence.t, occurrence.y});
@@ -221,6 +189,7 @@ class Simulator {
       return false;
     }
     result_.y = std::move(after);
+    is_determined_ = sections_.begin(result_.t, result_.y);
     return true;
   }
 
@@ -271,13 +240,12 @@ class Simulator {
 
   void fill_columns() {
     if (request_.columns.empty()) return;
-    const auto function = dynamics_.columns(request_.columns);
-    Workspace workspace = function->bind(request_.parameters);
     const std::size_t width = request_.columns.size();
     result_.columns.resize(result_.rows * width);
     for (std::size_t i = 0; i < result_.rows; ++i) {
       if (i % 256 == 0) check_interruption();
       const std::span<double> out = std::span(result_.columns).subspan(i * width, width);
+      auto& [function, workspace] = sections_.columns_in(row_sections_[i]);
       if (function->evaluate(request_.grid[i], row(i), workspace, out) == Evaluation::ok) continue;
       throw Error(ErrorCode::invalid_state, "One of the columns has no finite value along this motion.");
     }
@@ -323,8 +291,9 @@ class Simulator {
 
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
-  RightHandSide system_;
-  std::vector<Watch> watches_;
+  MotionSections sections_;
+  bool is_determined_{true};
+  std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;
   std::vector<double> unseen_;  ///< of the sections before
   Simulation result_;

@@ -42,6 +42,12 @@ struct SectionRecord {
   std::vector<double> before, after;  ///< the state just before the impact and just after it
 };
 
+/// A time in which the motion stayed on a kink of its equations: a block that sticks.
+struct StayRecord {
+  std::string kink;  ///< the expression that stays 0
+  double from{}, to{};
+};
+
 /// Why a motion ended before t_end in the nature of the system.
 struct Stop {
   std::string reason;  ///< "string_slack", "lift_off", "fall", "coordinate_singularity"
@@ -63,6 +69,7 @@ struct Simulation {
   std::vector<double> columns;  ///< rows x request.columns, row-major
   std::vector<EventRecord> events;
   std::vector<SectionRecord> sections;  ///< in order, one that an impact at t_end itself ended included
+  std::vector<StayRecord> stays;        ///< in order of their ends
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};
@@ -80,7 +87,9 @@ struct Simulation {
   std::vector<double> unseen;  ///< as Run::unseen, rows x 2n; empty where there is nothing
 };
 
-/// Throws Error(invalid_state) when the initial state describes no configuration,
+/// Where abs and sign stand in the equations, every zero of their arguments ends a section of the motion that
+/// is smooth, and the next one begins on the other side or stays there (kink_modes.hpp); not for gauss, whose
+/// step is fixed. Throws Error(invalid_state) when the initial state describes no configuration,
 /// and what Dynamics::event throws.
 [[nodiscard]] Simulation simulate(const Dynamics& dynamics, const SimulationRequest& request);
 

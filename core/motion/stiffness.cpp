@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
+#include "core/motion/kink_modes.hpp"
 #include "core/numerics/dense_matrix.hpp"
 
 namespace qdot {
@@ -18,12 +20,28 @@ bool may_damp(const Lagrangian& lagrangian) {
   });
 }
 
+/// The accelerations and what they take as parameters; on the sides of kinks where there are some.
+struct Accelerations {
+  std::shared_ptr<const CompiledFunction> function;
+  std::vector<double> parameters;
+};
+Accelerations smooth_accelerations(const Dynamics& dynamics, std::span<const double> parameters, double t,
+                                   std::span<const double> y) {
+  if (dynamics.kinks() == nullptr) {
+    return {{std::shared_ptr<void>(), &dynamics.accelerations()}, {parameters.begin(), parameters.end()}};
+  }
+  KinkModes modes(dynamics, parameters, 0);
+  const Sides sides = modes.sides_at(t, y);
+  const auto motion = modes.motion(sides);
+  return {{motion, &motion->accelerations}, modes.parameters(sides)};
+}
+
 /// d(q', q'')/d(q, q') by central differences, good to some digits; without the symbolic one, whose
 /// derivation costs more than the motion of most scenes.
 Eigen::MatrixXd rough_jacobian(const Dynamics& dynamics, std::span<const double> parameters, double t,
                                std::span<const double> y) {
-  const CompiledFunction& accelerations = dynamics.accelerations();
-  Workspace workspace = accelerations.bind(parameters);
+  const auto [accelerations, with] = smooth_accelerations(dynamics, parameters, t, y);
+  Workspace workspace = accelerations->bind(with);
   const std::size_t n = y.size() / 2;
   const auto size = static_cast<Eigen::Index>(y.size());
   const auto half = static_cast<Eigen::Index>(n);
@@ -34,7 +52,7 @@ Eigen::MatrixXd rough_jacobian(const Dynamics& dynamics, std::span<const double>
     const double step = y[j] == 0 ? 1e-6 : 1e-6 * std::abs(y[j]);
     for (double* result : {ahead.data(), behind.data()}) {
       moved[j] = result == ahead.data() ? y[j] + step : y[j] - step;
-      if (accelerations.evaluate(t, moved, workspace, {result, n}) != Evaluation::ok) return {};
+      if (accelerations->evaluate(t, moved, workspace, {result, n}) != Evaluation::ok) return {};
     }
     moved[j] = y[j];
     for (std::size_t i = 0; i < n; ++i) {

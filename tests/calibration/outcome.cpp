@@ -64,8 +64,8 @@ bool Outcome::failed() const {
 
 std::string Outcome::status() const {
   if (!refusal.empty()) return "refused: " + refusal;
-  constexpr const char* names[]{"complete",      "stopped",   "step-limit", "nonfinite",
-                                "singular-mass", "tolerance", "blow-up",    "no-convergence"};
+  constexpr const char* names[]{"complete",  "stopped", "step-limit",     "nonfinite",   "singular-mass",
+                                "tolerance", "blow-up", "no-convergence", "undetermined"};
   const std::string name = names[static_cast<std::size_t>(measured.simulation.ending)];
   return measured.simulation.stop ? "stopped: " + measured.simulation.stop->reason : name;
 }

@@ -1,4 +1,5 @@
 #include "api/answers/energy/request.hpp"
+#include "core/motion/values_at_kinks.hpp"
 
 namespace qdot::api {
 namespace {
@@ -46,7 +47,7 @@ class EnergyAnswer {
   }
 
   Json values(const std::vector<qdot::Column>& columns) {
-    const std::vector<double> numbers = values_at(dynamics_, columns, state_.parameters, t_, state_.y);
+    const std::vector<double> numbers = values_at_kinks(dynamics_, columns, state_.parameters, t_, state_.y);
     Json json = Json::object();
     for (std::size_t i = 0; i < columns.size(); ++i) {
       json[columns[i].name] = numbers[i];

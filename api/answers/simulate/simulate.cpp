@@ -108,6 +108,7 @@ class SimulationAnswer {
     writer.columns(table_, digits());
     writer.member("units", units_);
     write_events(writer);
+    if (!result_.stays.empty()) writer.member("sticking", sticking_json(), digits());
     if (scene().impact && request_.impacts) writer.member("strides", strides_json(), digits());
     writer.member("accuracy", accuracy_json());
     writer.member("diagnostics", diagnostics_json());
@@ -125,6 +126,14 @@ class SimulationAnswer {
       writer.value({{"name", event.name}, {"t", event.t}, {"state", state_json(scene(), event.y)}}, digits());
     }
     writer.end_array();
+  }
+
+  [[nodiscard]] Json sticking_json() const {
+    Json array = Json::array();
+    for (const StayRecord& stay : result_.stays) {
+      array.push_back({{"where", stay.kink + " = 0"}, {"from", stay.from}, {"to", stay.to}});
+    }
+    return array;
   }
 
   [[nodiscard]] Json strides_json() const {

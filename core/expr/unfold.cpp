@@ -1,0 +1,100 @@
+#include "core/expr/unfold.hpp"
+
+#include <algorithm>
+
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+bool is_kink(const Node& node) {
+  const auto* call = std::get_if<Call>(&node);
+  return call != nullptr && (call->function == Function::abs || call->function == Function::sign);
+}
+
+class Unfolding {
+ public:
+  Unfolding(Graph& graph, std::span<const Expression> variables) : graph_(graph), variables_(variables) {}
+
+  Unfolded run(std::span<const Expression> expressions) {
+    std::vector<NodeId> roots;
+    for (const Expression& e : expressions) roots.push_back(e.id());
+    for (const NodeId id : reachable(graph_, roots)) {  // what is inside comes first
+      if (!depends_on(Expression(graph_, id), variables_)) continue;
+      if (is_kink(graph_.node(id))) unfold(id);
+      if (const auto* power = std::get_if<Power>(&graph_.node(id))) unfold(id, *power);
+    }
+    for (const Expression& e : expressions) result_.smooth.push_back(without_even_powers(smooth(e)));
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] Expression smooth(const Expression& e) const {
+    return result_.replacements.empty() ? e : substitute(e, result_.replacements);
+  }
+
+  void unfold(NodeId id) {
+    const Expression inside(graph_, std::get<Call>(graph_.node(id)).argument);
+    const Expression argument = simplify(smooth(inside));
+    const Expression side = side_of(argument);
+    result_.replacements.emplace_back(graph_.call(Function::abs, inside), side * argument);
+    result_.replacements.emplace_back(graph_.call(Function::sign, inside), side);
+  }
+
+  /// |u|^p has no kink for p > 1, and is real only of |u| itself; (u^2)^(p/2) is |u|^p.
+  void unfold(NodeId id, Power power) {
+    if (power.exponent.is_integer()) return;
+    const auto* call = std::get_if<Call>(&graph_.node(power.base));
+    if (call != nullptr && call->function == Function::abs) {
+      const Expression size = graph_.call(Function::abs, smooth({graph_, call->argument}));
+      result_.replacements.emplace_back(Expression(graph_, id), pow(size, power.exponent));
+    }
+    const auto* inner = std::get_if<Power>(&graph_.node(power.base));
+    if (inner == nullptr || !(inner->exponent * Number::ratio(1, 2)).is_integer()) return;
+    const Expression base = simplify(smooth({graph_, inner->base}));
+    const Number exponent = inner->exponent * power.exponent;
+    const Expression size = exponent.is_integer() ? side_of(base) * base : graph_.call(Function::abs, base);
+    result_.replacements.emplace_back(Expression(graph_, id), pow(size, exponent));
+  }
+
+  /// The same for every multiple of one argument.
+  Expression side_of(const Expression& argument) {
+    const Scaled scaled = split_coefficient(argument);
+    const bool opposite = scaled.coefficient < Number(0);
+    const auto known = std::ranges::find(result_.arguments, scaled.rest);
+    const auto k = static_cast<std::size_t>(known - result_.arguments.begin());
+    if (known == result_.arguments.end()) {
+      result_.arguments.push_back(scaled.rest);
+      result_.sides.push_back(graph_.symbol("side " + std::to_string(k + 1)));
+    }
+    return opposite ? -result_.sides[k] : result_.sides[k];
+  }
+
+  /// s^2 = 1.
+  Expression without_even_powers(const Expression& e) {
+    std::vector<Replacement> powers;
+    const NodeId root[]{e.id()};
+    for (const NodeId id : reachable(graph_, root)) {
+      const auto* power = std::get_if<Power>(&graph_.node(id));
+      if (power == nullptr || !power->exponent.is_integer()) continue;
+      const Expression base(graph_, power->base);
+      if (std::ranges::find(result_.sides, base) == result_.sides.end()) continue;
+      const bool even = (power->exponent * Number::ratio(1, 2)).is_integer();
+      powers.emplace_back(Expression(graph_, id), even ? graph_.number(1) : base);
+    }
+    return powers.empty() ? e : simplify(substitute(e, powers));
+  }
+
+  Graph& graph_;
+  std::span<const Expression> variables_;
+  Unfolded result_;
+};
+
+}  // namespace
+
+Unfolded unfolded(std::span<const Expression> expressions, std::span<const Expression> variables) {
+  if (expressions.empty()) return {};
+  return Unfolding(expressions[0].graph(), variables).run(expressions);
+}
+
+}  // namespace qdot

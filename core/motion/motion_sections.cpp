@@ -1,0 +1,142 @@
+#include "core/motion/motion_sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/integrate/events.hpp"
+#include "core/motion/kink_ends.hpp"
+#include "core/motion/motion_system.hpp"
+#include "core/numerics/root.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double round_offs = 16;  ///< of t: what is nearer happens at one instant
+
+WatchRequest watch_request(const SimulationRequest& request) {
+  return {.parameters = request.parameters,
+          .events = request.events,
+          .on_invalid = request.on_invalid,
+          .impacts = request.impacts,
+          .staying = nullptr};
+}
+
+}  // namespace
+
+MotionSections::MotionSections(const Dynamics& dynamics, const SimulationRequest& request)
+    : dynamics_(dynamics),
+      request_(request),
+      resolution_(round_offs * time_round_off(std::max({std::abs(request.t_start), std::abs(request.t_end),
+                                                        request.t_end - request.t_start}))) {
+  if (request.method != Method::gauss && dynamics.kinks() != nullptr) {
+    names_ = dynamics.kinks()->names;
+    modes_ = std::make_unique<KinkModes>(dynamics, request.parameters, resolution_);
+    since_.resize(names_.size());
+    return;
+  }
+  now_ = &sections_[{}];
+  now_->system = motion_system(dynamics, request);
+  now_->watches = qdot::watches(dynamics, watch_request(request));
+  now_->parameters = request.parameters;
+  history_.push_back(now_);
+}
+
+bool MotionSections::begin(double t, std::vector<double>& y) {
+  if (!modes_) return true;
+  met_.assign(names_.size(), false);
+  tried_.clear();
+  if (!go_on(t, y)) return false;
+  modes_->settle(way_, t, y);
+  return true;
+}
+
+bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bool>& met) {
+  if (t - t_ > resolution_) {
+    tried_.clear();
+    met_.assign(names_.size(), false);
+  }
+  for (std::size_t k = 0; k < met.size(); ++k) met_[k] = met_[k] || met[k];
+  const Sides before = way_.sides;
+  const RightHandSide& old = now_->system;
+  if (!go_on(t, y)) return false;
+  if (std::ranges::count(met_, true) == 1) {
+    const auto k = static_cast<std::size_t>(std::ranges::find(met_, true) - met_.begin());
+    if (before[k] != 0) take_back(k, before, old, t, y);
+  }
+  modes_->settle(way_, t, y);
+  return true;
+}
+
+/// The kink was met a little before t, by the round-off of t, always to the same side: since then the motion
+/// has been the new one.
+void MotionSections::take_back(std::size_t kink, const Sides& before, const RightHandSide& old, double t,
+                               std::vector<double>& y) {
+  const double late = modes_->time_since(kink, before, t, y);
+  if (!(late > 0 && late <= resolution_)) return;
+  std::vector<double> was(y.size()), is(y.size());
+  if (old.derivative(t, y, was) != Evaluation::ok) return;
+  if (now_->system.derivative(t, y, is) != Evaluation::ok) return;
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += late * (is[i] - was[i]);
+}
+
+/// No way is tried twice at one instant.
+bool MotionSections::go_on(double t, std::span<const double> y) {
+  const std::optional<KinkModes::Way> way = modes_->way_on(t, y, met_);
+  const bool is_known = way && tried_.insert(way->sides).second;
+  if (is_known) {
+    enter(*way, t);
+  } else if (now_ == nullptr) {
+    enter({modes_->sides_at(t, y), std::vector<unsigned>(names_.size()), {}, {}}, t);
+  }
+  return is_known;
+}
+
+void MotionSections::enter(const KinkModes::Way& way, double t) {
+  way_ = way;
+  t_ = t;
+  const auto [place, is_new] = sections_.try_emplace(way.sides);
+  now_ = &place->second;
+  if (is_new) {
+    now_->staying = staying_on(way.sides);
+    now_->parameters = modes_->parameters(way.sides);
+    now_->system = motion_system(dynamics_, way.sides, now_->parameters, request_.method);
+    WatchRequest watched = watch_request(request_);
+    watched.parameters = now_->parameters;
+    watched.staying = &now_->staying;
+    now_->watches = qdot::watches(dynamics_, watched);
+  }
+  history_.push_back(now_);
+  for (std::size_t k = 0; k < names_.size(); ++k) {
+    if (way.sides[k] == 0) {
+      if (!since_[k]) since_[k] = t;
+    } else if (since_[k]) {
+      if (t > *since_[k]) stays_.push_back({names_[k], *since_[k], t});
+      since_[k].reset();
+    }
+  }
+  if (stays_.size() > most_occurrences)
+    throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
+}
+
+void MotionSections::finish(double t) {
+  for (std::size_t k = 0; k < since_.size(); ++k) {
+    if (since_[k] && t > *since_[k]) stays_.push_back({names_[k], *since_[k], t});
+  }
+}
+
+std::vector<EventFunction> MotionSections::ends() const {
+  return modes_ ? kink_ends(*modes_, way_, t_, request_.method, request_.tolerances)
+                : std::vector<EventFunction>{};
+}
+
+MotionSections::Columns& MotionSections::columns_in(std::size_t section) {
+  Section& in = *history_[section];
+  if (!in.columns.function) {
+    in.columns.function = dynamics_.columns(request_.columns, modes_ ? &in.staying : nullptr);
+    in.columns.workspace = in.columns.function->bind(in.parameters);
+  }
+  return in.columns;
+}
+
+}  // namespace qdot

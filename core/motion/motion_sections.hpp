@@ -1,0 +1,76 @@
+#pragma once
+// The smooth sections of a motion, one after the other: what is integrated and watched in each. A motion
+// without kinks has one only; another one begins at every kink that the motion passes, comes to stay on, or
+// leaves (kink_modes.hpp).
+
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "core/dynamics/watch.hpp"
+#include "core/motion/kink_modes.hpp"
+#include "core/motion/simulation.hpp"
+
+namespace qdot {
+
+class MotionSections {
+ public:
+  /// Keeps the references.
+  MotionSections(const Dynamics& dynamics, const SimulationRequest& request);
+
+  /// A motion begins at (t, y), or goes on from there after an impact. False where the equations do not tell
+  /// how. y moves by a rounding error, on to the kinks on which it stays.
+  [[nodiscard]] bool begin(double t, std::vector<double>& y);
+  /// The section has ended at (t, y), where it `met` these kinks.
+  [[nodiscard]] bool pass(double t, std::vector<double>& y, const std::vector<bool>& met);
+  /// The motion is over.
+  void finish(double t);
+
+  [[nodiscard]] const RightHandSide& system() const { return now_->system; }
+  [[nodiscard]] const std::vector<Watch>& watches() const { return now_->watches; }
+  /// Where the section ends by itself: one event for each kink.
+  [[nodiscard]] std::vector<EventFunction> ends() const;
+  [[nodiscard]] std::size_t kinks() const { return names_.size(); }
+
+  /// Functions of the state in the section; they may contain q''.
+  struct Columns {
+    std::shared_ptr<const CompiledFunction> function;
+    Workspace workspace;
+  };
+  /// Sections count from 0.
+  [[nodiscard]] std::size_t section() const { return history_.size() - 1; }
+  [[nodiscard]] Columns& columns_in(std::size_t section);
+
+  [[nodiscard]] std::vector<StayRecord>& stays() { return stays_; }
+
+ private:
+  struct Section {
+    RightHandSide system;
+    std::vector<Watch> watches;
+    std::vector<double> parameters;
+    Staying staying;
+    Columns columns;
+  };
+  [[nodiscard]] bool go_on(double t, std::span<const double> y);
+  void take_back(std::size_t kink, const Sides& before, const RightHandSide& old, double t,
+                 std::vector<double>& y);
+  void enter(const KinkModes::Way& way, double t);
+
+  const Dynamics& dynamics_;
+  const SimulationRequest& request_;
+  double resolution_;
+  std::vector<std::string> names_;  ///< of the kinks
+  std::unique_ptr<KinkModes> modes_;
+  std::map<Sides, Section> sections_;
+  Section* now_{};
+  std::vector<Section*> history_;
+  KinkModes::Way way_;
+  double t_{};                                ///< when the section began
+  std::vector<bool> met_;                     ///< at that instant
+  std::set<Sides> tried_;                     ///< at that instant
+  std::vector<std::optional<double>> since_;  ///< for each kink on which the motion stays
+  std::vector<StayRecord> stays_;
+};
+
+}  // namespace qdot

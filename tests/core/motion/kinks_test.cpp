@@ -1,0 +1,163 @@
+// Motions with dry friction and other kinks, against their pieces in closed form.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/motion/ladder.hpp"
+#include "tests/support/motions.hpp"
+
+namespace qdot {
+namespace {
+
+using test::instants;
+using test::row;
+
+/// A mass of 1 kg on a line under a force, an expression in t, x, x_dot and the units F, L and T.
+std::shared_ptr<const Model> mass_under(const std::string& force) {
+  Scene scene = test::scene_of("damped_oscillator");
+  scene.name = "mass";
+  scene.parameters.clear();
+  for (const auto& [name, unit] : {std::pair{"m", "kg"}, {"F", "N"}, {"L", "m"}, {"T", "s"}}) {
+    scene.parameters.push_back({name, unit, "1", {}, {}, {}});
+  }
+  scene.coordinates = {Coordinate{"x", "m", "0", "0", {}, {}, {}, {}}};
+  scene.inputs.clear();
+  scene.points = {{"P", {"x", "0"}}};
+  scene.bodies = {Particle{"body", "m", {"P", {}}}};
+  scene.springs.clear();
+  scene.potential.clear();
+  scene.dissipation.clear();
+  scene.lagrangian.clear();
+  scene.forces = {Force{"all", {force, "0"}, {"P", {}}}};
+  scene.scales.reset();
+  scene.lines.clear();
+  return build_model(scene);
+}
+
+MeasuredSimulation measured(const std::string& force, const Values& given, double t_end, int rows,
+                            Method method = Method::taylor) {
+  const auto model = mass_under(force);
+  SimulationRequest request = test::request_for(*model, given, instants(t_end, rows));
+  request.method = method;
+  request.tolerances = {1e-10, 1e-13};
+  request.columns = acceleration_columns(*model);
+  return simulate_with_error(Dynamics(model), request, {});
+}
+
+/// Every row within the stated error of the truth, x(t) and x'(t).
+template <class Truth>
+void expect_within(const MeasuredSimulation& found, double t_end, int rows, const Truth& truth) {
+  ASSERT_EQ(found.simulation.ending, Ending::reached_end);
+  ASSERT_EQ(found.max_abs_error.size(), 2u);
+  for (int i = 0; i <= rows; ++i) {
+    const auto [x, v] = truth(t_end * i / rows);
+    const auto state = row(found.simulation, static_cast<std::size_t>(i));
+    EXPECT_LE(std::abs(state[0] - x), found.max_abs_error[0] + 1e-15) << i;
+    EXPECT_LE(std::abs(state[1] - v), found.max_abs_error[1] + 1e-15) << i;
+  }
+  EXPECT_LT(found.max_abs_error[0], 1e-8);
+}
+
+struct State {
+  double x, v;
+};
+
+TEST(DryFriction, BringsAMassToRestAndHoldsIt) {
+  for (const Method method : test::all_methods) {
+    const auto found = measured("-0.5*F*sign(x_dot)", {{"x_dot", 2}}, 10, 20, method);
+    expect_within(found, 10, 20, [](double t) {
+      return t < 4 ? State{2 * t - 0.25 * t * t, 2 - 0.5 * t} : State{4, 0};
+    });
+    EXPECT_EQ(row(found.simulation, 20)[1], 0) << "a mass at rest moves";
+    ASSERT_EQ(found.simulation.stays.size(), 1u);
+    EXPECT_EQ(found.simulation.stays[0].kink, "x_dot");
+    EXPECT_NEAR(found.simulation.stays[0].from, 4, 1e-9);
+    EXPECT_EQ(found.simulation.stays[0].to, 10);
+    EXPECT_EQ(found.simulation.columns.back(), 0) << "an acceleration at rest";
+  }
+}
+
+TEST(DryFriction, BoundsItsSteps) {
+  EXPECT_TRUE(measured("-0.5*F*sign(x_dot) - F*x/L", {{"x_dot", 2}}, 10, 20).bounded);
+}
+
+/// On an incline whose tangent is below the coefficient of friction, or above it.
+TEST(DryFriction, HoldsABlockOnAnIncline) {
+  const auto held = measured("-4*F - 5*F*sign(x_dot)", {}, 3, 6);
+  expect_within(held, 3, 6, [](double) { return State{0, 0}; });
+  const auto sliding = measured("-4*F - 3*F*sign(x_dot)", {}, 3, 6);
+  expect_within(sliding, 3, 6, [](double t) { return State{-t * t / 2, -t}; });
+  EXPECT_TRUE(sliding.simulation.stays.empty());
+}
+
+/// It goes when the force has grown to that of friction, at t = asin(1/2).
+TEST(DryFriction, LetsGoWhenTheForceIsLargeEnough) {
+  const auto found = measured("2*F*sin(t/T) - F*sign(x_dot)", {}, 2, 8);
+  const double t0 = std::asin(0.5);
+  expect_within(found, 2, 8, [t0](double t) {
+    if (t < t0) return State{0, 0};
+    const double s = t - t0;
+    return State{2 * std::cos(t0) * s - 2 * (std::sin(t) - std::sin(t0)) - s * s / 2,
+                 2 * (std::cos(t0) - std::cos(t)) - s};
+  });
+  ASSERT_FALSE(found.simulation.stays.empty());
+  EXPECT_NEAR(found.simulation.stays[0].to, t0, 1e-12);
+}
+
+/// On a belt of 1 m/s the mass is carried until the spring pulls harder than friction.
+TEST(DryFriction, CarriesABlockOnABelt) {
+  const auto found = measured("-4*F*x/L - 2*F*sign(x_dot - L/T)", {{"x_dot", 1}}, 1, 10);
+  expect_within(found, 1, 10, [](double t) {
+    const double s = t - 0.5;  // then 4 x = 2
+    if (s < 0) return State{t, 1};
+    return State{0.5 + std::sin(2 * s) / 2, std::cos(2 * s)};
+  });
+}
+
+/// V = |x|: parabolas, four of them a period of 4 sqrt(2).
+TEST(Kinks, OfAPotentialArePassed) {
+  const auto found = measured("-F*sign(x)", {{"x", 1}}, 60, 120);
+  const double quarter = std::numbers::sqrt2;
+  expect_within(found, 60, 120, [quarter](double t) {
+    const double turns = std::floor(t / (2 * quarter) + 0.5);
+    const double s = t - turns * 2 * quarter, side = std::fmod(turns, 2) == 0 ? 1 : -1;
+    return State{side * (1 - s * s / 2), -side * s};
+  });
+  EXPECT_TRUE(found.bounded);
+  EXPECT_LT(found.simulation.steps, 200u);
+}
+
+TEST(Kinks, HoldWhatRestsOnThem) {
+  const auto found = measured("-F*sign(x)", {}, 5, 5);
+  expect_within(found, 5, 5, [](double) { return State{0, 0}; });
+  ASSERT_EQ(found.simulation.stays.size(), 1u);
+}
+
+TEST(Kinks, OfADriveArePassed) {
+  const auto found = measured("F*abs(sin(t/T))", {}, 10, 20);
+  expect_within(found, 10, 20, [](double t) {
+    const double half = std::floor(t / std::numbers::pi), s = t - half * std::numbers::pi;
+    const double v = 2 * half + 1 - std::cos(s);
+    return State{std::numbers::pi * half * half + s - std::sin(s) + 2 * half * s, v};
+  });
+  EXPECT_TRUE(found.bounded);
+}
+
+/// The force may begin at once or never: nothing tells.
+TEST(Kinks, ThatPushAwayOnBothSidesAreUndetermined) {
+  EXPECT_EQ(measured("F*sign(x_dot)", {}, 5, 5).simulation.ending, Ending::undetermined);
+  EXPECT_EQ(measured("F*sign(x_dot)", {{"x_dot", 0.1}}, 5, 5).simulation.ending, Ending::reached_end);
+}
+
+/// The oscillation of a mass held by friction and by |x| ends: infinitely many turns in a finite time.
+TEST(DryFriction, EndsInfinitelyManyTurns) {
+  const auto found = measured("-F*sign(x) - 0.5*F*sign(x_dot)", {{"x", 1}}, 20, 20);
+  EXPECT_EQ(found.simulation.ending, Ending::reached_end);
+  EXPECT_LT(std::abs(row(found.simulation, 20)[0]), 1e-9);
+  EXPECT_LT(std::abs(row(found.simulation, 20)[1]), 1e-9);
+}
+
+}  // namespace
+}  // namespace qdot
