@@ -11,7 +11,7 @@ namespace {
 
 using Form = ExtendedMotionRequest::Form;
 
-constexpr double round_off_of_mixed = 1e-18;
+constexpr double round_off_of_mixed = 1e-19;
 constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;  ///< as for doubles at round-off
 constexpr double round_off_of_full = 1e-32;
 

@@ -278,11 +278,14 @@ class Ladder {
     const std::vector<double> scale = largest_magnitudes(Rows::wanted);
     result_.max_abs_error.assign(width, 0.0);
     std::vector<double> stated;  // of each row
+    Workspace workspace = dynamics_.accelerations().bind(request_.parameters);
     for (std::size_t i = 0; i < rows; ++i) {
       std::vector<std::span<const double>> same_row;
       for (const Simulation& other : others)
         same_row.push_back(std::span(other.states).subspan(i * width, width));
-      errors.add(std::span(first.states).subspan(i * width, width), same_row, unseen_at(others, i));
+      std::vector<double> missed = unseen_at(others, i);
+      add_rounding_of_instant(i, workspace, missed);
+      errors.add(std::span(first.states).subspan(i * width, width), same_row, missed);
       stated.insert(stated.end(), errors.so_far().begin(), errors.so_far().end());
       if (!grid_.wanted[i]) continue;
       result_.max_abs_error = errors.so_far();
@@ -307,6 +310,24 @@ class Ladder {
                                    first.sections);
     contradicts_ = !changed.empty();
     if (contradicts_) result_.reason = contradiction(changed);
+  }
+
+  /// A row is where its instant has been rounded to, and was asked for at a decimal: by so much the motion
+  /// goes on in between.
+  void add_rounding_of_instant(std::size_t row, Workspace& workspace, std::vector<double>& missed) const {
+    const double t = grid_.t[row];
+    const double in_parts = std::ldexp(t, 20);
+    if (in_parts == std::nearbyint(in_parts)) return;  // as it was typed
+    const std::size_t width = request_.y_start.size(), n = width / 2;
+    const std::span<const double> y = std::span(result_.simulation.states).subspan(row * width, width);
+    std::vector<double> acceleration(n);
+    if (dynamics_.accelerations().evaluate(t, y, workspace, acceleration) != Evaluation::ok) return;
+    missed.resize(width);
+    const double rounded = (std::nextafter(std::abs(t), infinity) - std::abs(t)) / 2;
+    for (std::size_t i = 0; i < n; ++i) {
+      missed[i] += rounded * std::abs(y[n + i]);
+      missed[n + i] += rounded * std::abs(acceleration[i]);
+    }
   }
 
   /// What the checks may have missed up to a row.

@@ -16,6 +16,7 @@ struct Motion {
       : model(test::model_of(system)),
         dynamics(model),
         request(test::request_for(*model, {}, test::instants(5, 100))) {
+    request.method = Method::taylor;
     motion = simulate_with_error(dynamics, request, {.kind = AccuracyGoal::Kind::absolute, .value = 1e-9});
     for (std::size_t i = 0; i < motion.simulation.rows; ++i) {
       errors.insert(errors.end(), motion.max_abs_error.begin(), motion.max_abs_error.end());
@@ -47,7 +48,7 @@ TEST(KeptQuantities, AreKeptByHonestMotions) {
 }
 
 TEST(KeptQuantities, ShowARowThatIsFurtherOffThanStated) {
-  for (const std::size_t row : {0U, 37U, 100U}) {
+  for (const std::size_t row : {37U, 64U, 100U}) {
     Motion motion("spring_pendulum");
     motion.motion.simulation.states[row * 4 + 2] += 1e-6;
     motion.motion.simulation.states[row * 4 + 3] += 1e-6;
