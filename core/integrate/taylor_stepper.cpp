@@ -263,19 +263,29 @@ class TaylorStepper final : public Stepper {
   /// What the step may hide: what its last coefficients do not show. It moves on with the velocities.
   void note_unseen(double h) {
     const std::size_t n = y_.size() / 2;
+    if (find_hidden(h)) {
+      std::ranges::fill(allowed_,
+                        0.0);  // nothing is little enough: the bound is looked for as closely as can be
+      (void)system_.defect(h, allowed_, defect_);
+      if (find_hidden(h)) unseen_.resize(y_.size());
+    }
+    if (unseen_.empty()) return;
+    for (std::size_t i = 0; i < y_.size(); ++i) unseen_[i] += hidden_[i];
+    for (std::size_t i = 0; i < n; ++i) unseen_[i] += h * unseen_[n + i];
+  }
+
+  /// hidden_: what of the bound of each component its last coefficients do not show. Whether there is any.
+  bool find_hidden(double h) {
     double power = 1;
     for (unsigned k = 2; k < order_; ++k) power *= h;
-    bool hides = !unseen_.empty();
+    bool hides = false;
     for (std::size_t i = 0; i < y_.size(); ++i) {
       const auto size = [&](unsigned k) { return std::abs(coefficient(next_, i, k)); };
       const double last = power * std::max({size(order_ - 2), h * size(order_ - 1), h * h * size(order_)});
       hidden_[i] = h * defect_[i] > visible * last ? h * defect_[i] : 0;
       hides = hides || hidden_[i] > 0;
     }
-    if (!hides) return;
-    unseen_.resize(y_.size());
-    for (std::size_t i = 0; i < y_.size(); ++i) unseen_[i] += hidden_[i];
-    for (std::size_t i = 0; i < n; ++i) unseen_[i] += h * unseen_[n + i];
+    return hides;
   }
 
   /// To time t, if the polynomial holds until there.
