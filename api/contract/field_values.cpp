@@ -229,13 +229,4 @@ std::optional<Json> read_value(const DomainKind&, const std::string& name, const
                     " names no interval; write a bound or two, such as '> 0' or '>= 0, < 1'.");
 }
 
-std::string enumerated(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 }  // namespace qdot::api

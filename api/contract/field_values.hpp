@@ -10,6 +10,7 @@
 #include "api/contract/submission.hpp"
 #include "api/contract/written_value.hpp"
 #include "api/http/problem.hpp"
+#include "api/json/text.hpp"
 #include "core/numerics/real.hpp"
 
 namespace qdot::api {
@@ -59,8 +60,5 @@ void report(Errors& errors, FieldError error);
 
 /// "'a b' cannot be a name: ..."
 [[nodiscard]] FieldError bad_name(const Place& place, std::string_view name);
-
-/// "a, b or c"
-[[nodiscard]] std::string enumerated(const std::vector<std::string>& words);
 
 }  // namespace qdot::api

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "api/contract/field_values.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"

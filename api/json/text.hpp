@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace qdot::api {
 
@@ -22,5 +23,8 @@ namespace qdot::api {
 
 /// ASCII letters to lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
+
+/// "a, b or c"
+[[nodiscard]] std::string enumerated(const std::vector<std::string>& words);
 
 }  // namespace qdot::api

@@ -16,7 +16,8 @@
 #include <vector>
 
 #include "core/compile/tape_builder.hpp"
-#include "core/dynamics/motion_functions.hpp"
+#include "core/dynamics/inputs.hpp"
+#include "core/dynamics/staying.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/unfold.hpp"
 #include "core/mechanics/model.hpp"

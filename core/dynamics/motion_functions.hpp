@@ -20,12 +20,10 @@
 
 #include "core/compile/compiled_function.hpp"
 #include "core/dynamics/inputs.hpp"
+#include "core/dynamics/staying.hpp"
 #include "core/mechanics/model.hpp"
 
 namespace qdot {
-
-/// For each kink of the equations of motion, whether the motion stays on it.
-using Staying = std::vector<bool>;
 
 /// q'', n outputs.
 [[nodiscard]] CompiledFunction accelerations_of(const Model& model, const InputTexts& inputs,

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/mechanics/units.hpp"
+#include "core/mechanics/dimension.hpp"
 
 namespace qdot {
 

@@ -10,7 +10,7 @@
 
 #include "core/dynamics/watch.hpp"
 #include "core/motion/kink_modes.hpp"
-#include "core/motion/simulation.hpp"
+#include "core/motion/simulation_request.hpp"
 
 namespace qdot {
 

@@ -6,7 +6,7 @@
 
 #include "core/integrate/run.hpp"
 #include "core/motion/kink_modes.hpp"
-#include "core/motion/simulation.hpp"
+#include "core/motion/simulation_request.hpp"
 
 namespace qdot {
 

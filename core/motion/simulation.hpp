@@ -5,29 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/watch.hpp"
-#include "core/integrate/run.hpp"
-#include "core/numerics/real.hpp"
+#include "core/motion/simulation_request.hpp"
 
 namespace qdot {
-
-struct SimulationRequest {
-  Reals parameters;  ///< all of them, in order
-  Reals y_start;     ///< q, then q'
-  double t_start{};
-  double t_end{};
-  std::vector<double> grid;         ///< increasing, in [t_start, t_end]
-  std::vector<Column> columns;      ///< wanted beside the state
-  std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
-  OnInvalid on_invalid{OnInvalid::stop};
-  Impacts impacts{Impacts::apply};
-  std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one
-  Method method{Method::adams};
-  unsigned taylor_order{};  ///< 0: by the tolerance
-  Tolerances tolerances;    ///< not of gauss
-  double h{};               ///< step of gauss
-  Limits limits;
-};
 
 struct EventRecord {
   std::string name;
@@ -40,12 +20,6 @@ struct SectionRecord {
   double t{};                         ///< of that impact
   double duration{};                  ///< since the impact before, or since t_start
   std::vector<double> before, after;  ///< the state just before the impact and just after it
-};
-
-/// A time in which the motion stayed on a kink of its equations: a block that sticks.
-struct StayRecord {
-  std::string kink;  ///< the expression that stays 0
-  double from{}, to{};
 };
 
 /// Why a motion ended before t_end in the nature of the system.
