@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -247,7 +248,16 @@ class TaylorStepper final : public Stepper {
       if (good < least_of_wanted * h || t_ + good == t_) return {h, false};
       share_ = std::max(least_share, good / h);
     }
-    return {bad > 4 * h || good > h / 4 ? good : lengthened(good, bad), true};
+    if (bad <= 4 * h && good <= h / 4) good = lengthened(good, bad);
+    look_closely(good);
+    return {good, true};
+  }
+
+  /// Where the bound tells of something hidden it may be a rough one: then the closest is taken.
+  void look_closely(double h) {
+    if (!find_hidden(h)) return;
+    std::ranges::fill(allowed_, std::numeric_limits<double>::min());
+    (void)system_.defect(h, allowed_, defect_);
   }
 
   /// After much shortening: between a length that does and one that does not.
@@ -263,12 +273,7 @@ class TaylorStepper final : public Stepper {
   /// What the step may hide: what its last coefficients do not show. It moves on with the velocities.
   void note_unseen(double h) {
     const std::size_t n = y_.size() / 2;
-    if (find_hidden(h)) {
-      std::ranges::fill(allowed_,
-                        0.0);  // nothing is little enough: the bound is looked for as closely as can be
-      (void)system_.defect(h, allowed_, defect_);
-      if (find_hidden(h)) unseen_.resize(y_.size());
-    }
+    if (find_hidden(h)) unseen_.resize(y_.size());
     if (unseen_.empty()) return;
     for (std::size_t i = 0; i < y_.size(); ++i) unseen_[i] += hidden_[i];
     for (std::size_t i = 0; i < n; ++i) unseen_[i] += h * unseen_[n + i];
