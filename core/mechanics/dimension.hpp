@@ -1,10 +1,10 @@
 #pragma once
-// Physical dimensions and the names of units. A dimension is a product of powers of the four SI base units
+// Physical dimensions and what a unit is. A dimension is a product of powers of the four SI base units
 // that mechanics with charges needs: kg, m, s, A. Exponents are rational, so that sqrt(l/g) has one.
 //
 // Angles have no dimension: rad = 1, as in the SI Brochure (9th edition, section 2.3.4). Whether a unit
-// speaks of angles at all is kept beside its dimension,
-// because "2 Hz" said of an angular velocity means 4 pi rad/s.
+// speaks of angles at all is kept beside its dimension, because "2 Hz" said of an angular velocity means 4 pi
+// rad/s.
 
 #include <array>
 #include <cstdint>

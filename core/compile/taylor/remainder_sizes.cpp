@@ -91,6 +91,7 @@ void Remainder::begin(double h, unsigned order) {
 }
 
 double Remainder::size(const Row& row, unsigned k) const {
+  if (k + row.missing > order_) return 0;  // what stands there is of another expansion
   return std::abs(row.coefficients[k]) * powers_[k];
 }
 
@@ -185,7 +186,8 @@ double Remainder::tail(const Row& a, const Row& b) const {
 double Remainder::tail_of_rate(const Row& rate, const Row& b) const {
   if (effort_ != Effort::rough) return dot(rate.a.data(), b.reversed_tails.data() + 1, padded(order_ + 1));
   return rho_of_rate_ * product_norm(rate, b) +
-         std::abs(rate.coefficients[0]) * (size(b, order_ - 1) + b.own_top);
+         std::abs(rate.coefficients[0]) * (size(b, order_ - 1) + b.own_top) +
+         std::abs(b.coefficients[0]) * (size(rate, order_ - 1) + size(rate, order_));
 }
 
 Range Remainder::variation(const Row& rate) const {
