@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/whole_power.hpp"
+
 namespace qdot {
 namespace {
 
@@ -117,21 +119,6 @@ Interval slope_of(Function function, const DividedDifference& u, const Interval&
       return quotient_of_differences(u, f_a, f_b, derivative(function, hull(u.at_a, u.at_b)));
   }
   return Interval::whole();  // not reached: the switch is complete
-}
-
-/// x^exponent, exponent >= 1, by products.
-DividedDifference whole_power(const DividedDifference& u, int exponent) {
-  DividedDifference result = u;
-  DividedDifference factor = u;
-  bool first = true;
-  for (int e = exponent; e > 0; e /= 2) {
-    if (e % 2 == 1) {
-      result = first ? factor : result * factor;
-      first = false;
-    }
-    if (e > 1) factor = square(factor);
-  }
-  return result;
 }
 
 }  // namespace

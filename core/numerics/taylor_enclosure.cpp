@@ -6,6 +6,7 @@
 
 #include "core/numerics/constants.hpp"
 #include "core/numerics/product_sum.hpp"
+#include "core/numerics/whole_power.hpp"
 
 namespace qdot {
 namespace {
@@ -231,22 +232,6 @@ TaylorEnclosure<N, C> sided(Function function, const TaylorEnclosure<N, C>& u) {
     w[0] = evaluate(function, row(u)[0]);
     if (bends) w[1] = unit_range(w[1]) * row(u)[1];
   });
-}
-
-/// By products.
-template <std::size_t N, class C>
-TaylorEnclosure<N, C> whole_power(const TaylorEnclosure<N, C>& u, int exponent) {
-  TaylorEnclosure<N, C> result = u;
-  TaylorEnclosure<N, C> factor = u;
-  bool first = true;
-  for (int e = exponent; e > 0; e /= 2) {
-    if (e % 2 == 1) {
-      result = first ? factor : result * factor;
-      first = false;
-    }
-    if (e > 1) factor = square(factor);
-  }
-  return result;
 }
 
 }  // namespace

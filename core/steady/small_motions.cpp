@@ -125,15 +125,10 @@ Eigensystem<Ball> squares(const SmallMotions& motions) {
   return enclose_eigensystem(motions.stiffness, motions.mass, real_vectors(columns));
 }
 
-Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
+StatePencil state_pencil(const SmallMotions& motions) {
   const std::size_t n = motions.size();
-  const LongMatrix m = extended(motions.mass);
-  LongMatrix state = LongMatrix::Zero(row_of(2 * n), row_of(2 * n));
-  state.topRightCorner(row_of(n), row_of(n)).setIdentity();
-  state.bottomLeftCorner(row_of(n), row_of(n)) = -quotient(extended(motions.stiffness), m);
-  state.bottomRightCorner(row_of(n), row_of(n)) = -quotient(extended(motions.rates), m);
-  if (n == 1) return quadratic_roots(motions.mass(0, 0), motions.rates(0, 0), motions.stiffness(0, 0));
-  SquareMatrix<ComplexBall> a(2 * n), b(2 * n), vectors(2 * n);
+  StatePencil pencil{SquareMatrix<ComplexBall>(2 * n), SquareMatrix<ComplexBall>(2 * n)};
+  auto& [a, b] = pencil;
   for (std::size_t i = 0; i < n; ++i) {
     a(i, n + i) = b(i, i) = Ball(1);
     for (std::size_t j = 0; j < n; ++j) {
@@ -142,6 +137,19 @@ Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
       b(n + i, n + j) = motions.mass(i, j);
     }
   }
+  return pencil;
+}
+
+Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
+  const std::size_t n = motions.size();
+  const LongMatrix m = extended(motions.mass);
+  LongMatrix state = LongMatrix::Zero(row_of(2 * n), row_of(2 * n));
+  state.topRightCorner(row_of(n), row_of(n)).setIdentity();
+  state.bottomLeftCorner(row_of(n), row_of(n)) = -quotient(extended(motions.stiffness), m);
+  state.bottomRightCorner(row_of(n), row_of(n)) = -quotient(extended(motions.rates), m);
+  if (n == 1) return quadratic_roots(motions.mass(0, 0), motions.rates(0, 0), motions.stiffness(0, 0));
+  const auto [a, b] = state_pencil(motions);
+  SquareMatrix<ComplexBall> vectors(2 * n);
   const Eigen::EigenSolver<LongMatrix> solver(state);
   const auto columns = solver.eigenvectors();
   for (std::size_t i = 0; i < 2 * n; ++i) {

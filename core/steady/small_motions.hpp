@@ -22,6 +22,12 @@ struct SmallMotions {
 /// Throws Error(not_applicable) where M has no inverse.
 [[nodiscard]] Eigensystem<Ball> squares(const SmallMotions& motions);
 
+/// A x = s B x for x = (u, u'):  A = (0 1; -K -D),  B = (1 0; 0 M),  2n x 2n.
+struct StatePencil {
+  SquareMatrix<ComplexBall> a, b;
+};
+[[nodiscard]] StatePencil state_pencil(const SmallMotions& motions);
+
 /// s of (s^2 M + s D + K) v = 0: 2n values; the first n components of a vector are v.
 [[nodiscard]] Eigensystem<ComplexBall> exponents(const SmallMotions& motions);
 

@@ -139,16 +139,7 @@ std::vector<Exponent> from_squares(const SmallMotions& motions) {
 }
 
 std::vector<Exponent> from_states(const SmallMotions& motions) {
-  const std::size_t n = motions.size();
-  SquareMatrix<ComplexBall> a(2 * n), b(2 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    a(i, n + i) = b(i, i) = Ball(1);
-    for (std::size_t j = 0; j < n; ++j) {
-      a(n + i, j) = -motions.stiffness(i, j);
-      a(n + i, n + j) = -motions.rates(i, j);
-      b(n + i, n + j) = motions.mass(i, j);
-    }
-  }
+  const auto [a, b] = state_pencil(motions);
   const bool mirrored = motions.undamped();
   const std::vector<EnclosedEigenvalue> found = enclose_eigenvalues(a, b);
   std::vector<Exponent> result;
