@@ -114,6 +114,11 @@ enum class Ending {
   undetermined     ///< at a kink the equations do not tell how a motion goes on (core/motion)
 };
 
+/// As asked for, or at a terminal event.
+[[nodiscard]] constexpr bool ended_well(Ending ending) {
+  return ending == Ending::reached_end || ending == Ending::event;
+}
+
 struct EventOccurrence {
   std::size_t event{};  ///< index into RunRequest::events
   double t{};

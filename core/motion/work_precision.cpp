@@ -23,8 +23,6 @@ double tightest_rtol(Method method) {
   return method == Method::taylor ? rtols.back() : rtols[rtols.size() - 2];
 }
 
-bool trial_ended_well(Ending ending) { return ending == Ending::reached_end || ending == Ending::event; }
-
 bool succeeded(const TrialResult& trial) { return !trial.max_abs_error.empty(); }
 
 }  // namespace
@@ -74,7 +72,7 @@ TrialResult WorkPrecision::run(const Trial& trial) {
   const Simulation found = simulate(dynamics_, request_of(trial, most));
   left_ -= std::min(left_, found.evaluations);
   TrialResult result{trial, found.ending, {}, 0, found.evaluations, found.steps};
-  if (!trial_ended_well(found.ending) || reference_.max_abs_error.empty()) return result;
+  if (!ended_well(found.ending) || reference_.max_abs_error.empty()) return result;
   const std::size_t width = request_.y_start.size();
   result.max_abs_error = reference_.max_abs_error;
   for (std::size_t k = 0; k < width; ++k) {

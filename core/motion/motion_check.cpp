@@ -1,0 +1,116 @@
+#include "core/motion/motion_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/compile/extended/expansion.hpp"
+#include "core/motion/extended_motion.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double tightest_check = 1e-17;
+constexpr double rung = 1e-2;  ///< a check's tolerance over that of the run it checks
+constexpr double check_of_others = 1e-3;
+constexpr unsigned order_of_checks = 22;
+constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
+constexpr double loose = 1e-6;
+constexpr std::uint64_t cost_of_digits = 3;  ///< of an evaluation in double-doubles
+
+/// Every number by one or two units in the last place, up and down in turn, so that the ratio of any two
+/// near each other moves as well: what rounding does to the motion, the rounding that all runs have in
+/// common included. It is nothing beside any other error.
+void nudge(Reals& numbers, double direction) {
+  double towards = direction * infinity;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    double x = numbers[i];
+    if (x == 0) continue;
+    x = std::nextafter(x, towards);
+    if (moved++ % 4 >= 2) x = std::nextafter(x, towards);
+    numbers.set(i, x);
+    towards = -towards;
+  }
+}
+
+Tolerances tolerances_of_check(const ComputedMotion& motion) {
+  const double least = motion.is_stiff ? 1e-14 : tightest_check;
+  const Method first = motion.simulation.method;
+  // What a fixed step comes to is not known before: its check is as tight as can be.
+  const double factor = first == Method::gauss ? 0 : first == Method::taylor ? rung : check_of_others;
+  return {std::max(least, motion.tolerances.rtol * factor),
+          std::max(motion.tolerances.atol * factor, least * 1e-3)};
+}
+
+}  // namespace
+
+bool ComputedMotion::is_near_round_off() const {
+  return simulation.method == Method::gauss || tolerances.rtol <= near_round_off;
+}
+
+SimulationRequest check_of(const ComputedMotion& motion, double direction) {
+  SimulationRequest request = motion.request;
+  request.columns.clear();
+  request.events.clear();
+  request.method = motion.is_stiff ? Method::bdf : Method::taylor;
+  const bool is_loose = motion.simulation.method != Method::gauss && motion.tolerances.rtol >= loose;
+  request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
+  request.tolerances = tolerances_of_check(motion);
+  nudge(request.parameters, direction);
+  nudge(request.y_start, direction);
+  return request;
+}
+
+bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
+  const std::vector<double>& states = motion.simulation.states;
+  const std::size_t width = motion.width();
+  for (std::size_t k = 0; k < width; ++k) {
+    double difference = 0, size = 0;
+    bool varies = false;
+    for (std::size_t i = k; i < std::min(states.size(), check.states.size()); i += width) {
+      difference = std::max(difference, std::abs(states[i] - check.states[i]));
+      size = std::max(size, std::abs(states[i]));
+      varies = varies || states[i] != states[k];
+    }
+    if (varies && difference <= near_round_off * size) return false;
+  }
+  return true;
+}
+
+const char* not_comparable(const ComputedMotion& motion, const Simulation& check) {
+  const auto begin = motion.grid.wanted.begin();
+  const auto from = static_cast<std::ptrdiff_t>(check.rows);
+  const auto to = static_cast<std::ptrdiff_t>(motion.simulation.rows);
+  if (from >= to || std::find(begin + from, begin + to, true) == begin + to) return nullptr;
+  if (ended_well(check.ending)) {
+    return "The second computation stopped before this one: whether the motion goes so far is no more "
+           "certain than its error allows, which could not be measured.";
+  }
+  if (check.ending == Ending::step_limit) {
+    return "The steps or evaluations allowed were spent before the second computation, which would have "
+           "measured the error, came to its end.";
+  }
+  return "The second computation, which would have measured the error, did not come to its end.";
+}
+
+SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {
+  const Simulation& first = motion.simulation;
+  const bool is_smooth = first.sections.empty() && motion.dynamics.kinks() == nullptr &&
+                         has_extended_expansion(motion.dynamics.accelerations());
+  if (motion.is_stiff || !is_smooth || first.rows == 0) return {};
+  ExtendedMotionRequest request =
+      extended_request(motion.request.parameters, motion.request.y_start, motion.request.t_start,
+                       std::span(motion.grid.t).first(first.rows));
+  request.look_for_hidden = true;
+  request.limits.max_evaluations = evaluations_left / cost_of_digits;
+  const ExtendedRun run = extended_states(motion.dynamics, request);
+  SharperMotion result{.simulation = {}, .evaluations = cost_of_digits * run.evaluations};
+  if (run.rows < first.rows || !run.bounded) return result;
+  Simulation& sharper = result.simulation.emplace();
+  sharper.rows = run.rows;
+  for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());
+  return result;
+}
+
+}  // namespace qdot

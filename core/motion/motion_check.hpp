@@ -1,0 +1,52 @@
+#pragma once
+// The second road to a motion, which tells the error of the first.
+//
+// Where the first is Taylor's method the second has another order, elsewhere another method; it is a hundred
+// times tighter, and goes from parameters and initial values moved in their last bits, so that a difference
+// is not small by chance. Near round-off double-doubles tell more (extended_motion.hpp).
+
+#include <cstdint>
+#include <optional>
+
+#include "core/dynamics/dynamics.hpp"
+#include "core/motion/dense_grid.hpp"
+
+namespace qdot {
+
+/// A motion that was computed on a grid, and how.
+struct ComputedMotion {
+  const Dynamics& dynamics;
+  const SimulationRequest& request;  ///< what was asked for
+  const DenseGrid& grid;
+  const Simulation& simulation;  ///< on all of the grid
+  Tolerances tolerances;         ///< of the simulation
+  bool is_stiff;                 ///< explicit methods are of no use
+
+  [[nodiscard]] std::size_t width() const { return request.y_start.size(); }
+  [[nodiscard]] bool is_near_round_off() const;
+};
+
+/// Tolerances from which on round-off counts beside them.
+inline constexpr double near_round_off = 1e-12;
+inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is returned
+
+/// The grid of the request stands in it. Numbers are moved up (1) or down (-1).
+[[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
+
+/// One check tells the error of truncation. Where round-off is as large, a single difference may be small
+/// by chance; two checks that start on either side cannot both be.
+[[nodiscard]] bool tells_truncation(const ComputedMotion& motion, const Simulation& check);
+
+/// Why the check does not tell the error of the motion; nullptr where it does.
+[[nodiscard]] const char* not_comparable(const ComputedMotion& motion, const Simulation& check);
+
+struct SharperMotion {
+  std::optional<Simulation> simulation;  ///< rows of states alone
+  std::uint64_t evaluations{};           ///< in units of those in doubles
+};
+
+/// The motion from the numbers as they were typed, in so many digits that the difference is what rounding
+/// did to it. None where it has impacts, where something may lie hidden, or where that is too much work.
+[[nodiscard]] SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left);
+
+}  // namespace qdot

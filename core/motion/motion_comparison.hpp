@@ -1,0 +1,33 @@
+#pragma once
+// What other computations of a motion say of the error of its rows.
+//
+// The differences are read by row_errors.hpp. A row is where its instant t has been rounded to, and was asked
+// for at a decimal: by so much, half a unit in the last place of t, the motion goes on in between, and
+// |y'| times that is added. What is conserved must not change by more than these errors allow
+// (kept_quantities.hpp).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/motion_check.hpp"
+
+namespace qdot {
+
+struct RowComparison {
+  std::vector<double> max_abs_error;  ///< of each coordinate and velocity, over the rows asked for
+  /// The first instant asked for where the error passes 1e-3 of a column's largest magnitude.
+  std::optional<double> horizon;
+  std::string changed;  ///< a conserved quantity that changes by more than the errors explain; empty: none
+};
+
+/// `doubt`: a part of each column's magnitude that is added, for round-off that was not measured.
+[[nodiscard]] RowComparison compare(const ComputedMotion& motion, const std::vector<Simulation>& others,
+                                    double doubt);
+
+enum class Rows { all, wanted };
+
+/// The largest magnitude of each column.
+[[nodiscard]] std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which);
+
+}  // namespace qdot
