@@ -14,6 +14,7 @@ constexpr unsigned full_order = 20;
 constexpr double of_doubt = 16;  ///< times what g may be away from its series
 constexpr double short_share = 1e-9;
 constexpr std::size_t most_looks = 4000;
+constexpr std::size_t looks_in_doubt = 200;  ///< once not everything was seen: the rest is worth less work
 constexpr int halvings = 60;
 constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
 /// A sketch is this share of a step's change off at most.
@@ -31,6 +32,10 @@ bool is_pole(const SignChange& begin, const SignChange& end) {
 }
 
 }  // namespace
+
+bool EventSearch::UnitSeries::is_finite() const {
+  return std::isfinite(off) && std::ranges::all_of(coefficients, [](double c) { return std::isfinite(c); });
+}
 
 EventSearch::EventSearch(const RunRequest& request)
     : request_(request),
@@ -137,19 +142,26 @@ bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const
   return series.off <= 2 * (doubt_at_start(event, piece) + of_values * size);
 }
 
+/// In as many coefficients as are numbers with a bound that is one: near overflow high ones are not.
+EventSearch::UnitSeries EventSearch::finite_series(std::size_t event, const MotionPiece& piece) const {
+  UnitSeries series = unit_series(event, piece, full_order);
+  return series.is_finite() ? series : unit_series(event, piece, low_order);
+}
+
 /// The pieces of [from, to], in times since the step's beginning.
 void EventSearch::explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces) {
-  if (++looks_ > most_looks) saw_everything_ = false;
+  const std::size_t most = saw_everything_ ? most_looks : looks_in_doubt;
+  if (++looks_ > most) saw_everything_ = false;
   const MotionPiece whole = polynomial_.piece(from, to - from);
   const double shortest = 16 * time_round_off(whole.t + whole.h);
-  const UnitSeries series = unit_series(event, whole, full_order);
+  const UnitSeries series = finite_series(event, whole);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
   if (is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients, series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;
     const double middle = 0.5 * (begin + end);
-    if (piece.sign != 0 || end - begin <= shortest || looks_ > most_looks) {
+    if (piece.sign != 0 || end - begin <= shortest || looks_ > most) {
       pieces.push_back({begin, end, piece.sign});
     } else if (piece.to - piece.from < 0.5) {
       explore(event, begin, end, pieces);

@@ -62,7 +62,10 @@ class EventSearch {
     std::vector<double> coefficients;
     double off{};            ///< what g may be away from it
     bool is_divided{false};  ///< by that unit: g is zero at t_start
+
+    [[nodiscard]] bool is_finite() const;
   };
+  [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
   [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece) const;
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
