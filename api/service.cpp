@@ -82,11 +82,7 @@ struct Service::Impl {
   /// What is said of them is in api/about/addresses.
   void add_documents() {
     add_index();
-    for (const Page& page : pages) {
-      if (page.path == "/") continue;
-      get(std::string(page.path), [&page](Call&) { return answer_page(page); },
-          {std::string(page.content_type)});
-    }
+    add_pages();
     for (const char* probe : {"/healthz", "/livez", "/readyz"}) get(probe, Json{{"status", "ok"}});
     get("/version", Json{{"service_version", service_version()}});
     get("/v1/limits", limits_json());
@@ -108,6 +104,7 @@ struct Service::Impl {
     get("/errors/{name}", answer_problem_type, {"application/json", "text/html"});
     get("/v1/systems", system_list(catalogue));
     get("/v1/systems/{name}", [this](Call& call) { return answer_system(call); });
+    get("/v1/systems/{name}/scene", [this](Call& call) { return answer_scene(call); });
     get("/v1/problems", exercise_list());
     get("/v1/problems/{number}", [this](Call& call) { return answer_exercise(call); }, {"application/json"},
         {.milliseconds = 4});
@@ -125,6 +122,28 @@ struct Service::Impl {
     get("/", answer_index, offers);
   }
 
+  /// Pages have addresses of their own; what they consist of is behind one.
+  void add_pages() {
+    bool has_parts = false;
+    for (const Page& page : pages) {
+      if (page.path == "/") continue;
+      if (page.path.starts_with("/page/")) {
+        has_parts = true;
+        continue;
+      }
+      get(std::string(page.path), [&page](Call&) { return answer_page(page); },
+          {std::string(page.content_type)});
+    }
+    if (!has_parts) return;
+    get("/page/{file}", [this](Call& call) { return answer_part(call); },
+        {"text/javascript", "text/css", "image/svg+xml"});
+  }
+
+  Response answer_part(Call& call) {
+    const auto found = std::ranges::find(pages, call.target.path, &Page::path);
+    return found == pages.end() ? not_found(call) : answer_page(*found);
+  }
+
   static Response answer_problem_type(Call& call) {
     const ProblemType* type = find_problem_type(call.captures[0]);
     if (type == nullptr) return not_found(call);
@@ -132,12 +151,19 @@ struct Service::Impl {
     return json_response(problem_type_json(*type), call.layout);
   }
 
+  static Response no_such_system(const Call& call) {
+    return not_found(call, "There is no system " + in_quotes(call.captures[0]) + "; /v1/systems lists them.");
+  }
+
+  /// The scene as it is written, ready to be changed and sent.
+  Response answer_scene(Call& call) {
+    const CatalogueEntry* entry = catalogue.find(call.captures[0]);
+    return entry == nullptr ? no_such_system(call) : json_response(entry->json, call.layout);
+  }
+
   Response answer_system(Call& call) {
     const CatalogueEntry* entry = catalogue.find(call.captures[0]);
-    if (entry == nullptr) {
-      return not_found(call,
-                       "There is no system " + in_quotes(call.captures[0]) + "; /v1/systems lists them.");
-    }
+    if (entry == nullptr) return no_such_system(call);
     const Json capabilities = models.remembered(entry->scene, "capabilities", [&] {
       return capabilities_json(*entry, [this](const Request& request) { return answer(request); });
     });
@@ -173,7 +199,17 @@ struct Service::Impl {
     return layout == Layout::pretty ? openapi_pretty : openapi_compact;
   }
 
+  /// A page where that is what the client prefers: someone has followed a link.
   static Response not_found(const Call& call, std::string detail) {
+    static const std::vector<std::string> offers{"application/problem+json", "application/json", "text/html"};
+    const std::string* accepted = negotiated(header(call.request, "accept"), offers);
+    if (accepted != nullptr && *accepted == "text/html") {
+      Response page = problem_page(problem_type(ProblemKind::not_found), detail);
+      page.status = 404;
+      page.headers["Vary"] = "Accept";
+      restrict_page(page);
+      return page;
+    }
     return to_response({.kind = ProblemKind::not_found, .detail = std::move(detail)}, call.target.path,
                        call.layout);
   }

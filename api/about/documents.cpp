@@ -23,6 +23,34 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+/// A whole page, with the header that all pages have.
+std::string page_around(std::string_view title, const std::string& body) {
+  const std::string shown = escaped(title);
+  return R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>)" +
+         shown + R"(</title>
+<link rel="icon" href="/page/icon.svg" type="image/svg+xml">
+<link rel="stylesheet" href="/page/style.css">
+</head>
+<body>
+<header class="head">
+<a class="name" href="/">qdot</a>
+<nav aria-label="Pages">
+<a href="/#/">Systems</a>
+<a href="/#/problems">Problems</a>
+<a href="/#/scene">Your scene</a>
+<a href="/docs">Docs</a>
+</nav>
+</header>
+<main>
+<h1>)" + shown +
+         "</h1>\n" + body + "</main>\n</body>\n</html>\n";
+}
+
 }  // namespace
 
 Json limits_json() {
@@ -65,14 +93,12 @@ Json problem_type_json(const ProblemType& type) {
           {"explanation", type.explanation}};
 }
 
-Response problem_page(const ProblemType& type) {
-  const std::string title = escaped(type.title);
-  return {.content_type = "text/html; charset=utf-8",
-          .body = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
-                  "</title>\n<link rel=\"stylesheet\" href=\"/docs/style.css\">\n</head>\n<body>\n<h1>" +
-                  title + "</h1>\n<p>Status " + std::to_string(type.status) + ", <code>/errors/" +
-                  std::string(type.name) + "</code></p>\n<p>" + escaped(type.explanation) +
-                  "</p>\n<p><a href=\"/docs\">All addresses</a></p>\n</body>\n</html>\n"};
+Response problem_page(const ProblemType& type, std::string_view detail) {
+  std::string body = "<p>Status " + std::to_string(type.status) + ", <code>/errors/" +
+                     std::string(type.name) + "</code></p>\n";
+  if (!detail.empty()) body += "<p>" + escaped(detail) + "</p>\n";
+  body += "<p>" + escaped(type.explanation) + "</p>\n";
+  return {.content_type = "text/html; charset=utf-8", .body = page_around(type.title, body)};
 }
 
 Response answer_page(const Page& page) {
@@ -82,7 +108,7 @@ Response answer_page(const Page& page) {
 void restrict_page(Response& response) {
   if (!response.content_type.starts_with("text/html")) return;
   response.headers["Content-Security-Policy"] =
-      "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; base-uri 'none'; "
+      "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; base-uri 'none'; "
       "form-action 'none'; frame-ancestors 'none'";
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // The documents that answer without computing: what there is, how much may be asked, what a problem means.
 
+#include <string_view>
+
 #include "api/http/messages.hpp"
 #include "api/http/problem.hpp"
 #include "api/http/routes.hpp"
@@ -15,7 +17,7 @@ namespace qdot::api {
 
 /// A problem explained, for programs and for browsers.
 [[nodiscard]] Json problem_type_json(const ProblemType& type);
-[[nodiscard]] Response problem_page(const ProblemType& type);
+[[nodiscard]] Response problem_page(const ProblemType& type, std::string_view detail = {});
 
 [[nodiscard]] Response answer_page(const Page& page);
 

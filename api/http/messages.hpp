@@ -40,7 +40,7 @@ struct Appraisal {
 
 /// A file for browsers.
 struct Page {
-  std::string_view path;          ///< "/", beside the index; "/docs"; "/docs/style.css"
+  std::string path;               ///< "/", beside the index; "/docs"; "/page/style.css", a part of others
   std::string_view content_type;  ///< "text/html"
   std::string_view text;
 };

@@ -1,193 +1,144 @@
-"use strict";
-// Shows /openapi.json: each address with its fields, its answer and a form that sends a request.
+// Shows /openapi.json: each address once, with its fields, its answer, and forms that send a request.
+import { quoted, read } from "./api.js";
+import { copyButton, element, fill } from "./dom.js";
+import { field, fieldList, membersOf, resolved } from "./schema_text.js";
 
-let api;
+/** @typedef {Record<string, any>} Operation */
+/** @typedef {{ target: string, method: string, body?: string }} Request */
 
-/** An element with attributes and children; texts become text, never markup. */
-function element(name, attributes = {}, ...children) {
-  const node = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) {
-    if (key.startsWith("on")) node.addEventListener(key.slice(2), value);
-    else node.setAttribute(key, value);
-  }
-  node.append(...children);
-  return node;
-}
+/** What stands in the place of a name in an address, to begin with. @type {Record<string, string>} */
+const captures = { "/v1/systems/{name}": "cart_pendulum", "/v1/systems/{name}/scene": "cart_pendulum", "/v1/problems/{number}": "8",
+  "/errors/{name}": "invalid-request", "/page/{file}": "style.css" };
 
-/** What a reference stands for, with what is said beside it. */
-function resolved(thing) {
-  if (!thing || !thing.$ref) return thing;
-  const target = thing.$ref.slice(2).split("/").reduce((place, key) => place[key], api);
-  const { $ref, ...beside } = thing;
-  return { ...resolved(target), ...beside };
-}
-
-function typeName(schema) {
-  if (schema.$ref) return schema.$ref.split("/").pop();
-  if (schema.enum) return schema.enum.map((word) => JSON.stringify(word)).join(" | ");
-  if ("const" in schema) return JSON.stringify(schema.const);
-  const ways = schema.anyOf || schema.oneOf;
-  if (ways && !schema.properties) return ways.map(typeName).join(" or ");
-  if (schema.type === "array") return "array of " + typeName(schema.items || {});
-  return [schema.type || "any"].flat().join(" or ");
-}
-
-/** "> 0 and <= 1" */
-function bounds(schema) {
-  const number = [schema, ...(schema.anyOf || [])].find((way) => /imum/.test(Object.keys(way).join())) || {};
-  const parts = [];
-  for (const [key, sign] of [["minimum", "≥"], ["exclusiveMinimum", ">"], ["maximum", "≤"], ["exclusiveMaximum", "<"]]) {
-    if (key in number) parts.push(`${sign} ${number[key]}`);
-  }
-  if (schema.maxItems) parts.push(`at most ${schema.maxItems}`);
-  return parts.join(" and ");
-}
-
-function fieldRow(name, schema, required) {
-  const aliases = schema["x-aliases"];
-  return element("tr", {},
-    element("th", { scope: "row" }, element("code", {}, name), required ? " (required)" : ""),
-    element("td", {}, typeName(schema), schema["x-unit"] && schema["x-unit"] !== "1" ? `, ${schema["x-unit"]}` : ""),
-    element("td", {}, bounds(schema)),
-    element("td", {}, "default" in schema ? element("code", {}, JSON.stringify(schema.default)) : ""),
-    element("td", {}, schema.description || resolved(schema).description || "",
-      aliases ? element("span", { class: "about" }, ` Other programs call it ${aliases.join(", ")}; such a name is refused here, with the hint to write ${name}.`) : ""));
-}
-
-function fieldTable(caption, rows) {
-  const heads = ["Name", "Type", "Bounds", "Default", "Meaning"].map((text) => element("th", { scope: "col" }, text));
-  return element("table", {}, element("caption", {}, caption),
-    element("thead", {}, element("tr", {}, ...heads)), element("tbody", {}, ...rows));
-}
-
-function membersOf(schema) {
-  const whole = resolved(schema) || {};
-  const tables = [];
-  const add = (part, title) => {
-    const required = new Set(part.required || []);
-    const rows = Object.entries(part.properties || {}).map(([name, s]) => fieldRow(name, s, required.has(name)));
-    for (const [pattern, s] of Object.entries(part.patternProperties || {})) rows.push(fieldRow(`/${pattern}/`, s, false));
-    if (rows.length) tables.push(fieldTable(title, rows));
-  };
-  add(whole, whole.description || "Members");
-  for (const way of whole.oneOf || []) if (way.title) add(way, way.title);
-  return tables;
-}
-
-/** The request of a form: path, method and body. */
-function requestOf(path, method, inputs) {
-  let target = path;
-  for (const [name, input] of inputs.captures) target = target.replace(`{${name}}`, encodeURIComponent(input.value));
-  const query = inputs.query ? inputs.query.value.trim() : "";
-  if (query) target += "?" + query;
-  return { target, method: method.toUpperCase(), body: inputs.body ? inputs.body.value : undefined };
-}
-
+/** @param {Request} request */
 function curlOf({ target, method, body }) {
-  const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
-  const data = body === undefined ? "" : ` -d ${quoted(body)}`;
-  return `curl${method === "POST" ? data : ""} ${quoted(location.origin + target)}`;
+  return `curl ${quoted(location.origin + target)}${method === "POST" ? ` -d ${quoted(body ?? "")}` : ""}`;
 }
 
+/** A body as the query of the GET twin, where it has one: names flat, lists with commas. @param {any} body */
+function queryOf(body) {
+  const entries = Object.entries(body).flatMap(([name, value]) =>
+    (value !== null && typeof value === "object" && !Array.isArray(value) ? Object.entries(value) : [[name, value]]));
+  if (entries.some(([, value]) => typeof value === "object" && !Array.isArray(value) || Array.isArray(value) && value.some((one) => typeof one === "object"))) return null;
+  return entries.map(([name, value]) => `${name}=${value}`).join("&");
+}
+
+/** Spaces and signs as an address has them; = and & stay what they are. @param {string} query */
+function encoded(query) {
+  return query.split("&").map((part) => {
+    const [name, ...value] = part.split("=");
+    return [name, ...(value.length ? [value.join("=")] : [])].map((text) => encodeURIComponent(text).replaceAll("%2C", ",").replaceAll("%2F", "/")).join("=");
+  }).join("&");
+}
+
+/** @param {Request} request @param {HTMLElement} output */
 async function send(request, output) {
-  output.replaceChildren(element("p", {}, "Waiting …"));
-  const headers = {};
-  if (request.body !== undefined) headers["Content-Type"] = "application/json";
-  let status, text;
+  fill(output, element("p", {}, "Waiting …"));
+  let [status, text] = ["No answer", ""];
   try {
+    const headers = request.body === undefined ? undefined : { "Content-Type": "application/json" };
     const response = await fetch(request.target, { method: request.method, headers, body: request.body });
-    status = `${response.status} ${response.headers.get("Content-Type") || ""}`;
+    const type = response.headers.get("Content-Type") ?? "";
+    status = `${response.status} ${type}`;
     text = await response.text();
-    if (/json$/.test(response.headers.get("Content-Type"))) text = JSON.stringify(JSON.parse(text), null, 2);
+    if (/json$/.test(type)) text = JSON.stringify(JSON.parse(text), null, 2);
   } catch (error) {
-    status = "No answer";
     text = String(error);
   }
   const longest = 100000;
-  if (text.length > longest) text = text.slice(0, longest) + "\n… (shortened here)";
-  output.replaceChildren(element("p", {}, element("strong", {}, status)), element("pre", { tabindex: "0" }, text),
-    element("p", {}, "The same in a shell:"), element("pre", { tabindex: "0" }, curlOf(request)));
+  if (text.length > longest) text = `${text.slice(0, longest)}\n… (shortened here)`;
+  const line = curlOf(request);
+  fill(output, element("p", { class: "status" }, status), element("pre", { tabindex: "0", class: "answer" }, text),
+    element("p", {}, "The same in a shell ", copyButton("copy", () => line)), element("pre", { tabindex: "0", class: "shell" }, line));
 }
 
-/** A labelled control, appended to the form. */
-function control(form, label, node) {
-  form.append(element("label", {}, label, element("br"), node));
-  return node;
-}
-
-function tryIt(path, method, operation) {
-  const form = element("form");
+/** @param {(HTMLElement | string)[]} parts @param {() => Request} request @param {string} label */
+function form(parts, request, label) {
   const output = element("div", { "aria-live": "polite" });
-  const inputs = { captures: [] };
-  for (const parameter of (operation.parameters || []).map(resolved)) {
-    if (parameter.in === "path") inputs.captures.push([parameter.name, control(form, parameter.description, element("input", { required: "" }))]);
-  }
-  const content = operation.requestBody && operation.requestBody.content["application/json"];
-  if (content) {
-    const examples = Object.values(content.examples || {});
-    const show = (example) => { inputs.body.value = JSON.stringify(example.value, null, 2); };
-    const select = control(form, "Example", element("select", { onchange: () => show(examples[select.selectedIndex]) },
-      ...examples.map((example) => element("option", {}, example.summary))));
-    inputs.body = control(form, "Request", element("textarea", { spellcheck: "false", rows: "8" }));
-    if (examples.length) show(examples[0]);
-  } else if ((operation.parameters || []).length > 1) {
-    inputs.query = control(form, "Query, such as system=name&t_end=2", element("input", { size: "60", spellcheck: "false" }));
-  }
-  form.append(element("p", {}, element("button", {}, "Send")), output);
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    send(requestOf(path, method, inputs), output);
-  });
-  return form;
+  return element("form", { onsubmit: (event) => { event.preventDefault(); send(request(), output); } }, ...parts, element("p", {}, element("button", {}, label)), output);
 }
 
-function questionOf(operation) {
-  const body = operation.requestBody;
-  if (body) return membersOf(body.content["application/json"].schema);
-  const rows = (operation.parameters || []).map(resolved).map((p) =>
-    fieldRow(p.name, { description: p.description, ...p.schema }, p.required));
-  return rows.length ? [fieldTable("Parameters", rows)] : [];
+/** @param {string} label @param {HTMLElement} control */
+const labelled = (label, control) => element("label", { class: "stacked" }, label, control);
+
+/** @param {string} path @param {Operation} operation */
+function bodyForm(path, operation) {
+  const content = operation.requestBody.content["application/json"];
+  const examples = /** @type {{ summary: string, value: any }[]} */ (Object.values(content.examples ?? {}));
+  const text = element("textarea", { class: "code-box", spellcheck: "false", rows: "8" });
+  const show = (/** @type {number} */ i) => { text.value = JSON.stringify(examples[i]?.value ?? {}, null, 2); };
+  const select = element("select", { onchange: () => show(select.selectedIndex) }, ...examples.map((example) => element("option", {}, example.summary)));
+  show(0);
+  return form([examples.length > 1 ? labelled("Example", select) : "", labelled("Body", text)], () => ({ target: path, method: "POST", body: text.value }), "Send as POST");
 }
 
-function answersOf(operation) {
+/** @param {any} api @param {string} path @param {Operation} operation @param {string} query */
+function queryForm(api, path, operation, query) {
+  const parameters = (operation.parameters ?? []).map((/** @type {any} */ one) => resolved(api, one));
+  const capture = parameters.find((/** @type {any} */ one) => one.in === "path");
+  const parts = [];
+  const name = element("input", { class: "value wide-field", required: true, value: captures[path] ?? "", autocomplete: "off" });
+  if (capture) parts.push(labelled(capture.description, name));
+  const field = element("input", { class: "value wide-field", value: query, spellcheck: "false", autocomplete: "off" });
+  const hasQuery = parameters.some((/** @type {any} */ one) => one.in === "query" && one.name !== "pretty");
+  if (hasQuery) parts.push(labelled("Query", field));
+  const target = () => {
+    const place = capture ? path.replace(`{${capture.name}}`, encodeURIComponent(name.value)) : path;
+    return hasQuery && field.value.trim() ? `${place}?${encoded(field.value.trim())}` : place;
+  };
+  return form(parts, () => ({ target: target(), method: "GET" }), "Send as GET");
+}
+
+/** @param {any} api @param {string} path @param {Record<string, Operation>} methods */
+function details(api, path, { get, post }) {
+  const content = post?.requestBody?.content["application/json"];
+  const example = /** @type {any} */ (Object.values(content?.examples ?? {})[0])?.value;
+  const query = example ? queryOf(example) : "";
+  const operation = post ?? get;
+  const json = (operation.responses["200"].content ?? {})["application/json"];
+  const parameters = (get?.parameters ?? []).map((/** @type {any} */ one) => resolved(api, one));
+  const asked = content ? membersOf(api, content.schema) : parameters.length ? [fieldList("Parameters", parameters.flatMap((/** @type {any} */ one) => field(api, one.name, { description: one.description, ...one.schema }, one.required)))] : [];
+  return [element("p", {}, operation.description), ...(post ? [bodyForm(path, post)] : []), ...(get && query !== null ? [queryForm(api, path, get, query)] : []),
+    asked.length ? element("h3", {}, "Request") : "", ...asked, element("h3", {}, "Answer"), ...(json ? membersOf(api, json.schema) : []), element("ul", { class: "statuses" }, ...statuses(api, operation))];
+}
+
+/** @param {any} api @param {Operation} operation */
+function statuses(api, operation) {
   return Object.entries(operation.responses).map(([status, response]) => {
-    const whole = resolved(response);
-    const types = Object.keys(whole.content || {}).join(", ");
-    return element("li", {}, element("strong", {}, status), ` ${whole.description}`, types ? ` (${types})` : "");
+    const whole = resolved(api, /** @type {any} */ (response));
+    const types = Object.keys(whole.content ?? {}).join(", ");
+    return element("li", {}, element("strong", {}, status), ` ${whole.description}`, types ? element("span", { class: "quiet-words" }, ` ${types}`) : "");
   });
 }
 
-function operationView(path, method, operation) {
-  const view = element("details", { id: operation.operationId },
-    element("summary", {}, element("span", { class: "method" }, method.toUpperCase()), element("code", {}, path), ` ${operation.summary}`));
-  // Filled when it is first opened: there are thousands of rows in all.
+/** @param {any} api @param {string} path @param {Record<string, Operation>} methods */
+function entry(api, path, methods) {
+  const operation = methods.post ?? methods.get;
+  const names = ["get", "post"].filter((method) => method in methods).map((method) => method.toUpperCase()).join(", ");
+  const view = element("details", { class: "address", id: (methods.get ?? operation).operationId },
+    element("summary", {}, element("code", {}, path), element("span", { class: "summary" }, operation.summary), element("span", { class: "method" }, names)));
+  // Filled when it is first opened: there are thousands of fields in all.
   view.addEventListener("toggle", () => {
-    if (view.childElementCount > 1) return;
-    const json = (operation.responses["200"].content || {})["application/json"];
-    view.append(element("p", {}, operation.description),
-      element("h4", {}, "Try it"), tryIt(path, method, operation),
-      element("h4", {}, "Request"), ...questionOf(operation),
-      element("h4", {}, "Answer"), ...(json ? membersOf(json.schema) : []), element("ul", {}, ...answersOf(operation)));
+    if (view.open && view.childElementCount === 1) view.append(element("div", { class: "inside" }, ...details(api, path, methods).filter((one) => one !== "")));
   });
   return view;
 }
 
-function show() {
-  document.getElementById("about").replaceChildren(
-    `${api.info.summary} Version ${api.info.version}. ${api.info.description} `,
-    element("a", { href: "/openapi.json" }, "OpenAPI 3.1"));
-  const main = document.getElementById("operations");
-  for (const tag of api.tags) {
-    main.append(element("h2", {}, tag.name), element("p", {}, tag.description));
-    for (const [path, methods] of Object.entries(api.paths)) {
-      for (const [method, operation] of Object.entries(methods).reverse()) {
-        if (operation.tags.includes(tag.name)) main.append(operationView(path, method, operation));
-      }
-    }
-  }
-  const wanted = location.hash && document.getElementById(location.hash.slice(1));
-  if (wanted) { wanted.open = true; wanted.scrollIntoView(); }
+/** @param {any} api */
+function show(api) {
+  const main = /** @type {HTMLElement} */ (document.getElementById("operations"));
+  /** @type {Record<string, Operation>[]} */
+  const all = Object.values(api.paths);
+  const tagOf = (/** @type {Record<string, Operation>} */ methods) => (methods.get ?? methods.post).tags[0];
+  // What is for people comes first, what is for those who run the service last.
+  const tags = [...api.tags].sort((a, b) => Number(a.name === "operations") - Number(b.name === "operations"));
+  fill(main, ...tags.flatMap((tag) => [element("h2", {}, tag.name), element("p", {}, tag.description),
+    ...Object.entries(api.paths).filter((_, i) => tagOf(all[i]) === tag.name).map(([path, methods]) => entry(api, path, /** @type {any} */ (methods)))]));
+  fill(/** @type {HTMLElement} */ (document.getElementById("about")), `${api.info.summary} Version ${api.info.version}. ${api.info.description} `, element("a", { href: "/openapi.json" }, "OpenAPI 3.1"));
+  const wanted = location.hash ? document.getElementById(location.hash.slice(1)) : null;
+  if (wanted instanceof HTMLDetailsElement) { wanted.open = true; wanted.scrollIntoView(); }
 }
 
-fetch("/openapi.json").then((response) => response.json()).then((document_) => { api = document_; show(); })
-  .catch((error) => { document.getElementById("about").textContent = `/openapi.json cannot be read: ${error}`; });
+read("/openapi.json").then(show).catch((error) => {
+  fill(/** @type {HTMLElement} */ (document.getElementById("about")), `/openapi.json cannot be read: ${error}`);
+});

@@ -59,7 +59,7 @@ class Document(Service):
 
     def test_operations_without_fields(self):
         for path, methods in self.document["paths"].items():
-            captures = {"{name}": "overloaded" if path.startswith("/errors") else self.first_system(), "{number}": "8"}
+            captures = {"{name}": "overloaded" if path.startswith("/errors") else self.first_system(), "{number}": "8", "{file}": "style.css"}
             for capture, value in captures.items():
                 path = path.replace(capture, value)
             if "post" not in methods:

@@ -6,6 +6,7 @@ import pathlib
 import re
 import subprocess
 import unittest
+import zlib
 
 from running_qdot import RunningQdot
 
@@ -49,10 +50,45 @@ class Pages(unittest.TestCase):
                     self.assertRegex(target, "^/(?!/)")
                     self.assertEqual(self.get(target).status, 200)
 
+    def parts(self):
+        """Every file that the pages load, and what those load."""
+        seen, waiting = {}, [target for text in self.pages.values() for target in Links(text).targets if target.startswith("/page/")]
+        while waiting:
+            path = waiting.pop()
+            if path not in seen:
+                seen[path] = self.get(path).data.decode()
+                waiting += ["/page/" + name for name in re.findall(r'(?:from|import) "\./([^"]+)"', seen[path])]
+        return seen
+
     def test_nothing_comes_from_elsewhere(self):
-        parts = [*self.pages.values(), self.get("/docs/docs.js").data.decode(), self.get("/docs/style.css").data.decode()]
-        for text in parts:
-            self.assertNotRegex(text, r"https?:|@import|\burl\(|\bimport\b")
+        parts = self.parts()
+        self.assertGreater(len(parts), 20)
+        for path, text in [*self.pages.items(), *parts.items()]:
+            with self.subTest(path):
+                self.assertNotRegex(text.replace("http://www.w3.org/", ""), r"https?://|@import|\burl\(\s*[\"']?(?!#)")
+                self.assertNotRegex(text, r"\beval\(|new Function|innerHTML|document\.write")
+
+    def test_all_of_it_is_small(self):
+        compressed = sum(len(zlib.compress(text.encode(), 6)) for text in [*self.pages.values(), *self.parts().values()])
+        self.assertLess(compressed, 150_000)
+
+    def test_a_part_is_asked_for_again_only_when_it_has_changed(self):
+        first = self.get("/page/main.js")
+        self.assertEqual(first.getheader("Cache-Control"), "no-cache")
+        again = self.server.request("GET", "/page/main.js", headers={"If-None-Match": first.getheader("ETag")})
+        self.assertEqual((again.status, again.data), (304, b""))
+
+    def test_nothing_at_an_address_is_a_page_for_browsers(self):
+        for path in ("/nothing", "/page/none.js", "/v1/systems/none", "/errors/none"):
+            with self.subTest(path):
+                page = self.get(path)
+                self.assertEqual(page.status, 404)
+                self.assertRegex(page.getheader("Content-Type"), "^text/html")
+                self.assertIn("default-src 'none'", page.getheader("Content-Security-Policy"))
+                self.assertRegex(page.data.decode(), "<main>")
+                problem = self.server.request("GET", path)
+                self.assertEqual(problem.getheader("Content-Type"), "application/problem+json")
+        self.assertNotIn("<script>", self.get("/%3Cscript%3E").data.decode())
 
     def test_the_browser_is_told_to_load_nothing_else(self):
         for page, text in self.pages.items():

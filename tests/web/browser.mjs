@@ -1,0 +1,53 @@
+// Debian's Chromium for the tests of the page: a page that notes every complaint, and asks nobody but its own server.
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import { execFile } from "node:child_process";
+import { promisify } from "node:util";
+import process from "node:process";
+
+export const modules = process.env.QDOT_PAGE_MODULES;
+const require = createRequire(`${modules}/here.js`);
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+export const origin = process.env.QDOT_URL;
+const run = promisify(execFile);
+
+export async function launch() {
+  const sandbox = process.getuid() === 0 ? ["--no-sandbox"] : [];
+  return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...sandbox, "--disable-gpu"] });
+}
+
+/** A page with the list of what went wrong on it. */
+export async function newPage(browser, { width = 1280, height = 900, theme = "light", motion = "no-preference" } = {}) {
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, reducedMotion: motion, bypassCSP: false });
+  const page = await context.newPage();
+  const complaints = [];
+  page.on("console", (message) => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
+  page.on("pageerror", (error) => complaints.push(String(error.stack)));
+  page.on("request", (request) => { if (!request.url().startsWith(origin) && !/^(blob|data):/.test(request.url())) complaints.push(`asks ${request.url()}`); });
+  return { page, complaints, context };
+}
+
+/** Opens a view and waits until it stands still: no question under way, and its parts there. */
+export async function open(page, hash, wanted = "main h1") {
+  await page.goto(`${origin}/${hash}`);
+  await page.locator(wanted).first().waitFor();
+  await page.waitForLoadState("networkidle");
+}
+
+/** What axe-core finds, a line each. It is given to the page as a program of the test, which no policy holds back. */
+export async function findings(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Runtime.evaluate", { expression: axe });
+  const { result } = await session.send("Runtime.evaluate", { expression: `axe.run(document, { resultTypes: ["violations"] }).then((all) =>
+    JSON.stringify(all.violations.map((one) => one.id + ": " + one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + " " + (node.any[0]?.message ?? node.all[0]?.message ?? "")).join(" | "))))`,
+    awaitPromise: true, returnByValue: true });
+  await session.detach();
+  return JSON.parse(result.value);
+}
+
+/** What a shell line prints. */
+export async function shell(line) {
+  const { stdout } = await run("sh", ["-c", `${line} --silent --noproxy '*'`], { encoding: "buffer", maxBuffer: 1 << 28 });
+  return stdout;
+}
