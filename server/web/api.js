@@ -47,6 +47,17 @@ async function refuse(response) {
  * @param {string} target @param {RequestInit} options
  */
 async function patiently(target, options) {
+  count(1);
+  try {
+    return await untilAnswered(target, options);
+  } finally {
+    // What is done with the answer comes first.
+    setTimeout(() => count(-1));
+  }
+}
+
+/** @param {string} target @param {RequestInit} options @returns {Promise<Response>} */
+async function untilAnswered(target, options) {
   for (;;) {
     /** @type {Response} */
     let response;
@@ -66,6 +77,21 @@ async function patiently(target, options) {
     say(`The service is busy. Trying again in ${seconds} s.`);
     await pause(seconds, options.signal ?? undefined);
   }
+}
+
+let underWay = 0;
+/** @type {Set<(count: number) => void>} */
+const counters = new Set();
+
+/** Hears how many questions are under way. @param {(count: number) => void} counter */
+export function onAsking(counter) {
+  counters.add(counter);
+}
+
+/** @param {number} change */
+function count(change) {
+  underWay += change;
+  for (const counter of counters) counter(underWay);
 }
 
 /** @type {Map<string, Promise<any>>} */

@@ -1,5 +1,5 @@
 // From the address to its view.
-import { onConnection } from "./api.js";
+import { onAsking, onConnection } from "./api.js";
 import { element } from "./dom.js";
 import { problemNote } from "./foot.js";
 import { addressOf } from "./link.js";
@@ -12,6 +12,19 @@ const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 const connection = /** @type {HTMLElement} */ (document.getElementById("connection"));
 /** @type {AbortController | null} */
 let current = null;
+
+let slow = 0;
+onAsking((count) => {
+  const { dataset } = document.documentElement;
+  clearTimeout(slow);
+  if (count) {
+    dataset.asking = String(count);
+    slow = window.setTimeout(() => { dataset.slow = ""; }, 300);
+  } else {
+    delete dataset.asking;
+    delete dataset.slow;
+  }
+});
 
 onConnection((text) => {
   if (connection.textContent !== text) connection.textContent = text;

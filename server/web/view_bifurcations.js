@@ -135,7 +135,7 @@ export class BifurcationsView {
   /** @param {any} answer */
   table(answer) {
     if (!answer.critical.length) return "";
-    return element("div", { class: "table-frame" }, element("table", {}, element("tbody", {}, ...answer.critical.map((/** @type {any} */ one) =>
+    return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("tbody", {}, ...answer.critical.map((/** @type {any} */ one) =>
       element("tr", {}, element("th", { scope: "row" }, symbolNode(this.parameter), " = ", quantity(one.value, { unit: answer.units[this.parameter], error: one.error })), element("td", {}, one.kind.replaceAll("_", " ")))))));
   }
 }

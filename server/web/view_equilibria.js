@@ -72,7 +72,7 @@ export class EquilibriaView {
   /** @param {any} answer */
   table(answer) {
     const heads = [...this.coordinates.map((/** @type {string} */ name) => symbolNode(name)), "stability", "eigenvalues / s⁻¹", "drawing"];
-    return element("div", { class: "table-frame" }, element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
+    return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
       element("tbody", {}, ...answer.equilibria.map((/** @type {any} */ one) => element("tr", {},
         ...this.coordinates.map((/** @type {string} */ name) => element("td", {}, quantity(one.state[name], { unit: answer.units[name], error: one.error?.[name] || undefined }))),
         element("td", { class: one.stability }, one.stability, one.nonlinear ? `, ${typeof one.nonlinear === "string" ? one.nonlinear : one.nonlinear.stability ?? ""}` : ""),

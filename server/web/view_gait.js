@@ -37,7 +37,7 @@ export class GaitView {
     const row = (/** @type {string} */ title, /** @type {(gait: any) => (Node | string)} */ cell) =>
       element("tr", {}, element("th", { scope: "row" }, title), ...answer.gaits.map((/** @type {any} */ gait) => element("td", {}, cell(gait))));
     const pick = (/** @type {any} */ gait) => element("label", {}, element("input", { type: "radio", name: "gait", checked: gait.kind === this.chosen, onchange: () => this.page.set("_gait", gait.kind) }), `${gait.kind}, ${gait.stable ? "stable" : "unstable"}`);
-    return element("div", { class: "table-frame" }, element("table", {}, element("tbody", {}, row("gait", pick),
+    return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("tbody", {}, row("gait", pick),
       row("step time", (gait) => quantity(gait.step_time, { unit: "s", error: gait.error.step_time })), row("step length", (gait) => quantity(gait.step_length, { unit: "m", error: gait.error.step_length })),
       ...Object.keys(answer.gaits[0].state).map((name) => row(symbol(name), (gait) => quantity(gait.state[name], { unit: answer.units[name], error: gait.error.state[name] }))),
       row("multipliers", (gait) => gait.multipliers.map((/** @type {any} */ m) => short(m.re, 4) + (m.im ? ` ${m.im > 0 ? "+" : "−"} ${short(Math.abs(m.im), 4)} i` : "")).join(", ")))));

@@ -46,7 +46,7 @@ export class ModesView {
   /** @param {any} answer @param {boolean} scaled */
   table(answer, scaled) {
     const heads = ["mode", "ω", "frequency", "period", ...answer.coordinates.map((/** @type {string} */ name) => symbolNode(name)), scaled ? "in one unit" : null].filter((head) => head !== null);
-    return element("div", { class: "table-frame" }, element("table", { class: "modes" },
+    return element("div", { class: "table-frame", tabindex: "0" }, element("table", { class: "modes" },
       element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
       element("tbody", {}, ...answer.modes.map((/** @type {any} */ mode, /** @type {number} */ i) => this.row(answer, mode, i, scaled)))));
   }
@@ -86,7 +86,7 @@ export class ModesView {
   /** @param {any} answer */
   matrices(answer) {
     const show = (/** @type {string} */ title, /** @type {number[][]} */ rows) => element("div", {}, element("h2", {}, title),
-      element("div", { class: "table-frame" }, element("table", { class: "matrix" }, element("tbody", {}, ...rows.map((row) =>
+      element("div", { class: "table-frame", tabindex: "0" }, element("table", { class: "matrix" }, element("tbody", {}, ...rows.map((row) =>
         element("tr", {}, ...row.map((value) => element("td", { class: "number" }, short(value, 6)))))))));
     const isZero = answer.gyroscopic_matrix.flat().every((/** @type {number} */ value) => value === 0);
     return [element("div", { class: "matrices" }, show("Mass matrix", answer.mass_matrix), show("Stiffness matrix", answer.stiffness_matrix),

@@ -69,7 +69,7 @@ export class TurningView {
       element("tr", {}, element("th", { scope: "row" }, word), element("td", {}, quantity(answer[key], { unit: answer.units[key], error: answer.error[key] })),
         element("td", {}, answer[`${key}_deg`] === undefined ? "" : quantity(answer[`${key}_deg`], { unit: "deg", error: answer.error[`${key}_deg`] }))));
     if (answer.period) rows.push(element("tr", {}, element("th", { scope: "row" }, "period"), element("td", {}, quantity(answer.period, { unit: "s", error: answer.error.period })), element("td", {})));
-    return element("div", { class: "table-frame" }, element("table", {}, element("tbody", {}, ...rows)));
+    return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("tbody", {}, ...rows)));
   }
 
   /** @param {any} answer */

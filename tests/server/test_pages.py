@@ -1,16 +1,12 @@
-"""The pages for browsers: their links lead somewhere here, nothing comes from elsewhere, and their program works."""
+"""The pages for browsers: their links lead somewhere here, and nothing comes from elsewhere. tests/web opens them."""
 
 import html.parser
-import json
-import pathlib
 import re
-import subprocess
 import unittest
 import zlib
 
 from running_qdot import RunningQdot
 
-HERE = pathlib.Path(__file__).parent
 PAGES = ("/", "/docs")
 
 
@@ -46,6 +42,8 @@ class Pages(unittest.TestCase):
             targets = Links(text).targets
             self.assertGreater(len(targets), 1)
             for target in targets:
+                if target.startswith("#"):
+                    continue
                 with self.subTest(page=page, target=target):
                     self.assertRegex(target, "^/(?!/)")
                     self.assertEqual(self.get(target).status, 200)
@@ -97,21 +95,6 @@ class Pages(unittest.TestCase):
             self.assertNotIn("unsafe", policy)
             self.assertEqual(Links(text).handlers, [])
             self.assertNotRegex(text, r"<script(?![^>]*src=)|<style")
-
-    def test_every_form_of_the_docs_gets_its_answer_and_so_does_its_line_for_the_shell(self):
-        command = ["node", HERE / "docs_page.mjs", f"http://127.0.0.1:{self.server.port}"]
-        run = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        head, *forms = map(json.loads, run.stdout.splitlines())
-        self.assertIn("Version", head["about"])
-        operations = re.findall('"operationId":', self.get("/openapi.json").data.decode())
-        self.assertEqual(len(forms), len(operations))
-        for form in forms:
-            with self.subTest(form["operation"]):
-                self.assertRegex(form["status"], "^200 ")
-                shell = subprocess.run(["sh", "-c", form["shell"] + " --silent --fail --noproxy '*' --output /dev/null"],
-                                       timeout=60, check=False)
-                self.assertEqual(shell.returncode, 0, form["shell"])
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { execFile } from "node:child_process";
+import assert from "node:assert/strict";
 import { promisify } from "node:util";
 import process from "node:process";
 
@@ -30,9 +31,23 @@ export async function newPage(browser, { width = 1280, height = 900, theme = "li
 
 /** Opens a view and waits until it stands still: no question under way, and its parts there. */
 export async function open(page, hash, wanted = "main h1") {
+  await page.goto("about:blank");  // another fragment alone would load nothing anew
   await page.goto(`${origin}/${hash}`);
   await page.locator(wanted).first().waitFor();
-  await page.waitForLoadState("networkidle");
+  await idle(page);
+}
+
+/** Until nothing is asked any more, and what was answered is shown. */
+export async function idle(page) {
+  await page.waitForFunction(() => new Promise((resolve) => {
+    let quiet = 0;
+    const look = () => {
+      quiet = document.documentElement.dataset.asking ? 0 : quiet + 1;
+      if (quiet > 4) resolve(true);
+      else requestAnimationFrame(look);
+    };
+    look();
+  }));
 }
 
 /** What axe-core finds, a line each. It is given to the page as a program of the test, which no policy holds back. */
@@ -50,4 +65,10 @@ export async function findings(page) {
 export async function shell(line) {
   const { stdout } = await run("sh", ["-c", `${line} --silent --noproxy '*'`], { encoding: "buffer", maxBuffer: 1 << 28 });
   return stdout;
+}
+
+/** A phone shows the page without scrolling sideways. */
+export async function noSidewaysScroll(page) {
+  const [wide, seen] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+  assert.ok(wide <= seen, `the page is ${wide} pixels wide in a window of ${seen}`);
 }

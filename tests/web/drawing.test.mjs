@@ -1,7 +1,7 @@
 // What is drawn is what was answered, at once and smoothly.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, open, origin } from "./browser.mjs";
+import { idle, launch, newPage, open, origin } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -55,7 +55,7 @@ test("a slider moves the drawing, the plots and the curl line", async () => {
   await slider.focus();
   for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
   await page.waitForFunction(() => document.querySelector("pre.curl")?.textContent.includes('"k":'));
-  await page.waitForLoadState("networkidle");
+  await idle(page);
   assert.notEqual(await picture(), before);
   assert.match(page.url(), /k=/);
   assert.deepEqual(complaints, []);

@@ -1,7 +1,7 @@
 // A link opens the same view again, and the lines under a view give the same bytes.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, open, shell } from "./browser.mjs";
+import { idle, launch, newPage, open, shell } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -25,7 +25,7 @@ for (const [hash, endpoint] of views) {
     assert.ok(printed.length > 100);
     JSON.parse(printed);
     if (!hash.startsWith("#/problems")) {
-      await page.waitForLoadState("networkidle");
+      await idle(page);
       const same = seen.filter(({ asked }) => line.includes(asked.replaceAll("'", "'\\''")));
       assert.ok(same.length > 0, line);
       for (const { body } of same) if (body) assert.ok(body.equals(printed));
@@ -43,12 +43,12 @@ test("a link opens the view again, with its numbers, its columns and its scene",
   await first.page.keyboard.press("ArrowRight");
   await first.page.locator("[data-column=energy]").uncheck();
   await first.page.waitForFunction(() => /_show=/.test(location.hash) && /[?&]l=/.test(location.hash));
-  await first.page.waitForLoadState("networkidle");
+  await idle(first.page);
   const line = await first.page.locator("pre.curl").first().textContent();
   const second = await newPage(browser, { motion: "reduce" });
   await second.page.goto(first.page.url());
   await second.page.locator("pre.curl").first().waitFor();
-  await second.page.waitForLoadState("networkidle");
+  await idle(second.page);
   assert.equal(await second.page.locator("pre.curl").first().textContent(), line);
   assert.equal(await second.page.locator("[data-column=energy]").isChecked(), false);
   await first.context.close();

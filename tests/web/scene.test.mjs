@@ -1,7 +1,7 @@
 // A scene of one's own: messages at their places, nothing injected, everything drawn.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, open } from "./browser.mjs";
+import { idle, launch, newPage, open } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -17,10 +17,10 @@ test("five templates open in every view", async () => {
   assert.equal(names.length, 5);
   for (const name of names) {
     await page.getByLabel("Begin with").selectOption(name);
-    await page.waitForLoadState("networkidle");
+    await idle(page);
     for (const view of ["Equations", "Equilibria", "Motion"]) {
       await page.locator(".views").getByRole("link", { name: view }).click();
-      await page.waitForLoadState("networkidle");
+      await idle(page);
       await page.locator("pre.curl").first().waitFor();
     }
     assert.equal(await page.locator(".remark").count(), 0, name);
@@ -60,7 +60,7 @@ test("text that is no JSON is told where it breaks", async () => {
 test("names of the schema are offered where they fit", async () => {
   const { page, context } = await newPage(browser);
   await open(page, "#/scene", ".plot");
-  await page.waitForLoadState("networkidle");
+  await idle(page);
   const text = await page.locator("#scene-text").inputValue();
   const place = text.indexOf('"kind": "particle"') + '"kind": "particle",'.length;
   await page.locator("#scene-text").evaluate((area, at) => { area.focus(); area.setSelectionRange(at, at); }, place);
@@ -85,7 +85,7 @@ test("a hostile scene injects nothing", async () => {
   await page.waitForFunction(() => document.querySelector("h1").textContent.startsWith("<img"));
   for (const view of ["Equations", "Modes", "Motion"]) {
     await page.locator(".views").getByRole("link", { name: view }).click();
-    await page.waitForLoadState("networkidle");
+    await idle(page);
   }
   assert.equal(await page.evaluate(() => window.taken), undefined);
   assert.equal(await page.locator("main img, main script").count(), 0);

@@ -4,7 +4,7 @@ import { spawn } from "node:child_process";
 import { once } from "node:events";
 import process from "node:process";
 import { after, before, test } from "node:test";
-import { launch, newPage, open } from "./browser.mjs";
+import { idle, launch, newPage, open } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -29,7 +29,7 @@ test("by keyboard: from the start to the frequency of a cart with a stiffer spri
   await tabTo(page, /Cart on a spring/);
   await page.keyboard.press("Enter");
   await page.locator(".plot").first().waitFor();
-  await page.waitForLoadState("networkidle");
+  await idle(page);
   await tabTo(page, /drawing|Cart on a spring.*over/);
   await page.keyboard.press(" ");
   await page.keyboard.press("Home");
@@ -106,7 +106,7 @@ test("a service that is killed and started again is waited for, calmly", async (
   const { page, context } = await newPage(browser, { motion: "reduce" });
   await page.goto(`http://127.0.0.1:${first.port}/#/systems/spring_pendulum`);
   await page.locator(".plot").first().waitFor();
-  await page.waitForLoadState("networkidle");
+  await idle(page);
   await end(first.child);
   const field = page.getByRole("textbox", { name: /stiffness/ });
   await field.fill("55");

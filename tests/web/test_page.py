@@ -35,6 +35,12 @@ class Page(unittest.TestCase):
     def test_views(self):
         self.run_file("views.test.mjs")
 
+    def test_access(self):
+        self.run_file("access.test.mjs")
+
+    def test_docs(self):
+        self.run_file("docs.test.mjs")
+
     def test_drawing(self):
         self.run_file("drawing.test.mjs")
 
