@@ -70,7 +70,7 @@ export class NumberControl {
   show(value, typed) {
     if (document.activeElement !== this.slider) this.slider.value = String(toSlider(this.range, value));
     this.slider.setAttribute("aria-valuetext", `${short(value)} ${this.declared.unit}`);
-    if (document.activeElement !== this.field) this.field.value = typed ?? String(Number(value.toPrecision(6)));
+    if (document.activeElement !== this.field) this.field.value = typed ?? String(Number(value.toPrecision(5)));
     this.field.title = String(value);
     this.clear();
   }

@@ -1,7 +1,7 @@
 // Shows /openapi.json: each address once, with its fields, its answer, and forms that send a request.
 import { quoted, read } from "./api.js";
 import { copyButton, element, fill } from "./dom.js";
-import { field, fieldList, membersOf, resolved } from "./schema_text.js";
+import { field, fieldList, membersOf, resolved, rich } from "./schema_text.js";
 
 /** @typedef {Record<string, any>} Operation */
 /** @typedef {{ target: string, method: string, body?: string }} Request */
@@ -98,7 +98,7 @@ function details(api, path, { get, post }) {
   const json = (operation.responses["200"].content ?? {})["application/json"];
   const parameters = (get?.parameters ?? []).map((/** @type {any} */ one) => resolved(api, one));
   const asked = content ? membersOf(api, content.schema) : parameters.length ? [fieldList("Parameters", parameters.flatMap((/** @type {any} */ one) => field(api, one.name, { description: one.description, ...one.schema }, one.required)))] : [];
-  return [element("p", {}, operation.description), ...(post ? [bodyForm(path, post)] : []), ...(get && query !== null ? [queryForm(api, path, get, query)] : []),
+  return [element("p", {}, ...rich(operation.description)), ...(post ? [bodyForm(path, post)] : []), ...(get && query !== null ? [queryForm(api, path, get, query)] : []),
     asked.length ? element("h3", {}, "Request") : "", ...asked, element("h3", {}, "Answer"), ...(json ? membersOf(api, json.schema) : []), element("ul", { class: "statuses" }, ...statuses(api, operation))];
 }
 
@@ -132,7 +132,7 @@ function show(api) {
   const tagOf = (/** @type {Record<string, Operation>} */ methods) => (methods.get ?? methods.post).tags[0];
   // What is for people comes first, what is for those who run the service last.
   const tags = [...api.tags].sort((a, b) => Number(a.name === "operations") - Number(b.name === "operations"));
-  fill(main, ...tags.flatMap((tag) => [element("h2", {}, tag.name), element("p", {}, tag.description),
+  fill(main, ...tags.flatMap((tag) => [element("h2", {}, tag.name), element("p", {}, ...rich(tag.description)),
     ...Object.entries(api.paths).filter((_, i) => tagOf(all[i]) === tag.name).map(([path, methods]) => entry(api, path, /** @type {any} */ (methods)))]));
   fill(/** @type {HTMLElement} */ (document.getElementById("about")), `${api.info.summary} Version ${api.info.version}. ${api.info.description} `, element("a", { href: "/openapi.json" }, "OpenAPI 3.1"));
   const wanted = location.hash ? document.getElementById(location.hash.slice(1)) : null;

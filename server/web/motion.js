@@ -9,6 +9,12 @@ function hermite(a, va, b, vb, h, s) {
   return u * u * ((1 + 2 * s) * a + s * h * va) + s * s * ((1 + 2 * u) * b - u * h * vb);
 }
 
+/** The rate of the same cubic. @param {number} a @param {number} va @param {number} b @param {number} vb @param {number} h @param {number} s in [0, 1] */
+function hermiteRate(a, va, b, vb, h, s) {
+  const u = 1 - s;
+  return u * (1 - 3 * s) * va + s * (3 * s - 2) * vb + (6 * s * u * (b - a)) / h;
+}
+
 /** @param {number[]} sorted @param {number} x the last index whose entry is not beyond x, at least 0 */
 export function lastIndexUpTo(sorted, x) {
   let [low, high] = [0, sorted.length - 1];
@@ -76,7 +82,7 @@ export class Motion {
       const rate = `${name}_dot`;
       const [a, va, b, vb] = [left.values[name], left.values[rate], right.values[name], right.values[rate]];
       values[name] = s === 0 ? a : s === 1 ? b : hermite(a, va, b, vb, h, s);
-      values[rate] = va + s * (vb - va);
+      values[rate] = s === 0 ? va : s === 1 ? vb : hermiteRate(a, va, b, vb, h, s);
     }
     return values;
   }

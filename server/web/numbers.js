@@ -18,10 +18,22 @@ export function symbol(name) {
   return letter + [...parts[2]].map((digit) => subscripts[Number(digit)]).join("");
 }
 
-/** The same for a page: what stands below is a subscript. @param {string} name */
+const letters = new Set(Object.values(greek));
+
+/** The same for a page: a letter is in italics, dots stand clear above it, what comes after p_ is a subscript, and words are words. @param {string} name @returns {HTMLElement} */
 export function symbolNode(name) {
-  const [letter, below] = symbol(name).split("_");
-  return element("i", {}, letter, below === undefined ? "" : element("sub", {}, below));
+  const dots = name.endsWith("_ddot") ? 2 : name.endsWith("_dot") ? 1 : 0;
+  const plain = dots ? name.slice(0, dots === 2 ? -5 : -4) : name;
+  if (plain.startsWith("p_") && plain.length > 2) return element("i", {}, "p", element("sub", {}, symbolNode(plain.slice(2))));
+  const shown = symbol(plain);
+  const isLetter = shown.replace(/[₀-₉]/g, "").length === 1 || letters.has(shown);
+  if (!isLetter) return element("span", {}, shown.replaceAll("_", " ") + "′".repeat(dots));
+  return element("i", { class: dots ? `dots-${dots}` : null }, shown);
+}
+
+/** Words with their Greek letters. @param {string} text */
+export function prose(text) {
+  return text.replace(/\b([A-Za-z]+\d?)(_dot|_ddot)?\b/g, (whole, name) => (greek[name.replace(/\d$/, "")] ? symbol(whole) : whole));
 }
 
 /** A dot stands above the first letter. @param {string} text @param {string} mark */
@@ -33,7 +45,7 @@ function dotted(text, mark) {
 export function unitText(unit) {
   if (!unit || unit === "1") return "";
   return unit.replaceAll("*", "·").replace(/\^(-?\d+)/g, (_, power) =>
-    [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)])).join("")).replace(/^deg$/, "°");
+    [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)])).join("")).replace(/^deg\b/, "°");
 }
 
 /** A real minus sign, and thin spaces between groups of three decimals. @param {string} digits */

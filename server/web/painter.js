@@ -5,7 +5,8 @@
 /** The page's colours, which follow its theme. */
 export function palette() {
   const style = getComputedStyle(document.documentElement);
-  const names = ["ink", "soft", "line", "paper", "blue", "vermillion", "green", "purple", "orange", "sky"];
+  const data = ["blue", "vermillion", "green", "purple", "orange", "sky"];
+  const names = ["ink", "soft", "line", "paper", ...data, ...data.map((name) => `${name}-text`)];
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
@@ -97,7 +98,7 @@ export class Painter {
     const [ux, uy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
     for (let along = 3; along < length; along += 7) {
       const foot = [a[0] + ux * along, a[1] + uy * along];
-      this.path([foot, [foot[0] - 5 * ux - 6 * uy, foot[1] - 5 * uy + 6 * ux]], this.colours.line, 1);
+      this.path([foot, [foot[0] - 5 * ux - 6 * uy, foot[1] - 5 * uy + 6 * ux]], this.colours.soft, 0.8);
     }
     this.path([a, b], this.colours.ink, 1.5);
   }

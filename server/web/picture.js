@@ -1,4 +1,5 @@
 // One instant of a motion: the figure of a scene through a camera.
+import { forces, longest, velocities } from "./arrows.js";
 import { Camera, frameOffsets } from "./camera.js";
 import { distance } from "./figure.js";
 import { symbol } from "./numbers.js";
@@ -40,7 +41,7 @@ export class Picture {
     /** @type {number[][]} */
     this.offsets = [[]];
     /** @type {{ velocity: number, force: number } | null} the largest of the motion */
-    this.arrows = null;
+    this.largest = null;
   }
 
   /** @param {Moving} motion */
@@ -50,7 +51,7 @@ export class Picture {
     if (this.figure.wall) this.placeWall(motion);
     this.camera.watch(motion, this.offsets);
     this.hasGround = this.findGround(motion);
-    this.arrows = null;
+    this.largest = null;
     this.resize();
   }
 
@@ -106,7 +107,7 @@ export class Picture {
     if (shown.ghost) this.drawGhost(shown.ghost, t);
     if (shown.labels) this.drawAngles(values, offset);
     this.drawBodies(values, offset);
-    if (shown.velocities || shown.forces) this.drawArrows(t, values, offset, shown);
+    if (shown.velocities || shown.forces) this.drawArrows(values, offset, shown);
   }
 
   drawGround() {
@@ -191,7 +192,7 @@ export class Picture {
     const motion = /** @type {Moving} */ (this.motion);
     const span = Math.min(2.5, motion.end - motion.start);
     const begin = Math.max(motion.start, t - span);
-    const count = Math.ceil((t - begin) * 60);
+    const count = Math.ceil((t - begin) * 100);
     const times = Array.from({ length: count + 1 }, (_, i) => begin + ((t - begin) * i) / Math.max(1, count));
     const states = times.map((time) => ({ values: this.figure.known(motion.at(time)), offset: this.offsets[motion.section(time)] }));
     const moving = this.figure.masses.length ? this.figure.masses.map((mass) => mass.at) : this.figure.segments.slice(-1).map((part) => part.to);
@@ -235,64 +236,21 @@ export class Picture {
     }
   }
 
-  /** Velocities and forces, each with one scale for the whole motion. @param {number} t @param {Values} values @param {number[]} offset @param {Shown} shown */
-  drawArrows(t, values, offset, shown) {
-    this.arrows ??= { velocity: this.largest((v) => this.velocities(v)), force: this.largest((v) => this.forces(v)) };
-    const longest = 0.22 * Math.min(...this.camera.size);
-    const show = (/** @type {{ at: number[], vector: number[], label: string }[]} */ list, /** @type {number} */ most, /** @type {string} */ colour) => {
-      for (const { at, vector, label } of list) {
-        const shifted = at.map((x, i) => x + (offset[i] ?? 0));
-        const factor = longest / (most * this.camera.scale || 1);
-        this.painter.arrow(this.camera.project(shifted), this.camera.project(shifted.map((x, i) => x + factor * vector[i])), colour, label);
-      }
-    };
-    if (shown.velocities) show(this.velocities(values), this.arrows.velocity, this.painter.colours.green);
-    if (shown.forces) show(this.forces(values), this.arrows.force, this.painter.colours.purple);
+  /** @param {Values} values @param {number[]} offset @param {Shown} shown */
+  drawArrows(values, offset, shown) {
+    const { figure, motion } = this;
+    if (!motion) return;
+    this.largest ??= { velocity: longest(velocities, figure, motion), force: longest(forces, figure, motion) };
+    if (shown.velocities) this.showArrows(velocities(figure, values), this.largest.velocity, offset, this.painter.colours.green);
+    if (shown.forces) this.showArrows(forces(figure, values), this.largest.force, offset, this.painter.colours.purple);
   }
 
-  /** @param {(values: Values) => { vector: number[] }[]} arrows */
-  largest(arrows) {
-    const motion = /** @type {Moving} */ (this.motion);
-    let most = 0;
-    for (let i = 0; i <= 60; ++i) {
-      const values = this.figure.known(motion.at(motion.start + ((motion.end - motion.start) * i) / 60));
-      for (const { vector } of arrows(values)) most = Math.max(most, Math.hypot(...vector));
+  /** @param {import("./arrows.js").Arrow[]} arrows @param {number} most @param {number[]} offset @param {string} colour */
+  showArrows(arrows, most, offset, colour) {
+    const factor = (0.22 * Math.min(...this.camera.size)) / (most * this.camera.scale || 1);
+    for (const { at, vector, label } of arrows) {
+      const foot = at.map((x, i) => x + (offset[i] ?? 0));
+      this.painter.arrow(this.camera.project(foot), this.camera.project(foot.map((x, i) => x + factor * vector[i])), colour, label);
     }
-    return most || 1;
-  }
-
-  /** @param {Values} values */
-  velocities(values) {
-    const h = 1e-5;
-    const shifted = (/** @type {number} */ sign) => {
-      /** @type {Values} */
-      const moved = { ...values, t: values.t + sign * h };
-      for (const name of this.figure.coordinates) moved[name] += sign * h * values[`${name}_dot`];
-      return moved;
-    };
-    const [before, after] = [shifted(-1), shifted(1)];
-    return this.figure.masses.map(({ at }) => {
-      const [a, b] = [at(before), at(after)];
-      return { at: at(values), vector: a.map((x, i) => (b[i] - x) / (2 * h)), label: "v" };
-    });
-  }
-
-  /** Weights, springs and applied forces. @param {Values} values */
-  forces(values) {
-    const { figure } = this;
-    const list = [];
-    for (const { at, mass } of figure.masses) {
-      if (figure.gravity.length && mass > 0) list.push({ at: at(values), vector: figure.gravity.map((g) => g * mass), label: "" });
-    }
-    for (const segment of figure.segments) {
-      if (segment.kind !== "spring" || !segment.force) continue;
-      const [from, to, pull] = [segment.from(values), segment.to(values), segment.force(values)];
-      const length = distance(from, to) || 1;
-      list.push({ at: to, vector: to.map((x, i) => (pull * (from[i] - x)) / length), label: "" });
-    }
-    for (const force of figure.scene.forces ?? []) {
-      list.push({ at: figure.place(force.point)(values), vector: figure.vector(force.vector)(values), label: symbol(force.name ?? "") });
-    }
-    return list;
   }
 }

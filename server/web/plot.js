@@ -2,6 +2,7 @@
 import { Axis } from "./axis.js";
 import { download, element } from "./dom.js";
 import { palette } from "./painter.js";
+import { drawLabels, drawMarker, pixels, thinned } from "./plot_parts.js";
 import { CanvasSurface, SvgSurface } from "./surface.js";
 
 /** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number>, colour: string, label?: string, note?: string, error?: number, dash?: number[], width?: number, alpha?: number, marker?: "dot" | "ring" | "square" | "cross" | "diamond" | "triangle", joined?: boolean }} Series */
@@ -34,6 +35,12 @@ export class Plot {
       element("button", { type: "button", class: "quiet", onclick: () => this.zoom(null), title: "Shows the whole again" }, "whole"),
       element("button", { type: "button", class: "quiet", onclick: () => download(`${name}.svg`, new Blob([this.svg()], { type: "image/svg+xml" })) }, "SVG"),
       element("button", { type: "button", class: "quiet", onclick: () => this.canvas.toBlob((blob) => blob && download(`${name}.png`, blob)) }, "PNG"));
+  }
+
+  /** @param {string} title */
+  setTitle(title) {
+    const words = this.node.querySelector("figcaption span");
+    if (words && words.textContent !== title) words.textContent = title;
   }
 
   /** @param {{ series: Series[], marks?: Mark[], knownUntil?: number, said?: string }} content */
@@ -126,13 +133,14 @@ export class Plot {
       for (const series of this.series) this.drawSeries(surface, series, colours);
     });
     this.drawMarks(surface, colours, top, bottom);
-    if (this.options.hasLabels !== false) this.drawLabels(surface, colours, right);
+    if (this.options.hasLabels !== false) drawLabels(surface, colours, this.series, this.y, right);
   }
 
   layout() {
     const [width, height] = [this.width ?? 600, this.height ?? 200];
     const all = (/** @type {"x" | "y"} */ name) => this.series.flatMap((series) => Array.from(series[name]));
-    this.x.hold(this.zoomed ?? all("x"), this.zoomed || (this.options.onSeek && !this.options.isSquare) ? 0 : 0.05);
+    const ends = this.marks.flatMap(({ x, kind }) => (x !== undefined && kind === "line" ? [x] : []));
+    this.x.hold(this.zoomed ?? [...all("x"), ...ends], this.zoomed || (this.options.onSeek && !this.options.isSquare) ? 0 : 0.05);
     this.y.hold(this.zoomed ? this.seen() : all("y"));
     const hasLabels = this.options.hasLabels !== false && this.series.some((series) => series.label);
     const longest = this.series.reduce((most, { label = "", note = "" }) => Math.max(most, 8 * label.length, 5.8 * note.length), 0);
@@ -182,7 +190,7 @@ export class Plot {
   /** @param {CanvasSurface | SvgSurface} surface @param {Series} series @param {Record<string, string>} colours */
   drawSeries(surface, series, colours) {
     const colour = colours[series.colour] ?? series.colour;
-    const points = this.pixels(series);
+    const points = this.options.isSquare ? pixels(series, this.x, this.y) : thinned(pixels(series, this.x, this.y), Math.abs(this.x.to - this.x.from));
     if (series.error) this.drawBand(surface, points, series.error, colour);
     if (series.joined !== false) {
       const cut = this.x.pixel(this.knownUntil);
@@ -193,25 +201,6 @@ export class Plot {
       if (fades) surface.line(points.filter(([x]) => x >= cut), { ...stroke, alpha: 0.3 });
     }
     if (series.marker) for (const [x, y] of points) if (Number.isFinite(y)) drawMarker(surface, [x, y], series.marker, colour);
-  }
-
-  /** Many rows a pixel become the least and the greatest of them. @param {Series} series @returns {number[][]} */
-  pixels({ x, y }) {
-    const all = Array.from({ length: x.length }, (_, i) => [this.x.pixel(x[i]), this.y.pixel(y[i])]);
-    const width = Math.abs(this.x.to - this.x.from);
-    if (this.options.isSquare || all.length < 4 * width) return all;
-    const thinned = [];
-    for (let i = 0; i < all.length;) {
-      const column = Math.floor(all[i][0]);
-      let [low, high, j] = [all[i], all[i], i];
-      for (; j < all.length && Math.floor(all[j][0]) === column; ++j) {
-        if (all[j][1] < low[1]) low = all[j];
-        if (all[j][1] > high[1]) high = all[j];
-      }
-      thinned.push(all[i], low, high, all[j - 1]);
-      i = j;
-    }
-    return thinned;
   }
 
   /** At true scale: thinner than a pixel it cannot be seen, and the label says it. @param {CanvasSurface | SvgSurface} surface @param {number[][]} points @param {number} error @param {string} colour */
@@ -240,28 +229,11 @@ export class Plot {
       if (at < left - 1 || at > right + 1) continue;
       surface.line([[at, kind === "tick" ? bottom - 9 : top], [at, bottom]], { ...stroke, dash: kind === "tick" ? [] : [5, 4] });
       if (label && at > free) {
-        surface.text(label, [at + 4, kind === "tick" ? bottom - 14 : top + 7], { ...stroke, size: 11 });
+        const isLate = at + 6.5 * label.length > right;
+        surface.text(label, [isLate ? at - 4 : at + 4, kind === "tick" ? bottom - 14 : top + 7], { ...stroke, size: 11, align: isLate ? "right" : "left" });
         free = at + 7 * label.length;
       }
     }
-  }
-
-  /** Names at the ends of the curves, pushed apart where they would overlap. @param {CanvasSurface | SvgSurface} surface @param {Record<string, string>} colours @param {number} right */
-  drawLabels(surface, colours, right) {
-    const labels = this.series.filter((series) => series.label).map((series) => {
-      const ends = Array.from(series.y).filter(Number.isFinite);
-      return { series, y: this.y.pixel(ends[ends.length - 1] ?? 0) };
-    }).sort((a, b) => a.y - b.y);
-    const room = labels.some(({ series }) => series.note) ? 27 : 15;
-    let next = Math.min(...[this.y.from, this.y.to]) + 6;
-    const bottom = Math.max(this.y.from, this.y.to);
-    labels.forEach((label, i) => {
-      const y = Math.max(next, Math.min(label.y, bottom - (labels.length - 1 - i) * room - (room - 12)));
-      const colour = colours[`${label.series.colour}-text`] ?? colours[label.series.colour] ?? label.series.colour;
-      surface.text(label.series.label ?? "", [right + 7, y], { colour, size: 13 });
-      if (label.series.note) surface.text(label.series.note, [right + 7, y + 13], { colour: colours.soft, size: 10 });
-      next = y + room;
-    });
   }
 
   /** A dot where the motion is. @param {number} x @param {number} y */
@@ -280,16 +252,4 @@ export class Plot {
     this.cursor.hidden = !isInside;
     if (isInside) this.cursor.style.transform = `translateX(${at}px)`;
   }
-}
-
-/** @param {CanvasSurface | SvgSurface} surface @param {number[]} at @param {string} marker @param {string} colour */
-function drawMarker(surface, [x, y], marker, colour) {
-  const around = (/** @type {number} */ count, /** @type {number} */ r, /** @type {number} */ turn) =>
-    Array.from({ length: count }, (_, i) => [x + r * Math.sin(turn + (2 * Math.PI * i) / count), y - r * Math.cos(turn + (2 * Math.PI * i) / count)]);
-  if (marker === "ring") { const ring = around(24, 7, 0); surface.line([...ring, ring[0]], { colour, width: 2 }); }
-  else if (marker === "cross") { surface.line([[x - 4, y - 4], [x + 4, y + 4]], { colour, width: 2 }); surface.line([[x - 4, y + 4], [x + 4, y - 4]], { colour, width: 2 }); }
-  else if (marker === "square") surface.area(around(4, 5, Math.PI / 4), colour, 1);
-  else if (marker === "diamond") surface.area(around(4, 5.5, 0), colour, 1);
-  else if (marker === "triangle") surface.area(around(3, 5.5, 0), colour, 1);
-  else surface.area(around(16, 4, 0), colour, 1);
 }

@@ -4,7 +4,7 @@ import { element, fill, mathematics } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot } from "./foot.js";
 import { Motion } from "./motion.js";
-import { quantity } from "./numbers.js";
+import { prose, quantity, short } from "./numbers.js";
 import { Stage } from "./stage.js";
 
 /** "/equations_of_motion/0/equation" as "equation of motion 1". @param {string} pointer */
@@ -26,7 +26,8 @@ function row(name, shown) {
 function rows(name, value, typeset, unit = "") {
   if (value === null || value === undefined) return [];
   if (typeof value === "number") return [row(name, quantity(value, { unit, digits: 12 }))];
-  if (typeof value === "string") return [row(name, typeof typeset === "string" && typeset.startsWith("<math") ? mathematics(typeset) : value.includes(" ") && !/[=*^]/.test(value) ? value : element("code", {}, value))];
+  if (typeof value === "string") return [row(name, typeof typeset === "string" && typeset.startsWith("<math") ? mathematics(typeset) : (value.includes(" ") && !/[=*^]/.test(value)) || /^[a-z]+$/.test(value) ? value : element("code", {}, value))];
+  if (Array.isArray(value) && value.length && value.every((one) => "from_included" in one)) return [row(name, value.map((one) => `${short(one.from, 8)} to ${short(one.to, 8)}`).join("; "))];
   if (typeof value === "boolean") return [row(name, value ? "yes" : "no")];
   return Object.entries(value).filter(([key]) => key !== "latex" && !/error$/.test(key)).flatMap(([key, one]) => {
     const word = /^\d+$/.test(key) ? String(Number(key) + 1) : key.replaceAll("_", " ");
@@ -47,7 +48,7 @@ function sheetNote(sheet) {
   const verdict = sheet.agrees === true ? "The sheet agrees." : sheet.agrees === false ? "The sheet has a misprint." : "";
   return element("aside", { class: sheet.agrees === false ? "sheet differs" : "sheet" },
     element("p", {}, element("strong", {}, `On the sheet, ${sheet.place}${/[.]$/.test(sheet.place) ? "" : "."} `), verdict),
-    sheet.result ? element("p", {}, element("code", {}, sheet.result)) : "", sheet.reason ? element("p", {}, sheet.reason) : "", sheet.erratum ? element("p", {}, sheet.erratum) : "");
+    sheet.result ? element("p", {}, element("code", {}, sheet.result)) : "", sheet.reason ? element("p", {}, prose(sheet.reason)) : "", sheet.erratum ? element("p", {}, prose(sheet.erratum)) : "");
 }
 
 const viewOf = /** @type {Record<string, string>} */ ({ simulate: "motion", turning_points: "turning", equations: "equations", modes: "modes", equilibria: "equilibria", bifurcations: "bifurcations", gait: "gait", accuracy: "accuracy" });
@@ -60,7 +61,7 @@ async function partView(part) {
   const values = new URLSearchParams(Object.entries({ ...body.parameters, ...body.initial }).map(([key, value]) => [key, String(value)]));
   const query = values.toString();
   const typeset = endpoint === "equations" ? await ask("equations", { ...body, form: "mathml" }) : null;
-  return element("section", { class: "part" }, part.part ? element("h2", {}, `Part ${part.part}`) : "", element("p", { class: "question" }, part.question), result(part, typeset), sheetNote(part.sheet),
+  return element("section", { class: "part" }, part.part ? element("h2", {}, `Part ${part.part}`) : "", element("p", { class: "question" }, prose(part.question)), result(part, typeset), sheetNote(part.sheet),
     name ? element("p", {}, element("a", { href: `#/systems/${name}/${viewOf[endpoint] ?? "motion"}${query ? "?" + query : ""}` }, "Open it, and change the numbers")) : "",
     foot({ endpoint, body }));
 }

@@ -3,6 +3,11 @@ import { element } from "./dom.js";
 
 /** @typedef {Record<string, any>} Schema */
 
+/** What is between backticks is code. @param {string} text @returns {(Node | string)[]} */
+export function rich(text) {
+  return text.split("`").map((part, i) => (i % 2 ? element("code", {}, part) : part));
+}
+
 /** What a reference stands for, with what is said beside it. @param {Schema} api @param {Schema | undefined} thing @returns {Schema} */
 export function resolved(api, thing) {
   if (!thing?.$ref) return thing ?? {};
@@ -37,7 +42,7 @@ export function field(api, name, schema, isRequired) {
   const facts = [typeName(schema), unit, bounds(schema), "default" in schema ? `default ${JSON.stringify(schema.default)}` : "", isRequired ? "required" : ""];
   const meaning = schema.description ?? resolved(api, schema).description ?? "";
   const aliases = schema["x-aliases"] ? ` Other programs call it ${schema["x-aliases"].join(", ")}; such a name is refused here, with the hint to write ${name}.` : "";
-  return [element("dt", {}, element("code", {}, name), element("span", { class: "facts" }, facts.filter(Boolean).join(", "))), element("dd", {}, meaning + aliases)];
+  return [element("dt", {}, element("code", {}, name), element("span", { class: "facts" }, facts.filter(Boolean).join(", "))), element("dd", {}, ...rich(meaning + aliases))];
 }
 
 /** @param {string} title @param {HTMLElement[]} fields */

@@ -8,7 +8,7 @@ import { Latest } from "./latest.js";
 import { hashOf, remember } from "./link.js";
 import { Motion } from "./motion.js";
 import { NumberBoard } from "./number_board.js";
-import { short, symbol } from "./numbers.js";
+import { prose, short, symbol } from "./numbers.js";
 import { Stage } from "./stage.js";
 import { Subject } from "./subject.js";
 import { views } from "./views.js";
@@ -185,7 +185,7 @@ export async function showSystem(main, address, name, part, left) {
   if (left.aborted) return;
   document.title = `${scene.title ?? scene.name} · qdot`;
   const page = new SystemPage(main, new Subject(scene, address.values, false), ["systems", name], null, left);
-  fill(main, element("header", { class: "title" }, element("h1", {}, scene.title ?? scene.name), element("p", {}, scene.description ?? "")), page.node);
+  fill(main, element("header", { class: "title" }, element("h1", {}, scene.title ?? scene.name), element("p", {}, prose(scene.description ?? ""))), page.node);
   main.addEventListener("address", (event) => {
     if (page.turnTo(/** @type {CustomEvent} */ (event).detail)) event.preventDefault();
   }, { signal: left });

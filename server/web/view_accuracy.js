@@ -21,7 +21,7 @@ export class AccuracyView {
     this.plot = null;
     this.results = element("div", {});
     this.wish = element("p", { class: "result", "aria-live": "polite" });
-    this.node = element("div", {}, this.slider(), this.wish, this.results, this.overlay());
+    this.node = element("div", {}, this.slider(), this.wish, this.overlay(), this.results);
   }
 
   get wanted() { return Number(this.page.subject.values.get("_error") ?? 1e-6) || 1e-6; }

@@ -40,7 +40,7 @@ export class GaitView {
     return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("tbody", {}, row("gait", pick),
       row("step time", (gait) => quantity(gait.step_time, { unit: "s", error: gait.error.step_time })), row("step length", (gait) => quantity(gait.step_length, { unit: "m", error: gait.error.step_length })),
       ...Object.keys(answer.gaits[0].state).map((name) => row(symbol(name), (gait) => quantity(gait.state[name], { unit: answer.units[name], error: gait.error.state[name] }))),
-      row("multipliers", (gait) => gait.multipliers.map((/** @type {any} */ m) => short(m.re, 4) + (m.im ? ` ${m.im > 0 ? "+" : "−"} ${short(Math.abs(m.im), 4)} i` : "")).join(", ")))));
+      row("multipliers", (gait) => gait.multipliers.filter((/** @type {any} */ m) => m.im >= 0).map((/** @type {any} */ m) => short(m.re, 4) + (m.im ? ` ± ${short(m.im, 4)} i` : "")).join(", ")))));
   }
 
   /** A stumble dies out where all multipliers are inside the unit circle. @param {any[]} gaits */

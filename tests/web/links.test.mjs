@@ -1,7 +1,8 @@
 // A link opens the same view again, and the lines under a view give the same bytes.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { idle, launch, newPage, open, shell } from "./browser.mjs";
+import { idle, launch, newPage, open, origin, shell } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -69,5 +70,33 @@ test("back and forward go through the views", async () => {
   await page.goForward();
   await page.locator("pre.curl[data-endpoint=gait]").waitFor();
   assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("from system to system and from view to view without loading the page anew", async () => {
+  const { page, complaints, context } = await newPage(browser);
+  await open(page, "#/", ".vignette");
+  const { systems } = await (await fetch(`${origin}/v1/systems`)).json();
+  for (const { name, title } of systems) {
+    for (const view of ["motion", "equations"]) {
+      await page.evaluate((hash) => { location.hash = hash; }, `#/systems/${name}/${view}`);
+      await page.locator("h1", { hasText: title }).waitFor();
+      await page.locator(`pre.curl[data-endpoint=${view === "motion" ? "simulate" : "equations"}]`).waitFor();
+    }
+  }
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("a plot goes away as SVG and PNG, a motion as CSV", async () => {
+  const { page, context } = await newPage(browser, { motion: "reduce" });
+  await open(page, "#/systems/cart_pendulum", ".plot");
+  for (const [button, ending, begins] of [["SVG", "svg", "<svg"], ["PNG", "png", "\u0089PNG"], ["download CSV", "csv", "t,x,theta"]]) {
+    const coming = page.waitForEvent("download");
+    await page.getByRole("button", { name: button }).first().click();
+    const file = await coming;
+    assert.match(file.suggestedFilename(), new RegExp(`\\.${ending}$`));
+    assert.ok(readFileSync(await file.path(), "latin1").startsWith(begins), button);
+  }
   await context.close();
 });
