@@ -97,6 +97,9 @@ struct RunRequest {
   std::vector<EventFunction> events{};
   Method method{Method::adams};
   unsigned taylor_order{};  ///< 0: by the tolerance
+  /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
+  /// they may be off by.
+  bool is_reference{false};
   Tolerances tolerances{};  ///< not of gauss
   double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
   Limits limits{};
@@ -138,7 +141,8 @@ struct Run {
   /// between the places where f was evaluated.
   bool bounded{false};
   /// Where steps may hide something that their last coefficients do not show: how much of each component, up
-  /// to each row (rows x dimension). Empty where there is no such step.
+  /// to each row (rows x dimension). Of a reference, with all that its steps may be off by. Empty where there
+  /// is neither.
   std::vector<double> unseen{};
   std::vector<double> unseen_at_end{};  ///< the same where the run ended
 };

@@ -21,9 +21,11 @@ constexpr double loose = 1e-6;
 constexpr double round_off_wanted = 1e-14;  ///< rtol from which on truncation is kept below round-off
 constexpr double below_round_off = 1e-18;
 constexpr unsigned order_at_round_off = 24;
-constexpr int attempts = 60;               ///< at one step, each half as long
-constexpr double largest_defect = 1e3;     ///< of an unbounded step, at its end, in units of the tolerance
-constexpr double allowed_defect = 100;     ///< of a bounded step, times its length, in units of the tolerance
+constexpr int attempts = 60;            ///< at one step, each half as long
+constexpr double largest_defect = 1e3;  ///< of an unbounded step, at its end, in units of the tolerance
+/// Of a bounded step, times its length, in units of the tolerance. They are 1 to 100, as it happens: the
+/// worst step of a reference has to be better than a lucky one of the run that it measures.
+constexpr double allowed_defect = 100, allowed_of_reference = 10;
 constexpr int most_bounds = 120;           ///< tried for one step
 constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
 constexpr double least_share = 0.5, grown_share = 1.03;
@@ -236,7 +238,8 @@ class TaylorStepper final : public Stepper {
   /// one had to be a little shorter than wanted, this one is tried so.
   Bound bounded(double h) {
     if (!system_.defect) return {h, false};
-    for (std::size_t i = 0; i < y_.size(); ++i) allowed_[i] = allowed_defect * weight(i);
+    const double allowed = request_.is_reference ? allowed_of_reference : allowed_defect;
+    for (std::size_t i = 0; i < y_.size(); ++i) allowed_[i] = allowed * weight(i);
     const auto excess = [&](double length) { return system_.defect(length, allowed_, defect_); };
     double good = h * share_, bad = infinity;
     share_ = std::min(1.0, grown_share * share_);
@@ -270,13 +273,21 @@ class TaylorStepper final : public Stepper {
     return good;
   }
 
-  /// What the step may hide: what its last coefficients do not show. It moves on with the velocities.
+  /// What the step may hide: what its last coefficients do not show. It moves on with the velocities. What a
+  /// reference may be off by anyway is much less, and only summed.
   void note_unseen(double h) {
     const std::size_t n = y_.size() / 2;
-    if (find_hidden(h)) unseen_.resize(y_.size());
-    if (unseen_.empty()) return;
-    for (std::size_t i = 0; i < y_.size(); ++i) unseen_[i] += hidden_[i];
-    for (std::size_t i = 0; i < n; ++i) unseen_[i] += h * unseen_[n + i];
+    const bool hides = find_hidden(h);
+    if (hides) hidden_so_far_.resize(y_.size());
+    for (std::size_t i = 0; i < hidden_so_far_.size(); ++i) hidden_so_far_[i] += hidden_[i];
+    for (std::size_t i = 0; i < n && !hidden_so_far_.empty(); ++i) {
+      hidden_so_far_[i] += h * hidden_so_far_[n + i];
+    }
+    if (hides || request_.is_reference) unseen_.resize(y_.size());
+    for (std::size_t i = 0; i < unseen_.size(); ++i) {
+      if (request_.is_reference) off_so_far_[i] += h * defect_[i];
+      unseen_[i] = off_so_far_[i] + (hidden_so_far_.empty() ? 0 : hidden_so_far_[i]);
+    }
   }
 
   /// hidden_: what of the bound of each component its last coefficients do not show. Whether there is any.
@@ -357,7 +368,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> beyond_ = std::vector<double>(coefficients_.size());
   std::vector<double> rise_ = std::vector<double>(y_.size()), slope_ = rise_;
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
-  std::vector<double> unseen_;
+  std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
   bool bounded_{true};
   double share_{1};  ///< of the length wanted, to begin with
   std::uint64_t steps_{}, evaluations_{};

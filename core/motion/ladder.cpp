@@ -154,6 +154,8 @@ class Ladder {
   void state(const std::vector<Simulation>& others) {
     RowComparison comparison = compare(motion(), others, doubt_);
     result_.max_abs_error = std::move(comparison.max_abs_error);
+    result_.event_errors = std::move(comparison.event_errors);
+    result_.stop_error = comparison.stop_error;
     result_.horizon = comparison.horizon;
     contradicts_ = !comparison.changed.empty();
     if (contradicts_) result_.reason = contradiction(comparison.changed);

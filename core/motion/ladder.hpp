@@ -5,10 +5,11 @@
 // motion, from ten to a million. So a motion is computed twice, the second time a hundred times tighter and
 // by another method or order; where the second is much more accurate, the difference of the two is the error
 // of the first. The returned motion is the first, and its error is twice the largest difference met up to
-// each instant (row_errors.hpp). The second has parameters and initial values changed in their last bits, so
-// that a difference is not small by chance. Where both are as tight as double precision allows, what rounding
-// does to the motion, that of the numbers that were typed included, is measured in double-doubles
-// (extended_motion.hpp); a motion with impacts is computed a third time instead, from the other side.
+// each instant (row_errors.hpp), and what the steps of the second may be off by. The second has parameters
+// and initial values changed in their last bits, so that a difference is not small by chance. Where both are
+// as tight as double precision allows, what rounding does to the motion, that of the numbers that were typed
+// included, is measured in double-doubles (extended_motion.hpp); a motion with impacts is computed a third
+// time instead, from the other side.
 //
 // Method gauss has a step in place of tolerances:
 // it is checked by the tightest run there is, and does not climb.
@@ -43,6 +44,10 @@ struct MeasuredSimulation {
   Tolerances tolerances;  ///< of the run that is returned; not of gauss
   /// Of each coordinate and velocity, over the returned rows; empty when it could not be measured: `reason`.
   std::vector<double> max_abs_error;
+  /// Of the times of the events and of the stop, in s; no value where the motion grazes, or beyond the last
+  /// row.
+  std::vector<std::optional<double>> event_errors;
+  std::optional<double> stop_error;
   /// The first returned instant where the error passes 1e-3 of a column's largest magnitude.
   std::optional<double> horizon;
   std::optional<bool> meets_request;  ///< no value where no error was wanted

@@ -56,6 +56,7 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   request.method = motion.is_stiff ? Method::bdf : Method::taylor;
   const bool is_loose = motion.simulation.method != Method::gauss && motion.tolerances.rtol >= loose;
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
+  request.is_reference = true;
   request.tolerances = tolerances_of_check(motion);
   nudge(request.parameters, direction);
   nudge(request.y_start, direction);

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <span>
 
+#include "core/motion/event_errors.hpp"
 #include "core/motion/kept_quantities.hpp"
 #include "core/motion/row_errors.hpp"
 
 namespace qdot {
 namespace {
 
+constexpr double safety = 2;     ///< as in row_errors.cpp
+constexpr double part = 0.1;     ///< of its own time, in which no difference changes its sign twice
 constexpr double useful = 1e-3;  ///< horizon: of a column's largest magnitude
 
 /// What the checks may have missed up to a row; empty where there is nothing.
@@ -35,7 +38,8 @@ class Comparing {
         workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)) {}
 
   RowComparison compare(double doubt) {
-    RowComparison result{.max_abs_error = std::vector<double>(width_), .horizon = {}, .changed = {}};
+    RowComparison result;
+    result.max_abs_error.resize(width_);
     std::size_t rows = motion_.simulation.rows;
     for (const Simulation& other : others_) rows = std::min(rows, other.rows);
     std::vector<double> stated;  // of each row
@@ -48,6 +52,7 @@ class Comparing {
       result.max_abs_error = std::move(error);
     }
     result.changed = changed(stated);
+    add_event_errors(stated, result);
     return result;
   }
 
@@ -61,6 +66,7 @@ class Comparing {
     for (const Simulation& other : others_) same_row.push_back(row_of(other, row));
     std::vector<double> missed = unseen_at(others_, row, width_);
     add_rounding_of_instant(row, missed);
+    add_slopes_of_differences(row, same_row, missed);
     errors_.add(row_of(motion_.simulation, row), same_row, missed);
     return errors_.so_far();
   }
@@ -81,6 +87,40 @@ class Comparing {
     }
   }
 
+  /// A difference may be passing zero at a row, by chance, but then its slope is not zero: that of
+  /// coordinates is the difference of velocities. So much it may be half-way to the next row, or a tenth of
+  /// the motion's own time L_q / L_v away.
+  void add_slopes_of_differences(std::size_t row, const std::vector<std::span<const double>>& same_row,
+                                 std::vector<double>& missed) const {
+    const std::size_t n = width_ / 2;
+    const std::span<const double> y = row_of(motion_.simulation, row);
+    const std::vector<double>& t = motion_.grid.t;
+    const double to_next = row + 1 < t.size() ? t[row + 1] - t[row] : row > 0 ? t[row] - t[row - 1] : 0;
+    const auto difference = [&](std::size_t k) {
+      double largest = 0;
+      for (const auto& other : same_row) largest = std::max(largest, std::abs(y[k] - other[k]));
+      return largest;
+    };
+    missed.resize(width_);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double tau = largest_[i] / largest_[n + i];
+      if (!(tau > 0) || !std::isfinite(tau)) continue;
+      const double away = std::min(to_next / 2, part * tau);
+      missed[i] += away * difference(n + i);
+      missed[n + i] += away / tau * (difference(i) / tau);
+    }
+  }
+
+  /// In which the motion goes once through what its coordinates range over, were it ever as fast as at most.
+  [[nodiscard]] double own_time() const {
+    double time = 0;
+    for (std::size_t i = 0; i < width_ / 2; ++i) {
+      const double tau = largest_[i] / largest_[width_ / 2 + i];
+      if (std::isfinite(tau)) time = std::max(time, tau);
+    }
+    return time;
+  }
+
   [[nodiscard]] bool is_useful(const std::vector<double>& error) const {
     for (std::size_t k = 0; k < width_; ++k) {
       if (error[k] > useful * scale_[k]) return false;
@@ -96,6 +136,38 @@ class Comparing {
                           .errors = stated};
     return changed_conserved_quantity(motion_.dynamics, motion_.request.parameters, rows,
                                       motion_.simulation.sections);
+  }
+
+  /// Errors are taken some rows after an event: the first ones may be small by chance.
+  void add_event_errors(const std::vector<double>& stated, RowComparison& result) const {
+    const Simulation& motion = motion_.simulation;
+    if (motion.events.empty() && !motion.stop) return;
+    EventErrors errors(motion_.dynamics, motion_.request, largest_);
+    const std::span<const double> rows = std::span(motion_.grid.t).first(stated.size() / width_);
+    const auto errors_at = [&](double t) {
+      if (rows.empty() || t > rows.back()) return std::span<const double>();
+      const auto row = std::ranges::lower_bound(rows, t + own_time()) - rows.begin();
+      return std::span(stated).subspan(std::min(static_cast<std::size_t>(row), rows.size() - 1) * width_,
+                                       width_);
+    };
+    for (const EventRecord& event : motion.events) {
+      const auto of_state = errors_at(event.t);
+      result.event_errors.push_back(of_state.empty() ? std::nullopt : errors.of(event, of_state));
+    }
+    if (motion.stop && !rows.empty()) result.stop_error = stop_error(errors, errors_at(rows.back()));
+  }
+
+  /// The computations have each its own; they may agree by chance, and the last row is before all of them.
+  [[nodiscard]] std::optional<double> stop_error(EventErrors& errors,
+                                                 std::span<const double> of_state) const {
+    const Stop& stop = *motion_.simulation.stop;
+    std::optional<double> error;
+    for (const Simulation& other : others_) {
+      if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
+      error = std::max(error.value_or(0), safety * std::abs(other.stop->t - stop.t));
+    }
+    const auto least = errors.of(stop, motion_.simulation.y, of_state);
+    return error && least ? std::optional(std::max(*error, *least)) : std::nullopt;
   }
 
   const ComputedMotion& motion_;

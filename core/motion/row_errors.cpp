@@ -31,7 +31,8 @@ void RowErrors::add(std::span<const double> row, std::span<const std::span<const
   if (!lost_) return;
   widen(row);
   for (const auto& other : others) widen(other);
-  for (std::size_t k = 0; k < row.size(); ++k) error_[k] = std::max(error_[k], highest_[k] - lowest_[k]);
+  for (std::size_t k = 0; k < row.size(); ++k)
+    error_[k] = std::max(error_[k], safety * (highest_[k] - lowest_[k]));
 }
 
 void RowErrors::widen(std::span<const double> row) {

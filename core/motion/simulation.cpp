@@ -110,6 +110,7 @@ class Simulator {
     run.grid = std::span(request_.grid).subspan(result_.rows);
     run.method = request_.method;
     run.taylor_order = request_.taylor_order;
+    run.is_reference = request_.is_reference;
     run.tolerances = request_.tolerances;
     run.h = request_.h;
     run.limits = request_.limits;

@@ -24,9 +24,10 @@ struct SimulationRequest {
   Impacts impacts{Impacts::apply};
   std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one
   Method method{Method::adams};
-  unsigned taylor_order{};  ///< 0: by the tolerance
-  Tolerances tolerances;    ///< not of gauss
-  double h{};               ///< step of gauss
+  unsigned taylor_order{};   ///< 0: by the tolerance
+  bool is_reference{false};  ///< RunRequest::is_reference
+  Tolerances tolerances;     ///< not of gauss
+  double h{};                ///< step of gauss
   Limits limits;
 };
 

@@ -5,6 +5,7 @@
 #include "api/answers/simulate/extended.hpp"
 #include "api/answers/simulate/request.hpp"
 #include "api/answers/simulate/terms.hpp"
+#include "api/answers/stated.hpp"
 
 namespace qdot::api {
 namespace {
@@ -97,12 +98,7 @@ class SimulationAnswer {
     writer.begin_object();
     write_head(writer, scene(), system_.echo);
     writer.member("status", status());
-    if (result_.stop) {
-      writer.member(
-          "stop",
-          {{"reason", result_.stop->reason}, {"t", result_.stop->t}, {"message", result_.stop->message}},
-          digits());
-    }
+    if (result_.stop) writer.member("stop", stop_json(), digits());
     writer.member("t_reached", result_.t, digits());
     writer.key("trajectory");
     writer.columns(table_, digits());
@@ -117,13 +113,37 @@ class SimulationAnswer {
         .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
   }
 
+  [[nodiscard]] Json stop_json() const {
+    Json json{{"reason", result_.stop->reason}, {"t", result_.stop->t}, {"message", result_.stop->message}};
+    if (measured_.stop_error)
+      json["error"] = stated_error(Stated{result_.stop->t, *measured_.stop_error}, digits());
+    return json;
+  }
+
+  void add_error(Json& event, std::size_t i) const {
+    if (measured_.max_abs_error.empty()) return;
+    const std::vector<std::optional<double>>& errors = measured_.event_errors;
+    if (i < errors.size() && errors[i]) {
+      event["error"] = stated_error(Stated{result_.events[i].t, *errors[i]}, digits());
+      return;
+    }
+    event["error"] = nullptr;
+    event["reason"] =
+        "It is too near to where the event would not happen, or after the last row, for the error "
+        "of its time to be told.";
+  }
+
   /// Writes one event after the other, because all of them as one JSON value would take many times the memory
   /// of their text.
   void write_events(JsonWriter& writer) const {
     writer.key("events");
     writer.begin_array();
-    for (const EventRecord& event : result_.events) {
-      writer.value({{"name", event.name}, {"t", event.t}, {"state", state_json(scene(), event.y)}}, digits());
+    for (std::size_t i = 0; i < result_.events.size(); ++i) {
+      const EventRecord& event = result_.events[i];
+      Json json{{"name", event.name}, {"t", event.t}};
+      add_error(json, i);
+      json["state"] = state_json(scene(), event.y);
+      writer.value(json, digits());
     }
     writer.end_array();
   }
@@ -202,7 +222,7 @@ class SimulationAnswer {
       for (std::size_t i = 0; digits() != shortest_digits && i < column.values.size(); ++i) {
         lost = std::max(lost, std::abs(rounded(column.values[i], digits()) - column.values[i]));
       }
-      json[column.name] = measured_.max_abs_error[k] + lost;
+      json[column.name] = stated_bound(measured_.max_abs_error[k] + lost, shortest_digits);
     }
     return json;
   }

@@ -30,11 +30,11 @@ TEST(RowErrors, AreNeverBelowTheRoundingOfANumber) {
   EXPECT_EQ(errors.so_far()[1], 1e6 * 0x1p-52);
 }
 
-TEST(RowErrors, AreTheRangeOfValuesOnceTheMotionIsLost) {
+TEST(RowErrors, AreTwiceTheRangeOfValuesOnceTheMotionIsLost) {
   RowErrors errors({10, 10});
   add(errors, {10, 5}, {{10, 7.6}});  // 5.2 of 10 in doubt, in the second column
   add(errors, {-8, 7}, {{-8, 7}});    // agreement by chance
-  EXPECT_EQ(errors.so_far()[0], 18);
+  EXPECT_EQ(errors.so_far()[0], 36);
   EXPECT_NEAR(errors.so_far()[1], 5.2, 1e-14);
 }
 

@@ -1,0 +1,137 @@
+"""The stated error of the time of an event, and of a stop, against times that are known in closed form: roots of
+a parabola, of sines, and elliptic integrals of the plane pendulum, to 40 digits."""
+
+import os
+import pathlib
+import random
+import statistics
+import sys
+import unittest
+
+import mpmath
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, strict_json  # noqa: E402
+
+mpmath.mp.dps = 40
+CASES = int(os.environ.get("QDOT_EVENT_CASES", "30"))
+mpf = mpmath.mpf
+
+
+def particle(potential, wall=None):
+    scene = {"name": "particle_on_a_line",
+             "parameters": [{"name": "m", "unit": "kg", "default": "1"}, {"name": "k", "unit": "N/m", "default": "1"},
+                            {"name": "a", "unit": "N", "default": "1"}, {"name": "L", "unit": "m", "default": "1"}],
+             "coordinates": [{"name": "x", "unit": "m", "initial": "0", "initial_rate": "0"}],
+             "points": [{"name": "P", "components": ["x", "0"]}],
+             "bodies": [{"kind": "particle", "name": "body", "mass": "m", "position": "P"}],
+             "potential": potential}
+    if wall:
+        scene["valid_while"] = [{"name": "room", "unit": "m", "expression": wall, "reason": "hit",
+                                 "message": "The particle hit the wall."}]
+    return scene
+
+
+def places_of(wave, level, end):
+    """Of amplitude*cos(w t + p) = level, in (0, end)."""
+    amplitude, w, p = wave
+    angle = mpmath.acos(level / amplitude)
+    turns = int(end * w / (2 * mpmath.pi)) + 3
+    times = [(sign * angle - p + 2 * mpmath.pi * n) / w for n in range(-3, turns) for sign in (1, -1)]
+    return sorted(t for t in times if 0 < t < end)
+
+
+def pendulum_times(amplitude, level, w, end):
+    """Of theta = level from rest at theta = amplitude: sin(theta/2) = k sn(K - w t)."""
+    k = mpmath.sin(amplitude / 2)
+    quarter = mpmath.ellipk(k**2)
+    place = mpmath.ellipf(mpmath.asin(mpmath.sin(level / 2) / k), k**2)
+    turns = int(end * w / (4 * quarter)) + 2
+    times = [(quarter + sign * (quarter - place) - quarter + 4 * quarter * n) / w
+             for n in range(-1, turns) for sign in (1, -1)]
+    return sorted(t for t in times if 0 < t < end)
+
+
+class EventTimes(Service):
+    def setUp(self):
+        self.ratios = []
+        self.random = random.Random(2407)
+
+    def events(self, request, expected):
+        answer = strict_json(self.post("simulate", request).data)
+        self.assertIn("events", answer, answer)
+        self.assertEqual(len(answer["events"]), len(expected), request)
+        for event, t in zip(answer["events"], expected):
+            self.judge(event, t, request)
+
+    def judge(self, found, t, request):
+        self.assertIsNotNone(found.get("error"), (found, request))
+        true = abs(mpf(found["t"]) - t)
+        self.assertLessEqual(true, mpf(found["error"]), (found, request))
+        if true > 4e-16 * abs(t):
+            self.ratios.append(float(mpf(found["error"]) / true))
+
+    def tolerance(self):
+        return self.random.choice([{"rtol": 10.0 ** self.random.uniform(-13, -5)}, {"accuracy": "fast"},
+                                   {"max_error": 10.0 ** self.random.uniform(-12, -4)}, {}])
+
+    def test_of_a_plane_pendulum(self):
+        for _ in range(CASES):
+            amplitude = mpf(round(self.random.uniform(0.1, 3.1), 6))
+            level = mpf(str(round(float(amplitude) * self.random.uniform(-0.95, 0.95), 6)))
+            end = round(self.random.uniform(1, 12), 3)
+            length = self.random.choice([0.3, 1, 2.5])
+            request = {"system": "whirling_pendulum", "parameters": {"R": 0, "Omega": 0, "l": length, "g": 9.81},
+                       "initial": {"theta": float(amplitude)}, "t_end": end, "samples": 5,
+                       "events": [f"theta={mpmath.nstr(level, 12)}"], **self.tolerance()}
+            amplitude = mpf(str(request["initial"]["theta"]))
+            w = mpmath.sqrt(mpf("9.81") / mpf(str(length)))
+            self.events(request, pendulum_times(amplitude, level, w, mpf(str(end))))
+        self.assertGreater(len(self.ratios), CASES)
+        self.assertLess(statistics.median(self.ratios), 100)
+
+    def test_of_an_oscillator_and_its_wall(self):
+        for _ in range(CASES):
+            k = round(self.random.uniform(0.2, 30), 4)
+            x, v = round(self.random.uniform(-1, 1), 4), round(self.random.uniform(0.5, 3), 4)
+            end = round(self.random.uniform(1, 9), 3)
+            w = mpmath.sqrt(mpf(str(k)))
+            a, b = mpf(str(x)), mpf(str(v)) / w
+            wave = (mpmath.hypot(a, b), w, mpmath.atan2(-b, a))
+            level = mpf(str(round(float(wave[0]) * self.random.uniform(-0.98, 0.98), 5)))
+            request = {"system": particle("k*x^2/2"), "parameters": {"k": k}, "initial": {"x": x, "x_dot": v},
+                       "t_end": end, "samples": 4, "events": [f"x={mpmath.nstr(level, 12)}*L"], **self.tolerance()}
+            self.events(request, places_of(wave, level, mpf(str(end))))
+            self.wall(request, wave, level)
+        self.assertGreater(len(self.ratios), CASES)
+        self.assertLess(statistics.median(self.ratios), 100)
+
+    def wall(self, request, wave, level):
+        x = mpf(str(request["initial"]["x"]))
+        request = {**request, "system": particle("k*x^2/2", "L - x" if x < level else "x - L"), "events": [],
+                   "parameters": {**request["parameters"], "L": float(level)}}
+        answer = strict_json(self.post("simulate", request).data)
+        times = places_of(wave, level, mpf(str(request["t_end"])))
+        self.assertEqual(answer.get("status"), "stopped" if times else "complete", answer)
+        if times:
+            self.judge(answer["stop"], times[0], request)
+
+    def test_of_a_throw_that_grazes(self):
+        """x = v t - t^2/2 meets its greatest height twice, ever nearer to one place."""
+        for n in range(1, CASES + 1):
+            depth = mpf(10) ** (-14 * mpf(n) / CASES)
+            level = mpmath.nstr(mpf(2) - depth, 20)
+            scene = particle("a*x")
+            request = {"system": scene, "initial": {"x": 0, "x_dot": 2}, "t_end": 4, "samples": 3,
+                       "events": [f"x={level}*L"]}
+            answer = strict_json(self.post("simulate", request).data)
+            depth = 2 - mpf(level)
+            for event, t in zip(answer["events"], [2 - mpmath.sqrt(2 * depth), 2 + mpmath.sqrt(2 * depth)]):
+                if event["error"] is None:
+                    self.assertTrue(event["reason"])
+                else:
+                    self.judge(event, t, request)
+
+
+if __name__ == "__main__":
+    unittest.main()
