@@ -13,6 +13,8 @@ export class NumberBoard {
     this.change = change;
     /** @type {Map<string, NumberControl>} */
     this.controls = new Map();
+    /** @type {Map<string, HTMLInputElement>} */
+    this.inputs = new Map();
     const { scene } = subject;
     const defaults = defaultsOf(scene);
     const parameters = (scene.parameters ?? []).map((/** @type {any} */ one) => this.control(one, defaults[one.name]));
@@ -20,7 +22,14 @@ export class NumberBoard {
       parameters.length ? element("fieldset", {}, element("legend", {}, "Parameters"), ...parameters) : "",
       element("fieldset", {}, element("legend", {}, "Start"), ...this.startControls(defaults)),
       element("fieldset", {}, element("legend", {}, "Motion"), ...this.inputFields(), this.durationControl(), this.accuracyChoice()),
+      element("p", {}, element("button", { type: "button", onclick: () => this.resetAll() }, "All defaults")),
       element("p", { class: "hint" }, "A field takes units and formulas: 30deg, 12 cm, 2*m*g/l. A double click on a slider takes its default back."));
+  }
+
+  resetAll() {
+    for (const name of [...this.controls.keys(), ...this.subject.inputs, "accuracy"]) this.subject.values.delete(name);
+    for (const [name, field] of this.inputs) field.value = this.subject.scene.inputs.find((/** @type {any} */ one) => one.name === name)?.default ?? "0";
+    this.change("accuracy", null);
   }
 
   /** @param {any} declared @param {number} initial */
@@ -43,6 +52,7 @@ export class NumberBoard {
       const id = `input-${input.name}`;
       const field = element("input", { type: "text", id, class: "value wide", spellcheck: "false", autocomplete: "off",
         value: this.subject.values.get(input.name) ?? input.default ?? "0", placeholder: "0.8*cos(4*t)", onchange: () => this.change(input.name, field.value.trim() || null) });
+      this.inputs.set(input.name, field);
       return element("div", { class: "number-row" }, element("label", { for: id, title: input.meaning ?? "" },
         element("i", {}, input.name), `(t)`, element("span", { class: "meaning" }, input.meaning ?? "")), field, element("span", { class: "unit" }, input.unit ?? ""));
     });

@@ -7,7 +7,7 @@ import { CanvasSurface, SvgSurface } from "./surface.js";
 
 /** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number>, colour: string, label?: string, note?: string, error?: number, dash?: number[], width?: number, alpha?: number, marker?: "dot" | "ring" | "square" | "cross" | "diamond" | "triangle", joined?: boolean }} Series */
 /** @typedef {{ x?: number, y?: number, label?: string, colour?: string, kind?: "tick" | "line" }} Mark */
-/** @typedef {{ title: string, x: import("./axis.js").Axis | any, y: any, isSquare?: boolean, hasEqualScales?: boolean, hasLabels?: boolean, onSeek?: (x: number) => void, onPick?: (x: number, y: number) => void, height?: number }} PlotOptions */
+/** @typedef {{ title: string, x: import("./axis.js").Axis | any, y: any, isSquare?: boolean, hasEqualScales?: boolean, hasLabels?: boolean, onSeek?: (x: number) => void, onPick?: (x: number, y: number) => void, isDraggable?: boolean, height?: number }} PlotOptions */
 
 export class Plot {
   /** @param {PlotOptions} options */
@@ -73,20 +73,26 @@ export class Plot {
     event.preventDefault();
   }
 
-  /** A click goes to that instant; a drag zooms. @param {PointerEvent} event */
+  /** A click goes to that instant; a drag zooms, or takes along what can be picked. @param {PointerEvent} event */
   select(event) {
     const box = this.canvas.getBoundingClientRect();
     const begin = event.clientX - box.left;
+    const pick = (/** @type {PointerEvent} */ now) => this.options.onPick?.(this.x.value(now.clientX - box.left), this.y.value(now.clientY - box.top));
     this.canvas.setPointerCapture(event.pointerId);
-    this.canvas.addEventListener("pointerup", (/** @type {PointerEvent} */ end) => {
-      const [a, b] = [this.x.value(begin), this.x.value(end.clientX - box.left)];
-      if (Math.abs(end.clientX - event.clientX) < 5) {
-        this.options.onSeek?.(a);
-        this.options.onPick?.(a, this.y.value(event.clientY - box.top));
-      } else if (!this.x.isLogarithmic && !this.options.onPick) {
-        this.zoom([Math.min(a, b), Math.max(a, b)]);
-      }
-    }, { once: true });
+    if (this.options.isDraggable) this.canvas.addEventListener("pointermove", pick);
+    const end = (/** @type {PointerEvent} */ last) => {
+      this.canvas.removeEventListener("pointermove", pick);
+      this.canvas.removeEventListener("pointerup", end);
+      this.canvas.removeEventListener("pointercancel", end);
+      if (last.type === "pointercancel") return;
+      const [a, b] = [this.x.value(begin), this.x.value(last.clientX - box.left)];
+      const isClick = Math.abs(last.clientX - event.clientX) < 5;
+      if (isClick) this.options.onSeek?.(a);
+      if (isClick || this.options.isDraggable) pick(last);
+      else if (!this.x.isLogarithmic && !this.options.onPick) this.zoom([Math.min(a, b), Math.max(a, b)]);
+    };
+    this.canvas.addEventListener("pointerup", end);
+    this.canvas.addEventListener("pointercancel", end);
   }
 
   /** @param {[number, number] | null} range */
@@ -191,7 +197,7 @@ export class Plot {
   drawSeries(surface, series, colours) {
     const colour = colours[series.colour] ?? series.colour;
     const points = this.options.isSquare ? pixels(series, this.x, this.y) : thinned(pixels(series, this.x, this.y), Math.abs(this.x.to - this.x.from));
-    if (series.error) this.drawBand(surface, points, series.error, colour);
+    if (series.error) this.drawBand(surface, points, series, colour);
     if (series.joined !== false) {
       const cut = this.x.pixel(this.knownUntil);
       const fades = Number.isFinite(this.knownUntil);
@@ -203,12 +209,23 @@ export class Plot {
     if (series.marker) for (const [x, y] of points) if (Number.isFinite(y)) drawMarker(surface, [x, y], series.marker, colour);
   }
 
-  /** At true scale: thinner than a pixel it cannot be seen, and the label says it. @param {CanvasSurface | SvgSurface} surface @param {number[][]} points @param {number} error @param {string} colour */
-  drawBand(surface, points, error, colour) {
-    const half = Math.abs(this.y.pixel(this.y.value(0) + error) - this.y.pixel(this.y.value(0)));
-    if (half < 0.5) return;
-    const usable = points.filter(([, y]) => Number.isFinite(y));
-    surface.area([...usable.map(([x, y]) => [x, y - half]), ...usable.reverse().map(([x, y]) => [x, y + half])], colour, 0.18);
+  /**
+   * The stated error is that of the worst row. Up to the horizon it is at most a thousandth of the column's size. At true
+   * scale: where it is thinner than a pixel it cannot be seen, and the label says it.
+   * @param {CanvasSurface | SvgSurface} surface @param {number[][]} points @param {Series} series @param {string} colour
+   */
+  drawBand(surface, points, series, colour) {
+    const scale = Math.abs(this.y.to - this.y.from) / (this.y.high - this.y.low);
+    const size = Array.from(series.y).reduce((most, value) => Math.max(most, Math.abs(value) || 0), 0);
+    const worst = series.error ?? 0;
+    const cut = this.x.pixel(this.knownUntil);
+    const early = Number.isFinite(this.knownUntil) ? Math.min(worst, 1e-3 * size) : worst;
+    for (const [error, part] of /** @type {[number, number[][]][]} */ ([[early, points.filter(([x]) => !(x > cut))], [worst, points.filter(([x]) => x > cut)]])) {
+      const half = Math.min(error * scale, 1e4);
+      const usable = part.filter(([, y]) => Number.isFinite(y));
+      if (half < 0.5 || usable.length < 2) continue;
+      surface.area([...usable.map(([x, y]) => [x, y - half]), ...usable.reverse().map(([x, y]) => [x, y + half])], colour, 0.16);
+    }
   }
 
   /** @param {CanvasSurface | SvgSurface} surface @param {Record<string, string>} colours @param {number} top @param {number} bottom */

@@ -153,10 +153,11 @@ export class Stage {
     pictures.set(this.canvas, this.picture);
   }
 
-  /** @param {Moving & { tellingInstant?: () => number }} motion @param {string} [ending] why it ends where it ends */
-  setMotion(motion, ending = "") {
+  /** @param {Moving & { tellingInstant?: () => number }} motion @param {string} [ending] why it ends where it ends @param {number | null} [horizon] until when it is known */
+  setMotion(motion, ending = "", horizon = null) {
     this.motion = motion;
     this.ending = ending;
+    this.horizon = horizon ?? Infinity;
     this.picture?.setMotion(motion);
     if (this.scrub) [this.scrub.min, this.scrub.max] = [String(motion.start), String(motion.end)];
     this.clock.setRange(motion.start, motion.end);
@@ -172,8 +173,11 @@ export class Stage {
     if (this.reading) this.reading.textContent = `t = ${short(Number(clock.time.toFixed(2)))} s`;
     const label = clock.plays ? "Pause" : clock.time >= clock.end ? "Again" : "Play";
     if (this.playButton && this.playButton.textContent !== label) this.playButton.textContent = label;
-    const said = clock.time >= clock.end ? this.ending ?? "" : "";
+    const isLost = clock.time > (this.horizon ?? Infinity);
+    const lost = isLost ? `Known until ${short(Number(this.horizon))} s only: from there on this may be another motion. ` : "";
+    const said = lost + (clock.time >= clock.end ? this.ending ?? "" : "");
     if (this.said && this.said.textContent !== said) this.said.textContent = said;
+    this.canvas.classList.toggle("lost", isLost);
     this.picture?.draw(clock.time, this.shown);
   }
 }

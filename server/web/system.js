@@ -135,7 +135,7 @@ export class SystemPage {
     if (!answer || !figure || !motion) return;
     this.stage.node.hidden = figure.dimension === 0;
     this.stage.setFigure(figure);
-    this.stage.setMotion(motion, answer.stop ? answer.stop.message : "");
+    this.stage.setMotion(motion, answer.stop ? answer.stop.message : "", answer.accuracy.horizon);
     this.stage.canvas.setAttribute("aria-label", sentence(answer, this.subject.scene));
   }
 

@@ -50,14 +50,14 @@ export class AccuracyView {
       this.answer = await ask("accuracy", body, signal);
       this.shown = key;
       this.plot ??= this.newPlot();
-      fill(this.results, this.plot.node, element("p", { class: "quiet-words" }, "Work is counted in evaluations of the accelerations, so that it is the same on every machine. The heavy line is what nothing beats."), foot({ endpoint: "accuracy", body }));
+      fill(this.results, this.plot.node, element("p", { class: "quiet-words" }, "Work is counted in evaluations of the accelerations, so that it is the same on every machine. The heavy line is what nothing beats; the dashed one can be dragged."), foot({ endpoint: "accuracy", body }));
     }
     this.drawPoints();
     this.showWish();
   }
 
   newPlot() {
-    return new Plot({ title: "Error against work", height: 360, x: { label: "largest error", isLogarithmic: true, isReversed: true }, y: { label: "evaluations", isLogarithmic: true }, onPick: (x) => this.want(x) });
+    return new Plot({ title: "Error against work", height: 360, x: { label: "largest error", isLogarithmic: true, isReversed: true }, y: { label: "evaluations", isLogarithmic: true }, onPick: (x) => this.want(x), isDraggable: true });
   }
 
   drawPoints() {

@@ -8,23 +8,40 @@ import { typed } from "./subject.js";
 
 /** @typedef {import("./system.js").SystemPage} SystemPage */
 
-/** Pieces of a branch with one stability each. @param {any} branch @param {string} parameter @param {string} column */
-function pieces(branch, parameter, column) {
-  /** @type {{ stability: string, x: number[], y: number[] }[]} */
+/** @typedef {{ stability: string, x: number[], y: number[] }} Piece */
+
+/** Pieces of a branch with one stability each; a piece ends at the critical value where there is one. @param {any} branch @param {string} parameter @param {string} column @param {any[]} critical @returns {Piece[]} */
+function pieces(branch, parameter, column, critical) {
+  /** @type {Piece[]} */
   const found = [];
   branch.stability.forEach((/** @type {string} */ stability, /** @type {number} */ i) => {
+    const [x, y] = [branch[parameter][i], branch[column][i]];
     const last = found[found.length - 1];
-    const point = /** @type {[number, number]} */ ([branch[parameter][i], branch[column][i]]);
-    const turns = last && Math.abs(point[1] - last.y[last.y.length - 1]) > 3;
-    if (!last || last.stability !== stability || turns) {
-      if (last && !turns) { last.x.push(point[0]); last.y.push(point[1]); }
-      found.push({ stability, x: [point[0]], y: [point[1]] });
-    } else {
-      last.x.push(point[0]);
-      last.y.push(point[1]);
+    const [before, above] = last ? [last.x[last.x.length - 1], last.y[last.y.length - 1]] : [x, y];
+    const turns = Math.abs(y - above) > 3;  // an angle that goes round
+    if (last && last.stability === stability && !turns) {
+      last.x.push(x);
+      last.y.push(y);
+      return;
     }
+    const between = critical.find((one) => Math.min(before, x) <= one.value && one.value <= Math.max(before, x) && one.state?.[column] !== undefined &&
+      Math.abs(one.state[column] - y) <= Math.abs(above - y) + 1e-9);
+    const [meetX, meetY] = between ? [between.value, between.state[column]] : [x, y];
+    if (last && !turns) { last.x.push(meetX); last.y.push(meetY); }
+    found.push({ stability, x: last && !turns ? [meetX, x] : [x], y: last && !turns ? [meetY, y] : [y] });
   });
   return found;
+}
+
+/** The columns in which the branches differ; where none does, the first. @param {any} answer @param {string[]} coordinates @returns {string[]} */
+function tellingColumns(answer, coordinates) {
+  const present = coordinates.filter((name) => answer.branches?.[0]?.[name]);
+  const varies = (/** @type {string} */ name) => {
+    const all = answer.branches.flatMap((/** @type {any} */ branch) => branch[name]);
+    return all.some((/** @type {number} */ value) => Math.abs(value - all[0]) > 1e-9 * (1 + Math.abs(value)));
+  };
+  const telling = present.filter(varies);
+  return telling.length ? telling : present.slice(0, 1);
 }
 
 export class BifurcationsView {
@@ -62,7 +79,7 @@ export class BifurcationsView {
     this.fromField = element("input", { type: "text", class: "value", "aria-label": "from", onchange: () => this.page.set("_from", this.fromField?.value || null) });
     this.toField = element("input", { type: "text", class: "value", "aria-label": "to", onchange: () => this.page.set("_to", this.toField?.value || null) });
     this.fillRange();
-    return element("p", { class: "solver" }, element("label", { for: "bifurcation-of" }, "Equilibria as "), select, " goes from ", this.fromField, " to ", this.toField);
+    return element("p", { class: "solver" }, element("label", { for: "bifurcation-of" }, this.page.subject.scene.impact ? "Gaits as " : "Equilibria as "), select, " goes from ", this.fromField, " to ", this.toField);
   }
 
   fillRange() {
@@ -97,9 +114,8 @@ export class BifurcationsView {
 
   /** @param {any} answer @param {any} body */
   showAnswer(answer, body) {
-    const columns = this.page.subject.coordinates.filter((/** @type {string} */ name) => answer.branches?.[0]?.[name]);
     this.answer = answer;
-    this.plots = columns.map((/** @type {string} */ name) => this.diagram(answer, name));
+    this.plots = tellingColumns(answer, this.page.subject.coordinates).map((/** @type {string} */ name) => this.diagram(answer, name));
     fill(this.results, this.words(answer), this.table(answer), ...this.plots.map((/** @type {Plot} */ plot) => plot.node),
       element("p", { class: "quiet-words" }, "Heavy lines are stable, dashed ones unstable. A click takes the parameter there."), foot({ endpoint: "bifurcations", body }));
     this.plots.forEach((/** @type {Plot} */ plot) => plot.resize());
@@ -110,9 +126,9 @@ export class BifurcationsView {
   diagram(answer, column) {
     const { parameter } = this;
     const unit = unitText(answer.units[column]);
-    const plot = new Plot({ title: `${symbol(column)} of the equilibria`, height: 280, hasLabels: false, x: { label: [symbol(parameter), unitText(answer.units[parameter])].filter(Boolean).join(" / ") },
+    const plot = new Plot({ title: `${symbol(column)} of the ${answer.of ?? "equilibria"}`, height: 280, hasLabels: false, x: { label: [symbol(parameter), unitText(answer.units[parameter])].filter(Boolean).join(" / ") },
       y: { label: unit ? `${symbol(column)} / ${unit}` : symbol(column) }, onPick: (x) => this.page.set(parameter, String(Number(x.toPrecision(4)))) });
-    const series = answer.branches.flatMap((/** @type {any} */ branch) => pieces(branch, parameter, column).map(({ stability, x, y }) => ({
+    const series = answer.branches.flatMap((/** @type {any} */ branch) => pieces(branch, parameter, column, answer.critical).map(({ stability, x, y }) => ({
       x, y, colour: stability === "stable" ? "blue" : "soft", width: stability === "stable" ? 2.5 : 1.5, dash: stability === "unstable" ? [5, 4] : stability === "neutral" ? [1, 3] : [],
     })));
     const critical = answer.critical.filter((/** @type {any} */ one) => one.state?.[column] !== undefined);
@@ -128,8 +144,8 @@ export class BifurcationsView {
   /** @param {any} answer */
   words(answer) {
     const count = answer.critical.length;
-    return element("p", {}, count === 0 ? "Nothing changes in this range" : count === 1 ? "One critical value" : `${count} critical values`,
-      answer.complete ? ", proven to be all." : ".", typeof answer.reason === "string" ? ` ${answer.reason}` : "");
+    const said = count === 0 ? `Nothing changes in this range${answer.complete ? "; that is proven." : "."}` : `${count === 1 ? "One critical value" : `${count} critical values`}${answer.complete ? ", proven to be all." : "."}`;
+    return element("p", {}, said, typeof answer.reason === "string" ? ` ${answer.reason}` : "");
   }
 
   /** @param {any} answer */

@@ -172,7 +172,7 @@ export class MotionView {
   sentences(answer) {
     const { accuracy, diagnostics } = answer;
     const worst = Object.entries(accuracy.max_abs_error ?? {}).map(([name, error]) => `${symbol(name)} ${plusMinus(error, answer.units[name])}`);
-    const said = [element("p", {}, `Error of every row, ${accuracy.bounded ? "each step proven" : "measured"}: ${worst.join(", ")}.`)];
+    const said = [element("p", {}, `Error of ${accuracy.horizon === null ? "every" : "the worst"} row, ${accuracy.bounded ? "each step proven" : "measured"}: ${worst.join(", ")}.`)];
     if (accuracy.reason) said.push(element("p", {}, accuracy.reason));
     if (accuracy.horizon !== null) said.push(element("p", { class: "known-until" }, `Known until ${short(accuracy.horizon)} s.`));
     if (answer.stop) said.push(element("p", { class: "ending" }, `It stops at ${short(answer.stop.t)} s. ${answer.stop.message}`));

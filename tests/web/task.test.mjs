@@ -118,3 +118,47 @@ test("a service that is killed and started again is waited for, calmly", async (
   await end(second.child);
   await context.close();
 });
+
+test("a busy service is waited for as long as it asks, with the old picture kept", async () => {
+  const { page, context } = await newPage(browser, { motion: "reduce" });
+  await open(page, "#/systems/spring_pendulum", ".plot");
+  let refusals = 0;
+  await page.route("**/v1/simulate", (route) => {
+    refusals += 1;
+    if (refusals > 1) return route.continue();
+    return route.fulfill({ status: 503, headers: { "Retry-After": "1" }, contentType: "application/problem+json", body: '{"title": "busy", "status": 503, "detail": "busy"}' });
+  });
+  const field = page.getByRole("textbox", { name: /stiffness/ });
+  await field.fill("33");
+  await field.press("Tab");
+  await page.waitForFunction(() => document.getElementById("connection").textContent === "The service is busy. Trying again in 1 s.");
+  assert.equal(await page.locator("canvas.plot").count() > 0, true);
+  await page.waitForFunction(() => document.getElementById("connection").textContent === "" && document.querySelector("pre.curl").textContent.includes('"k":33'));
+  assert.equal(refusals, 2);
+  await page.getByRole("button", { name: "All defaults" }).click();
+  await page.waitForFunction(() => !document.querySelector("pre.curl").textContent.includes('"k"'));
+  await context.close();
+});
+
+test("many wishes in a row are not all asked: the newest is", async () => {
+  const { page, context } = await newPage(browser, { motion: "reduce" });
+  await open(page, "#/systems/spring_pendulum", ".plot");
+  const asked = [];
+  await page.route("**/v1/simulate", async (route) => {
+    asked.push(JSON.parse(route.request().postData()).parameters?.k);
+    await new Promise((resolve) => { setTimeout(resolve, 120); });
+    await route.continue().catch(() => {});
+  });
+  await page.getByLabel("k, slider").evaluate(async (slider) => {
+    for (let i = 1; i <= 60; ++i) {
+      slider.value = String(0.3 + i / 200);
+      slider.dispatchEvent(new Event("input"));
+      await new Promise(requestAnimationFrame);
+    }
+  });
+  await idle(page);
+  const last = Number(await page.getByRole("textbox", { name: /stiffness/ }).inputValue());
+  assert.equal(asked.at(-1), last);
+  assert.ok(asked.length < 30, `${asked.length} questions`);
+  await context.close();
+});
