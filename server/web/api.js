@@ -32,7 +32,14 @@ function say(text) {
 function pause(seconds, signal) {
   return new Promise((resolve, reject) => {
     const timer = setTimeout(resolve, 1000 * seconds);
-    signal?.addEventListener("abort", () => { clearTimeout(timer); reject(signal.reason); }, { once: true });
+    signal?.addEventListener(
+      "abort",
+      () => {
+        clearTimeout(timer);
+        reject(signal.reason);
+      },
+      { once: true },
+    );
   });
 }
 
@@ -110,7 +117,10 @@ export function read(target) {
 /** The answer to a question. @param {string} endpoint @param {Body} body @param {AbortSignal} [signal] @returns {Promise<any>} */
 export async function ask(endpoint, body, signal) {
   const response = await patiently(`/v1/${endpoint}`, {
-    method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal,
+    method: "POST",
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify(body),
+    signal,
   });
   return response.json();
 }
@@ -118,7 +128,9 @@ export async function ask(endpoint, body, signal) {
 /** The answer as CSV. @param {string} endpoint @param {Body} body */
 export async function askForTable(endpoint, body) {
   const response = await patiently(`/v1/${endpoint}`, {
-    method: "POST", headers: { "Content-Type": "application/json", Accept: "text/csv" }, body: JSON.stringify(body),
+    method: "POST",
+    headers: { "Content-Type": "application/json", Accept: "text/csv" },
+    body: JSON.stringify(body),
   });
   return response.blob();
 }
@@ -136,6 +148,8 @@ export function curlLine(endpoint, body) {
 /** The lines that ask the same in Python. @param {string} endpoint @param {Body} body */
 export function pythonLines(endpoint, body) {
   const text = JSON.stringify(body, null, 1).replaceAll("\\", "\\\\").replaceAll('"""', '\\"\\"\\"');
-  return `import json, urllib.request\n\nrequest = json.loads("""${text}""")\n` +
-    `answer = json.load(urllib.request.urlopen("${location.origin}/v1/${endpoint}", json.dumps(request).encode()))\n`;
+  return (
+    `import json, urllib.request\n\nrequest = json.loads("""${text}""")\n` +
+    `answer = json.load(urllib.request.urlopen("${location.origin}/v1/${endpoint}", json.dumps(request).encode()))\n`
+  );
 }

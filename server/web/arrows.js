@@ -35,8 +35,11 @@ export function forces(figure, values) {
   const heavy = figure.gravity.length ? figure.masses.filter(({ mass }) => mass > 0) : [];
   const weights = heavy.map(({ at, mass }) => ({ at: at(values), vector: figure.gravity.map((g) => g * mass), label: "" }));
   const springs = figure.segments.filter(({ kind }) => kind === "spring").map((segment) => pull(segment, values));
-  const applied = (figure.scene.forces ?? []).map((/** @type {any} */ force) =>
-    ({ at: figure.place(force.point)(values), vector: figure.vector(force.vector)(values), label: symbol(force.name ?? "") }));
+  const applied = (figure.scene.forces ?? []).map((/** @type {any} */ force) => ({
+    at: figure.place(force.point)(values),
+    vector: figure.vector(force.vector)(values),
+    label: symbol(force.name ?? ""),
+  }));
   return [...weights, ...springs, ...applied];
 }
 

@@ -22,7 +22,9 @@ export class Axis {
   }
 
   /** @param {number} value */
-  scaled(value) { return this.isLogarithmic ? Math.log10(value) : value; }
+  scaled(value) {
+    return this.isLogarithmic ? Math.log10(value) : value;
+  }
 
   /** The range that holds these values, with some air. @param {number[]} values @param {number} [air] */
   hold(values, air = 0.06) {
@@ -57,7 +59,9 @@ export class Axis {
 
   /** @param {number} most @returns {{ value: number, text: string }[]} */
   ticks(most) {
-    const step = this.isLogarithmic ? Math.max(1, Math.ceil((this.high - this.low) / most)) : niceStep(this.high - this.low, most);
+    const step = this.isLogarithmic
+      ? Math.max(1, Math.ceil((this.high - this.low) / most))
+      : niceStep(this.high - this.low, most);
     const ticks = [];
     for (let k = Math.ceil(this.low / step - 1e-9); k * step <= this.high + 1e-9 * step; ++k) {
       const scaled = Number((k * step).toPrecision(12));

@@ -105,6 +105,9 @@ export class Camera {
     const heights = points.map((p) => p[2]);
     const [bottom, top] = [heights.reduce((a, b) => Math.min(a, b)), heights.reduce((a, b) => Math.max(a, b))];
     const [ce, se] = [Math.cos(this.elevation), Math.abs(Math.sin(this.elevation))];
-    return [[-radius, ce * bottom - se * radius], [radius, ce * top + se * radius]];
+    return [
+      [-radius, ce * bottom - se * radius],
+      [radius, ce * top + se * radius],
+    ];
   }
 }

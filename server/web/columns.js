@@ -11,8 +11,14 @@ function conditionsOf(scene) {
 
 /** Every column that can be shown. @param {Subject} subject @returns {string[]} */
 export function allColumns({ scene, coordinates, velocities, parameters }) {
-  const names = [...coordinates, ...velocities, ...coordinates.map((/** @type {string} */ q) => `${q}_ddot`), ...coordinates.map((/** @type {string} */ q) => `p_${q}`),
-    "energy", ...conditionsOf(scene)];
+  const names = [
+    ...coordinates,
+    ...velocities,
+    ...coordinates.map((/** @type {string} */ q) => `${q}_ddot`),
+    ...coordinates.map((/** @type {string} */ q) => `p_${q}`),
+    "energy",
+    ...conditionsOf(scene),
+  ];
   const taken = new Set([...names, ...parameters]);
   return [...names, ...["T", "V"].filter((name) => !taken.has(name))];
 }
@@ -27,7 +33,9 @@ export function includeOf(name, scene) {
 
 /** When a column jumps: a coordinate may go on smoothly through an impact that turns its rate. @param {any} answer @param {string} name @returns {number[]} */
 export function jumpTimes(answer, name) {
-  return (answer.strides ?? []).filter((/** @type {any} */ one) => !(name in one.state) || one.state[name] !== one.pre_impact[name]).map((/** @type {any} */ one) => one.t);
+  return (answer.strides ?? [])
+    .filter((/** @type {any} */ one) => !(name in one.state) || one.state[name] !== one.pre_impact[name])
+    .map((/** @type {any} */ one) => one.t);
 }
 
 /** A curve is broken where the state jumps. @param {number[]} times @param {number[]} column @param {number[]} jumps */
@@ -38,7 +46,10 @@ export function broken(times, column, jumps) {
   /** @type {number[]} */
   const y = [];
   times.forEach((t, i) => {
-    if (i && jumps.some((jump) => jump > times[i - 1] && jump <= t)) { x.push(t); y.push(NaN); }
+    if (i && jumps.some((jump) => jump > times[i - 1] && jump <= t)) {
+      x.push(t);
+      y.push(NaN);
+    }
     x.push(t);
     y.push(column[i]);
   });

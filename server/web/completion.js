@@ -3,8 +3,19 @@
 /** @param {any} schema @param {any} root @returns {any[]} the schemas that it stands for, its references followed */
 function alternatives(schema, root) {
   if (!schema) return [];
-  if (schema.$ref) return alternatives(schema.$ref.slice(2).split("/").reduce((/** @type {any} */ place, /** @type {string} */ key) => place?.[key], root), root);
-  const more = [...(schema.anyOf ?? []), ...(schema.oneOf ?? []), ...(schema.allOf ?? []).flatMap((/** @type {any} */ one) => [one, one.then].filter(Boolean))];
+  if (schema.$ref)
+    return alternatives(
+      schema.$ref
+        .slice(2)
+        .split("/")
+        .reduce((/** @type {any} */ place, /** @type {string} */ key) => place?.[key], root),
+      root,
+    );
+  const more = [
+    ...(schema.anyOf ?? []),
+    ...(schema.oneOf ?? []),
+    ...(schema.allOf ?? []).flatMap((/** @type {any} */ one) => [one, one.then].filter(Boolean)),
+  ];
   return [schema, ...more.flatMap((one) => alternatives(one, root))];
 }
 
@@ -47,7 +58,8 @@ export function completions(schema, text) {
   if (!isInObject || /:\s*"?[^",]*$/.test(text.slice(Math.max(text.lastIndexOf(","), text.lastIndexOf("{"))))) return [];
   const found = new Map();
   for (const one of schemasAt(schema, path)) {
-    for (const [word, about] of Object.entries(one.properties ?? {})) found.set(word, /** @type {any} */ (about).description ?? "");
+    for (const [word, about] of Object.entries(one.properties ?? {}))
+      found.set(word, /** @type {any} */ (about).description ?? "");
   }
   return [...found].filter(([word]) => word.startsWith(typed)).map(([word, meaning]) => ({ word, meaning }));
 }

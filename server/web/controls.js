@@ -8,7 +8,11 @@ import { short, symbolNode, unitText } from "./numbers.js";
 function bounds(domain) {
   if (!domain) return { low: -Infinity, high: Infinity, open: false };
   if (typeof domain !== "string") {
-    return { low: domain.exclusiveMinimum ?? domain.minimum ?? -Infinity, high: domain.exclusiveMaximum ?? domain.maximum ?? Infinity, open: "exclusiveMinimum" in domain };
+    return {
+      low: domain.exclusiveMinimum ?? domain.minimum ?? -Infinity,
+      high: domain.exclusiveMaximum ?? domain.maximum ?? Infinity,
+      open: "exclusiveMinimum" in domain,
+    };
   }
   const result = { low: -Infinity, high: Infinity, open: false };
   for (const [, sign, number] of domain.matchAll(/([<>]=?)\s*(-?[\d.e+-]+)/g)) {
@@ -33,10 +37,10 @@ export function usefulRange({ domain, unit }, value) {
 
 /** @param {Range} range @param {number} value */
 const toSlider = ({ low, high, isLogarithmic }, value) =>
-  (isLogarithmic ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low));
+  isLogarithmic ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
 /** @param {Range} range @param {number} place */
 const fromSlider = ({ low, high, isLogarithmic }, place) =>
-  (isLogarithmic ? low * (high / low) ** place : low + place * (high - low));
+  isLogarithmic ? low * (high / low) ** place : low + place * (high - low);
 
 let count = 0;
 
@@ -47,15 +51,40 @@ export class NumberControl {
     this.change = change;
     this.range = usefulRange(declared, initial);
     const id = `number-${++count}`;
-    this.slider = element("input", { type: "range", min: "0", max: "1", step: "any", "aria-label": `${declared.name}, slider`,
-      oninput: () => this.slid(), ondblclick: () => this.change(null) });
-    this.field = element("input", { type: "text", id, class: "value", inputmode: "text", autocomplete: "off", spellcheck: "false",
-      "aria-describedby": `${id}-problem`, onchange: () => this.change(this.field.value.trim() || null) });
+    this.slider = element("input", {
+      type: "range",
+      min: "0",
+      max: "1",
+      step: "any",
+      "aria-label": `${declared.name}, slider`,
+      oninput: () => this.slid(),
+      ondblclick: () => this.change(null),
+    });
+    this.field = element("input", {
+      type: "text",
+      id,
+      class: "value",
+      inputmode: "text",
+      autocomplete: "off",
+      spellcheck: "false",
+      "aria-describedby": `${id}-problem`,
+      onchange: () => this.change(this.field.value.trim() || null),
+    });
     this.problem = element("div", { class: "problem", id: `${id}-problem` });
-    this.node = element("div", { class: "number-row" },
-      element("label", { for: id, title: declared.meaning ?? "" }, declared.title ? declared.title : symbolNode(declared.name),
-        element("span", { class: "meaning" }, declared.meaning ?? "")),
-      this.slider, this.field, element("span", { class: "unit" }, unitText(declared.unit)), this.problem);
+    this.node = element(
+      "div",
+      { class: "number-row" },
+      element(
+        "label",
+        { for: id, title: declared.meaning ?? "" },
+        declared.title ? declared.title : symbolNode(declared.name),
+        element("span", { class: "meaning" }, declared.meaning ?? ""),
+      ),
+      this.slider,
+      this.field,
+      element("span", { class: "unit" }, unitText(declared.unit)),
+      this.problem,
+    );
     this.show(initial);
   }
 
@@ -84,6 +113,11 @@ export class NumberControl {
   complain(error) {
     this.field.setAttribute("aria-invalid", "true");
     const wanted = error.did_you_mean;
-    fill(this.problem, error.detail, " ", wanted && element("button", { type: "button", onclick: () => this.change(wanted) }, `use ${wanted}`));
+    fill(
+      this.problem,
+      error.detail,
+      " ",
+      wanted && element("button", { type: "button", onclick: () => this.change(wanted) }, `use ${wanted}`),
+    );
   }
 }

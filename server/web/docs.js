@@ -7,8 +7,13 @@ import { field, fieldList, membersOf, resolved, rich } from "./schema_text.js";
 /** @typedef {{ target: string, method: string, body?: string }} Request */
 
 /** What stands in the place of a name in an address, to begin with. @type {Record<string, string>} */
-const captures = { "/v1/systems/{name}": "cart_pendulum", "/v1/systems/{name}/scene": "cart_pendulum", "/v1/problems/{number}": "8",
-  "/errors/{name}": "invalid-request", "/page/{file}": "style.css" };
+const captures = {
+  "/v1/systems/{name}": "cart_pendulum",
+  "/v1/systems/{name}/scene": "cart_pendulum",
+  "/v1/problems/{number}": "8",
+  "/errors/{name}": "invalid-request",
+  "/page/{file}": "style.css",
+};
 
 /** @param {Request} request */
 function curlOf({ target, method, body }) {
@@ -18,17 +23,30 @@ function curlOf({ target, method, body }) {
 /** A body as the query of the GET twin, where it has one: names flat, lists with commas. @param {any} body */
 function queryOf(body) {
   const entries = Object.entries(body).flatMap(([name, value]) =>
-    (value !== null && typeof value === "object" && !Array.isArray(value) ? Object.entries(value) : [[name, value]]));
-  if (entries.some(([, value]) => typeof value === "object" && !Array.isArray(value) || Array.isArray(value) && value.some((one) => typeof one === "object"))) return null;
+    value !== null && typeof value === "object" && !Array.isArray(value) ? Object.entries(value) : [[name, value]],
+  );
+  if (
+    entries.some(
+      ([, value]) =>
+        (typeof value === "object" && !Array.isArray(value)) ||
+        (Array.isArray(value) && value.some((one) => typeof one === "object")),
+    )
+  )
+    return null;
   return entries.map(([name, value]) => `${name}=${value}`).join("&");
 }
 
 /** Spaces and signs as an address has them; = and & stay what they are. @param {string} query */
 function encoded(query) {
-  return query.split("&").map((part) => {
-    const [name, ...value] = part.split("=");
-    return [name, ...(value.length ? [value.join("=")] : [])].map((text) => encodeURIComponent(text).replaceAll("%2C", ",").replaceAll("%2F", "/")).join("=");
-  }).join("&");
+  return query
+    .split("&")
+    .map((part) => {
+      const [name, ...value] = part.split("=");
+      return [name, ...(value.length ? [value.join("=")] : [])]
+        .map((text) => encodeURIComponent(text).replaceAll("%2C", ",").replaceAll("%2F", "/"))
+        .join("=");
+    })
+    .join("&");
 }
 
 /** @param {Request} request @param {HTMLElement} output */
@@ -48,14 +66,35 @@ async function send(request, output) {
   const longest = 100000;
   if (text.length > longest) text = `${text.slice(0, longest)}\n… (shortened here)`;
   const line = curlOf(request);
-  fill(output, element("p", { class: "status" }, status), element("pre", { tabindex: "0", class: "answer" }, text),
-    element("p", {}, "The same in a shell ", copyButton("copy", () => line)), element("pre", { tabindex: "0", class: "shell" }, line));
+  fill(
+    output,
+    element("p", { class: "status" }, status),
+    element("pre", { tabindex: "0", class: "answer" }, text),
+    element(
+      "p",
+      {},
+      "The same in a shell ",
+      copyButton("copy", () => line),
+    ),
+    element("pre", { tabindex: "0", class: "shell" }, line),
+  );
 }
 
 /** @param {(HTMLElement | string)[]} parts @param {() => Request} request @param {string} label */
 function form(parts, request, label) {
   const output = element("div", { "aria-live": "polite" });
-  return element("form", { onsubmit: (event) => { event.preventDefault(); send(request(), output); } }, ...parts, element("p", {}, element("button", {}, label)), output);
+  return element(
+    "form",
+    {
+      onsubmit: (event) => {
+        event.preventDefault();
+        send(request(), output);
+      },
+    },
+    ...parts,
+    element("p", {}, element("button", {}, label)),
+    output,
+  );
 }
 
 /** @param {string} label @param {HTMLElement} control */
@@ -66,10 +105,20 @@ function bodyForm(path, operation) {
   const content = operation.requestBody.content["application/json"];
   const examples = /** @type {{ summary: string, value: any }[]} */ (Object.values(content.examples ?? {}));
   const text = element("textarea", { class: "code-box", spellcheck: "false", rows: "8" });
-  const show = (/** @type {number} */ i) => { text.value = JSON.stringify(examples[i]?.value ?? {}, null, 2); };
-  const select = element("select", { onchange: () => show(select.selectedIndex) }, ...examples.map((example) => element("option", {}, example.summary)));
+  const show = (/** @type {number} */ i) => {
+    text.value = JSON.stringify(examples[i]?.value ?? {}, null, 2);
+  };
+  const select = element(
+    "select",
+    { onchange: () => show(select.selectedIndex) },
+    ...examples.map((example) => element("option", {}, example.summary)),
+  );
   show(0);
-  return form([examples.length > 1 ? labelled("Example", select) : "", labelled("Body", text)], () => ({ target: path, method: "POST", body: text.value }), "Send as POST");
+  return form(
+    [examples.length > 1 ? labelled("Example", select) : "", labelled("Body", text)],
+    () => ({ target: path, method: "POST", body: text.value }),
+    "Send as POST",
+  );
 }
 
 /** @param {any} api @param {string} path @param {Operation} operation @param {string} query */
@@ -97,9 +146,28 @@ function details(api, path, { get, post }) {
   const operation = post ?? get;
   const json = (operation.responses["200"].content ?? {})["application/json"];
   const parameters = (get?.parameters ?? []).map((/** @type {any} */ one) => resolved(api, one));
-  const asked = content ? membersOf(api, content.schema) : parameters.length ? [fieldList("Parameters", parameters.flatMap((/** @type {any} */ one) => field(api, one.name, { description: one.description, ...one.schema }, one.required)))] : [];
-  return [element("p", {}, ...rich(operation.description)), ...(post ? [bodyForm(path, post)] : []), ...(get && query !== null ? [queryForm(api, path, get, query)] : []),
-    asked.length ? element("h3", {}, "Request") : "", ...asked, element("h3", {}, "Answer"), ...(json ? membersOf(api, json.schema) : []), element("ul", { class: "statuses" }, ...statuses(api, operation))];
+  const asked = content
+    ? membersOf(api, content.schema)
+    : parameters.length
+      ? [
+          fieldList(
+            "Parameters",
+            parameters.flatMap((/** @type {any} */ one) =>
+              field(api, one.name, { description: one.description, ...one.schema }, one.required),
+            ),
+          ),
+        ]
+      : [];
+  return [
+    element("p", {}, ...rich(operation.description)),
+    ...(post ? [bodyForm(path, post)] : []),
+    ...(get && query !== null ? [queryForm(api, path, get, query)] : []),
+    asked.length ? element("h3", {}, "Request") : "",
+    ...asked,
+    element("h3", {}, "Answer"),
+    ...(json ? membersOf(api, json.schema) : []),
+    element("ul", { class: "statuses" }, ...statuses(api, operation)),
+  ];
 }
 
 /** @param {any} api @param {Operation} operation */
@@ -107,19 +175,38 @@ function statuses(api, operation) {
   return Object.entries(operation.responses).map(([status, response]) => {
     const whole = resolved(api, /** @type {any} */ (response));
     const types = Object.keys(whole.content ?? {}).join(", ");
-    return element("li", {}, element("strong", {}, status), ` ${whole.description}`, types ? element("span", { class: "quiet-words" }, ` ${types}`) : "");
+    return element(
+      "li",
+      {},
+      element("strong", {}, status),
+      ` ${whole.description}`,
+      types ? element("span", { class: "quiet-words" }, ` ${types}`) : "",
+    );
   });
 }
 
 /** @param {any} api @param {string} path @param {Record<string, Operation>} methods */
 function entry(api, path, methods) {
   const operation = methods.post ?? methods.get;
-  const names = ["get", "post"].filter((method) => method in methods).map((method) => method.toUpperCase()).join(", ");
-  const view = element("details", { class: "address", id: (methods.get ?? operation).operationId },
-    element("summary", {}, element("code", {}, path), element("span", { class: "summary" }, operation.summary), element("span", { class: "method" }, names)));
+  const names = ["get", "post"]
+    .filter((method) => method in methods)
+    .map((method) => method.toUpperCase())
+    .join(", ");
+  const view = element(
+    "details",
+    { class: "address", id: (methods.get ?? operation).operationId },
+    element(
+      "summary",
+      {},
+      element("code", {}, path),
+      element("span", { class: "summary" }, operation.summary),
+      element("span", { class: "method" }, names),
+    ),
+  );
   // Filled when it is first opened: there are thousands of fields in all.
   view.addEventListener("toggle", () => {
-    if (view.open && view.childElementCount === 1) view.append(element("div", { class: "inside" }, ...details(api, path, methods).filter((one) => one !== "")));
+    if (view.open && view.childElementCount === 1)
+      view.append(element("div", { class: "inside" }, ...details(api, path, methods).filter((one) => one !== "")));
   });
   return view;
 }
@@ -132,13 +219,30 @@ function show(api) {
   const tagOf = (/** @type {Record<string, Operation>} */ methods) => (methods.get ?? methods.post).tags[0];
   // What is for people comes first, what is for those who run the service last.
   const tags = [...api.tags].sort((a, b) => Number(a.name === "operations") - Number(b.name === "operations"));
-  fill(main, ...tags.flatMap((tag) => [element("h2", {}, tag.name), element("p", {}, ...rich(tag.description)),
-    ...Object.entries(api.paths).filter((_, i) => tagOf(all[i]) === tag.name).map(([path, methods]) => entry(api, path, /** @type {any} */ (methods)))]));
-  fill(/** @type {HTMLElement} */ (document.getElementById("about")), `${api.info.summary} Version ${api.info.version}. ${api.info.description} `, element("a", { href: "/openapi.json" }, "OpenAPI 3.1"));
+  fill(
+    main,
+    ...tags.flatMap((tag) => [
+      element("h2", {}, tag.name),
+      element("p", {}, ...rich(tag.description)),
+      ...Object.entries(api.paths)
+        .filter((_, i) => tagOf(all[i]) === tag.name)
+        .map(([path, methods]) => entry(api, path, /** @type {any} */ (methods))),
+    ]),
+  );
+  fill(
+    /** @type {HTMLElement} */ (document.getElementById("about")),
+    `${api.info.summary} Version ${api.info.version}. ${api.info.description} `,
+    element("a", { href: "/openapi.json" }, "OpenAPI 3.1"),
+  );
   const wanted = location.hash ? document.getElementById(location.hash.slice(1)) : null;
-  if (wanted instanceof HTMLDetailsElement) { wanted.open = true; wanted.scrollIntoView(); }
+  if (wanted instanceof HTMLDetailsElement) {
+    wanted.open = true;
+    wanted.scrollIntoView();
+  }
 }
 
-read("/openapi.json").then(show).catch((error) => {
-  fill(/** @type {HTMLElement} */ (document.getElementById("about")), `/openapi.json cannot be read: ${error}`);
-});
+read("/openapi.json")
+  .then(show)
+  .catch((error) => {
+    fill(/** @type {HTMLElement} */ (document.getElementById("about")), `/openapi.json cannot be read: ${error}`);
+  });

@@ -15,7 +15,8 @@ function setAttributes(node, attributes) {
 /** @param {Child[]} children @returns {(Node | string)[]} */
 function present(children) {
   return children.flatMap((child) =>
-    child === null || child === undefined || child === false ? [] : [child instanceof Node ? child : String(child)]);
+    child === null || child === undefined || child === false ? [] : [child instanceof Node ? child : String(child)],
+  );
 }
 
 /**
@@ -36,8 +37,28 @@ export function fill(node, ...children) {
   node.replaceChildren(...present(children));
 }
 
-const mathElements = new Set(["math", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "mover", "msqrt", "mroot",
-  "mtext", "mtable", "mtr", "mtd", "mspace", "mstyle", "munder", "munderover"]);
+const mathElements = new Set([
+  "math",
+  "mrow",
+  "mi",
+  "mn",
+  "mo",
+  "mfrac",
+  "msup",
+  "msub",
+  "msubsup",
+  "mover",
+  "msqrt",
+  "mroot",
+  "mtext",
+  "mtable",
+  "mtr",
+  "mtd",
+  "mspace",
+  "mstyle",
+  "munder",
+  "munderover",
+]);
 const mathAttributes = new Set(["accent", "display", "mathvariant", "stretchy", "fence", "separator"]);
 const mathSpace = "http://www.w3.org/1998/Math/MathML";
 
@@ -46,9 +67,12 @@ function space(copy) {
   for (const operator of copy.children) {
     if (operator.localName !== "mo") continue;
     if (/^[()]$/.test(operator.textContent ?? "") && !copy.querySelector("mfrac")) operator.setAttribute("stretchy", "false");
-    const isBeforeFunction = operator.textContent === "\u2062" && (operator.nextElementSibling?.firstElementChild?.textContent ?? "").length > 1;
-    if (isBeforeFunction && operator.nextElementSibling?.firstElementChild?.localName === "mi") operator.setAttribute("rspace", "0.17em");
-    if (operator.textContent === "\u2061" && !operator.nextElementSibling?.querySelector(":scope > mo")) operator.setAttribute("rspace", "0.17em");
+    const isBeforeFunction =
+      operator.textContent === "\u2062" && (operator.nextElementSibling?.firstElementChild?.textContent ?? "").length > 1;
+    if (isBeforeFunction && operator.nextElementSibling?.firstElementChild?.localName === "mi")
+      operator.setAttribute("rspace", "0.17em");
+    if (operator.textContent === "\u2061" && !operator.nextElementSibling?.querySelector(":scope > mo"))
+      operator.setAttribute("rspace", "0.17em");
   }
 }
 
@@ -74,11 +98,21 @@ export function mathematics(markup) {
 
 /** A button that copies a text and says so. @param {string} label @param {() => string} text */
 export function copyButton(label, text) {
-  const button = element("button", { type: "button", class: "quiet", onclick: async () => {
-    await navigator.clipboard.writeText(text());
-    button.textContent = "copied";
-    setTimeout(() => { button.textContent = label; }, 1500);
-  } }, label);
+  const button = element(
+    "button",
+    {
+      type: "button",
+      class: "quiet",
+      onclick: async () => {
+        await navigator.clipboard.writeText(text());
+        button.textContent = "copied";
+        setTimeout(() => {
+          button.textContent = label;
+        }, 1500);
+      },
+    },
+    label,
+  );
   return button;
 }
 

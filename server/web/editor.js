@@ -12,12 +12,35 @@ export class Editor {
     /** @type {any} the schema of scenes, once it is there */
     this.schema = null;
     this.gutter = element("div", { class: "gutter", "aria-hidden": "true" });
-    this.area = element("textarea", { class: "code", id: "scene-text", spellcheck: "false", autocomplete: "off", autocapitalize: "off", wrap: "off", rows: "22", "aria-describedby": "remarks",
-      oninput: () => this.typed(), onscroll: () => { this.gutter.scrollTop = this.area.scrollTop; }, onkeydown: (event) => this.key(event) });
+    this.area = element("textarea", {
+      class: "code",
+      id: "scene-text",
+      spellcheck: "false",
+      autocomplete: "off",
+      autocapitalize: "off",
+      wrap: "off",
+      rows: "22",
+      "aria-describedby": "remarks",
+      oninput: () => this.typed(),
+      onscroll: () => {
+        this.gutter.scrollTop = this.area.scrollTop;
+      },
+      onkeydown: (event) => this.key(event),
+    });
     this.offers = element("ul", { class: "offers", role: "listbox", "aria-label": "Names that may come here", hidden: true });
     this.remarks = element("ol", { class: "remarks", id: "remarks", "aria-live": "polite" });
-    this.node = element("div", {}, element("label", { for: "scene-text", class: "quiet-words" }, "The scene. Ctrl and space offer names; Escape, then Tab leaves."),
-      element("div", { class: "editor" }, this.gutter, this.area), this.offers, this.remarks);
+    this.node = element(
+      "div",
+      {},
+      element(
+        "label",
+        { for: "scene-text", class: "quiet-words" },
+        "The scene. Ctrl and space offer names; Escape, then Tab leaves.",
+      ),
+      element("div", { class: "editor" }, this.gutter, this.area),
+      this.offers,
+      this.remarks,
+    );
     this.set(text);
   }
 
@@ -36,7 +59,10 @@ export class Editor {
   /** @param {number[]} wrong */
   number(wrong) {
     const count = Math.min(5000, this.area.value.split("\n").length);
-    fill(this.gutter, ...Array.from({ length: count }, (_, i) => element("div", { class: wrong.includes(i + 1) ? "wrong" : null }, i + 1)));
+    fill(
+      this.gutter,
+      ...Array.from({ length: count }, (_, i) => element("div", { class: wrong.includes(i + 1) ? "wrong" : null }, i + 1)),
+    );
     this.gutter.scrollTop = this.area.scrollTop;
   }
 
@@ -45,11 +71,22 @@ export class Editor {
     const text = this.area.value;
     const lines = remarks.map((remark) => lineOf(text, remark.start).line);
     this.number(lines);
-    fill(this.remarks, ...remarks.map((remark, i) => {
-      const { replacement } = remark;
-      return element("li", { class: "remark" }, element("button", { type: "button", class: "quiet", onclick: () => this.goTo(remark) }, `line ${lines[i]}`), " ", remark.text, " ",
-        replacement !== undefined && element("button", { type: "button", onclick: () => this.replace(remark, replacement) }, `write ${replacement}`));
-    }));
+    fill(
+      this.remarks,
+      ...remarks.map((remark, i) => {
+        const { replacement } = remark;
+        return element(
+          "li",
+          { class: "remark" },
+          element("button", { type: "button", class: "quiet", onclick: () => this.goTo(remark) }, `line ${lines[i]}`),
+          " ",
+          remark.text,
+          " ",
+          replacement !== undefined &&
+            element("button", { type: "button", onclick: () => this.replace(remark, replacement) }, `write ${replacement}`),
+        );
+      }),
+    );
   }
 
   /** @param {Remark} remark */
@@ -94,8 +131,29 @@ export class Editor {
     const before = this.area.value.slice(0, this.area.selectionStart);
     const typed = begunName(before);
     const words = completions(this.schema, before).slice(0, 24);
-    fill(this.offers, ...words.map(({ word, meaning }) => element("li", { role: "option" }, element("button", { type: "button", class: "quiet", title: meaning,
-      onclick: () => { this.area.focus(); this.insert(typed === undefined ? `"${word}": ` : `${word.slice(typed.length)}": `); } }, word), element("span", { class: "meaning" }, meaning))));
+    fill(
+      this.offers,
+      ...words.map(({ word, meaning }) =>
+        element(
+          "li",
+          { role: "option" },
+          element(
+            "button",
+            {
+              type: "button",
+              class: "quiet",
+              title: meaning,
+              onclick: () => {
+                this.area.focus();
+                this.insert(typed === undefined ? `"${word}": ` : `${word.slice(typed.length)}": `);
+              },
+            },
+            word,
+          ),
+          element("span", { class: "meaning" }, meaning),
+        ),
+      ),
+    );
     this.offers.hidden = words.length === 0;
     this.offers.querySelector("button")?.focus();
   }

@@ -5,8 +5,22 @@
 /** @typedef {(values: Values) => number} Compiled */
 
 /** @type {Record<string, (x: number) => number>} */
-const functions = { sin: Math.sin, cos: Math.cos, tan: Math.tan, asin: Math.asin, acos: Math.acos, atan: Math.atan, sinh: Math.sinh,
-  cosh: Math.cosh, tanh: Math.tanh, exp: Math.exp, log: Math.log, sqrt: Math.sqrt, abs: Math.abs, sign: Math.sign };
+const functions = {
+  sin: Math.sin,
+  cos: Math.cos,
+  tan: Math.tan,
+  asin: Math.asin,
+  acos: Math.acos,
+  atan: Math.atan,
+  sinh: Math.sinh,
+  cosh: Math.cosh,
+  tanh: Math.tanh,
+  exp: Math.exp,
+  log: Math.log,
+  sqrt: Math.sqrt,
+  abs: Math.abs,
+  sign: Math.sign,
+};
 const token = /\s*(?:((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|([A-Za-z_]\w*)|(\*\*|[-+*/^()]))/y;
 
 /** @param {string} text */
@@ -73,7 +87,11 @@ class Reader {
   primary() {
     const next = this.tokens[this.place++];
     if (next === undefined) throw new SyntaxError("The expression ends too early.");
-    if (/^[\d.]/.test(next)) return ((value) => () => value)(Number(next));
+    if (/^[\d.]/.test(next))
+      return (
+        (value) => () =>
+          value
+      )(Number(next));
     if (next === "(") return this.closed(this.sum());
     if (Object.hasOwn(functions, next) && this.take("(")) {
       const [call, argument] = [functions[next], this.closed(this.sum())];

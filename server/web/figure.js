@@ -24,7 +24,10 @@ export class Figure {
     /** @type {Values} */
     this.constants = { ...parameters };
     for (const held of scene.held_lengths ?? []) this.constants[held.name] = compiled(held.value)(this.constants);
-    this.inputs = (scene.inputs ?? []).map((/** @type {any} */ input) => ({ name: input.name, value: compiled(inputs[input.name] ?? input.default ?? 0) }));
+    this.inputs = (scene.inputs ?? []).map((/** @type {any} */ input) => ({
+      name: input.name,
+      value: compiled(inputs[input.name] ?? input.default ?? 0),
+    }));
     /** @type {Map<string, Place>} */
     this.points = new Map((scene.points ?? []).map((/** @type {any} */ point) => [point.name, this.vector(point.components)]));
     this.samples = this.sampleStates();
@@ -52,7 +55,7 @@ export class Figure {
   /** @param {string | string[] | { point?: string }} position @returns {Place} */
   place(position) {
     if (Array.isArray(position)) return this.vector(position);
-    const name = typeof position === "string" ? position : position?.point ?? "";
+    const name = typeof position === "string" ? position : (position?.point ?? "");
     return this.points.get(name) ?? (() => [NaN, NaN]);
   }
 
@@ -85,15 +88,24 @@ export class Figure {
         this.segments.push({ kind: "rod", name: body.name ?? "", from: this.place(body.start), to: this.place(body.end), mass });
       }
       if (body.kind === "disk") {
-        this.disks.push({ name: body.name ?? "", centre: this.place(body.centre), radius: compiled(body.radius), angle: compiled(body.angle ?? 0) });
+        this.disks.push({
+          name: body.name ?? "",
+          centre: this.place(body.centre),
+          radius: compiled(body.radius),
+          angle: compiled(body.angle ?? 0),
+        });
       }
     }
   }
 
   /** @returns {Place[]} every place that has a name or a body */
   get places() {
-    return [...this.points.values(), ...this.masses.map((mass) => mass.at), ...this.disks.map((disk) => disk.centre),
-      ...this.segments.flatMap((segment) => [segment.from, segment.to])];
+    return [
+      ...this.points.values(),
+      ...this.masses.map((mass) => mass.at),
+      ...this.disks.map((disk) => disk.centre),
+      ...this.segments.flatMap((segment) => [segment.from, segment.to]),
+    ];
   }
 
   /** @param {Place} a @param {Place} b */
@@ -103,8 +115,11 @@ export class Figure {
 
   addSegments() {
     const rods = [...this.segments];
-    const isRod = (/** @type {Place} */ a, /** @type {Place} */ b) => rods.some((rod) =>
-      (this.coincide(rod.from, a) && this.coincide(rod.to, b)) || (this.coincide(rod.from, b) && this.coincide(rod.to, a)));
+    const isRod = (/** @type {Place} */ a, /** @type {Place} */ b) =>
+      rods.some(
+        (rod) =>
+          (this.coincide(rod.from, a) && this.coincide(rod.to, b)) || (this.coincide(rod.from, b) && this.coincide(rod.to, a)),
+      );
     for (const chain of this.scene.lines ?? []) {
       for (let i = 1; i < chain.length; ++i) {
         const [from, to] = [this.place(chain[i - 1]), this.place(chain[i])];
@@ -125,7 +140,8 @@ export class Figure {
   addSpring(spring) {
     const [length, rest, stiffness] = [spring.length, spring.rest_length ?? 0, spring.stiffness].map(compiled);
     const force = (/** @type {Values} */ v) => stiffness(v) * (length(v) - rest(v));
-    const known = this.segments.find((segment) => segment.kind === "link" && this.hasLength(segment, length)) ?? this.pairOfLength(length);
+    const known =
+      this.segments.find((segment) => segment.kind === "link" && this.hasLength(segment, length)) ?? this.pairOfLength(length);
     if (known) {
       Object.assign(known, { kind: "spring", name: spring.name ?? "", force });
       if (!this.segments.includes(known)) this.segments.push(known);
@@ -150,10 +166,11 @@ export class Figure {
   addWallSpring(name, length, force) {
     for (const { at } of [...this.masses, ...this.disks.map((disk) => ({ at: disk.centre }))]) {
       const axis = at(this.samples[0]).findIndex((_, i) =>
-        this.samples.every((values) => close(at(values)[i] - length(values), at(this.samples[0])[i] - length(this.samples[0]))));
+        this.samples.every((values) => close(at(values)[i] - length(values), at(this.samples[0])[i] - length(this.samples[0]))),
+      );
       if (axis < 0) continue;
       this.wall = { axis, place: -1 };
-      const from = (/** @type {Values} */ values) => at(values).map((x, i) => (i === axis ? this.wall?.place ?? -1 : x));
+      const from = (/** @type {Values} */ values) => at(values).map((x, i) => (i === axis ? (this.wall?.place ?? -1) : x));
       this.segments.push({ kind: "spring", name, from, to: at, force });
       return;
     }
@@ -193,7 +210,10 @@ export class Figure {
     const heavy = this.masses.filter((mass) => mass.mass > 0);
     const total = heavy.reduce((sum, mass) => sum + mass.mass, 0);
     const centre = Array(this.dimension).fill(0);
-    for (const mass of heavy) mass.at(values).forEach((x, i) => { centre[i] += (x * mass.mass) / total; });
+    for (const mass of heavy)
+      mass.at(values).forEach((x, i) => {
+        centre[i] += (x * mass.mass) / total;
+      });
     return centre;
   }
 
@@ -209,7 +229,8 @@ export class Figure {
         return there.map((x, i) => (x - here[i]) / 1e-6);
       });
       // A step of q = J' (J J' + c)^-1 miss, for the two directions of the plane.
-      const dot = (/** @type {number} */ i, /** @type {number} */ j) => slopes.reduce((/** @type {number} */ sum, /** @type {number[]} */ s) => sum + s[i] * s[j], 0);
+      const dot = (/** @type {number} */ i, /** @type {number} */ j) =>
+        slopes.reduce((/** @type {number} */ sum, /** @type {number[]} */ s) => sum + s[i] * s[j], 0);
       const damping = 1e-4 * (dot(0, 0) + dot(1, 1)) + 1e-12;
       const [a, b, d] = [dot(0, 0) + damping, dot(0, 1), dot(1, 1) + damping];
       const determinant = a * d - b * b;

@@ -87,7 +87,8 @@ class Scanner {
     this.take("[");
     if (this.take("]")) return;
     let index = 0;
-    do this.value(`${pointer}/${index++}`, depth + 1); while (this.take(","));
+    do this.value(`${pointer}/${index++}`, depth + 1);
+    while (this.take(","));
     if (!this.take("]")) throw new TextMistake("A comma or ] is missing.", this.offset);
   }
 }

@@ -1,6 +1,6 @@
 // Of many wishes only the newest matters: one question is under way, one waits, and what takes long makes room.
 
-const patience = 250;  // milliseconds that a question may hold up a newer one
+const patience = 250; // milliseconds that a question may hold up a newer one
 
 export class Latest {
   /** @param {(signal: AbortSignal) => Promise<void>} work @param {(error: unknown) => void} fail */

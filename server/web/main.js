@@ -19,7 +19,9 @@ onAsking((count) => {
   clearTimeout(slow);
   if (count) {
     dataset.asking = String(count);
-    slow = window.setTimeout(() => { dataset.slow = ""; }, 300);
+    slow = window.setTimeout(() => {
+      dataset.slow = "";
+    }, 300);
   } else {
     delete dataset.asking;
     delete dataset.slow;
@@ -63,5 +65,8 @@ function markHere(room) {
   }
 }
 
-window.addEventListener("hashchange", () => { navigate(); window.scrollTo(0, 0); });
+window.addEventListener("hashchange", () => {
+  navigate();
+  window.scrollTo(0, 0);
+});
 navigate();

@@ -39,8 +39,12 @@ export class Motion {
     this.jumpTimes = this.jumps.map((jump) => jump.t);
   }
 
-  get start() { return this.times[0]; }
-  get end() { return this.times[this.times.length - 1]; }
+  get start() {
+    return this.times[0];
+  }
+  get end() {
+    return this.times[this.times.length - 1];
+  }
 
   /** @param {number} i @returns {Knot} */
   row(i) {
@@ -116,10 +120,12 @@ export class ModeMotion {
     this.omega = omega;
     this.coordinates = coordinates;
     this.start = 0;
-    this.end = omega > 0 ? (2 * Math.PI / omega) * 4 : 4;
+    this.end = omega > 0 ? ((2 * Math.PI) / omega) * 4 : 4;
   }
 
-  section() { return 0; }
+  section() {
+    return 0;
+  }
 
   /** @param {number} t @returns {Values} */
   at(t) {
@@ -133,5 +139,7 @@ export class ModeMotion {
     return values;
   }
 
-  tellingInstant() { return 0; }
+  tellingInstant() {
+    return 0;
+  }
 }

@@ -18,23 +18,40 @@ export class NumberBoard {
     const { scene } = subject;
     const defaults = defaultsOf(scene);
     const parameters = (scene.parameters ?? []).map((/** @type {any} */ one) => this.control(one, defaults[one.name]));
-    this.node = element("form", { class: "numbers", onsubmit: (event) => event.preventDefault() },
+    this.node = element(
+      "form",
+      { class: "numbers", onsubmit: (event) => event.preventDefault() },
       parameters.length ? element("fieldset", {}, element("legend", {}, "Parameters"), ...parameters) : "",
       element("fieldset", {}, element("legend", {}, "Start"), ...this.startControls(defaults)),
-      element("fieldset", {}, element("legend", {}, "Motion"), ...this.inputFields(), this.durationControl(), this.accuracyChoice()),
+      element(
+        "fieldset",
+        {},
+        element("legend", {}, "Motion"),
+        ...this.inputFields(),
+        this.durationControl(),
+        this.accuracyChoice(),
+      ),
       element("p", {}, element("button", { type: "button", onclick: () => this.resetAll() }, "All defaults")),
-      element("p", { class: "hint" }, "A field takes units and formulas: 30deg, 12 cm, 2*m*g/l. A double click on a slider takes its default back."));
+      element(
+        "p",
+        { class: "hint" },
+        "A field takes units and formulas: 30deg, 12 cm, 2*m*g/l. A double click on a slider takes its default back.",
+      ),
+    );
   }
 
   resetAll() {
     for (const name of [...this.controls.keys(), ...this.subject.inputs, "accuracy"]) this.subject.values.delete(name);
-    for (const [name, field] of this.inputs) field.value = this.subject.scene.inputs.find((/** @type {any} */ one) => one.name === name)?.default ?? "0";
+    for (const [name, field] of this.inputs)
+      field.value = this.subject.scene.inputs.find((/** @type {any} */ one) => one.name === name)?.default ?? "0";
     this.change("accuracy", null);
   }
 
   /** @param {any} declared @param {number} initial */
   control(declared, initial) {
-    const control = new NumberControl(declared, Number.isFinite(initial) ? initial : 1, (text) => this.change(declared.name, text));
+    const control = new NumberControl(declared, Number.isFinite(initial) ? initial : 1, (text) =>
+      this.change(declared.name, text),
+    );
     this.controls.set(declared.name, control);
     return control.node;
   }
@@ -43,30 +60,64 @@ export class NumberBoard {
   startControls(defaults) {
     return (this.subject.scene.coordinates ?? []).flatMap((/** @type {any} */ q) => [
       this.control(q, Number(q.initial ?? 0)),
-      this.control({ name: `${q.name}_dot`, unit: q.unit === "1" ? "1/s" : `${q.unit}/s`, meaning: "its rate" }, Number(q.initial_rate ?? 0) || 0),
+      this.control(
+        { name: `${q.name}_dot`, unit: q.unit === "1" ? "1/s" : `${q.unit}/s`, meaning: "its rate" },
+        Number(q.initial_rate ?? 0) || 0,
+      ),
     ]);
   }
 
   inputFields() {
     return (this.subject.scene.inputs ?? []).map((/** @type {any} */ input) => {
       const id = `input-${input.name}`;
-      const field = element("input", { type: "text", id, class: "value wide", spellcheck: "false", autocomplete: "off",
-        value: this.subject.values.get(input.name) ?? input.default ?? "0", placeholder: "0.8*cos(4*t)", onchange: () => this.change(input.name, field.value.trim() || null) });
+      const field = element("input", {
+        type: "text",
+        id,
+        class: "value wide",
+        spellcheck: "false",
+        autocomplete: "off",
+        value: this.subject.values.get(input.name) ?? input.default ?? "0",
+        placeholder: "0.8*cos(4*t)",
+        onchange: () => this.change(input.name, field.value.trim() || null),
+      });
       this.inputs.set(input.name, field);
-      return element("div", { class: "number-row" }, element("label", { for: id, title: input.meaning ?? "" },
-        element("i", {}, input.name), `(t)`, element("span", { class: "meaning" }, input.meaning ?? "")), field, element("span", { class: "unit" }, input.unit ?? ""));
+      return element(
+        "div",
+        { class: "number-row" },
+        element(
+          "label",
+          { for: id, title: input.meaning ?? "" },
+          element("i", {}, input.name),
+          `(t)`,
+          element("span", { class: "meaning" }, input.meaning ?? ""),
+        ),
+        field,
+        element("span", { class: "unit" }, input.unit ?? ""),
+      );
     });
   }
 
   durationControl() {
-    return this.control({ name: "t_end", title: "duration", unit: "s", domain: { minimum: 0.1, maximum: 60 } }, this.subject.duration);
+    return this.control(
+      { name: "t_end", title: "duration", unit: "s", domain: { minimum: 0.1, maximum: 60 } },
+      this.subject.duration,
+    );
   }
 
   accuracyChoice() {
-    const words = [["fast", "fast, 1e-3 of each column"], ["balanced", "balanced, 1e-6"], ["accurate", "accurate, 1e-9"], ["1e-12", "error 1e-12"]];
-    const select = element("select", { id: "accuracy", onchange: () => this.change("accuracy", select.value === "balanced" ? null : select.value) },
-      ...words.map(([value, label]) => element("option", { value, selected: value === this.subject.accuracy }, label)));
-    if (!words.some(([value]) => value === this.subject.accuracy)) select.prepend(element("option", { value: this.subject.accuracy, selected: true }, `error ${this.subject.accuracy}`));
+    const words = [
+      ["fast", "fast, 1e-3 of each column"],
+      ["balanced", "balanced, 1e-6"],
+      ["accurate", "accurate, 1e-9"],
+      ["1e-12", "error 1e-12"],
+    ];
+    const select = element(
+      "select",
+      { id: "accuracy", onchange: () => this.change("accuracy", select.value === "balanced" ? null : select.value) },
+      ...words.map(([value, label]) => element("option", { value, selected: value === this.subject.accuracy }, label)),
+    );
+    if (!words.some(([value]) => value === this.subject.accuracy))
+      select.prepend(element("option", { value: this.subject.accuracy, selected: true }, `error ${this.subject.accuracy}`));
     return element("div", { class: "number-row" }, element("label", { for: "accuracy" }, "accuracy"), select);
   }
 
@@ -86,7 +137,10 @@ export class NumberBoard {
     for (const error of errors) {
       const name = (error.pointer ?? error.parameter ?? "").split("/").pop() ?? "";
       const control = this.controls.get(name);
-      if (control) { control.complain(error); shown += 1; }
+      if (control) {
+        control.complain(error);
+        shown += 1;
+      }
     }
     return shown;
   }

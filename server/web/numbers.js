@@ -2,9 +2,35 @@
 import { element } from "./dom.js";
 
 /** @type {Record<string, string>} */
-const greek = { alpha: "α", beta: "β", gamma: "γ", delta: "δ", epsilon: "ε", zeta: "ζ", eta: "η", theta: "θ", kappa: "κ", lambda: "λ",
-  mu: "μ", nu: "ν", xi: "ξ", rho: "ρ", sigma: "σ", tau: "τ", phi: "φ", chi: "χ", psi: "ψ", omega: "ω", Gamma: "Γ", Delta: "Δ",
-  Theta: "Θ", Lambda: "Λ", Phi: "Φ", Psi: "Ψ", Omega: "Ω" };
+const greek = {
+  alpha: "α",
+  beta: "β",
+  gamma: "γ",
+  delta: "δ",
+  epsilon: "ε",
+  zeta: "ζ",
+  eta: "η",
+  theta: "θ",
+  kappa: "κ",
+  lambda: "λ",
+  mu: "μ",
+  nu: "ν",
+  xi: "ξ",
+  rho: "ρ",
+  sigma: "σ",
+  tau: "τ",
+  phi: "φ",
+  chi: "χ",
+  psi: "ψ",
+  omega: "ω",
+  Gamma: "Γ",
+  Delta: "Δ",
+  Theta: "Θ",
+  Lambda: "Λ",
+  Phi: "Φ",
+  Psi: "Ψ",
+  Omega: "Ω",
+};
 const subscripts = "₀₁₂₃₄₅₆₇₈₉";
 
 /** "theta_dot" as θ̇, "l0" as l₀, "p_phi" as p_φ; other names as they are. @param {string} name @returns {string} */
@@ -33,7 +59,9 @@ export function symbolNode(name) {
 
 /** Words with their Greek letters. @param {string} text */
 export function prose(text) {
-  return text.replace(/\b([A-Za-z]+\d?)(_dot|_ddot)?\b/g, (whole, name) => (greek[name.replace(/\d$/, "")] ? symbol(whole) : whole));
+  return text.replace(/\b([A-Za-z]+\d?)(_dot|_ddot)?\b/g, (whole, name) =>
+    greek[name.replace(/\d$/, "")] ? symbol(whole) : whole,
+  );
 }
 
 /** A dot stands above the first letter. @param {string} text @param {string} mark */
@@ -44,8 +72,10 @@ function dotted(text, mark) {
 /** "kg*m^2/s" as kg·m²/s. @param {string | undefined} unit */
 export function unitText(unit) {
   if (!unit || unit === "1") return "";
-  return unit.replaceAll("*", "·").replace(/\^(-?\d+)/g, (_, power) =>
-    [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)])).join("")).replace(/^deg\b/, "°");
+  return unit
+    .replaceAll("*", "·")
+    .replace(/\^(-?\d+)/g, (_, power) => [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)])).join(""))
+    .replace(/^deg\b/, "°");
 }
 
 /** A real minus sign, and thin spaces between groups of three decimals. @param {string} digits */

@@ -27,7 +27,8 @@ export function remarksOf(errors, text) {
 function replacement(error, old) {
   if (!error.did_you_mean) return undefined;
   const wrong = /'([A-Za-z_]\w*)'/.exec(error.detail)?.[1];
-  if (wrong && old.startsWith('"') && old !== `"${wrong}"`) return old.replace(new RegExp(`\\b${wrong}\\b`, "g"), error.did_you_mean);
+  if (wrong && old.startsWith('"') && old !== `"${wrong}"`)
+    return old.replace(new RegExp(`\\b${wrong}\\b`, "g"), error.did_you_mean);
   return old.startsWith('"') ? JSON.stringify(error.did_you_mean) : error.did_you_mean;
 }
 
@@ -42,13 +43,20 @@ class OwnScene {
     this.heading = element("h1", {}, "Your own scene");
     this.problem = element("div", {});
     this.shown = "";
-    this.latest = new Latest((signal) => this.check(signal), (error) => fill(this.problem, problemNote(error)));
+    this.latest = new Latest(
+      (signal) => this.check(signal),
+      (error) => fill(this.problem, problemNote(error)),
+    );
     left.addEventListener("abort", () => this.latest.stop());
   }
 
   chooser() {
-    const select = element("select", { id: "template", onchange: () => this.take(select.value) },
-      element("option", { value: "" }, "a template …"), ...Object.keys(templates).map((name) => element("option", { value: name }, name)));
+    const select = element(
+      "select",
+      { id: "template", onchange: () => this.take(select.value) },
+      element("option", { value: "" }, "a template …"),
+      ...Object.keys(templates).map((name) => element("option", { value: name }, name)),
+    );
     return element("p", { class: "choice" }, element("label", { for: "template" }, "Begin with "), select);
   }
 
@@ -96,14 +104,38 @@ class OwnScene {
       this.page.setSubject(subject);
       return;
     }
-    const needs = ["simulate", "equations", "modes", "turning_points", "equilibria", "bifurcations", "accuracy", ...(scene.impact ? ["gait"] : [])];
+    const needs = [
+      "simulate",
+      "equations",
+      "modes",
+      "turning_points",
+      "equilibria",
+      "bifurcations",
+      "accuracy",
+      ...(scene.impact ? ["gait"] : []),
+    ];
     this.page = new SystemPage(this.main, subject, ["scene"], needs, this.left);
-    this.page.node.querySelector(".right")?.prepend(element("details", { class: "own-editor", open: true }, element("summary", {}, "The scene"), this.chooser(), this.editor.node, this.problem));
+    this.page.node
+      .querySelector(".right")
+      ?.prepend(
+        element(
+          "details",
+          { class: "own-editor", open: true },
+          element("summary", {}, "The scene"),
+          this.chooser(),
+          this.editor.node,
+          this.problem,
+        ),
+      );
     this.box?.replaceWith(this.page.node);
     this.page.open(this.part);
-    this.main.addEventListener("address", (event) => {
-      if (this.page?.turnTo(/** @type {CustomEvent} */ (event).detail)) event.preventDefault();
-    }, { signal: this.left });
+    this.main.addEventListener(
+      "address",
+      (event) => {
+        if (this.page?.turnTo(/** @type {CustomEvent} */ (event).detail)) event.preventDefault();
+      },
+      { signal: this.left },
+    );
   }
 
   async open() {
@@ -111,9 +143,22 @@ class OwnScene {
     let text = written(templates.Pendulum);
     if (letters) text = await unpacked(letters).catch(() => text);
     this.editor.set(text);
-    this.box = element("div", { class: "columns" }, element("div", { class: "left" }),
-      element("div", { class: "right" }, element("div", { class: "own-editor" }, this.chooser(), this.editor.node, this.problem)));
-    fill(this.main, element("header", { class: "title" }, this.heading, element("p", {}, "Say where things are; the rest follows. The address of this page carries the scene.")), this.box);
+    this.box = element(
+      "div",
+      { class: "columns" },
+      element("div", { class: "left" }),
+      element("div", { class: "right" }, element("div", { class: "own-editor" }, this.chooser(), this.editor.node, this.problem)),
+    );
+    fill(
+      this.main,
+      element(
+        "header",
+        { class: "title" },
+        this.heading,
+        element("p", {}, "Say where things are; the rest follows. The address of this page carries the scene."),
+      ),
+      this.box,
+    );
     this.latest.wish();
     this.editor.schema = await read("/v1/scene-schema");
   }

@@ -130,8 +130,15 @@ export class Painter {
     const [ux, uy] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
     const head = Math.min(8, length / 2);
     this.path([from, to], colour, 2);
-    this.path([[to[0] - head * (ux - 0.5 * uy), to[1] - head * (uy + 0.5 * ux)], to,
-      [to[0] - head * (ux + 0.5 * uy), to[1] - head * (uy - 0.5 * ux)]], colour, 2);
+    this.path(
+      [
+        [to[0] - head * (ux - 0.5 * uy), to[1] - head * (uy + 0.5 * ux)],
+        to,
+        [to[0] - head * (ux + 0.5 * uy), to[1] - head * (uy - 0.5 * ux)],
+      ],
+      colour,
+      2,
+    );
     if (label) this.text(label, [to[0] + 9 * ux, to[1] + 9 * uy], colour);
   }
 

@@ -4,6 +4,7 @@ import { Camera, frameOffsets } from "./camera.js";
 import { distance } from "./figure.js";
 import { symbol } from "./numbers.js";
 import { Painter } from "./painter.js";
+import { drawAxis, drawGround, hasGround, placeWall } from "./surroundings.js";
 
 /** @typedef {import("./figure.js").Figure} Figure */
 /** @typedef {import("./figure.js").Place} Place */
@@ -19,7 +20,10 @@ function turnedBy(figure) {
     if (unit !== "rad") continue;
     const turned = { ...sample, [name]: sample[name] + 0.2 };
     const angle = (/** @type {import("./figure.js").Segment} */ { from, to }) => {
-      const [a, b] = [sample, turned].map((values) => { const p = from(values); return to(values).map((x, i) => x - p[i]); });
+      const [a, b] = [sample, turned].map((values) => {
+        const p = from(values);
+        return to(values).map((x, i) => x - p[i]);
+      });
       const cosine = a.reduce((sum, x, i) => sum + x * b[i], 0) / (Math.hypot(...a) * Math.hypot(...b));
       return distance(from(sample), from(turned)) < 1e-9 ? Math.acos(Math.min(1, cosine)) : NaN;
     };
@@ -48,35 +52,11 @@ export class Picture {
   setMotion(motion) {
     this.motion = motion;
     this.offsets = frameOffsets(this.figure, motion);
-    if (this.figure.wall) this.placeWall(motion);
+    if (this.figure.wall) placeWall(this.figure, motion);
     this.camera.watch(motion, this.offsets);
-    this.hasGround = this.findGround(motion);
+    this.hasGround = hasGround(this.figure, motion, this.camera);
     this.largest = null;
     this.resize();
-  }
-
-  /** The wall of a horizontal spring stands clear of everything. @param {Moving} motion */
-  placeWall(motion) {
-    const { figure } = this;
-    const wall = /** @type {{ axis: number, place: number }} */ (figure.wall);
-    let [low, high] = [Infinity, -Infinity];
-    for (let i = 0; i <= 200; ++i) {
-      const values = figure.known(motion.at(motion.start + ((motion.end - motion.start) * i) / 200));
-      for (const mass of figure.masses) {
-        low = Math.min(low, mass.at(values)[wall.axis]);
-        high = Math.max(high, mass.at(values)[wall.axis]);
-      }
-    }
-    wall.place = low - Math.max(0.6 * (high - low), 0.15);
-  }
-
-  /** Bodies that are on y = 0 whenever the state jumps have hit the ground. @param {Moving} motion */
-  findGround(motion) {
-    const { figure } = this;
-    if (figure.dimension !== 2 || !motion.jumps.length) return false;
-    const size = this.camera.seen.reduce((most, p) => Math.max(most, Math.abs(p[1])), 0);
-    return motion.jumps.every((jump) => figure.masses.some((mass) =>
-      Math.abs(mass.at(figure.known({ t: jump.t, ...jump.pre_impact }))[1]) < 1e-6 * size));
   }
 
   /** The canvas has as many pixels as the screen shows. */
@@ -102,36 +82,13 @@ export class Picture {
     painter.context.clearRect(0, 0, camera.size[0], camera.size[1]);
     const values = this.figure.known(this.motion.at(t));
     const offset = this.offsets[this.motion.section(t)] ?? [];
-    this.drawGround();
+    if (this.hasGround) drawGround(this.painter, this.camera);
+    if (this.figure.dimension === 3 && this.figure.supports.length) drawAxis(this.painter, this.camera);
     if (shown.trails) this.drawTrails(t);
     if (shown.ghost) this.drawGhost(shown.ghost, t);
     if (shown.labels) this.drawAngles(values, offset);
     this.drawBodies(values, offset);
     if (shown.velocities || shown.forces) this.drawArrows(values, offset, shown);
-  }
-
-  drawGround() {
-    const { camera, painter, figure } = this;
-    if (this.hasGround) {
-      const reach = (2 * camera.size[0]) / camera.scale;
-      const middle = camera.unproject(camera.size[0] / 2, camera.size[1] / 2)[0];
-      painter.hatched(camera.project([middle - reach, 0]), camera.project([middle + reach, 0]));
-    }
-    if (figure.dimension === 3 && figure.supports.length) this.drawAxis();
-  }
-
-  /** In space: the vertical through the support, and the circle that the motion keeps in. */
-  drawAxis() {
-    const { camera, painter, figure } = this;
-    const foot = figure.supports[0](figure.samples[0]);
-    const low = camera.seen.reduce((least, p) => Math.min(least, p[2]), foot[2]);
-    const radius = camera.seen.reduce((most, p) => Math.max(most, Math.hypot(p[0] - foot[0], p[1] - foot[1])), 0);
-    const circle = Array.from({ length: 61 }, (_, i) => {
-      const angle = (2 * Math.PI * i) / 60;
-      return camera.project([foot[0] + radius * Math.cos(angle), foot[1] + radius * Math.sin(angle), low]);
-    });
-    painter.path(circle, painter.colours.line, 1);
-    painter.path([camera.project([foot[0], foot[1], low]), camera.project(foot)], painter.colours.line, 3);
   }
 
   /** @param {Values} values @param {number[]} offset */
@@ -141,7 +98,8 @@ export class Picture {
       painter.disk(this.pixel(disk.centre, values, offset), disk.radius(values) * camera.scale, disk.angle(values) + camera.turn);
     }
     for (const segment of figure.segments) this.drawSegment(segment, values, offset);
-    for (const support of figure.supports) painter.support(this.pixel(support, values, offset), this.supportKind(support, values));
+    for (const support of figure.supports)
+      painter.support(this.pixel(support, values, offset), this.supportKind(support, values));
     for (const mass of figure.masses) {
       const place = this.pixel(mass.at, values, offset);
       painter.mass(place, this.radiusOf(mass.mass));
@@ -167,7 +125,11 @@ export class Picture {
   /** A segment on whose end a disk stands is a surface, and goes on. @param {number[]} a @param {number[]} b @param {import("./figure.js").Segment} segment @param {Values} values */
   onward(a, b, segment, values) {
     const end = segment.to(values);
-    const disk = this.figure.disks.find((one) => Math.abs(distance(one.centre(values), end) - one.radius(values)) < 1e-9 && distance(one.centre(values), segment.from(values)) > 1e-9);
+    const disk = this.figure.disks.find(
+      (one) =>
+        Math.abs(distance(one.centre(values), end) - one.radius(values)) < 1e-9 &&
+        distance(one.centre(values), segment.from(values)) > 1e-9,
+    );
     if (!disk) return b;
     const more = 1 + (4 * disk.radius(values) * this.camera.scale) / Math.max(1, Math.hypot(b[0] - a[0], b[1] - a[1]));
     return [a[0] + more * (b[0] - a[0]), a[1] + more * (b[1] - a[1])];
@@ -194,9 +156,18 @@ export class Picture {
     const begin = Math.max(motion.start, t - span);
     const count = Math.ceil((t - begin) * 100);
     const times = Array.from({ length: count + 1 }, (_, i) => begin + ((t - begin) * i) / Math.max(1, count));
-    const states = times.map((time) => ({ values: this.figure.known(motion.at(time)), offset: this.offsets[motion.section(time)] }));
-    const moving = this.figure.masses.length ? this.figure.masses.map((mass) => mass.at) : this.figure.segments.slice(-1).map((part) => part.to);
-    for (const place of moving) this.painter.trail(states.map(({ values, offset }) => this.pixel(place, values, offset)), this.painter.colours.sky);
+    const states = times.map((time) => ({
+      values: this.figure.known(motion.at(time)),
+      offset: this.offsets[motion.section(time)],
+    }));
+    const moving = this.figure.masses.length
+      ? this.figure.masses.map((mass) => mass.at)
+      : this.figure.segments.slice(-1).map((part) => part.to);
+    for (const place of moving)
+      this.painter.trail(
+        states.map(({ values, offset }) => this.pixel(place, values, offset)),
+        this.painter.colours.sky,
+      );
   }
 
   /** The second motion; where it parts from the first is marked. @param {Moving} ghost @param {number} t */
@@ -208,9 +179,15 @@ export class Picture {
     const offset = frameOffsets(this.figure, ghost)[ghost.section(t)];
     painter.context.globalAlpha = 0.55;
     for (const segment of this.figure.segments) {
-      painter.path([this.pixel(segment.from, values, offset), this.pixel(segment.to, values, offset)], painter.colours.vermillion, 1.5, [4, 4]);
+      painter.path(
+        [this.pixel(segment.from, values, offset), this.pixel(segment.to, values, offset)],
+        painter.colours.vermillion,
+        1.5,
+        [4, 4],
+      );
     }
-    for (const mass of this.figure.masses) painter.mass(this.pixel(mass.at, values, offset), this.radiusOf(mass.mass), painter.colours.vermillion);
+    for (const mass of this.figure.masses)
+      painter.mass(this.pixel(mass.at, values, offset), this.radiusOf(mass.mass), painter.colours.vermillion);
     painter.context.globalAlpha = 1;
     for (const mass of this.figure.masses) {
       const [a, b] = [this.pixel(mass.at, own, this.offsets[0]), this.pixel(mass.at, values, offset)];
@@ -231,7 +208,11 @@ export class Picture {
         return camera.project(foot.map((x, i) => x + ((end[i] - x) * far) / length + (offset[i] ?? 0)));
       };
       painter.path([at(0, 0), at(0, reach * 1.5)], painter.colours.line, 1, [4, 3]);
-      painter.path(Array.from({ length: count + 1 }, (_, i) => at(i / count, reach)), painter.colours.green, 1.5);
+      painter.path(
+        Array.from({ length: count + 1 }, (_, i) => at(i / count, reach)),
+        painter.colours.green,
+        1.5,
+      );
       painter.text(symbol(name), at(0.5, reach + 15 / camera.scale), painter.colours.green);
     }
   }
@@ -250,7 +231,12 @@ export class Picture {
     const factor = (0.22 * Math.min(...this.camera.size)) / (most * this.camera.scale || 1);
     for (const { at, vector, label } of arrows) {
       const foot = at.map((x, i) => x + (offset[i] ?? 0));
-      this.painter.arrow(this.camera.project(foot), this.camera.project(foot.map((x, i) => x + factor * vector[i])), colour, label);
+      this.painter.arrow(
+        this.camera.project(foot),
+        this.camera.project(foot.map((x, i) => x + factor * vector[i])),
+        colour,
+        label,
+      );
     }
   }
 }

@@ -26,31 +26,32 @@ export function thinned(points, width) {
   return fewer;
 }
 
-/** Names at the ends of the curves, pushed apart where they would overlap. @param {Surface} surface @param {Record<string, string>} colours @param {Series[]} all @param {Axis} vertical @param {number} right */
-export function drawLabels(surface, colours, all, vertical, right) {
-  const labels = all.filter((series) => series.label).map((series) => {
-    const ends = Array.from(series.y).filter(Number.isFinite);
-    return { series, y: vertical.pixel(ends[ends.length - 1] ?? 0) };
-  }).sort((a, b) => a.y - b.y);
-  const room = labels.some(({ series }) => series.note) ? 27 : 15;
-  const bottom = Math.max(vertical.from, vertical.to);
-  let next = Math.min(vertical.from, vertical.to) + 6;
-  labels.forEach(({ series, y }, i) => {
-    const at = Math.max(next, Math.min(y, bottom - (labels.length - 1 - i) * room - (room - 12)));
-    const colour = colours[`${series.colour}-text`] ?? colours[series.colour] ?? series.colour;
-    surface.text(series.label ?? "", [right + 7, at], { colour, size: 13 });
-    if (series.note) surface.text(series.note, [right + 7, at + 13], { colour: colours.soft, size: 10 });
-    next = at + room;
-  });
-}
-
 /** @param {Surface} surface @param {number[]} at @param {string} marker @param {string} colour */
 export function drawMarker(surface, [x, y], marker, colour) {
   const around = (/** @type {number} */ count, /** @type {number} */ r, /** @type {number} */ turn) =>
-    Array.from({ length: count }, (_, i) => [x + r * Math.sin(turn + (2 * Math.PI * i) / count), y - r * Math.cos(turn + (2 * Math.PI * i) / count)]);
-  if (marker === "ring") { const ring = around(24, 7, 0); surface.line([...ring, ring[0]], { colour, width: 2 }); }
-  else if (marker === "cross") { surface.line([[x - 4, y - 4], [x + 4, y + 4]], { colour, width: 2 }); surface.line([[x - 4, y + 4], [x + 4, y - 4]], { colour, width: 2 }); }
-  else if (marker === "square") surface.area(around(4, 5, Math.PI / 4), colour, 1);
+    Array.from({ length: count }, (_, i) => [
+      x + r * Math.sin(turn + (2 * Math.PI * i) / count),
+      y - r * Math.cos(turn + (2 * Math.PI * i) / count),
+    ]);
+  if (marker === "ring") {
+    const ring = around(24, 7, 0);
+    surface.line([...ring, ring[0]], { colour, width: 2 });
+  } else if (marker === "cross") {
+    surface.line(
+      [
+        [x - 4, y - 4],
+        [x + 4, y + 4],
+      ],
+      { colour, width: 2 },
+    );
+    surface.line(
+      [
+        [x - 4, y + 4],
+        [x + 4, y - 4],
+      ],
+      { colour, width: 2 },
+    );
+  } else if (marker === "square") surface.area(around(4, 5, Math.PI / 4), colour, 1);
   else if (marker === "diamond") surface.area(around(4, 5.5, 0), colour, 1);
   else if (marker === "triangle") surface.area(around(3, 5.5, 0), colour, 1);
   else surface.area(around(16, 4, 0), colour, 1);

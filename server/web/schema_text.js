@@ -11,7 +11,10 @@ export function rich(text) {
 /** What a reference stands for, with what is said beside it. @param {Schema} api @param {Schema | undefined} thing @returns {Schema} */
 export function resolved(api, thing) {
   if (!thing?.$ref) return thing ?? {};
-  const target = thing.$ref.slice(2).split("/").reduce((/** @type {any} */ place, /** @type {string} */ key) => place?.[key], api);
+  const target = thing.$ref
+    .slice(2)
+    .split("/")
+    .reduce((/** @type {any} */ place, /** @type {string} */ key) => place?.[key], api);
   const { $ref, ...beside } = thing;
   return { ...resolved(api, target), ...beside };
 }
@@ -30,7 +33,12 @@ export function typeName(schema) {
 /** "> 0 and ≤ 1" @param {Schema} schema */
 function bounds(schema) {
   const number = [schema, ...(schema.anyOf ?? [])].find((way) => /imum/.test(Object.keys(way).join())) ?? {};
-  const signs = [["minimum", "≥"], ["exclusiveMinimum", ">"], ["maximum", "≤"], ["exclusiveMaximum", "<"]];
+  const signs = [
+    ["minimum", "≥"],
+    ["exclusiveMinimum", ">"],
+    ["maximum", "≤"],
+    ["exclusiveMaximum", "<"],
+  ];
   const parts = signs.filter(([key]) => key in number).map(([key, sign]) => `${sign} ${number[key]}`);
   if (schema.maxItems) parts.push(`at most ${schema.maxItems}`);
   return parts.join(" and ");
@@ -39,10 +47,21 @@ function bounds(schema) {
 /** One field: its name and type on a line, what it means below. @param {Schema} api @param {string} name @param {Schema} schema @param {boolean} isRequired */
 export function field(api, name, schema, isRequired) {
   const unit = schema["x-unit"] && schema["x-unit"] !== "1" ? schema["x-unit"] : "";
-  const facts = [typeName(schema), unit, bounds(schema), "default" in schema ? `default ${JSON.stringify(schema.default)}` : "", isRequired ? "required" : ""];
+  const facts = [
+    typeName(schema),
+    unit,
+    bounds(schema),
+    "default" in schema ? `default ${JSON.stringify(schema.default)}` : "",
+    isRequired ? "required" : "",
+  ];
   const meaning = schema.description ?? resolved(api, schema).description ?? "";
-  const aliases = schema["x-aliases"] ? ` Other programs call it ${schema["x-aliases"].join(", ")}; such a name is refused here, with the hint to write ${name}.` : "";
-  return [element("dt", {}, element("code", {}, name), element("span", { class: "facts" }, facts.filter(Boolean).join(", "))), element("dd", {}, ...rich(meaning + aliases))];
+  const aliases = schema["x-aliases"]
+    ? ` Other programs call it ${schema["x-aliases"].join(", ")}; such a name is refused here, with the hint to write ${name}.`
+    : "";
+  return [
+    element("dt", {}, element("code", {}, name), element("span", { class: "facts" }, facts.filter(Boolean).join(", "))),
+    element("dd", {}, ...rich(meaning + aliases)),
+  ];
 }
 
 /** @param {string} title @param {HTMLElement[]} fields */
@@ -53,11 +72,18 @@ export function fieldList(title, fields) {
 /** The members of an object, and those of its ways. @param {Schema} api @param {Schema | undefined} schema */
 export function membersOf(api, schema) {
   const whole = resolved(api, schema);
-  const parts = [[whole, whole.description ?? "Members"], ...(whole.oneOf ?? []).filter((/** @type {Schema} */ way) => way.title).map((/** @type {Schema} */ way) => [way, way.title])];
+  const parts = [
+    [whole, whole.description ?? "Members"],
+    ...(whole.oneOf ?? []).filter((/** @type {Schema} */ way) => way.title).map((/** @type {Schema} */ way) => [way, way.title]),
+  ];
   return parts.flatMap(([part, title]) => {
     const required = new Set(part.required ?? []);
-    const named = Object.entries(part.properties ?? {}).flatMap(([name, one]) => field(api, name, /** @type {Schema} */ (one), required.has(name)));
-    const patterns = Object.entries(part.patternProperties ?? {}).flatMap(([pattern, one]) => field(api, `/${pattern}/`, /** @type {Schema} */ (one), false));
+    const named = Object.entries(part.properties ?? {}).flatMap(([name, one]) =>
+      field(api, name, /** @type {Schema} */ (one), required.has(name)),
+    );
+    const patterns = Object.entries(part.patternProperties ?? {}).flatMap(([pattern, one]) =>
+      field(api, `/${pattern}/`, /** @type {Schema} */ (one), false),
+    );
     return named.length + patterns.length ? [fieldList(title, [...named, ...patterns])] : [];
   });
 }

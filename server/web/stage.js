@@ -35,12 +35,33 @@ export class Stage {
 
   bar() {
     this.playButton = element("button", { type: "button", class: "play", onclick: () => this.toggle() }, "Play");
-    this.scrub = element("input", { type: "range", min: "0", max: "1", step: "any", value: "0", "aria-label": "Time", class: "scrub",
-      oninput: () => this.scrubbed() });
+    this.scrub = element("input", {
+      type: "range",
+      min: "0",
+      max: "1",
+      step: "any",
+      value: "0",
+      "aria-label": "Time",
+      class: "scrub",
+      oninput: () => this.scrubbed(),
+    });
     this.reading = element("output", { class: "clock" });
-    const speeds = [["0.1", "1/10"], ["0.25", "1/4"], ["1", "true time"], ["4", "4 ×"]].map(([value, label]) =>
-      element("option", { value, selected: value === "1" }, label));
-    const select = element("select", { "aria-label": "Speed", onchange: () => { this.clock.speed = Number(select.value); } }, ...speeds);
+    const speeds = [
+      ["0.1", "1/10"],
+      ["0.25", "1/4"],
+      ["1", "true time"],
+      ["4", "4 ×"],
+    ].map(([value, label]) => element("option", { value, selected: value === "1" }, label));
+    const select = element(
+      "select",
+      {
+        "aria-label": "Speed",
+        onchange: () => {
+          this.clock.speed = Number(select.value);
+        },
+      },
+      ...speeds,
+    );
     return element("div", { class: "bar" }, this.playButton, this.scrub, this.reading, select);
   }
 
@@ -55,16 +76,24 @@ export class Stage {
       this.shown[name] = on;
       this.draw();
     };
-    return element("div", { class: "toggles", role: "group", "aria-label": "What is drawn" },
-      toggle("angles", true, change("labels")), toggle("trail", true, change("trails")),
-      toggle("velocities", false, change("velocities")), toggle("forces", false, change("forces")));
+    return element(
+      "div",
+      { class: "toggles", role: "group", "aria-label": "What is drawn" },
+      toggle("angles", true, change("labels")),
+      toggle("trail", true, change("trails")),
+      toggle("velocities", false, change("velocities")),
+      toggle("forces", false, change("forces")),
+    );
   }
 
   listen() {
     this.clock.onChange(() => this.draw());
     this.canvas.addEventListener("keydown", (event) => this.key(event));
     this.canvas.addEventListener("pointerdown", (event) => this.grab(event));
-    new ResizeObserver(() => { this.picture?.resize(); this.draw(); }).observe(this.canvas);
+    new ResizeObserver(() => {
+      this.picture?.resize();
+      this.draw();
+    }).observe(this.canvas);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       if (this.picture) this.picture.painter.colours = palette();
       this.draw();
@@ -83,8 +112,10 @@ export class Stage {
     const moves = { ArrowLeft: -step, ArrowRight: step, Home: -Infinity, End: Infinity }[event.key];
     if (event.key === " ") this.toggle();
     else if (turn !== undefined && this.picture) this.turn(turn, 0);
-    else if (moves !== undefined) { this.clock.pause(); this.clock.seek(this.clock.time + moves); }
-    else return;
+    else if (moves !== undefined) {
+      this.clock.pause();
+      this.clock.seek(this.clock.time + moves);
+    } else return;
     event.preventDefault();
   }
 
@@ -105,7 +136,10 @@ export class Stage {
     const held = figure.dimension === 2 ? this.bodyAt(event) : -1;
     if (figure.dimension === 2 && (held < 0 || !this.onDrag)) return;
     this.canvas.setPointerCapture(event.pointerId);
-    if (held >= 0) { this.clock.pause(); this.clock.seek(this.clock.start); }
+    if (held >= 0) {
+      this.clock.pause();
+      this.clock.seek(this.clock.start);
+    }
     const move = (/** @type {PointerEvent} */ now) => {
       if (held >= 0) this.drag(held, now);
       else this.turn(-now.movementX * 0.01, now.movementY * 0.01);
@@ -175,7 +209,7 @@ export class Stage {
     if (this.playButton && this.playButton.textContent !== label) this.playButton.textContent = label;
     const isLost = clock.time > (this.horizon ?? Infinity);
     const lost = isLost ? `Known until ${short(Number(this.horizon))} s only: from there on this may be another motion. ` : "";
-    const said = lost + (clock.time >= clock.end ? this.ending ?? "" : "");
+    const said = lost + (clock.time >= clock.end ? (this.ending ?? "") : "");
     if (this.said && this.said.textContent !== said) this.said.textContent = said;
     this.canvas.classList.toggle("lost", isLost);
     this.picture?.draw(clock.time, this.shown);

@@ -32,12 +32,17 @@ export class Subject {
   body(last) {
     /** @type {Body} */
     const body = { system: this.isInline ? this.scene : this.scene.name };
-    const add = (/** @type {string} */ name, /** @type {Body | undefined} */ values) => { if (values) body[name] = values; };
+    const add = (/** @type {string} */ name, /** @type {Body | undefined} */ values) => {
+      if (values) body[name] = values;
+    };
     if (last !== "system") add("parameters", this.changed(this.parameters));
     if (last === "initial") add("initial", this.changed([...this.coordinates, ...this.velocities]));
     if (last !== "system") {
       const inputs = this.inputs.filter((/** @type {string} */ name) => this.values.has(name));
-      add("inputs", inputs.length ? Object.fromEntries(inputs.map((/** @type {string} */ name) => [name, this.values.get(name)])) : undefined);
+      add(
+        "inputs",
+        inputs.length ? Object.fromEntries(inputs.map((/** @type {string} */ name) => [name, this.values.get(name)])) : undefined,
+      );
     }
     return body;
   }
@@ -48,7 +53,9 @@ export class Subject {
     return wanted > 0 && wanted <= 10000 ? wanted : 10;
   }
 
-  get accuracy() { return this.values.get("accuracy") ?? "balanced"; }
+  get accuracy() {
+    return this.values.get("accuracy") ?? "balanced";
+  }
 
   /** A motion in rows close enough to be drawn. @param {string[]} include */
   motionBody(include) {

@@ -7,7 +7,9 @@ const family = 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
 
 export class CanvasSurface {
   /** @param {CanvasRenderingContext2D} context */
-  constructor(context) { this.context = context; }
+  constructor(context) {
+    this.context = context;
+  }
 
   /** @param {number[][]} points @param {Stroke} stroke */
   line(points, { colour, width = 1, dash = [], alpha = 1 }) {
@@ -18,7 +20,10 @@ export class CanvasSurface {
     for (const [x, y] of points) {
       if (!Number.isFinite(y)) isDown = false;
       else if (isDown) context.lineTo(x, y);
-      else { context.moveTo(x, y); isDown = true; }
+      else {
+        context.moveTo(x, y);
+        isDown = true;
+      }
     }
     context.strokeStyle = colour;
     context.lineWidth = width;
@@ -84,36 +89,49 @@ export class SvgSurface {
     let path = "";
     let isDown = false;
     for (const [x, y] of points) {
-      if (!Number.isFinite(y)) { isDown = false; continue; }
+      if (!Number.isFinite(y)) {
+        isDown = false;
+        continue;
+      }
       path += `${isDown ? "L" : "M"}${two(x)} ${two(y)}`;
       isDown = true;
     }
-    this.parts.push(`<path d="${path}" fill="none" stroke="${escaped(colour)}" stroke-width="${width}" stroke-opacity="${alpha}" stroke-dasharray="${dash.join(" ")}" stroke-linejoin="round"/>`);
+    this.parts.push(
+      `<path d="${path}" fill="none" stroke="${escaped(colour)}" stroke-width="${width}" stroke-opacity="${alpha}" stroke-dasharray="${dash.join(" ")}" stroke-linejoin="round"/>`,
+    );
   }
 
   /** @param {number[][]} points @param {string} colour @param {number} alpha */
   area(points, colour, alpha) {
-    this.parts.push(`<polygon points="${points.map(([x, y]) => `${two(x)},${two(y)}`).join(" ")}" fill="${escaped(colour)}" fill-opacity="${alpha}"/>`);
+    this.parts.push(
+      `<polygon points="${points.map(([x, y]) => `${two(x)},${two(y)}`).join(" ")}" fill="${escaped(colour)}" fill-opacity="${alpha}"/>`,
+    );
   }
 
   /** @param {string} text @param {number[]} at @param {Lettering} lettering */
   text(text, [x, y], { colour, size = 12, align = "left", turned = false, alpha = 1 }) {
     const anchor = { left: "start", center: "middle", right: "end" }[align];
     const turn = turned ? ` transform="rotate(-90 ${two(x)} ${two(y)})"` : "";
-    this.parts.push(`<text x="${two(x)}" y="${two(y)}" dy="0.35em" font-size="${size}" text-anchor="${anchor}" fill="${escaped(colour)}" fill-opacity="${alpha}"${turn}>${escaped(text)}</text>`);
+    this.parts.push(
+      `<text x="${two(x)}" y="${two(y)}" dy="0.35em" font-size="${size}" text-anchor="${anchor}" fill="${escaped(colour)}" fill-opacity="${alpha}"${turn}>${escaped(text)}</text>`,
+    );
   }
 
   /** @param {number} x @param {number} y @param {number} width @param {number} height @param {() => void} draw */
   clipped(x, y, width, height, draw) {
     const id = `clip${++this.clips}`;
-    this.parts.push(`<clipPath id="${id}"><rect x="${two(x)}" y="${two(y)}" width="${two(width)}" height="${two(height)}"/></clipPath><g clip-path="url(#${id})">`);
+    this.parts.push(
+      `<clipPath id="${id}"><rect x="${two(x)}" y="${two(y)}" width="${two(width)}" height="${two(height)}"/></clipPath><g clip-path="url(#${id})">`,
+    );
     draw();
     this.parts.push("</g>");
   }
 
   /** @param {number} width @param {number} height @param {string} paper */
   file(width, height, paper) {
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" font-family="${escaped(family)}">` +
-      `<rect width="100%" height="100%" fill="${escaped(paper)}"/>${this.parts.join("")}</svg>`;
+    return (
+      `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" font-family="${escaped(family)}">` +
+      `<rect width="100%" height="100%" fill="${escaped(paper)}"/>${this.parts.join("")}</svg>`
+    );
   }
 }

@@ -17,7 +17,10 @@ import { views } from "./views.js";
 export function sentence(answer, scene) {
   const parts = scene.coordinates.map((/** @type {any} */ q) => {
     const column = answer.trajectory[q.name].filter(Number.isFinite);
-    const [low, high] = [column.reduce((/** @type {number} */ a, /** @type {number} */ b) => Math.min(a, b)), column.reduce((/** @type {number} */ a, /** @type {number} */ b) => Math.max(a, b))];
+    const [low, high] = [
+      column.reduce((/** @type {number} */ a, /** @type {number} */ b) => Math.min(a, b)),
+      column.reduce((/** @type {number} */ a, /** @type {number} */ b) => Math.max(a, b)),
+    ];
     return `${symbol(q.name)} is between ${short(low, 3)} and ${short(high, 3)} ${q.unit}`;
   });
   return `${scene.title ?? scene.name}: ${parts.join(", ")}, over ${short(answer.t_reached, 3)} s.`;
@@ -35,10 +38,20 @@ export class SystemPage {
     this.board = new NumberBoard(subject, (name, text) => this.set(name, text));
     this.tabs = element("nav", { class: "views", "aria-label": "What to show" });
     this.section = element("section", { class: "view", "aria-live": "off" });
-    this.node = element("div", { class: "columns" },
-      element("div", { class: "left" }, this.stage.node, this.board.node), element("div", { class: "right" }, this.tabs, this.section));
-    this.motionLatest = new Latest((signal) => this.askMotion(signal), (error) => this.failed(error));
-    this.viewLatest = new Latest((signal) => this.view?.show(signal) ?? Promise.resolve(), (error) => this.viewFailed(error));
+    this.node = element(
+      "div",
+      { class: "columns" },
+      element("div", { class: "left" }, this.stage.node, this.board.node),
+      element("div", { class: "right" }, this.tabs, this.section),
+    );
+    this.motionLatest = new Latest(
+      (signal) => this.askMotion(signal),
+      (error) => this.failed(error),
+    );
+    this.viewLatest = new Latest(
+      (signal) => this.view?.show(signal) ?? Promise.resolve(),
+      (error) => this.viewFailed(error),
+    );
     this.stage.clock.onChange((clock) => this.view?.tick?.(clock.time));
     left.addEventListener("abort", () => this.stop());
   }
@@ -74,9 +87,19 @@ export class SystemPage {
 
   showTabs() {
     const offered = views.filter((view) => !this.capabilities || this.capabilities.includes(view.needs));
-    fill(this.tabs, ...offered.map((view) => element("a", {
-      href: this.addressOf(view.name), "aria-current": view === this.part ? "page" : null,
-    }, view.title)));
+    fill(
+      this.tabs,
+      ...offered.map((view) =>
+        element(
+          "a",
+          {
+            href: this.addressOf(view.name),
+            "aria-current": view === this.part ? "page" : null,
+          },
+          view.title,
+        ),
+      ),
+    );
   }
 
   /** @param {string} view */
@@ -88,7 +111,8 @@ export class SystemPage {
   turnTo(address) {
     if (this.path.some((part, i) => address.path[i] !== part)) return false;
     const values = this.subject.values;
-    const isSame = values.size === address.values.size && [...address.values].every(([name, value]) => values.get(name) === value);
+    const isSame =
+      values.size === address.values.size && [...address.values].every(([name, value]) => values.get(name) === value);
     if (!isSame) return false;
     this.open(address.path[this.path.length]);
     return true;
@@ -108,7 +132,10 @@ export class SystemPage {
   }
 
   changed() {
-    remember({ path: [...this.path, ...(this.part && this.part !== views[0] ? [this.part.name] : [])], values: this.subject.values });
+    remember({
+      path: [...this.path, ...(this.part && this.part !== views[0] ? [this.part.name] : [])],
+      values: this.subject.values,
+    });
     this.showTabs();
     this.motionLatest.wish();
     this.viewLatest.wish();
@@ -185,10 +212,23 @@ export async function showSystem(main, address, name, part, left) {
   if (left.aborted) return;
   document.title = `${scene.title ?? scene.name} · qdot`;
   const page = new SystemPage(main, new Subject(scene, address.values, false), ["systems", name], null, left);
-  fill(main, element("header", { class: "title" }, element("h1", {}, scene.title ?? scene.name), element("p", {}, prose(scene.description ?? ""))), page.node);
-  main.addEventListener("address", (event) => {
-    if (page.turnTo(/** @type {CustomEvent} */ (event).detail)) event.preventDefault();
-  }, { signal: left });
+  fill(
+    main,
+    element(
+      "header",
+      { class: "title" },
+      element("h1", {}, scene.title ?? scene.name),
+      element("p", {}, prose(scene.description ?? "")),
+    ),
+    page.node,
+  );
+  main.addEventListener(
+    "address",
+    (event) => {
+      if (page.turnTo(/** @type {CustomEvent} */ (event).detail)) event.preventDefault();
+    },
+    { signal: left },
+  );
   page.open(part);
   const { capabilities } = await read(`/v1/systems/${encodeURIComponent(name)}`);
   page.capabilities = capabilities;

@@ -6,7 +6,7 @@ import { Plot } from "./plot.js";
 
 /** @typedef {import("./system.js").SystemPage} SystemPage */
 
-const fine = 3;  // instants drawn between two rows
+const fine = 3; // instants drawn between two rows
 
 export class Versus {
   /** @param {SystemPage} page @param {string[]} columns */
@@ -22,25 +22,39 @@ export class Versus {
 
   get names() {
     const { values, coordinates } = this.page.subject;
-    const wanted = (/** @type {string} */ key, /** @type {string} */ usual) => (this.columns.includes(values.get(key) ?? "") ? String(values.get(key)) : usual);
+    const wanted = (/** @type {string} */ key, /** @type {string} */ usual) =>
+      this.columns.includes(values.get(key) ?? "") ? String(values.get(key)) : usual;
     const x = wanted("_x", coordinates[0]);
     return [x, wanted("_y", coordinates.includes(x) ? `${x}_dot` : x)];
   }
 
   chooser() {
     const select = (/** @type {string} */ key, /** @type {number} */ which, /** @type {string} */ label) => {
-      const node = element("select", { "aria-label": label, onchange: () => this.page.set(key, node.value) },
-        ...this.columns.map((name) => element("option", { value: name, selected: name === this.names[which] }, symbol(name))));
+      const node = element(
+        "select",
+        { "aria-label": label, onchange: () => this.page.set(key, node.value) },
+        ...this.columns.map((name) => element("option", { value: name, selected: name === this.names[which] }, symbol(name))),
+      );
       return node;
     };
-    return element("p", { class: "choice" }, select("_y", 1, "Column upwards"), " against ", select("_x", 0, "Column to the right"));
+    return element(
+      "p",
+      { class: "choice" },
+      select("_y", 1, "Column upwards"),
+      " against ",
+      select("_x", 0, "Column to the right"),
+    );
   }
 
   /** Only columns of the answer can be shown. @param {any} answer @param {(unit: string | undefined) => number} factor */
   show(answer, factor) {
     const [x, y] = this.names;
     const { motion } = this.page;
-    if (!motion || !answer.trajectory[x] || !answer.trajectory[y]) { fill(this.box); this.plot = null; return; }
+    if (!motion || !answer.trajectory[x] || !answer.trajectory[y]) {
+      fill(this.box);
+      this.plot = null;
+      return;
+    }
     this.factors = [factor(answer.units[x]), factor(answer.units[y])];
     const label = (/** @type {string} */ name, /** @type {number} */ by) => {
       const unit = unitText(by === 1 ? answer.units[name] : answer.units[name].replace("rad", "deg"));
@@ -62,8 +76,14 @@ export class Versus {
     const motion = /** @type {import("./motion.js").Motion} */ (this.page.motion);
     const { times } = motion;
     const steps = times.length > 3000 ? 1 : fine;
-    const all = times.flatMap((t, i) => (i + 1 < times.length ? Array.from({ length: steps }, (_, k) => t + ((times[i + 1] - t) * k) / steps) : [t]));
-    return broken(all, all.map((t) => factor * valueAt(motion, name, t)), motion.jumpTimes).y;
+    const all = times.flatMap((t, i) =>
+      i + 1 < times.length ? Array.from({ length: steps }, (_, k) => t + ((times[i + 1] - t) * k) / steps) : [t],
+    );
+    return broken(
+      all,
+      all.map((t) => factor * valueAt(motion, name, t)),
+      motion.jumpTimes,
+    ).y;
   }
 
   /** @param {number} t */

@@ -9,8 +9,13 @@ import { Plot } from "./plot.js";
 /** @typedef {import("./system.js").SystemPage} SystemPage */
 
 /** @type {Record<string, { colour: string, marker: any }>} */
-const looks = { taylor: { colour: "blue", marker: "dot" }, erk: { colour: "vermillion", marker: "square" }, adams: { colour: "green", marker: "triangle" },
-  bdf: { colour: "purple", marker: "diamond" }, gauss: { colour: "orange", marker: "cross" } };
+const looks = {
+  taylor: { colour: "blue", marker: "dot" },
+  erk: { colour: "vermillion", marker: "square" },
+  adams: { colour: "green", marker: "triangle" },
+  bdf: { colour: "purple", marker: "diamond" },
+  gauss: { colour: "orange", marker: "cross" },
+};
 
 export class AccuracyView {
   /** @param {SystemPage} page */
@@ -24,10 +29,20 @@ export class AccuracyView {
     this.node = element("div", {}, this.slider(), this.wish, this.overlay(), this.results);
   }
 
-  get wanted() { return Number(this.page.subject.values.get("_error") ?? 1e-6) || 1e-6; }
+  get wanted() {
+    return Number(this.page.subject.values.get("_error") ?? 1e-6) || 1e-6;
+  }
 
   slider() {
-    const range = element("input", { type: "range", min: "2", max: "13", step: "0.5", id: "wanted-error", value: String(-Math.log10(this.wanted)), oninput: () => this.want(10 ** -Number(range.value)) });
+    const range = element("input", {
+      type: "range",
+      min: "2",
+      max: "13",
+      step: "0.5",
+      id: "wanted-error",
+      value: String(-Math.log10(this.wanted)),
+      oninput: () => this.want(10 ** -Number(range.value)),
+    });
     this.range = range;
     return element("p", { class: "solver wide" }, element("label", { for: "wanted-error" }, "Error wanted "), range);
   }
@@ -46,32 +61,73 @@ export class AccuracyView {
     const body = { ...this.page.subject.body("initial"), t_end: this.page.subject.duration };
     const key = JSON.stringify(body);
     if (key !== this.shown) {
-      if (!this.answer) fill(this.results, element("p", { class: "quiet-words" }, "Every method at every tolerance, against a reference …"));
+      if (!this.answer)
+        fill(this.results, element("p", { class: "quiet-words" }, "Every method at every tolerance, against a reference …"));
       this.answer = await ask("accuracy", body, signal);
       this.shown = key;
       this.plot ??= this.newPlot();
-      fill(this.results, this.plot.node, element("p", { class: "quiet-words" }, "Work is counted in evaluations of the accelerations, so that it is the same on every machine. The heavy line is what nothing beats; the dashed one can be dragged."), foot({ endpoint: "accuracy", body }));
+      fill(
+        this.results,
+        this.plot.node,
+        element(
+          "p",
+          { class: "quiet-words" },
+          "Work is counted in evaluations of the accelerations, so that it is the same on every machine. The heavy line is what nothing beats; the dashed one can be dragged.",
+        ),
+        foot({ endpoint: "accuracy", body }),
+      );
     }
     this.drawPoints();
     this.showWish();
   }
 
   newPlot() {
-    return new Plot({ title: "Error against work", height: 360, x: { label: "largest error", isLogarithmic: true, isReversed: true }, y: { label: "evaluations", isLogarithmic: true }, onPick: (x) => this.want(x), isDraggable: true });
+    return new Plot({
+      title: "Error against work",
+      height: 360,
+      x: { label: "largest error", isLogarithmic: true, isReversed: true },
+      y: { label: "evaluations", isLogarithmic: true },
+      onPick: (x) => this.want(x),
+      isDraggable: true,
+    });
   }
 
   drawPoints() {
     const usable = this.answer.points.filter((/** @type {any} */ one) => one.error > 0 && one.evaluations > 0);
     const names = [...new Set(usable.map((/** @type {any} */ one) => one.method))];
     const curves = names.map((name) => {
-      const mine = usable.filter((/** @type {any} */ one) => one.method === name).sort((/** @type {any} */ a, /** @type {any} */ b) => b.error - a.error);
-      return { x: mine.map((/** @type {any} */ one) => one.error), y: mine.map((/** @type {any} */ one) => one.evaluations), label: String(name), width: 1, ...(looks[String(name)] ?? { colour: "sky", marker: "dot" }) };
+      const mine = usable
+        .filter((/** @type {any} */ one) => one.method === name)
+        .sort((/** @type {any} */ a, /** @type {any} */ b) => b.error - a.error);
+      return {
+        x: mine.map((/** @type {any} */ one) => one.error),
+        y: mine.map((/** @type {any} */ one) => one.evaluations),
+        label: String(name),
+        width: 1,
+        ...(looks[String(name)] ?? { colour: "sky", marker: "dot" }),
+      };
     });
-    const front = usable.filter((/** @type {any} */ one) => one.on_front).sort((/** @type {any} */ a, /** @type {any} */ b) => b.error - a.error);
+    const front = usable
+      .filter((/** @type {any} */ one) => one.on_front)
+      .sort((/** @type {any} */ a, /** @type {any} */ b) => b.error - a.error);
     const best = this.best();
-    this.plot?.set({ series: [{ x: front.map((/** @type {any} */ one) => one.error), y: front.map((/** @type {any} */ one) => one.evaluations), colour: "ink", width: 3, alpha: 0.35 }, ...curves,
-      ...(best ? [{ x: [best.error], y: [best.evaluations], colour: "ink", marker: /** @type {"ring"} */ ("ring"), joined: false }] : [])],
-      marks: [{ x: this.wanted, label: "wanted" }], said: this.sentence() });
+    this.plot?.set({
+      series: [
+        {
+          x: front.map((/** @type {any} */ one) => one.error),
+          y: front.map((/** @type {any} */ one) => one.evaluations),
+          colour: "ink",
+          width: 3,
+          alpha: 0.35,
+        },
+        ...curves,
+        ...(best
+          ? [{ x: [best.error], y: [best.evaluations], colour: "ink", marker: /** @type {"ring"} */ ("ring"), joined: false }]
+          : []),
+      ],
+      marks: [{ x: this.wanted, label: "wanted" }],
+      said: this.sentence(),
+    });
   }
 
   /** The cheapest measured point that is good enough. */
@@ -95,15 +151,30 @@ export class AccuracyView {
   /** A rough run over the present one: where they part, one sees it. */
   overlay() {
     const box = element("input", { type: "checkbox", onchange: () => this.lay(box.checked) });
-    return element("p", {}, element("label", { class: "toggle" }, box, "Lay a run of rtol 1e-3 over the drawing, in the second colour"));
+    return element(
+      "p",
+      {},
+      element("label", { class: "toggle" }, box, "Lay a run of rtol 1e-3 over the drawing, in the second colour"),
+    );
   }
 
   /** @param {boolean} isOn */
   async lay(isOn) {
     const { page } = this;
-    if (!isOn) { page.stage.shown.ghost = null; page.stage.draw(); return; }
+    if (!isOn) {
+      page.stage.shown.ghost = null;
+      page.stage.draw();
+      return;
+    }
     const { subject } = page;
-    const answer = await ask("simulate", { ...subject.body("initial"), t_end: subject.duration, samples: Math.ceil(60 * subject.duration) + 1, rtol: 1e-3, method: "erk", verify: false });
+    const answer = await ask("simulate", {
+      ...subject.body("initial"),
+      t_end: subject.duration,
+      samples: Math.ceil(60 * subject.duration) + 1,
+      rtol: 1e-3,
+      method: "erk",
+      verify: false,
+    });
     page.stage.shown.ghost = new Motion(answer, subject.coordinates);
     page.stage.draw();
   }

@@ -1,5 +1,6 @@
 // How the equilibria move with a parameter, and where their number or their stability changes.
 import { ask } from "./api.js";
+import { pieces, tellingColumns } from "./branches.js";
 import { element, fill } from "./dom.js";
 import { foot, problemNote } from "./foot.js";
 import { quantity, short, symbol, symbolNode, unitText } from "./numbers.js";
@@ -7,42 +8,6 @@ import { Plot } from "./plot.js";
 import { typed } from "./subject.js";
 
 /** @typedef {import("./system.js").SystemPage} SystemPage */
-
-/** @typedef {{ stability: string, x: number[], y: number[] }} Piece */
-
-/** Pieces of a branch with one stability each; a piece ends at the critical value where there is one. @param {any} branch @param {string} parameter @param {string} column @param {any[]} critical @returns {Piece[]} */
-function pieces(branch, parameter, column, critical) {
-  /** @type {Piece[]} */
-  const found = [];
-  branch.stability.forEach((/** @type {string} */ stability, /** @type {number} */ i) => {
-    const [x, y] = [branch[parameter][i], branch[column][i]];
-    const last = found[found.length - 1];
-    const [before, above] = last ? [last.x[last.x.length - 1], last.y[last.y.length - 1]] : [x, y];
-    const turns = Math.abs(y - above) > 3;  // an angle that goes round
-    if (last && last.stability === stability && !turns) {
-      last.x.push(x);
-      last.y.push(y);
-      return;
-    }
-    const between = critical.find((one) => Math.min(before, x) <= one.value && one.value <= Math.max(before, x) && one.state?.[column] !== undefined &&
-      Math.abs(one.state[column] - y) <= Math.abs(above - y) + 1e-9);
-    const [meetX, meetY] = between ? [between.value, between.state[column]] : [x, y];
-    if (last && !turns) { last.x.push(meetX); last.y.push(meetY); }
-    found.push({ stability, x: last && !turns ? [meetX, x] : [x], y: last && !turns ? [meetY, y] : [y] });
-  });
-  return found;
-}
-
-/** The columns in which the branches differ; where none does, the first. @param {any} answer @param {string[]} coordinates @returns {string[]} */
-function tellingColumns(answer, coordinates) {
-  const present = coordinates.filter((name) => answer.branches?.[0]?.[name]);
-  const varies = (/** @type {string} */ name) => {
-    const all = answer.branches.flatMap((/** @type {any} */ branch) => branch[name]);
-    return all.some((/** @type {number} */ value) => Math.abs(value - all[0]) > 1e-9 * (1 + Math.abs(value)));
-  };
-  const telling = present.filter(varies);
-  return telling.length ? telling : present.slice(0, 1);
-}
 
 export class BifurcationsView {
   /** @param {SystemPage} page */
@@ -56,7 +21,9 @@ export class BifurcationsView {
   get parameter() {
     const { parameters, values } = this.page.subject;
     const wanted = values.get("_parameter") ?? "";
-    return parameters.includes(wanted) ? wanted : parameters.find((/** @type {string} */ name) => /^(Omega|gamma)/.test(name)) ?? parameters[0];
+    return parameters.includes(wanted)
+      ? wanted
+      : (parameters.find((/** @type {string} */ name) => /^(Omega|gamma)/.test(name)) ?? parameters[0]);
   }
 
   /** @param {string} name the middle of the range is the present value */
@@ -69,17 +36,52 @@ export class BifurcationsView {
     const present = Math.abs(this.present(this.parameter)) || 1;
     const isWalker = Boolean(this.page.subject.scene.impact);
     const [from, to] = isWalker ? [present / 3, 2 * present] : [0.05 * present, 2 * present];
-    return { from: typed(values.get("_from") ?? String(Number(from.toPrecision(3)))), to: typed(values.get("_to") ?? String(Number(to.toPrecision(3)))) };
+    return {
+      from: typed(values.get("_from") ?? String(Number(from.toPrecision(3)))),
+      to: typed(values.get("_to") ?? String(Number(to.toPrecision(3)))),
+    };
   }
 
   chooser() {
     const { parameters } = this.page.subject;
-    const select = element("select", { id: "bifurcation-of", onchange: () => { this.page.subject.values.delete("_from"); this.page.subject.values.delete("_to"); this.page.set("_parameter", select.value); this.fillRange(); } },
-      ...parameters.map((/** @type {string} */ name) => element("option", { value: name, selected: name === this.parameter }, symbol(name))));
-    this.fromField = element("input", { type: "text", class: "value", "aria-label": "from", onchange: () => this.page.set("_from", this.fromField?.value || null) });
-    this.toField = element("input", { type: "text", class: "value", "aria-label": "to", onchange: () => this.page.set("_to", this.toField?.value || null) });
+    const select = element(
+      "select",
+      {
+        id: "bifurcation-of",
+        onchange: () => {
+          this.page.subject.values.delete("_from");
+          this.page.subject.values.delete("_to");
+          this.page.set("_parameter", select.value);
+          this.fillRange();
+        },
+      },
+      ...parameters.map((/** @type {string} */ name) =>
+        element("option", { value: name, selected: name === this.parameter }, symbol(name)),
+      ),
+    );
+    this.fromField = element("input", {
+      type: "text",
+      class: "value",
+      "aria-label": "from",
+      onchange: () => this.page.set("_from", this.fromField?.value || null),
+    });
+    this.toField = element("input", {
+      type: "text",
+      class: "value",
+      "aria-label": "to",
+      onchange: () => this.page.set("_to", this.toField?.value || null),
+    });
     this.fillRange();
-    return element("p", { class: "solver" }, element("label", { for: "bifurcation-of" }, this.page.subject.scene.impact ? "Gaits as " : "Equilibria as "), select, " goes from ", this.fromField, " to ", this.toField);
+    return element(
+      "p",
+      { class: "solver" },
+      element("label", { for: "bifurcation-of" }, this.page.subject.scene.impact ? "Gaits as " : "Equilibria as "),
+      select,
+      " goes from ",
+      this.fromField,
+      " to ",
+      this.toField,
+    );
   }
 
   fillRange() {
@@ -115,9 +117,17 @@ export class BifurcationsView {
   /** @param {any} answer @param {any} body */
   showAnswer(answer, body) {
     this.answer = answer;
-    this.plots = tellingColumns(answer, this.page.subject.coordinates).map((/** @type {string} */ name) => this.diagram(answer, name));
-    fill(this.results, this.words(answer), this.table(answer), ...this.plots.map((/** @type {Plot} */ plot) => plot.node),
-      element("p", { class: "quiet-words" }, "Heavy lines are stable, dashed ones unstable. A click takes the parameter there."), foot({ endpoint: "bifurcations", body }));
+    this.plots = tellingColumns(answer, this.page.subject.coordinates).map((/** @type {string} */ name) =>
+      this.diagram(answer, name),
+    );
+    fill(
+      this.results,
+      this.words(answer),
+      this.table(answer),
+      ...this.plots.map((/** @type {Plot} */ plot) => plot.node),
+      element("p", { class: "quiet-words" }, "Heavy lines are stable, dashed ones unstable. A click takes the parameter there."),
+      foot({ endpoint: "bifurcations", body }),
+    );
     this.plots.forEach((/** @type {Plot} */ plot) => plot.resize());
     this.mark();
   }
@@ -126,14 +136,36 @@ export class BifurcationsView {
   diagram(answer, column) {
     const { parameter } = this;
     const unit = unitText(answer.units[column]);
-    const plot = new Plot({ title: `${symbol(column)} of the ${answer.of ?? "equilibria"}`, height: 280, hasLabels: false, x: { label: [symbol(parameter), unitText(answer.units[parameter])].filter(Boolean).join(" / ") },
-      y: { label: unit ? `${symbol(column)} / ${unit}` : symbol(column) }, onPick: (x) => this.page.set(parameter, String(Number(x.toPrecision(4)))) });
-    const series = answer.branches.flatMap((/** @type {any} */ branch) => pieces(branch, parameter, column, answer.critical).map(({ stability, x, y }) => ({
-      x, y, colour: stability === "stable" ? "blue" : "soft", width: stability === "stable" ? 2.5 : 1.5, dash: stability === "unstable" ? [5, 4] : stability === "neutral" ? [1, 3] : [],
-    })));
+    const plot = new Plot({
+      title: `${symbol(column)} of the ${answer.of ?? "equilibria"}`,
+      height: 280,
+      hasLabels: false,
+      x: { label: [symbol(parameter), unitText(answer.units[parameter])].filter(Boolean).join(" / ") },
+      y: { label: unit ? `${symbol(column)} / ${unit}` : symbol(column) },
+      onPick: (x) => this.page.set(parameter, String(Number(x.toPrecision(4)))),
+    });
+    const series = answer.branches.flatMap((/** @type {any} */ branch) =>
+      pieces(branch, parameter, column, answer.critical).map(({ stability, x, y }) => ({
+        x,
+        y,
+        colour: stability === "stable" ? "blue" : "soft",
+        width: stability === "stable" ? 2.5 : 1.5,
+        dash: stability === "unstable" ? [5, 4] : stability === "neutral" ? [1, 3] : [],
+      })),
+    );
     const critical = answer.critical.filter((/** @type {any} */ one) => one.state?.[column] !== undefined);
-    series.push({ x: critical.map((/** @type {any} */ one) => one.value), y: critical.map((/** @type {any} */ one) => one.state[column]), colour: "vermillion", marker: "dot", joined: false, width: 1 });
-    plot.set({ series, said: `Branches of ${column}; critical values: ${answer.critical.map((/** @type {any} */ one) => `${short(one.value)}, ${one.kind}`).join("; ") || "none"}.` });
+    series.push({
+      x: critical.map((/** @type {any} */ one) => one.value),
+      y: critical.map((/** @type {any} */ one) => one.state[column]),
+      colour: "vermillion",
+      marker: "dot",
+      joined: false,
+      width: 1,
+    });
+    plot.set({
+      series,
+      said: `Branches of ${column}; critical values: ${answer.critical.map((/** @type {any} */ one) => `${short(one.value)}, ${one.kind}`).join("; ") || "none"}.`,
+    });
     return plot;
   }
 
@@ -144,14 +176,41 @@ export class BifurcationsView {
   /** @param {any} answer */
   words(answer) {
     const count = answer.critical.length;
-    const said = count === 0 ? `Nothing changes in this range${answer.complete ? "; that is proven." : "."}` : `${count === 1 ? "One critical value" : `${count} critical values`}${answer.complete ? ", proven to be all." : "."}`;
+    const said =
+      count === 0
+        ? `Nothing changes in this range${answer.complete ? "; that is proven." : "."}`
+        : `${count === 1 ? "One critical value" : `${count} critical values`}${answer.complete ? ", proven to be all." : "."}`;
     return element("p", {}, said, typeof answer.reason === "string" ? ` ${answer.reason}` : "");
   }
 
   /** @param {any} answer */
   table(answer) {
     if (!answer.critical.length) return "";
-    return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("tbody", {}, ...answer.critical.map((/** @type {any} */ one) =>
-      element("tr", {}, element("th", { scope: "row" }, symbolNode(this.parameter), " = ", quantity(one.value, { unit: answer.units[this.parameter], error: one.error })), element("td", {}, one.kind.replaceAll("_", " ")))))));
+    return element(
+      "div",
+      { class: "table-frame", tabindex: "0" },
+      element(
+        "table",
+        {},
+        element(
+          "tbody",
+          {},
+          ...answer.critical.map((/** @type {any} */ one) =>
+            element(
+              "tr",
+              {},
+              element(
+                "th",
+                { scope: "row" },
+                symbolNode(this.parameter),
+                " = ",
+                quantity(one.value, { unit: answer.units[this.parameter], error: one.error }),
+              ),
+              element("td", {}, one.kind.replaceAll("_", " ")),
+            ),
+          ),
+        ),
+      ),
+    );
   }
 }

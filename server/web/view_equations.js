@@ -6,7 +6,14 @@ import { symbolNode } from "./numbers.js";
 
 /** @typedef {import("./system.js").SystemPage} SystemPage */
 
-const forms = [["mathml", "mathematics"], ["text", "text"], ["latex", "LaTeX"], ["sympy", "SymPy"], ["maxima", "Maxima"], ["c", "C"]];
+const forms = [
+  ["mathml", "mathematics"],
+  ["text", "text"],
+  ["latex", "LaTeX"],
+  ["sympy", "SymPy"],
+  ["maxima", "Maxima"],
+  ["c", "C"],
+];
 
 /** One equation with its button. @param {string} text @param {string} form @param {string} [left] what it is equal to */
 function equation(text, form, left) {
@@ -15,7 +22,12 @@ function equation(text, form, left) {
     shown.setAttribute("display", "inline");
     return element("div", { class: "equation", tabindex: "0" }, left ? element("i", {}, `${left} = `) : "", shown);
   }
-  return element("div", { class: "equation" }, element("pre", { tabindex: "0" }, text), copyButton("copy", () => text));
+  return element(
+    "div",
+    { class: "equation" },
+    element("pre", { tabindex: "0" }, text),
+    copyButton("copy", () => text),
+  );
 }
 
 /** @param {string} title @param {(Node | string)[]} children */
@@ -26,8 +38,18 @@ function part(title, children) {
 /** Names with their expressions. @param {Record<string, string>} entries @param {string} form */
 function list(entries, form) {
   const rows = Object.entries(entries ?? {});
-  return rows.length ? [element("dl", { class: "terms" }, ...rows.flatMap(([name, text]) =>
-    [element("dt", {}, symbolNode(name)), element("dd", { tabindex: "0" }, equation(text, form))]))] : [];
+  return rows.length
+    ? [
+        element(
+          "dl",
+          { class: "terms" },
+          ...rows.flatMap(([name, text]) => [
+            element("dt", {}, symbolNode(name)),
+            element("dd", { tabindex: "0" }, equation(text, form)),
+          ]),
+        ),
+      ]
+    : [];
 }
 
 export class EquationsView {
@@ -44,8 +66,11 @@ export class EquationsView {
   }
 
   chooser() {
-    const select = element("select", { id: "form", onchange: () => this.page.set("_form", select.value === "mathml" ? null : select.value) },
-      ...forms.map(([form, label]) => element("option", { value: form, selected: form === this.form }, label)));
+    const select = element(
+      "select",
+      { id: "form", onchange: () => this.page.set("_form", select.value === "mathml" ? null : select.value) },
+      ...forms.map(([form, label]) => element("option", { value: form, selected: form === this.form }, label)),
+    );
     return element("p", { class: "choice" }, element("label", { for: "form" }, "Written as "), select);
   }
 
@@ -64,13 +89,31 @@ export class EquationsView {
   parts(answer, form) {
     const one = (/** @type {string} */ text, /** @type {string} */ left = "") => equation(text, form, left);
     return [
-      part("Equations of motion", answer.equations_of_motion.map((/** @type {any} */ motion) => one(motion.equation))),
+      part(
+        "Equations of motion",
+        answer.equations_of_motion.map((/** @type {any} */ motion) => one(motion.equation)),
+      ),
       part("Solved for the accelerations", list(answer.accelerations, form)),
       part("Energies", [...list({ T: answer.T, V: answer.V, L: answer.L }, form)]),
-      part("What is conserved", answer.conserved.length ? answer.conserved.map((/** @type {any} */ kept) =>
-        element("div", {}, element("p", {}, symbolNode(kept.name), ": ", kept.why), one(kept.value))) : [element("p", {}, "Nothing that follows from the form of L.")]),
-      answer.routhian ? part("Ignorable coordinates", [element("p", {}, `${answer.ignorable_coordinates.join(", ")} can be left out: its momentum is a constant. The Routhian is`),
-        one(answer.routhian.R), ...list(answer.routhian.rates, form)]) : "",
+      part(
+        "What is conserved",
+        answer.conserved.length
+          ? answer.conserved.map((/** @type {any} */ kept) =>
+              element("div", {}, element("p", {}, symbolNode(kept.name), ": ", kept.why), one(kept.value)),
+            )
+          : [element("p", {}, "Nothing that follows from the form of L.")],
+      ),
+      answer.routhian
+        ? part("Ignorable coordinates", [
+            element(
+              "p",
+              {},
+              `${answer.ignorable_coordinates.join(", ")} can be left out: its momentum is a constant. The Routhian is`,
+            ),
+            one(answer.routhian.R),
+            ...list(answer.routhian.rates, form),
+          ])
+        : "",
       part("Momenta", list(answer.momenta, form)),
       answer.hamiltonian ? part("Hamiltonian", [one(answer.hamiltonian)]) : "",
       part("Mass matrix", [this.matrix(answer.mass_matrix, form)]),
@@ -81,21 +124,44 @@ export class EquationsView {
 
   /** @param {string[][]} rows @param {string} form */
   matrix(rows, form) {
-    return element("div", { class: "table-frame", tabindex: "0" }, element("table", { class: "matrix" }, element("tbody", {}, ...rows.map((row) =>
-      element("tr", {}, ...row.map((text) => element("td", {}, form === "mathml" ? mathematics(text) : element("code", {}, text))))))));
+    return element(
+      "div",
+      { class: "table-frame", tabindex: "0" },
+      element(
+        "table",
+        { class: "matrix" },
+        element(
+          "tbody",
+          {},
+          ...rows.map((row) =>
+            element(
+              "tr",
+              {},
+              ...row.map((text) => element("td", {}, form === "mathml" ? mathematics(text) : element("code", {}, text))),
+            ),
+          ),
+        ),
+      ),
+    );
   }
 
   /** @param {any} answer @param {string} form */
   forces(answer, form) {
     const zero = (/** @type {string} */ text) => /^(<math[^>]*>(<mrow>)?<mn>0<\/mn>(<\/mrow>)?<\/math>|0(\.0)?)$/.test(text);
-    const acting = Object.fromEntries(Object.entries(answer.generalized_forces ?? {}).filter(([, text]) => !zero(/** @type {string} */ (text))).map(([name, text]) => [`Q_${name}`, /** @type {string} */ (text)]));
+    const acting = Object.fromEntries(
+      Object.entries(answer.generalized_forces ?? {})
+        .filter(([, text]) => !zero(/** @type {string} */ (text)))
+        .map(([name, text]) => [`Q_${name}`, /** @type {string} */ (text)]),
+    );
     return part("Generalized forces", list(acting, form));
   }
 
   /** @param {any} scaled @param {string} form */
   dimensionless(scaled, form) {
     if (!scaled?.L) return "";
-    return part("Without dimensions", [element("p", {}, "In units of these scales only what is left can matter."),
-      ...list({ ...scaled.groups, "unit of energy": scaled.energy_unit, "unit of time": scaled.time_unit, L: scaled.L }, form)]);
+    return part("Without dimensions", [
+      element("p", {}, "In units of these scales only what is left can matter."),
+      ...list({ ...scaled.groups, "unit of energy": scaled.energy_unit, "unit of time": scaled.time_unit, L: scaled.L }, form),
+    ]);
   }
 }

@@ -16,14 +16,20 @@ export class GaitView {
     this.node = element("div", {});
   }
 
-  get chosen() { return this.page.subject.values.get("_gait") ?? "long"; }
+  get chosen() {
+    return this.page.subject.values.get("_gait") ?? "long";
+  }
 
   /** @param {AbortSignal} signal */
   async show(signal) {
     const body = this.page.subject.body("parameters");
     const answer = await ask("gait", body, signal);
     if (!answer.gaits.length) {
-      fill(this.node, element("p", {}, typeof answer.reason === "string" ? answer.reason : "There is no gait."), foot({ endpoint: "gait", body }));
+      fill(
+        this.node,
+        element("p", {}, typeof answer.reason === "string" ? answer.reason : "There is no gait."),
+        foot({ endpoint: "gait", body }),
+      );
       return;
     }
     const circle = this.circle(answer.gaits);
@@ -35,22 +41,77 @@ export class GaitView {
   /** @param {any} answer */
   table(answer) {
     const row = (/** @type {string} */ title, /** @type {(gait: any) => (Node | string)} */ cell) =>
-      element("tr", {}, element("th", { scope: "row" }, title), ...answer.gaits.map((/** @type {any} */ gait) => element("td", {}, cell(gait))));
-    const pick = (/** @type {any} */ gait) => element("label", {}, element("input", { type: "radio", name: "gait", checked: gait.kind === this.chosen, onchange: () => this.page.set("_gait", gait.kind) }), `${gait.kind}, ${gait.stable ? "stable" : "unstable"}`);
-    return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("tbody", {}, row("gait", pick),
-      row("step time", (gait) => quantity(gait.step_time, { unit: "s", error: gait.error.step_time })), row("step length", (gait) => quantity(gait.step_length, { unit: "m", error: gait.error.step_length })),
-      ...Object.keys(answer.gaits[0].state).map((name) => row(symbol(name), (gait) => quantity(gait.state[name], { unit: answer.units[name], error: gait.error.state[name] }))),
-      row("multipliers", (gait) => gait.multipliers.filter((/** @type {any} */ m) => m.im >= 0).map((/** @type {any} */ m) => short(m.re, 4) + (m.im ? ` ± ${short(m.im, 4)} i` : "")).join(", ")))));
+      element(
+        "tr",
+        {},
+        element("th", { scope: "row" }, title),
+        ...answer.gaits.map((/** @type {any} */ gait) => element("td", {}, cell(gait))),
+      );
+    const pick = (/** @type {any} */ gait) =>
+      element(
+        "label",
+        {},
+        element("input", {
+          type: "radio",
+          name: "gait",
+          checked: gait.kind === this.chosen,
+          onchange: () => this.page.set("_gait", gait.kind),
+        }),
+        `${gait.kind}, ${gait.stable ? "stable" : "unstable"}`,
+      );
+    return element(
+      "div",
+      { class: "table-frame", tabindex: "0" },
+      element(
+        "table",
+        {},
+        element(
+          "tbody",
+          {},
+          row("gait", pick),
+          row("step time", (gait) => quantity(gait.step_time, { unit: "s", error: gait.error.step_time })),
+          row("step length", (gait) => quantity(gait.step_length, { unit: "m", error: gait.error.step_length })),
+          ...Object.keys(answer.gaits[0].state).map((name) =>
+            row(symbol(name), (gait) => quantity(gait.state[name], { unit: answer.units[name], error: gait.error.state[name] })),
+          ),
+          row("multipliers", (gait) =>
+            gait.multipliers
+              .filter((/** @type {any} */ m) => m.im >= 0)
+              .map((/** @type {any} */ m) => short(m.re, 4) + (m.im ? ` ± ${short(m.im, 4)} i` : ""))
+              .join(", "),
+          ),
+        ),
+      ),
+    );
   }
 
   /** A stumble dies out where all multipliers are inside the unit circle. @param {any[]} gaits */
   circle(gaits) {
-    const plot = new Plot({ title: "Multipliers and the unit circle", isSquare: true, hasEqualScales: true, x: { label: "real part" }, y: { label: "imaginary part" } });
+    const plot = new Plot({
+      title: "Multipliers and the unit circle",
+      isSquare: true,
+      hasEqualScales: true,
+      x: { label: "real part" },
+      y: { label: "imaginary part" },
+    });
     const angles = Array.from({ length: 121 }, (_, i) => (2 * Math.PI * i) / 120);
-    const named = gaits.map((gait, i) => ({ x: gait.multipliers.map((/** @type {any} */ m) => m.re), y: gait.multipliers.map((/** @type {any} */ m) => m.im), joined: false,
-      colour: i ? "blue" : "vermillion", marker: /** @type {"dot" | "cross"} */ (i ? "dot" : "cross"), label: gait.kind }));
-    plot.set({ series: [{ x: angles.map(Math.cos), y: angles.map(Math.sin), colour: "soft", width: 1 }, ...named],
-      said: gaits.map((gait) => `${gait.kind}: multipliers of size ${gait.multipliers.map((/** @type {any} */ m) => short(Math.hypot(m.re, m.im), 3)).join(" and ")}`).join("; ") });
+    const named = gaits.map((gait, i) => ({
+      x: gait.multipliers.map((/** @type {any} */ m) => m.re),
+      y: gait.multipliers.map((/** @type {any} */ m) => m.im),
+      joined: false,
+      colour: i ? "blue" : "vermillion",
+      marker: /** @type {"dot" | "cross"} */ (i ? "dot" : "cross"),
+      label: gait.kind,
+    }));
+    plot.set({
+      series: [{ x: angles.map(Math.cos), y: angles.map(Math.sin), colour: "soft", width: 1 }, ...named],
+      said: gaits
+        .map(
+          (gait) =>
+            `${gait.kind}: multipliers of size ${gait.multipliers.map((/** @type {any} */ m) => short(Math.hypot(m.re, m.im), 3)).join(" and ")}`,
+        )
+        .join("; "),
+    });
     return plot;
   }
 
@@ -70,5 +131,7 @@ export class GaitView {
     this.page.stage.clock.play();
   }
 
-  leave() { this.page.giveBack(); }
+  leave() {
+    this.page.giveBack();
+  }
 }

@@ -29,39 +29,102 @@ export class ModesView {
     const body = this.page.subject.body("parameters");
     const answer = await ask("modes", body, signal);
     this.answer = answer;
-    const scaled = answer.modes.some((/** @type {any} */ mode) => mode.shape_scaled && JSON.stringify(mode.shape_scaled) !== JSON.stringify(mode.shape));
-    fill(this.node, element("p", {}, ...this.words(answer)), this.table(answer, scaled), ...this.matrices(answer), foot({ endpoint: "modes", body }));
+    const scaled = answer.modes.some(
+      (/** @type {any} */ mode) => mode.shape_scaled && JSON.stringify(mode.shape_scaled) !== JSON.stringify(mode.shape),
+    );
+    fill(
+      this.node,
+      element("p", {}, ...this.words(answer)),
+      this.table(answer, scaled),
+      ...this.matrices(answer),
+      foot({ endpoint: "modes", body }),
+    );
     this.animate(Math.min(this.chosen, answer.modes.length - 1));
   }
 
-  get chosen() { return Number(this.page.subject.values.get("_mode") ?? 0) || 0; }
+  get chosen() {
+    return Number(this.page.subject.values.get("_mode") ?? 0) || 0;
+  }
 
   /** @param {any} answer */
   words(answer) {
-    const state = answer.coordinates.flatMap((/** @type {string} */ name, /** @type {number} */ i) =>
-      [i ? ", " : "", symbolNode(name), " = ", quantity(answer.equilibrium.state[name], { unit: answer.units[name], error: answer.equilibrium.error?.[name] || undefined })]);
+    const state = answer.coordinates.flatMap((/** @type {string} */ name, /** @type {number} */ i) => [
+      i ? ", " : "",
+      symbolNode(name),
+      " = ",
+      quantity(answer.equilibrium.state[name], {
+        unit: answer.units[name],
+        error: answer.equilibrium.error?.[name] || undefined,
+      }),
+    ]);
     return ["About the equilibrium ", ...state, `, which is ${answer.equilibrium.stability}.`];
   }
 
   /** @param {any} answer @param {boolean} scaled */
   table(answer, scaled) {
-    const heads = ["mode", "ω", "frequency", "period", ...answer.coordinates.map((/** @type {string} */ name) => symbolNode(name)), scaled ? "in one unit" : null].filter((head) => head !== null);
-    return element("div", { class: "table-frame", tabindex: "0" }, element("table", { class: "modes" },
-      element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
-      element("tbody", {}, ...answer.modes.map((/** @type {any} */ mode, /** @type {number} */ i) => this.row(answer, mode, i, scaled)))));
+    const heads = [
+      "mode",
+      "ω",
+      "frequency",
+      "period",
+      ...answer.coordinates.map((/** @type {string} */ name) => symbolNode(name)),
+      scaled ? "in one unit" : null,
+    ].filter((head) => head !== null);
+    return element(
+      "div",
+      { class: "table-frame", tabindex: "0" },
+      element(
+        "table",
+        { class: "modes" },
+        element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
+        element(
+          "tbody",
+          {},
+          ...answer.modes.map((/** @type {any} */ mode, /** @type {number} */ i) => this.row(answer, mode, i, scaled)),
+        ),
+      ),
+    );
   }
 
   /** @param {any} answer @param {any} mode @param {number} i @param {boolean} scaled */
   row(answer, mode, i, scaled) {
     const { units } = answer;
-    const pick = element("input", { type: "radio", name: "mode", value: i, checked: i === this.chosen, id: `mode-${i}`, onchange: () => this.choose(i) });
-    const cells = mode.kind === "oscillation"
-      ? [quantity(mode.omega, { unit: units.omega, error: mode.error }), quantity(mode.f, { unit: units.f, digits: 5 }), quantity(mode.period, { unit: units.period, digits: 5 })]
-      : [mode.kind === "rigid" ? quantity(0, { unit: units.omega }) : quantity(mode.rate, { unit: units.rate, error: mode.error }), "–", "–"];
-    return element("tr", {}, element("th", { scope: "row" }, element("label", { for: `mode-${i}` }, pick, mode.kind)),
+    const pick = element("input", {
+      type: "radio",
+      name: "mode",
+      value: i,
+      checked: i === this.chosen,
+      id: `mode-${i}`,
+      onchange: () => this.choose(i),
+    });
+    const cells =
+      mode.kind === "oscillation"
+        ? [
+            quantity(mode.omega, { unit: units.omega, error: mode.error }),
+            quantity(mode.f, { unit: units.f, digits: 5 }),
+            quantity(mode.period, { unit: units.period, digits: 5 }),
+          ]
+        : [
+            mode.kind === "rigid"
+              ? quantity(0, { unit: units.omega })
+              : quantity(mode.rate, { unit: units.rate, error: mode.error }),
+            "–",
+            "–",
+          ];
+    return element(
+      "tr",
+      {},
+      element("th", { scope: "row" }, element("label", { for: `mode-${i}` }, pick, mode.kind)),
       ...cells.map((cell) => element("td", {}, cell)),
       ...answer.coordinates.map((/** @type {string} */ name) => element("td", { class: "number" }, short(mode.shape[name], 6))),
-      scaled ? element("td", { class: "number" }, `(${answer.coordinates.map((/** @type {string} */ name) => short(mode.shape_scaled[name], 5)).join(", ")})`) : "");
+      scaled
+        ? element(
+            "td",
+            { class: "number" },
+            `(${answer.coordinates.map((/** @type {string} */ name) => short(mode.shape_scaled[name], 5)).join(", ")})`,
+          )
+        : "",
+    );
   }
 
   /** @param {number} i */
@@ -79,19 +142,48 @@ export class ModesView {
     const figure = new Figure(scene, answer.request.parameters, {});
     const size = sizeOf(mode, scene, answer.equilibrium.state);
     const motion = new ModeMotion(answer.equilibrium.state, mode.shape, size, mode.omega ?? 0, answer.coordinates);
-    page.borrow(motion, figure, `Mode ${i + 1}: ${answer.coordinates.map((/** @type {string} */ name) => `${symbol(name)} ${short(mode.shape[name], 4)}`).join(", ")}`);
+    page.borrow(
+      motion,
+      figure,
+      `Mode ${i + 1}: ${answer.coordinates.map((/** @type {string} */ name) => `${symbol(name)} ${short(mode.shape[name], 4)}`).join(", ")}`,
+    );
     page.stage.clock.play();
   }
 
   /** @param {any} answer */
   matrices(answer) {
-    const show = (/** @type {string} */ title, /** @type {number[][]} */ rows) => element("div", {}, element("h2", {}, title),
-      element("div", { class: "table-frame", tabindex: "0" }, element("table", { class: "matrix" }, element("tbody", {}, ...rows.map((row) =>
-        element("tr", {}, ...row.map((value) => element("td", { class: "number" }, short(value, 6)))))))));
+    const show = (/** @type {string} */ title, /** @type {number[][]} */ rows) =>
+      element(
+        "div",
+        {},
+        element("h2", {}, title),
+        element(
+          "div",
+          { class: "table-frame", tabindex: "0" },
+          element(
+            "table",
+            { class: "matrix" },
+            element(
+              "tbody",
+              {},
+              ...rows.map((row) => element("tr", {}, ...row.map((value) => element("td", { class: "number" }, short(value, 6))))),
+            ),
+          ),
+        ),
+      );
     const isZero = answer.gyroscopic_matrix.flat().every((/** @type {number} */ value) => value === 0);
-    return [element("div", { class: "matrices" }, show("Mass matrix", answer.mass_matrix), show("Stiffness matrix", answer.stiffness_matrix),
-      isZero ? "" : show("Gyroscopic matrix", answer.gyroscopic_matrix))];
+    return [
+      element(
+        "div",
+        { class: "matrices" },
+        show("Mass matrix", answer.mass_matrix),
+        show("Stiffness matrix", answer.stiffness_matrix),
+        isZero ? "" : show("Gyroscopic matrix", answer.gyroscopic_matrix),
+      ),
+    ];
   }
 
-  leave() { this.page.giveBack(); }
+  leave() {
+    this.page.giveBack();
+  }
 }

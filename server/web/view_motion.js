@@ -22,18 +22,27 @@ export class MotionView {
     this.words = element("div", { class: "words" });
     this.footBox = element("div");
     this.chooser = element("div", { class: "chooser", role: "group", "aria-label": "Columns" });
-    this.versus = new Versus(page, this.columns.filter((name) => name !== "T" && name !== "V"));
+    this.versus = new Versus(
+      page,
+      this.columns.filter((name) => name !== "T" && name !== "V"),
+    );
     this.node = element("div", {}, this.chooser, this.plotBox, this.versus.node, this.words, this.footBox);
     this.fillChooser();
     page.include = this.includes();
   }
 
-  get scene() { return this.page.subject.scene; }
-  get inDegrees() { return this.page.subject.values.has("_deg"); }
+  get scene() {
+    return this.page.subject.scene;
+  }
+  get inDegrees() {
+    return this.page.subject.values.has("_deg");
+  }
 
   chosen() {
     const wanted = this.page.subject.values.get("_show");
-    return wanted === undefined ? [...this.page.subject.coordinates, "energy"] : wanted.split(",").filter((name) => this.columns.includes(name));
+    return wanted === undefined
+      ? [...this.page.subject.coordinates, "energy"]
+      : wanted.split(",").filter((name) => this.columns.includes(name));
   }
 
   includes() {
@@ -48,7 +57,11 @@ export class MotionView {
       box.dataset.column = name;
       return element("label", { class: "toggle" }, box, symbolNode(name));
     });
-    const degrees = element("input", { type: "checkbox", checked: this.inDegrees, onchange: () => this.page.set("_deg", degrees.checked ? "1" : null) });
+    const degrees = element("input", {
+      type: "checkbox",
+      checked: this.inDegrees,
+      onchange: () => this.page.set("_deg", degrees.checked ? "1" : null),
+    });
     const hasAngles = this.scene.coordinates.some((/** @type {any} */ q) => q.unit === "rad");
     fill(this.chooser, ...boxes, hasAngles ? element("label", { class: "toggle apart" }, degrees, "angles in degrees") : "");
   }
@@ -77,14 +90,34 @@ export class MotionView {
     const { answer } = page;
     if (!answer) return;
     const groups = this.groupsByUnit(answer);
-    for (const [unit, plot] of this.plots) if (!groups.has(unit)) { plot.node.remove(); this.plots.delete(unit); }
+    for (const [unit, plot] of this.plots)
+      if (!groups.has(unit)) {
+        plot.node.remove();
+        this.plots.delete(unit);
+      }
     for (const [unit, names] of groups) this.plotOf(unit).set(this.content(answer, names));
     const nodes = [...groups.keys()].map((unit) => this.plotOf(unit).node);
-    if (nodes.some((node, i) => this.plotBox.children[i] !== node) || nodes.length !== this.plotBox.childElementCount) fill(this.plotBox, ...nodes);
+    if (nodes.some((node, i) => this.plotBox.children[i] !== node) || nodes.length !== this.plotBox.childElementCount)
+      fill(this.plotBox, ...nodes);
     this.versus.show(answer, (unit) => this.factor(unit));
     fill(this.words, ...this.sentences(answer));
-    fill(this.footBox, foot({ endpoint: "simulate", body: page.motionBody ?? {} }), element("p", { class: "copies" },
-      element("button", { type: "button", class: "quiet", onclick: async () => download(`${this.scene.name}.csv`, await askForTable("simulate", page.motionBody ?? {})) }, "download CSV")));
+    fill(
+      this.footBox,
+      foot({ endpoint: "simulate", body: page.motionBody ?? {} }),
+      element(
+        "p",
+        { class: "copies" },
+        element(
+          "button",
+          {
+            type: "button",
+            class: "quiet",
+            onclick: async () => download(`${this.scene.name}.csv`, await askForTable("simulate", page.motionBody ?? {})),
+          },
+          "download CSV",
+        ),
+      ),
+    );
     this.tick(page.stage.clock.time);
   }
 
@@ -102,10 +135,14 @@ export class MotionView {
   }
 
   /** @param {any} answer @param {string} name */
-  unitOf(answer, name) { return answer.units[name] ?? (name === "T" || name === "V" ? "J" : "1"); }
+  unitOf(answer, name) {
+    return answer.units[name] ?? (name === "T" || name === "V" ? "J" : "1");
+  }
 
   /** @param {string | undefined} unit */
-  factor(unit) { return this.inDegrees && /\brad\b/.test(unit ?? "") && !/[*]/.test(unit ?? "") ? 180 / Math.PI : 1; }
+  factor(unit) {
+    return this.inDegrees && /\brad\b/.test(unit ?? "") && !/[*]/.test(unit ?? "") ? 180 / Math.PI : 1;
+  }
 
   /** @param {any} answer @returns {Map<string, string[]>} */
   groupsByUnit(answer) {
@@ -122,7 +159,10 @@ export class MotionView {
   plotOf(unit) {
     const known = this.plots.get(unit);
     if (known) return known;
-    const seek = (/** @type {number} */ t) => { this.page.stage.clock.pause(); this.page.stage.clock.seek(t); };
+    const seek = (/** @type {number} */ t) => {
+      this.page.stage.clock.pause();
+      this.page.stage.clock.seek(t);
+    };
     const plot = new Plot({ title: "over time", x: { label: "t / s" }, y: { label: "" }, onSeek: seek });
     this.plots.set(unit, plot);
     return plot;
@@ -137,7 +177,12 @@ export class MotionView {
     const symbols = names.map(symbol).join(", ");
     plot.y.label = shown ? `${symbols} / ${shown}` : symbols;
     plot.setTitle(`${symbols} over time`);
-    return { series: names.map((name) => this.curve(answer, name, factor)), marks: this.marks(answer), knownUntil: answer.accuracy.horizon ?? Infinity, said: sentence(answer, this.scene) };
+    return {
+      series: names.map((name) => this.curve(answer, name, factor)),
+      marks: this.marks(answer),
+      knownUntil: answer.accuracy.horizon ?? Infinity,
+      said: sentence(answer, this.scene),
+    };
   }
 
   /** @param {any} answer @param {string} name @param {number} factor */
@@ -146,8 +191,13 @@ export class MotionView {
     const stated = answer.accuracy.max_abs_error?.[name];
     const error = stated === undefined ? undefined : stated * factor;
     const values = this.valuesOf(answer, name) ?? [];
-    return { ...broken(answer.trajectory.t, factor === 1 ? values : values.map((value) => value * factor), jumps), label: symbol(name),
-      colour: colours[this.columns.indexOf(name) % colours.length], error, note: error === undefined ? this.driftOf(answer, name) : plusMinus(error) };
+    return {
+      ...broken(answer.trajectory.t, factor === 1 ? values : values.map((value) => value * factor), jumps),
+      label: symbol(name),
+      colour: colours[this.columns.indexOf(name) % colours.length],
+      error,
+      note: error === undefined ? this.driftOf(answer, name) : plusMinus(error),
+    };
   }
 
   /** @param {any} answer @param {string} name */
@@ -164,22 +214,44 @@ export class MotionView {
       named.add(event.name);
       return { x: event.t, label, kind: "tick" };
     });
-    if (answer.stop) marks.push({ x: answer.stop.t, label: answer.stop.reason.replaceAll("_", " "), colour: "vermillion-text", kind: "line" });
+    if (answer.stop)
+      marks.push({ x: answer.stop.t, label: answer.stop.reason.replaceAll("_", " "), colour: "vermillion-text", kind: "line" });
     return marks;
   }
 
   /** @param {any} answer @returns {HTMLElement[]} */
   sentences(answer) {
     const { accuracy, diagnostics } = answer;
-    const worst = Object.entries(accuracy.max_abs_error ?? {}).map(([name, error]) => `${symbol(name)} ${plusMinus(error, answer.units[name])}`);
-    const said = [element("p", {}, `Error of ${accuracy.horizon === null ? "every" : "the worst"} row, ${accuracy.bounded ? "each step proven" : "measured"}: ${worst.join(", ")}.`)];
+    const worst = Object.entries(accuracy.max_abs_error ?? {}).map(
+      ([name, error]) => `${symbol(name)} ${plusMinus(error, answer.units[name])}`,
+    );
+    const said = [
+      element(
+        "p",
+        {},
+        `Error of ${accuracy.horizon === null ? "every" : "the worst"} row, ${accuracy.bounded ? "each step proven" : "measured"}: ${worst.join(", ")}.`,
+      ),
+    ];
     if (accuracy.reason) said.push(element("p", {}, accuracy.reason));
     if (accuracy.horizon !== null) said.push(element("p", { class: "known-until" }, `Known until ${short(accuracy.horizon)} s.`));
-    if (answer.stop) said.push(element("p", { class: "ending" }, `It stops at ${short(answer.stop.t)} s. ${answer.stop.message}`));
+    if (answer.stop)
+      said.push(element("p", { class: "ending" }, `It stops at ${short(answer.stop.t)} s. ${answer.stop.message}`));
     for (const kept of diagnostics.conserved) {
-      said.push(element("p", {}, `${kept.name === "energy" ? "The energy" : symbol(kept.name)} is kept${answer.strides?.length ? " between impacts" : ""}: ${short(kept.initial)} ${unitText(kept.unit)}, to ${short(kept.max_abs_drift, 2)}.`));
+      said.push(
+        element(
+          "p",
+          {},
+          `${kept.name === "energy" ? "The energy" : symbol(kept.name)} is kept${answer.strides?.length ? " between impacts" : ""}: ${short(kept.initial)} ${unitText(kept.unit)}, to ${short(kept.max_abs_drift, 2)}.`,
+        ),
+      );
     }
-    said.push(element("p", { class: "quiet-words" }, `${accuracy.method}, ${diagnostics.steps} steps, ${diagnostics.rhs_evaluations} evaluations.`));
+    said.push(
+      element(
+        "p",
+        { class: "quiet-words" },
+        `${accuracy.method}, ${diagnostics.steps} steps, ${diagnostics.rhs_evaluations} evaluations.`,
+      ),
+    );
     return said;
   }
 
@@ -189,5 +261,7 @@ export class MotionView {
     this.versus.tick(t);
   }
 
-  leave() { this.page.include = []; }
+  leave() {
+    this.page.include = [];
+  }
 }

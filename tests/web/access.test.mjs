@@ -4,13 +4,30 @@ import { after, before, test } from "node:test";
 import { findings, launch, newPage, noSidewaysScroll, open } from "./browser.mjs";
 
 let browser;
-before(async () => { browser = await launch(); });
+before(async () => {
+  browser = await launch();
+});
 after(() => browser.close());
 
 for (const theme of ["light", "dark"]) {
   test(`axe-core finds nothing, in ${theme} colours, at two widths, and nothing scrolls sideways`, async () => {
-    const views = ["#/", "#/systems/cart_pendulum", "#/systems/rod_spring_pendulum/equations", "#/systems/rod_pendulum/modes", "#/systems/free_spin_pendulum/turning",
-      "#/systems/whirling_pendulum/equilibria", "#/systems/whirling_pendulum/bifurcations", "#/systems/compass_walker/gait", "#/systems/spring_pendulum/accuracy", "#/problems/8", "#/problems/9", "#/scene", "docs", "errors/invalid-request", "nothing-here"];
+    const views = [
+      "#/",
+      "#/systems/cart_pendulum",
+      "#/systems/rod_spring_pendulum/equations",
+      "#/systems/rod_pendulum/modes",
+      "#/systems/free_spin_pendulum/turning",
+      "#/systems/whirling_pendulum/equilibria",
+      "#/systems/whirling_pendulum/bifurcations",
+      "#/systems/compass_walker/gait",
+      "#/systems/spring_pendulum/accuracy",
+      "#/problems/8",
+      "#/problems/9",
+      "#/scene",
+      "docs",
+      "errors/invalid-request",
+      "nothing-here",
+    ];
     const found = {};
     for (const width of [1280, 360]) {
       const { page, context } = await newPage(browser, { width, theme });

@@ -20,18 +20,27 @@ export async function launch() {
 
 /** A page with the list of what went wrong on it. */
 export async function newPage(browser, { width = 1280, height = 900, theme = "light", motion = "no-preference" } = {}) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, reducedMotion: motion, bypassCSP: false });
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: theme,
+    reducedMotion: motion,
+    bypassCSP: false,
+  });
   const page = await context.newPage();
   const complaints = [];
-  page.on("console", (message) => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(message.text());
+  });
   page.on("pageerror", (error) => complaints.push(String(error.stack)));
-  page.on("request", (request) => { if (!request.url().startsWith(origin) && !/^(blob|data):/.test(request.url())) complaints.push(`asks ${request.url()}`); });
+  page.on("request", (request) => {
+    if (!request.url().startsWith(origin) && !/^(blob|data):/.test(request.url())) complaints.push(`asks ${request.url()}`);
+  });
   return { page, complaints, context };
 }
 
 /** Opens a view and waits until it stands still: no question under way, and its parts there. */
 export async function open(page, hash, wanted = "main h1") {
-  await page.goto("about:blank");  // another fragment alone would load nothing anew
+  await page.goto("about:blank"); // another fragment alone would load nothing anew
   await page.goto(`${origin}/${hash}`);
   await page.locator(wanted).first().waitFor();
   await idle(page);
@@ -39,24 +48,30 @@ export async function open(page, hash, wanted = "main h1") {
 
 /** Until nothing is asked any more, and what was answered is shown. */
 export async function idle(page) {
-  await page.waitForFunction(() => new Promise((resolve) => {
-    let quiet = 0;
-    const look = () => {
-      quiet = document.documentElement.dataset.asking ? 0 : quiet + 1;
-      if (quiet > 4) resolve(true);
-      else requestAnimationFrame(look);
-    };
-    look();
-  }));
+  await page.waitForFunction(
+    () =>
+      new Promise((resolve) => {
+        let quiet = 0;
+        const look = () => {
+          quiet = document.documentElement.dataset.asking ? 0 : quiet + 1;
+          if (quiet > 4) resolve(true);
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
 }
 
 /** What axe-core finds, a line each. It is given to the page as a program of the test, which no policy holds back. */
 export async function findings(page) {
   const session = await page.context().newCDPSession(page);
   await session.send("Runtime.evaluate", { expression: axe });
-  const { result } = await session.send("Runtime.evaluate", { expression: `axe.run(document, { resultTypes: ["violations"] }).then((all) =>
+  const { result } = await session.send("Runtime.evaluate", {
+    expression: `axe.run(document, { resultTypes: ["violations"] }).then((all) =>
     JSON.stringify(all.violations.map((one) => one.id + ": " + one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + " " + (node.any[0]?.message ?? node.all[0]?.message ?? "")).join(" | "))))`,
-    awaitPromise: true, returnByValue: true });
+    awaitPromise: true,
+    returnByValue: true,
+  });
   await session.detach();
   return JSON.parse(result.value);
 }

@@ -4,7 +4,9 @@ import { after, before, test } from "node:test";
 import { findings, launch, newPage, noSidewaysScroll, open, origin } from "./browser.mjs";
 
 let browser;
-before(async () => { browser = await launch(); });
+before(async () => {
+  browser = await launch();
+});
 after(() => browser.close());
 
 test("every address of the docs opens, sends its forms, and axe-core finds nothing in it", async () => {

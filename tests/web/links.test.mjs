@@ -5,19 +5,31 @@ import { after, before, test } from "node:test";
 import { idle, launch, newPage, open, origin, shell } from "./browser.mjs";
 
 let browser;
-before(async () => { browser = await launch(); });
+before(async () => {
+  browser = await launch();
+});
 after(() => browser.close());
 
-const views = [["#/systems/cart_pendulum?k=30&theta=30deg&t_end=5", "simulate"], ["#/systems/free_spin_pendulum/equations?_form=latex", "equations"], ["#/systems/rod_pendulum/modes?l=0.8", "modes"],
-  ["#/systems/free_spin_pendulum/turning", "turning_points"], ["#/systems/whirling_pendulum/equilibria?Omega=2*sqrt(g/l)", "equilibria"], ["#/systems/whirling_pendulum/bifurcations", "bifurcations"],
-  ["#/systems/compass_walker/gait", "gait"], ["#/systems/orbiting_pendulum/accuracy?t_end=2", "accuracy"], ["#/scene", "simulate"], ["#/problems/4", "modes"]];
+const views = [
+  ["#/systems/cart_pendulum?k=30&theta=30deg&t_end=5", "simulate"],
+  ["#/systems/free_spin_pendulum/equations?_form=latex", "equations"],
+  ["#/systems/rod_pendulum/modes?l=0.8", "modes"],
+  ["#/systems/free_spin_pendulum/turning", "turning_points"],
+  ["#/systems/whirling_pendulum/equilibria?Omega=2*sqrt(g/l)", "equilibria"],
+  ["#/systems/whirling_pendulum/bifurcations", "bifurcations"],
+  ["#/systems/compass_walker/gait", "gait"],
+  ["#/systems/orbiting_pendulum/accuracy?t_end=2", "accuracy"],
+  ["#/scene", "simulate"],
+  ["#/problems/4", "modes"],
+];
 
 for (const [hash, endpoint] of views) {
   test(`the curl line of ${hash} gives the bytes that the page has`, async () => {
     const { page, context } = await newPage(browser);
     const seen = [];
     page.on("response", async (response) => {
-      if (response.url().endsWith(`/v1/${endpoint}`)) seen.push({ asked: response.request().postData(), body: await response.body().catch(() => null) });
+      if (response.url().endsWith(`/v1/${endpoint}`))
+        seen.push({ asked: response.request().postData(), body: await response.body().catch(() => null) });
     });
     await open(page, hash, "pre.curl");
     await page.locator(`pre.curl[data-endpoint=${endpoint}]`).first().waitFor();
@@ -79,7 +91,9 @@ test("from system to system and from view to view without loading the page anew"
   const { systems } = await (await fetch(`${origin}/v1/systems`)).json();
   for (const { name, title } of systems) {
     for (const view of ["motion", "equations"]) {
-      await page.evaluate((hash) => { location.hash = hash; }, `#/systems/${name}/${view}`);
+      await page.evaluate((hash) => {
+        location.hash = hash;
+      }, `#/systems/${name}/${view}`);
       await page.locator("h1", { hasText: title }).waitFor();
       await page.locator(`pre.curl[data-endpoint=${view === "motion" ? "simulate" : "equations"}]`).waitFor();
     }
@@ -91,7 +105,11 @@ test("from system to system and from view to view without loading the page anew"
 test("a plot goes away as SVG and PNG, a motion as CSV", async () => {
   const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/cart_pendulum", ".plot");
-  for (const [button, ending, begins] of [["SVG", "svg", "<svg"], ["PNG", "png", "\u0089PNG"], ["download CSV", "csv", "t,x,theta"]]) {
+  for (const [button, ending, begins] of [
+    ["SVG", "svg", "<svg"],
+    ["PNG", "png", "\u0089PNG"],
+    ["download CSV", "csv", "t,x,theta"],
+  ]) {
     const coming = page.waitForEvent("download");
     await page.getByRole("button", { name: button }).first().click();
     const file = await coming;

@@ -4,11 +4,15 @@ import { after, before, test } from "node:test";
 import { idle, launch, newPage, open } from "./browser.mjs";
 
 let browser;
-before(async () => { browser = await launch(); });
+before(async () => {
+  browser = await launch();
+});
 after(() => browser.close());
 
 const template = async (page) => JSON.parse(await page.locator("#scene-text").inputValue());
-const write = async (page, text) => { await page.locator("#scene-text").fill(text); };
+const write = async (page, text) => {
+  await page.locator("#scene-text").fill(text);
+};
 
 test("five templates open in every view", async () => {
   const { page, complaints, context } = await newPage(browser);
@@ -50,9 +54,17 @@ test("what the service says stands at its line, and its suggestion is a button",
 test("text that is no JSON is told where it breaks", async () => {
   const { page, context } = await newPage(browser);
   await open(page, "#/scene", ".plot");
-  for (const [text, said] of [["{\n  'name': 1}", /line 2 .*double quotes/], ["{\"name\": \"a\",\n}", /line 2/], ["{\"a\": 1 // x\n}", /line 1/], ["", /ends/]]) {
+  for (const [text, said] of [
+    ["{\n  'name': 1}", /line 2 .*double quotes/],
+    ['{"name": "a",\n}', /line 2/],
+    ['{"a": 1 // x\n}', /line 1/],
+    ["", /ends/],
+  ]) {
     await write(page, text);
-    await page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector(".remark")?.textContent ?? ""), said.source);
+    await page.waitForFunction(
+      (pattern) => new RegExp(pattern).test(document.querySelector(".remark")?.textContent ?? ""),
+      said.source,
+    );
   }
   await context.close();
 });
@@ -63,7 +75,10 @@ test("names of the schema are offered where they fit", async () => {
   await idle(page);
   const text = await page.locator("#scene-text").inputValue();
   const place = text.indexOf('"kind": "particle"') + '"kind": "particle",'.length;
-  await page.locator("#scene-text").evaluate((area, at) => { area.focus(); area.setSelectionRange(at, at); }, place);
+  await page.locator("#scene-text").evaluate((area, at) => {
+    area.focus();
+    area.setSelectionRange(at, at);
+  }, place);
   await page.keyboard.press("Control+Space");
   const words = await page.locator(".offers button").allTextContents();
   assert.ok(words.includes("mass") && words.includes("position"), words.join());
@@ -93,11 +108,18 @@ test("a hostile scene injects nothing", async () => {
   assert.ok(wide <= seen);
   scene.title = "y".repeat(100000);
   await write(page, JSON.stringify(scene));
-  await page.locator(".own-editor .problem", { hasText: "too large" }).or(page.locator(".own-editor .problem", { hasText: "bytes" })).first().waitFor();
+  await page
+    .locator(".own-editor .problem", { hasText: "too large" })
+    .or(page.locator(".own-editor .problem", { hasText: "bytes" }))
+    .first()
+    .waitFor();
   scene.title = "Short";
   scene.name = "__proto__";
   await write(page, JSON.stringify(scene));
   await page.waitForFunction(() => document.querySelector(".remark") || document.querySelector("h1").textContent === "Short");
-  assert.deepEqual(complaints.filter((text) => !/status of 4(13|22)/.test(text)), []);
+  assert.deepEqual(
+    complaints.filter((text) => !/status of 4(13|22)/.test(text)),
+    [],
+  );
   await context.close();
 });

@@ -3,10 +3,25 @@ import { mkdirSync } from "node:fs";
 import process from "node:process";
 import { idle, launch, newPage, open } from "./browser.mjs";
 
-const views = { start: "#/", motion: "#/systems/cart_pendulum", forced: "#/systems/forced_spring_pendulum?F=2*cos(4*t)&t_end=20", chaos: "#/systems/rod_pendulum?theta=1.2&phi=1.4&t_end=30",
-  stops: "#/systems/rolling_disk_platform", equations: "#/systems/free_spin_pendulum/equations", modes: "#/systems/rod_pendulum/modes", turning: "#/systems/free_spin_pendulum/turning",
-  equilibria: "#/systems/whirling_pendulum/equilibria", bifurcations: "#/systems/whirling_pendulum/bifurcations", gait: "#/systems/compass_walker/gait", accuracy: "#/systems/spring_pendulum/accuracy",
-  problem: "#/problems/10", scene: "#/scene", docs: "docs", error: "errors/invalid-request", nothing: "nothing-here" };
+const views = {
+  start: "#/",
+  motion: "#/systems/cart_pendulum",
+  forced: "#/systems/forced_spring_pendulum?F=2*cos(4*t)&t_end=20",
+  chaos: "#/systems/rod_pendulum?theta=1.2&phi=1.4&t_end=30",
+  stops: "#/systems/rolling_disk_platform",
+  equations: "#/systems/free_spin_pendulum/equations",
+  modes: "#/systems/rod_pendulum/modes",
+  turning: "#/systems/free_spin_pendulum/turning",
+  equilibria: "#/systems/whirling_pendulum/equilibria",
+  bifurcations: "#/systems/whirling_pendulum/bifurcations",
+  gait: "#/systems/compass_walker/gait",
+  accuracy: "#/systems/spring_pendulum/accuracy",
+  problem: "#/problems/10",
+  scene: "#/scene",
+  docs: "docs",
+  error: "errors/invalid-request",
+  nothing: "nothing-here",
+};
 const [, , directory, word = ""] = process.argv;
 mkdirSync(directory, { recursive: true });
 const browser = await launch();

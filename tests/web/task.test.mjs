@@ -7,7 +7,9 @@ import { after, before, test } from "node:test";
 import { idle, launch, newPage, open } from "./browser.mjs";
 
 let browser;
-before(async () => { browser = await launch(); });
+before(async () => {
+  browser = await launch();
+});
 after(() => browser.close());
 
 /** Presses Tab until what is wanted has the focus. */
@@ -58,7 +60,7 @@ test("a wrong number is told at its field, and the drawing stays", async () => {
   await page.locator(".number-row .problem:not(:empty)").waitFor();
   assert.match(await page.locator(".number-row .problem:not(:empty)").textContent(), /kg/);
   assert.equal(await field.getAttribute("aria-invalid"), "true");
-  assert.equal(await page.locator("canvas.plot").count() > 0, true);
+  assert.equal((await page.locator("canvas.plot").count()) > 0, true);
   await field.fill("0.7");
   await field.press("Tab");
   await page.waitForFunction(() => !document.querySelector(".number-row .problem:not(:empty)"));
@@ -112,9 +114,15 @@ test("a service that is killed and started again is waited for, calmly", async (
   await field.fill("55");
   await field.press("Tab");
   await page.waitForFunction(() => /does not answer/.test(document.getElementById("connection").textContent));
-  assert.equal(await page.locator("canvas.plot").count() > 0, true);
+  assert.equal((await page.locator("canvas.plot").count()) > 0, true);
   const second = await serve(first.port);
-  await page.waitForFunction(() => document.getElementById("connection").textContent === "" && document.querySelector("pre.curl").textContent.includes('"k":55'), null, { timeout: 15000 });
+  await page.waitForFunction(
+    () =>
+      document.getElementById("connection").textContent === "" &&
+      document.querySelector("pre.curl").textContent.includes('"k":55'),
+    null,
+    { timeout: 15000 },
+  );
   await end(second.child);
   await context.close();
 });
@@ -126,14 +134,25 @@ test("a busy service is waited for as long as it asks, with the old picture kept
   await page.route("**/v1/simulate", (route) => {
     refusals += 1;
     if (refusals > 1) return route.continue();
-    return route.fulfill({ status: 503, headers: { "Retry-After": "1" }, contentType: "application/problem+json", body: '{"title": "busy", "status": 503, "detail": "busy"}' });
+    return route.fulfill({
+      status: 503,
+      headers: { "Retry-After": "1" },
+      contentType: "application/problem+json",
+      body: '{"title": "busy", "status": 503, "detail": "busy"}',
+    });
   });
   const field = page.getByRole("textbox", { name: /stiffness/ });
   await field.fill("33");
   await field.press("Tab");
-  await page.waitForFunction(() => document.getElementById("connection").textContent === "The service is busy. Trying again in 1 s.");
-  assert.equal(await page.locator("canvas.plot").count() > 0, true);
-  await page.waitForFunction(() => document.getElementById("connection").textContent === "" && document.querySelector("pre.curl").textContent.includes('"k":33'));
+  await page.waitForFunction(
+    () => document.getElementById("connection").textContent === "The service is busy. Trying again in 1 s.",
+  );
+  assert.equal((await page.locator("canvas.plot").count()) > 0, true);
+  await page.waitForFunction(
+    () =>
+      document.getElementById("connection").textContent === "" &&
+      document.querySelector("pre.curl").textContent.includes('"k":33'),
+  );
   assert.equal(refusals, 2);
   await page.getByRole("button", { name: "All defaults" }).click();
   await page.waitForFunction(() => !document.querySelector("pre.curl").textContent.includes('"k"'));
@@ -146,7 +165,9 @@ test("many wishes in a row are not all asked: the newest is", async () => {
   const asked = [];
   await page.route("**/v1/simulate", async (route) => {
     asked.push(JSON.parse(route.request().postData()).parameters?.k);
-    await new Promise((resolve) => { setTimeout(resolve, 120); });
+    await new Promise((resolve) => {
+      setTimeout(resolve, 120);
+    });
     await route.continue().catch(() => {});
   });
   await page.getByLabel("k, slider").evaluate(async (slider) => {

@@ -3,7 +3,16 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { findings, launch, newPage, open, origin } from "./browser.mjs";
 
-const parts = { simulate: "motion", equations: "equations", modes: "modes", turning_points: "turning", equilibria: "equilibria", bifurcations: "bifurcations", gait: "gait", accuracy: "accuracy" };
+const parts = {
+  simulate: "motion",
+  equations: "equations",
+  modes: "modes",
+  turning_points: "turning",
+  equilibria: "equilibria",
+  bifurcations: "bifurcations",
+  gait: "gait",
+  accuracy: "accuracy",
+};
 let browser, systems;
 
 before(async () => {
@@ -17,8 +26,15 @@ test("the start view draws every system", async () => {
   const { page, complaints, context } = await newPage(browser);
   await open(page, "#/", ".vignette");
   assert.equal(await page.locator(".vignette").count(), systems.length);
-  const isDrawn = () => page.locator(".vignette").evaluateAll((all) => all.every((canvas) =>
-    canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0)));
+  const isDrawn = () =>
+    page.locator(".vignette").evaluateAll((all) =>
+      all.every((canvas) =>
+        canvas
+          .getContext("2d")
+          .getImageData(0, 0, canvas.width, canvas.height)
+          .data.some((value) => value > 0),
+      ),
+    );
   await page.waitForTimeout(300);
   assert.ok(await isDrawn());
   assert.deepEqual(complaints, []);
@@ -43,9 +59,9 @@ test("the ten problems are answered", async () => {
   const { page, complaints, context } = await newPage(browser);
   for (let number = 1; number <= 10; ++number) {
     await open(page, `#/problems/${number}`, ".question");
-    assert.ok(await page.locator("table.answers tr").count() > 0, `problem ${number}`);
+    assert.ok((await page.locator("table.answers tr").count()) > 0, `problem ${number}`);
     assert.deepEqual(complaints.splice(0), [], `problem ${number}`);
   }
-  assert.ok(await page.locator(".sheet.differs").count() > 0);
+  assert.ok((await page.locator(".sheet.differs").count()) > 0);
   await context.close();
 });
