@@ -97,6 +97,7 @@ export class NumberControl {
 
   /** @param {number} value @param {string} [typed] what stands in the field, where it is not the number */
   show(value, typed) {
+    if (value < this.range.low || value > this.range.high) this.range = usefulRange(this.declared, value);
     if (document.activeElement !== this.slider) this.slider.value = String(toSlider(this.range, value));
     this.slider.setAttribute("aria-valuetext", `${short(value)} ${this.declared.unit}`);
     if (document.activeElement !== this.field) this.field.value = typed ?? String(Number(value.toPrecision(5)));

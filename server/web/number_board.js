@@ -1,6 +1,7 @@
 // All numbers of a motion: parameters, start, inputs, how long and how exact.
 import { NumberControl } from "./controls.js";
 import { element } from "./dom.js";
+import { compiled } from "./expression.js";
 import { defaultsOf } from "./system.js";
 
 /** @typedef {import("./subject.js").Subject} Subject */
@@ -59,10 +60,10 @@ export class NumberBoard {
   /** @param {Record<string, number>} defaults */
   startControls(defaults) {
     return (this.subject.scene.coordinates ?? []).flatMap((/** @type {any} */ q) => [
-      this.control(q, Number(q.initial ?? 0)),
+      this.control(q, compiled(q.initial)(defaults)),
       this.control(
         { name: `${q.name}_dot`, unit: q.unit === "1" ? "1/s" : `${q.unit}/s`, meaning: "its rate" },
-        Number(q.initial_rate ?? 0) || 0,
+        compiled(q.initial_rate)(defaults),
       ),
     ]);
   }

@@ -2,7 +2,7 @@
 import { ask } from "./api.js";
 import { copyButton, element, fill, mathematics } from "./dom.js";
 import { foot } from "./foot.js";
-import { symbolNode } from "./numbers.js";
+import { prose, symbol, symbolNode } from "./numbers.js";
 
 /** @typedef {import("./system.js").SystemPage} SystemPage */
 
@@ -99,7 +99,7 @@ export class EquationsView {
         "What is conserved",
         answer.conserved.length
           ? answer.conserved.map((/** @type {any} */ kept) =>
-              element("div", {}, element("p", {}, symbolNode(kept.name), ": ", kept.why), one(kept.value)),
+              element("div", {}, element("p", {}, symbolNode(kept.name), ": ", prose(kept.why)), one(kept.value)),
             )
           : [element("p", {}, "Nothing that follows from the form of L.")],
       ),
@@ -108,7 +108,7 @@ export class EquationsView {
             element(
               "p",
               {},
-              `${answer.ignorable_coordinates.join(", ")} can be left out: its momentum is a constant. The Routhian is`,
+              `${answer.ignorable_coordinates.map(symbol).join(", ")} can be left out: its momentum is a constant. The Routhian is`,
             ),
             one(answer.routhian.R),
             ...list(answer.routhian.rates, form),
