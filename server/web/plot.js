@@ -7,7 +7,7 @@ import { CanvasSurface, SvgSurface } from "./surface.js";
 
 /** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number>, colour: string, label?: string, note?: string, error?: number, dash?: number[], width?: number, alpha?: number, marker?: "dot" | "ring" | "square" | "cross" | "diamond" | "triangle", joined?: boolean }} Series */
 /** @typedef {{ x?: number, y?: number, label?: string, colour?: string, kind?: "tick" | "line" }} Mark */
-/** @typedef {{ title: string, x: import("./axis.js").Axis | any, y: any, isSquare?: boolean, hasEqualScales?: boolean, hasLabels?: boolean, onSeek?: (x: number) => void, onPick?: (x: number, y: number) => void, isDraggable?: boolean, height?: number }} PlotOptions */
+/** @typedef {{ title: string, x: import("./axis.js").Axis | any, y: any, isSquare?: boolean, hasEqualScales?: boolean, hasLabels?: boolean, onSeek?: (x: number) => void, onPick?: (x: number, y: number) => void, isDraggable?: boolean, onZoom?: (range: [number, number] | null) => void, height?: number }} PlotOptions */
 
 export class Plot {
   /** @param {PlotOptions} options */
@@ -20,6 +20,7 @@ export class Plot {
     /** @type {Mark[]} */
     this.marks = [];
     this.knownUntil = Infinity;
+    this.least = [0, 0];
     /** @type {[number, number] | null} */
     this.zoomed = null;
     this.canvas = element("canvas", {
@@ -129,6 +130,7 @@ export class Plot {
   zoom(range) {
     this.zoomed = range;
     this.redraw();
+    this.options.onZoom?.(range);
   }
 
   resize() {
@@ -169,22 +171,46 @@ export class Plot {
     if (this.options.hasLabels !== false) drawing.labels(this.series);
   }
 
-  layout() {
-    const [width, height] = [this.width ?? 600, this.height ?? 200];
+  /** What the axes show. */
+  ranges() {
     const all = (/** @type {"x" | "y"} */ name) => this.series.flatMap((series) => Array.from(series[name]));
     const ends = this.marks.flatMap(({ x, kind }) => (x !== undefined && kind === "line" ? [x] : []));
-    this.x.hold(this.zoomed ?? [...all("x"), ...ends], this.zoomed || (this.options.onSeek && !this.options.isSquare) ? 0 : 0.05);
+    const isOverTime = this.options.onSeek && !this.options.isSquare;
+    this.x.hold(this.zoomed ?? [...all("x"), ...ends], this.zoomed || isOverTime ? 0 : 0.05);
     this.y.hold(this.zoomed ? this.seen() : all("y"));
+  }
+
+  layout() {
+    const [width, height] = [this.width ?? 600, this.height ?? 200];
+    this.ranges();
+    const [left, right] = this.margins();
+    this.x.place(Math.max(left, this.least[0]), width - Math.max(right, this.least[1]));
+    this.y.place(height - 38, 10);
+    if (this.options.hasEqualScales) this.equalize();
+  }
+
+  /** What the numbers at the left and the names at the right need, in pixels. */
+  margins() {
+    const widest = this.y.ticks(5).reduce((most, tick) => Math.max(most, tick.text.length), 0);
     const hasLabels = this.options.hasLabels !== false && this.series.some((series) => series.label);
     const longest = this.series.reduce(
       (most, { label = "", note = "" }) => Math.max(most, 8 * label.length, 5.8 * note.length),
       0,
     );
-    const room = hasLabels ? Math.min(0.32 * width, 14 + longest) : 16;
-    const widest = this.y.ticks(5).reduce((most, tick) => Math.max(most, tick.text.length), 0);
-    this.x.place(30 + 7 * widest, width - room);
-    this.y.place(height - 38, 10);
-    if (this.options.hasEqualScales) this.equalize();
+    return [30 + 7 * widest, hasLabels ? Math.min(0.32 * (this.width ?? 600), 14 + longest) : 16];
+  }
+
+  /** Plots below each other begin and end at the same place. @param {Plot[]} plots */
+  static align(plots) {
+    const all = plots.map((plot) => {
+      plot.ranges();
+      return plot.margins();
+    });
+    const least = [0, 1].map((side) => Math.max(0, ...all.map((margins) => margins[side])));
+    for (const plot of plots) {
+      plot.least = least;
+      plot.redraw();
+    }
   }
 
   /** A circle is a circle: the axis with more pixels a unit is shown further. */

@@ -99,6 +99,7 @@ export class MotionView {
     const nodes = [...groups.keys()].map((unit) => this.plotOf(unit).node);
     if (nodes.some((node, i) => this.plotBox.children[i] !== node) || nodes.length !== this.plotBox.childElementCount)
       fill(this.plotBox, ...nodes);
+    Plot.align([...this.plots.values()]);
     this.versus.show(answer, (unit) => this.factor(unit));
     fill(this.words, ...this.sentences(answer));
     fill(
@@ -163,7 +164,14 @@ export class MotionView {
       this.page.stage.clock.pause();
       this.page.stage.clock.seek(t);
     };
-    const plot = new Plot({ title: "over time", x: { label: "t / s" }, y: { label: "" }, onSeek: seek });
+    // All of them show the same time.
+    const onZoom = (/** @type {[number, number] | null} */ range) => {
+      for (const other of this.plots.values()) {
+        other.zoomed = range;
+        other.redraw();
+      }
+    };
+    const plot = new Plot({ title: "over time", x: { label: "t / s" }, y: { label: "" }, onSeek: seek, onZoom });
     this.plots.set(unit, plot);
     return plot;
   }

@@ -125,11 +125,14 @@ test("scrubbing and zooming: the time follows, and the plot shows less", async (
   const time = Number((await page.locator(".clock").textContent()).match(/[\d.]+/)[0]);
   assert.ok(time > 3 && time < 7, String(time));
   const before = await plot.evaluate((canvas) => canvas.toDataURL());
+  const second = page.locator("canvas.plot").nth(1);
+  const beside = await second.evaluate((canvas) => canvas.toDataURL());
   await page.mouse.move(box.x + 150, box.y + 60);
   await page.mouse.down();
   await page.mouse.move(box.x + 300, box.y + 60, { steps: 4 });
   await page.mouse.up();
   assert.notEqual(await plot.evaluate((canvas) => canvas.toDataURL()), before);
+  assert.notEqual(await second.evaluate((canvas) => canvas.toDataURL()), beside, "the other plots show the same time");
   await plot.focus();
   await page.keyboard.press("0");
   assert.equal(await plot.evaluate((canvas) => canvas.toDataURL()), before);
