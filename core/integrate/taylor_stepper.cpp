@@ -1,16 +1,16 @@
 #include "core/integrate/taylor_stepper.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "core/base/work.hpp"
 #include "core/integrate/evaluator.hpp"
+#include "core/integrate/series_sums.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/numerics/rough_powers.hpp"
 
 namespace qdot {
 namespace {
@@ -31,24 +31,6 @@ constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not 
 constexpr double least_share = 0.5, grown_share = 1.03;
 constexpr double visible = 1000;  ///< a defect so many times the last coefficients hides something
 
-/// log2 x to five digits, for x > 0: sum of s^(2i+1)/(2i+1) with s = (m - a)/(m + a), a^2 = 1/2.
-double rough_log2(double x) {
-  constexpr double a = 0.70710678118654752, two_over_ln2 = 2.8853900817779268;
-  int exponent{};
-  const double m = std::frexp(x, &exponent);
-  const double s = (m - a) / (m + a), s2 = s * s;
-  return exponent - 0.5 + two_over_ln2 * s * (1 + s2 * (1.0 / 3 + s2 * (1.0 / 5)));
-}
-
-/// 2^x to five digits.
-double rough_exp2(double x) {
-  constexpr double ln2 = 0.69314718055994531;
-  const int whole = static_cast<int>(x < 0 ? x - 0.5 : x + 0.5);  // |x| < 2200
-  const double f = (x - whole) * ln2;
-  const double sum = 1 + f * (1 + f * (1.0 / 2 + f * (1.0 / 6 + f * (1.0 / 24 + f * (1.0 / 120)))));
-  return std::ldexp(sum, whole);
-}
-
 /// log2 of (w / |c|)^(1/k); infinite for c = 0. A step need not be known to more than some digits.
 double log2_of_root(double w, double c, unsigned k) {
   if (c == 0) return infinity;
@@ -64,49 +46,6 @@ unsigned order_for(const RunRequest& request) {
   if (request.taylor_order > 0) return request.taylor_order;
   if (request.tolerances.rtol <= round_off_wanted) return order_at_round_off;
   return request.tolerances.rtol >= loose ? order_loose : order_tight;
-}
-
-using Two [[gnu::vector_size(16)]] = double;
-
-enum class Of { value, slope };
-
-/// sum_{k>=1} c_k s^k of so many rows of coefficients, or its derivative, side by side and even and odd
-/// powers apart, as each sum alone would wait for itself.
-template <Of of, std::size_t count>
-void sum_series(const double* c, std::size_t order, double s, double* sums) {
-  const auto row = [&](std::size_t i) { return c + i * (order + 1); };
-  const Two s2{s * s, s * s};
-  std::array<Two, count> sum{};
-  std::size_t k = order;
-  if (k % 2 == 1) {
-    const double factor = of == Of::slope ? static_cast<double>(k) : 1.0;
-    for (std::size_t i = 0; i < count; ++i) sum[i][0] = factor * row(i)[k];
-    --k;
-  }
-  Two powers{static_cast<double>(k) - 1, static_cast<double>(k)};
-  for (; k > 0; k -= 2, powers -= 2.0) {
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < count; ++i) {
-      Two pair;
-      std::memcpy(&pair, row(i) + k - 1, sizeof pair);
-      if (of == Of::slope) pair *= powers;
-      sum[i] = sum[i] * s2 + pair;
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    sums[i] = sum[i][0] + sum[i][1] * s;
-    if (of == Of::value) sums[i] *= s;
-  }
-}
-
-/// The same for as many rows as there are sums.
-template <Of of>
-void sum_all_series(const double* c, std::size_t order, double s, std::span<double> sums) {
-  const std::size_t n = sums.size(), row = order + 1;
-  std::size_t i = 0;
-  for (; i + 4 <= n; i += 4) sum_series<of, 4>(c + i * row, order, s, sums.data() + i);
-  for (; i + 2 <= n; i += 2) sum_series<of, 2>(c + i * row, order, s, sums.data() + i);
-  for (; i < n; ++i) sum_series<of, 1>(c + i * row, order, s, sums.data() + i);
 }
 
 class TaylorStepper final : public Stepper {
@@ -148,7 +87,7 @@ class TaylorStepper final : public Stepper {
     if (t == t_) {
       std::ranges::copy(y_, y_out.begin());
     } else {
-      sum_all_series<Of::value>(coefficients_.data(), order_, t - t_previous_, y_out);
+      sum_all_series<SeriesSum::value>(coefficients_.data(), order_, t - t_previous_, y_out);
       for (std::size_t i = 0; i < y_out.size(); ++i) y_out[i] = y_previous_[i] + y_out[i];
     }
     return std::nullopt;
@@ -310,7 +249,7 @@ class TaylorStepper final : public Stepper {
     std::vector<double>& y = attempt_;
     y.resize(y_.size());
     attempt_carried_.resize(y.size());
-    sum_all_series<Of::value>(next_.data(), order_, h, rise_);
+    sum_all_series<SeriesSum::value>(next_.data(), order_, h, rise_);
     for (std::size_t i = 0; i < y.size(); ++i) {
       const double rise = rise_[i] + carried_[i];
       y[i] = y_[i] + rise;
@@ -328,7 +267,7 @@ class TaylorStepper final : public Stepper {
 
   /// Whether the polynomial obeys the equation at the end of the step.
   bool holds_until(double h) {
-    sum_all_series<Of::slope>(next_.data(), order_, h, slope_);
+    sum_all_series<SeriesSum::slope>(next_.data(), order_, h, slope_);
     for (std::size_t i = 0; i < y_.size(); ++i) {
       const double rate = coefficient(beyond_, i, 1);
       const double defect = slope_[i] - rate;

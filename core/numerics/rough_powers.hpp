@@ -1,0 +1,27 @@
+#pragma once
+// Logarithm and power of two to five digits, by sums: enough for the length of a step, and the same bits on
+// every machine.
+
+#include <cmath>
+
+namespace qdot {
+
+/// log2 x to five digits, for x > 0: sum of s^(2i+1)/(2i+1) with s = (m - a)/(m + a), a^2 = 1/2.
+[[nodiscard]] inline double rough_log2(double x) {
+  constexpr double a = 0.70710678118654752, two_over_ln2 = 2.8853900817779268;
+  int exponent{};
+  const double m = std::frexp(x, &exponent);
+  const double s = (m - a) / (m + a), s2 = s * s;
+  return exponent - 0.5 + two_over_ln2 * s * (1 + s2 * (1.0 / 3 + s2 * (1.0 / 5)));
+}
+
+/// 2^x to five digits.
+[[nodiscard]] inline double rough_exp2(double x) {
+  constexpr double ln2 = 0.69314718055994531;
+  const int whole = static_cast<int>(x < 0 ? x - 0.5 : x + 0.5);  // |x| < 2200
+  const double f = (x - whole) * ln2;
+  const double sum = 1 + f * (1 + f * (1.0 / 2 + f * (1.0 / 6 + f * (1.0 / 24 + f * (1.0 / 120)))));
+  return std::ldexp(sum, whole);
+}
+
+}  // namespace qdot
