@@ -184,8 +184,10 @@ struct Service::Impl {
     const FindSystem find_system = find_system_in(catalogue);
     for (const Endpoint& endpoint : endpoints()) {
       const Handler handler = endpoint.question.handler(find_system, models);
-      for (const char* method : {"GET", "POST"})
+      for (const char* method : {"GET", "POST"}) {
+        if (endpoint.roads == Roads::body && method == std::string_view("GET")) continue;
         routes.add({method, address_of(endpoint), handler, endpoint.offers, endpoint.cost});
+      }
     }
   }
 

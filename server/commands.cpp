@@ -75,6 +75,8 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
     if (!arguments.words.empty()) request.target += "/" + percent_encoded(arguments.words.front());
   } else if (!arguments.words.empty()) {
     if (!arguments.request_file.empty()) throw UsageError("give key=value or --request, not both");
+    if (command.endpoint != nullptr && command.endpoint->roads == api::Roads::body)
+      throw UsageError("the request does not fit key=value; give JSON with --request FILE or on stdin");
     query = query_of(arguments.words);
   } else if (command.words == Words::request) {
     request.method = "POST";

@@ -60,6 +60,8 @@ Json limits_json() {
           {"json_nodes", limits::json_nodes},
           {"name_bytes", limits::name_bytes},
           {"expression_bytes", limits::expression_bytes},
+          {"check_items", limits::check_items},
+          {"check_algebra", limits::check_algebra},
           {"algebra", limits::algebra},
           {"rows", limits::rows},
           {"numbers", limits::numbers},

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "api/about/practice_sheet.hpp"
+#include "api/answers/endpoints.hpp"
 
 namespace qdot::api {
 namespace {
@@ -33,13 +34,16 @@ Json request_examples(const std::string& path, const Json& more, const Catalogue
   Json examples = Json::object();
   append_from_sheet(path, examples);
   std::size_t turn = 0;
+  const Endpoint* endpoint = endpoint_at(path);
+  const bool has_system = endpoint != nullptr && asks_about_a_system(*endpoint);
   for (const Json& example : more) {
     std::vector<std::string> names;
     for (const CatalogueEntry& entry : catalogue.entries()) {
       if (!example.contains("needs") || entry.json.contains(example["needs"].get<std::string>()))
         names.push_back(entry.scene.name);
     }
-    Json body{{"system", names.at(turn++ % names.size())}};
+    Json body = Json::object();
+    if (has_system) body["system"] = names.at(turn++ % names.size());
     body.update(example["body"]);
     append(examples, example["summary"], std::move(body));
   }

@@ -11,7 +11,7 @@ namespace qdot::api {
 
 /// OpenAPI's "examples" of a request body: {"name": {"summary": ..., "value": ...}}. `more` are requests
 /// without their `system`: [{"summary": ..., "body": {"t_end": 10}, "needs": "impact"}]. Each gets the next
-/// system of the catalogue whose scene has the member that it needs.
+/// system of the catalogue whose scene has the member that it needs, if the address asks about a system.
 [[nodiscard]] Json request_examples(const std::string& path, const Json& more, const Catalogue& catalogue);
 
 }  // namespace qdot::api

@@ -206,10 +206,12 @@ Json schemas(const Catalogue& catalogue) {
   all["Method"] = method_schema();
   for (const Json& about : descriptions()) {
     if (about.contains("schema")) all[about["answer"].get<std::string>()] = about["schema"];
+    if (about.contains("detail")) all[about["answer"].get<std::string>() + "InDetail"] = about["detail"];
   }
   for (const Endpoint& endpoint : endpoints()) {
     const auto answer = descriptions()[address_of(endpoint)]["answer"].get<std::string>();
     all[answer + "Request"] = body_schema(*endpoint.question.fields);
+    if (!asks_about_a_system(endpoint)) continue;
     all[answer + "Echo"] = echo_schema(*endpoint.question.fields);
     all[answer] = with_head(all[answer], answer + "Echo");
   }

@@ -46,11 +46,15 @@ Question question(const RequestTable<Request>& table,
 /// the scene has nothing to ask about.
 using Example = std::optional<Json> (*)(const Scene& scene, const Json& parameters);
 
+/// How an endpoint is asked: what does not fit a query line comes in a body only.
+enum class Roads { body_and_query, body };
+
 struct Endpoint {
   std::string_view name{};  ///< "energy": the address is /v1/energy, the command `qdot energy`
   std::string_view help{};  ///< one line for `qdot --help`
   Question question{};
   Cost cost{};
+  Roads roads{Roads::body_and_query};
   Example example{[](const Scene&, const Json&) { return std::optional(Json::object()); }};
   std::vector<std::string> offers{"application/json"};  ///< media types, the default first
 };

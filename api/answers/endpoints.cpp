@@ -1,27 +1,20 @@
 #include "api/answers/endpoints.hpp"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
-#include "api/answers/accuracy/request.hpp"
-#include "api/answers/bifurcations/request.hpp"
+#include "api/answers/check/request.hpp"
 #include "api/answers/embedded.hpp"
-#include "api/answers/energy/request.hpp"
-#include "api/answers/equations/request.hpp"
-#include "api/answers/equilibria/request.hpp"
-#include "api/answers/gait/request.hpp"
-#include "api/answers/modes/request.hpp"
-#include "api/answers/simulate/request.hpp"
-#include "api/answers/turning_points/request.hpp"
+#include "api/answers/questions.hpp"
 
 namespace qdot::api {
 
 std::span<const Endpoint> endpoints() {
-  static const std::array all{
-      equations_endpoint(),  energy_endpoint(),         modes_endpoint(),
-      equilibria_endpoint(), turning_points_endpoint(), gait_endpoint(),
-      simulate_endpoint(),   accuracy_endpoint(),       bifurcations_endpoint(),
-  };
+  static const std::vector<Endpoint> all = [] {
+    std::vector<Endpoint> result(questions().begin(), questions().end());
+    result.push_back(check_endpoint());
+    return result;
+  }();
   return all;
 }
 
@@ -31,6 +24,10 @@ const Endpoint* endpoint_at(std::string_view address) {
   const auto found =
       std::ranges::find_if(endpoints(), [&](const Endpoint& e) { return address_of(e) == address; });
   return found == endpoints().end() ? nullptr : &*found;
+}
+
+bool asks_about_a_system(const Endpoint& endpoint) {
+  return endpoint.question.fields->find("system") != nullptr;
 }
 
 Json description_of(const Endpoint& endpoint) {

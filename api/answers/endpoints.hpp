@@ -18,6 +18,9 @@ namespace qdot::api {
 /// The endpoint at an address; nullptr where none is.
 [[nodiscard]] const Endpoint* endpoint_at(std::string_view address);
 
+/// Whether its request has a system, so that its answer begins with it.
+[[nodiscard]] bool asks_about_a_system(const Endpoint& endpoint);
+
 /// What is said of an endpoint: <name>/<name>.json.
 [[nodiscard]] Json description_of(const Endpoint& endpoint);
 

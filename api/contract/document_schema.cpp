@@ -138,6 +138,7 @@ class Writer {
   Json operator()(const SystemKind&) { return Json::object(); }
   Json operator()(const SymbolsKind&) { return {{"type", "object"}}; }
   Json operator()(const ParameterValueKind&) { return Json::object(); }
+  Json operator()(const AnyKind& kind) { return kind.schema; }
 
  private:
   Json defined(const std::string& name, const std::function<Json()>& write) {

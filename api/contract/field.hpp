@@ -65,6 +65,11 @@ struct PositionKind {};
 /// Where a number makes sense: "> 0" or ">= 0, < 1" (domain_text.hpp).
 struct DomainKind {};
 
+/// Any value, read by whoever asked for it; `schema` says what it understands.
+struct AnyKind {
+  Json schema = Json::object();
+};
+
 struct Kind;
 
 /// An array of `least` to `most` elements of one kind; in a query, they have commas between them. A list of
@@ -120,7 +125,7 @@ struct ParameterValueKind {
 using KindVariant =
     std::variant<NumberKind, IntegerKind, BooleanKind, TextKind, ChoiceKind, SignKind, NameKind,
                  ExpressionKind, VectorKind, PositionKind, DomainKind, ListKind, RecordKind, VariantKind,
-                 MapKind, SystemKind, SymbolsKind, ParameterValueKind>;
+                 MapKind, SystemKind, SymbolsKind, ParameterValueKind, AnyKind>;
 struct Kind : KindVariant {
   using KindVariant::KindVariant;
 };

@@ -102,6 +102,10 @@ FieldError wrong_type(const Place& place, const std::string& name, const std::st
   return place.error("wrong_type", "'" + name + "' needs " + needed + ", not " + given + ".");
 }
 
+std::optional<Json> read_value(const AnyKind&, const std::string&, const Json& value, const Place&, Errors&) {
+  return value;
+}
+
 FieldError bad_name(const Place& place, std::string_view name) {
   return place.error("bad_name",
                      in_quotes(name) +

@@ -58,6 +58,9 @@ void report(Errors& errors, FieldError error);
 [[nodiscard]] std::optional<Json> read_value(const DomainKind&, const std::string& name, const Json& value,
                                              const Place& place, Errors& errors);
 
+[[nodiscard]] std::optional<Json> read_value(const AnyKind&, const std::string& name, const Json& value,
+                                             const Place& place, Errors& errors);
+
 /// "'a b' cannot be a name: ..."
 [[nodiscard]] FieldError bad_name(const Place& place, std::string_view name);
 

@@ -50,7 +50,7 @@ class RequestTable {
                                                               const FindSystem& find_system) const {
     Reading reading = read_request(set(), submission, find_system);
     Resolved<Request> result;
-    result.request.system = std::move(reading.system);
+    if constexpr (requires { result.request.system; }) result.request.system = std::move(reading.system);
     table_.store(reading.resolved, result.request);
     result.echo = std::move(reading.resolved);
     Findings findings(submission.road, result.echo, reading.errors, reading.defaulted);

@@ -19,6 +19,10 @@ inline constexpr std::size_t expression_bytes = 4 * 1024;
 inline constexpr std::size_t quantity_bytes = 100;
 inline constexpr std::size_t listed_errors = 50;
 
+// Submissions that are graded.
+inline constexpr std::size_t check_items = 200;
+inline constexpr std::uint64_t check_algebra = 300'000;  ///< of one submission
+
 // Equations derived, and searches in them: products of terms, operations on intervals.
 inline constexpr std::uint64_t algebra = 10'000'000;
 

@@ -52,9 +52,11 @@ class Document(Service):
             with self.subTest(path=path, body=body):
                 answer = self.raw("POST", path, json.dumps(body), {"Content-Type": "application/json"})
                 self.assertEqual(answer.status, 200, answer.data[:300])
+                count += 1
+                if "get" not in self.document["paths"][path]:
+                    continue
                 twin = self.raw("GET", f"{path}?{flattened(body)}")
                 self.assertEqual(twin.data, answer.data)
-                count += 1
         self.assertGreaterEqual(count, 20)
 
     def test_operations_without_fields(self):

@@ -1,0 +1,183 @@
+#include "api/answers/check/equation_item.hpp"
+
+#include <algorithm>
+
+#include "api/answers/check/diagnosis.hpp"
+#include "api/json/text.hpp"
+#include "core/expr/print/print.hpp"
+#include "core/grading/same_motion.hpp"
+
+namespace qdot::api {
+namespace {
+
+struct EquationItem {
+  std::shared_ptr<FormulaSystem> formula;
+  std::optional<std::size_t> coordinate;  ///< none: the equations of all coordinates
+  std::uint64_t seed{};
+  bool reveal{};
+
+  [[nodiscard]] std::size_t count() const { return coordinate ? 1 : formula->system.degrees_of_freedom(); }
+};
+
+/// One text with an equation a line, from a text or from an array of them.
+std::optional<std::string> text_of_equations(const Json& submitted) {
+  if (submitted.is_string()) return submitted.get<std::string>();
+  if (!submitted.is_array() || submitted.empty()) return std::nullopt;
+  std::string text;
+  for (const Json& line : submitted) {
+    if (!line.is_string()) return std::nullopt;
+    text += line.get_ref<const std::string&>() + "\n;";
+  }
+  return text;
+}
+
+std::string how_many(std::size_t count) {
+  return count == 1 ? "one equation is asked for"
+                    : std::to_string(count) + " equations are asked for, one a line";
+}
+
+Json all_written(const FormulaSystem& formula, std::span<const ReadEquation> equations) {
+  if (equations.size() == 1) return written(formula, equations.front());
+  Json text = Json::array(), latex = Json::array();
+  for (const ReadEquation& equation : equations) {
+    const Json one = written(formula, equation);
+    text.push_back(one["text"]);
+    latex.push_back(one["latex"]);
+  }
+  return {{"text", std::move(text)}, {"latex", std::move(latex)}};
+}
+
+/// What to say of an equation that is not the right one.
+const char* sentence(MotionFault fault) {
+  switch (fault) {
+    case MotionFault::none:
+      return "";
+    case MotionFault::not_true:
+      return "The motion does not obey it.";
+    case MotionFault::holds_always:
+      return "It holds whatever the motion is, so it says nothing about it.";
+    case MotionFault::other_coordinate:
+      return "It is true, but it is not the equation of this coordinate.";
+    case MotionFault::dependent:
+      return "One of the equations follows from the others.";
+    case MotionFault::not_linear:
+      return "It is not linear in the accelerations, so it may have other solutions, too; solve it for them.";
+    case MotionFault::undecided:
+      return "It has a value at too few states, or in too small a part of them, to be compared.";
+  }
+  return "";
+}
+
+bool has_no_verdict(MotionFault fault) {
+  return fault == MotionFault::not_linear || fault == MotionFault::undecided;
+}
+
+/// An equation that cannot be told wrong by a state is wrong by its form.
+std::string decided_by(const MotionVerdict& found) {
+  if (found.fault == MotionFault::not_true) return "counterexample";
+  return found.decided_by == Decision::values ? "values" : "identity";
+}
+
+Json counterexample_of(const EquationItem& item, const MotionVerdict& found, bool speaks_of_fixed) {
+  const std::vector<SymbolDomain> symbols = item.formula->system.domains();
+  Json json{{"state", state_json(*item.formula, symbols, found.counterexample)}};
+  if (found.acceleration && !speaks_of_fixed)
+    json[item.formula->scene().coordinates[0].name + "_ddot"] = *found.acceleration;
+  return json;
+}
+
+/// The slip in a wrong equation, held against the right one of its coordinate or, where all are asked for, of
+/// each.
+Json diagnosis_of(const EquationItem& item, const ReadEquation& submitted) {
+  const Model& model = item.formula->dynamics->model();
+  Graph& graph = item.formula->graph();
+  for (std::size_t i = 0; i < model.equations.equations.size(); ++i) {
+    if (item.coordinate && *item.coordinate != i) continue;
+    const Equation& equation = model.equations.equations[i];
+    const Expression right =
+        item.formula->system.with_fixed(graph.adopt(equation.left) - graph.adopt(equation.right));
+    Json found = diagnosis_json(*item.formula, {submitted.residual(), right, true}, item.seed, item.reveal);
+    if (!found.is_null()) return found;
+  }
+  return nullptr;
+}
+
+void decide_equations(const EquationItem& item, std::span<const ReadEquation> equations, Verdict& verdict) {
+  const ExpectedSystem& system = item.formula->system;
+  std::vector<Expression> residuals;
+  bool speaks_of_fixed = false;
+  for (const ReadEquation& equation : equations) {
+    const Expression residual = equation.residual();
+    speaks_of_fixed = speaks_of_fixed || system.speaks_of_fixed(residual);
+    residuals.push_back(system.with_fixed(residual));
+  }
+  const MotionVerdict found = compare_motion(system, residuals, item.coordinate, item.seed);
+  if (found.fault != MotionFault::none) {
+    const std::string which = residuals.size() > 1 && found.fault == MotionFault::not_true
+                                  ? "Equation " + std::to_string(found.equation + 1) + ": "
+                                  : "";
+    verdict.feedback.push_back(which + sentence(found.fault));
+  }
+  if (has_no_verdict(found.fault)) return;
+  verdict.correct = found.fault == MotionFault::none;
+  verdict.decided_by = decided_by(found);
+  if (found.fault != MotionFault::not_true) return;
+  verdict.counterexample = counterexample_of(item, found, speaks_of_fixed);
+  verdict.diagnosis = diagnosis_of(item, equations[found.equation]);
+}
+
+Json expected_equations(const EquationItem& item) {
+  const Model& model = item.formula->dynamics->model();
+  std::vector<ReadEquation> equations;
+  for (std::size_t i = 0; i < model.equations.equations.size(); ++i) {
+    if (item.coordinate && *item.coordinate != i) continue;
+    Graph& graph = item.formula->graph();
+    const Equation& equation = model.equations.equations[i];
+    equations.push_back({graph.adopt(equation.left), graph.adopt(equation.right)});
+  }
+  return all_written(*item.formula, equations);
+}
+
+Verdict grade_equations(const EquationItem& item, const Json& submitted) {
+  const auto text = text_of_equations(submitted);
+  if (!text) return unreadable("Write the equation as a text.");
+  const ReadSubmission read = read_submission(*text, item.formula->graph(), item.formula->vocabulary);
+  if (!read.errors.empty()) return {.format_errors = read.errors};
+  if (read.equations.size() != item.count()) return unreadable(how_many(item.count()));
+  for (const ReadEquation& equation : read.equations) {
+    if (!equation.right) return unreadable("an equation has an equals sign");
+  }
+  Verdict verdict;
+  verdict.understood = all_written(*item.formula, read.equations);
+  verdict.expected = expected_equations(item);
+  decide_equations(item, read.equations, verdict);
+  return verdict;
+}
+
+}  // namespace
+
+std::optional<Grader> read_equation_item(const CheckItem& item, const std::string& kind,
+                                         const ExpectationScope& scope, const Place& place, Errors& errors) {
+  const Place expect = place.below("expect");
+  auto formula =
+      read_formula_system(item, item.expect[kind], scope, expect.below(kind), place.below("names"), errors);
+  if (!formula) return std::nullopt;
+  EquationItem read{.formula = formula, .coordinate = {}, .seed = scope.seed, .reveal = scope.reveal};
+  if (item.expect.contains("of")) {
+    const Json& of = item.expect["of"];
+    std::vector<std::string> names;
+    for (const Coordinate& coordinate : formula->scene().coordinates) names.push_back(coordinate.name);
+    const auto found = std::ranges::find(names, of.is_string() ? of.get<std::string>() : "");
+    if (found == names.end()) {
+      FieldError error = expect.below("of").error(
+          "unknown_coordinate", "'of' is the coordinate whose equation is asked for; without it, all are.");
+      error.allowed = names;
+      report(errors, std::move(error));
+      return std::nullopt;
+    }
+    read.coordinate = static_cast<std::size_t>(found - names.begin());
+  }
+  return [read = std::move(read)](const Json& submitted) { return grade_equations(read, submitted); };
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,84 @@
+#include "api/answers/check/fact_item.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "api/contract/domain_text.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// What people say and what a box on a form says.
+std::optional<bool> truth_of(const Json& submitted) {
+  if (submitted.is_boolean()) return submitted.get<bool>();
+  if (!submitted.is_string()) return std::nullopt;
+  static const std::map<std::string, bool, std::less<>> words{{"yes", true}, {"true", true},   {"y", true},
+                                                              {"no", false}, {"false", false}, {"n", false}};
+  const auto found = words.find(lower_case(trimmed(submitted.get_ref<const std::string&>())));
+  return found == words.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// In small letters, with blanks for hyphens and underscores.
+std::string as_words(std::string_view text) {
+  std::string words = lower_case(trimmed(text));
+  std::ranges::replace_if(
+      words, [](char c) { return c == '_' || c == '-'; }, ' ');
+  return words;
+}
+
+/// Whether a number lies in a domain; none where its error does not tell.
+std::optional<bool> lies_in(const Domain& domain, const PointedValue& value) {
+  const auto [middle, error] = value.number();
+  const bool at_lower = domain.contains(middle - error), at_upper = domain.contains(middle + error);
+  if (at_lower != at_upper) return std::nullopt;
+  return at_lower;
+}
+
+bool is_same(const Json& value, const Json& is) {
+  if (value.is_string() && is.is_string())
+    return as_words(value.get_ref<const std::string&>()) == as_words(is.get_ref<const std::string&>());
+  return value == is;
+}
+
+std::optional<bool> fact(const Pointed& expected, const Json& is) {
+  const std::optional<Domain> domain = is.is_string() ? parse_domain(is.get<std::string>()) : std::nullopt;
+  if (!domain) {
+    return std::ranges::any_of(expected.values, [&](const auto& v) { return is_same(v.value, is); });
+  }
+  for (const PointedValue& value : expected.values) {
+    if (!value.value.is_number()) return std::nullopt;
+    const auto one = lies_in(*domain, value);
+    if (!one || !*one) return one;
+  }
+  return true;
+}
+
+Verdict grade_truth(bool expected, const Json& submitted) {
+  const auto truth = truth_of(submitted);
+  if (!truth) return unreadable("Answer yes or no.");
+  Verdict verdict{.correct = *truth == expected, .decided_by = "fact", .understood = {{"value", *truth}}};
+  verdict.expected = expected;
+  return verdict;
+}
+
+}  // namespace
+
+Verdict grade_fact(const Pointed& expected, const Json& is, const Json& submitted) {
+  if (!is.is_null()) {
+    const auto truth = fact(expected, is);
+    return truth ? grade_truth(*truth, submitted)
+                 : undecided("What is asked is not known well enough to tell.");
+  }
+  const Json& value = expected.values.front().value;
+  if (value.is_boolean()) return grade_truth(value.get<bool>(), submitted);
+  if (!submitted.is_string()) return unreadable("Answer with a word.");
+  const std::string word = as_words(submitted.get_ref<const std::string&>());
+  Verdict verdict{.correct = word == as_words(value.get_ref<const std::string&>()),
+                  .decided_by = "fact",
+                  .understood = {{"value", printable(word)}}};
+  verdict.expected = value;
+  return verdict;
+}
+
+}  // namespace qdot::api

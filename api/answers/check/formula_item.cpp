@@ -1,0 +1,162 @@
+#include "api/answers/check/formula_item.hpp"
+
+#include <algorithm>
+
+#include "api/answers/check/diagnosis.hpp"
+#include "api/json/text.hpp"
+#include "core/expr/print/print.hpp"
+#include "core/grading/same_formula.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// What one item expects.
+struct FormulaItem {
+  std::shared_ptr<FormulaSystem> formula;
+  std::string name;  ///< "T"; empty: a formula of the teacher's own
+  Expression expected;
+  std::uint64_t seed{};
+  bool reveal{};
+};
+
+/// The text behind "T =".
+std::string_view without_name(std::string_view text, const std::string& name) {
+  const std::size_t equals = text.find('=');
+  if (name.empty() || equals == std::string_view::npos) return text;
+  std::string left;
+  std::ranges::copy_if(text.substr(0, equals), std::back_inserter(left), [](char c) {
+    return std::string_view(" $\\{}\t\n(").find(c) == std::string_view::npos;
+  });
+  return left == name ? text.substr(equals + 1) : text;
+}
+
+/// The formula in a submission; no more than one, which may be the right side of an equation for its symbol.
+std::optional<ReadEquation> single(const FormulaItem& item, ReadSubmission& read, Verdict& verdict) {
+  verdict.format_errors = read.errors;
+  if (!read.errors.empty()) return std::nullopt;
+  if (read.equations.size() != 1) {
+    verdict.format_errors.emplace_back("one formula is asked for");
+    return std::nullopt;
+  }
+  ReadEquation& equation = read.equations.front();
+  if (!equation.right) return equation;
+  const auto own = item.formula->vocabulary.find(item.name);
+  if (own && equation.left == *own) return ReadEquation{*equation.right, std::nullopt};
+  verdict.format_errors.emplace_back("a formula is asked for, not an equation");
+  return std::nullopt;
+}
+
+Json counterexample_json(const FormulaItem& item, const Expression& submitted, const State& state) {
+  const std::vector<SymbolDomain> symbols = item.formula->system.domains();
+  Json json{{"state", state_json(*item.formula, symbols, state)}};
+  if (item.formula->system.speaks_of_fixed(submitted)) return json;
+  const auto value = value_at(item.formula->system, submitted, state);
+  if (value) json["value"] = *value;
+  return json;
+}
+
+void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdict) {
+  const ExpectedSystem& system = item.formula->system;
+  const Expression formula = system.with_fixed(submitted);
+  const FormulaVerdict found = compare_formulas(system, item.name, formula, item.expected, item.seed);
+  switch (found.decision) {
+    case Decision::identity:
+      verdict.correct = true;
+      verdict.decided_by = "identity";
+      break;
+    case Decision::values:
+      verdict.correct = true;
+      verdict.decided_by = "values";
+      break;
+    case Decision::counterexample:
+      verdict.correct = false;
+      verdict.decided_by = "counterexample";
+      verdict.counterexample = counterexample_json(item, submitted, found.counterexample);
+      verdict.diagnosis = diagnosis_json(*item.formula, {submitted, item.expected}, item.seed, item.reveal);
+      break;
+    case Decision::unknown:
+      verdict.feedback.emplace_back(
+          "It has a value at too few states, or in too small a part of them, to be compared.");
+      break;
+  }
+  if (found.differs_by_constant)
+    verdict.feedback.emplace_back("It has another zero of the potential energy, which is free.");
+}
+
+Verdict grade_formula(const FormulaItem& item, const Json& submitted) {
+  if (!submitted.is_string() && !submitted.is_number()) return unreadable("Write the formula as a text.");
+  const std::string text = submitted.is_string() ? submitted.get<std::string>() : submitted.dump();
+  ReadSubmission read =
+      read_submission(without_name(text, item.name), item.formula->graph(), item.formula->vocabulary);
+  Verdict verdict;
+  const auto formula = single(item, read, verdict);
+  if (!formula) return verdict;
+  verdict.understood = written(*item.formula, *formula);
+  verdict.expected = written(*item.formula, {item.expected, std::nullopt});
+  decide(item, formula->left, verdict);
+  return verdict;
+}
+
+std::optional<Expression> named_quantity(const FormulaSystem& formula, const Json& of, const Place& place,
+                                         Errors& errors) {
+  if (!of.is_string()) {
+    report(errors, wrong_type(place, "of", "the name of a formula, such as \"T\"", of));
+    return std::nullopt;
+  }
+  const auto& name = of.get_ref<const std::string&>();
+  try {
+    if (const auto found = formula.system.quantity(name)) return found;
+  } catch (const Error& error) {
+    report(errors, place.error("not_applicable", error.what()));
+    return std::nullopt;
+  }
+  FieldError error = unknown_name(place, "There is no formula " + in_quotes(name) + ".", name,
+                                  formula.system.quantity_names());
+  error.code = "unknown_quantity";
+  report(errors, std::move(error));
+  return std::nullopt;
+}
+
+std::optional<Expression> own_formula(FormulaSystem& formula, const Json& is, const Place& place,
+                                      Errors& errors) {
+  if (!is.is_string()) {
+    report(errors, wrong_type(place, "is", "a formula in text", is));
+    return std::nullopt;
+  }
+  const ReadSubmission read =
+      read_submission(is.get_ref<const std::string&>(), formula.graph(), formula.vocabulary);
+  if (read.equations.size() == 1 && !read.equations[0].right)
+    return formula.system.with_fixed(read.equations[0].left);
+  const std::string why = read.errors.empty() ? "one formula is needed" : read.errors.front();
+  report(errors, place.error("syntax", "It cannot be read: " + why + "."));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Grader> read_formula_item(const CheckItem& item, const std::string& kind,
+                                        const ExpectationScope& scope, const Place& place, Errors& errors) {
+  const Place expect = place.below("expect");
+  auto formula =
+      read_formula_system(item, item.expect[kind], scope, expect.below(kind), place.below("names"), errors);
+  if (!formula) return std::nullopt;
+  const bool has_name = item.expect.contains("of");
+  if (has_name == item.expect.contains("is")) {
+    report(errors, expect.error("missing",
+                                "'expect' needs 'of', the name of a formula such as \"T\", or 'is', a "
+                                "formula of your own."));
+    return std::nullopt;
+  }
+  const auto expected = has_name ? named_quantity(*formula, item.expect["of"], expect.below("of"), errors)
+                                 : own_formula(*formula, item.expect["is"], expect.below("is"), errors);
+  if (!expected) return std::nullopt;
+  FormulaItem read{.formula = std::move(formula),
+                   .name = {},
+                   .expected = *expected,
+                   .seed = scope.seed,
+                   .reveal = scope.reveal};
+  if (has_name) read.name = item.expect["of"].get<std::string>();
+  return [read = std::move(read)](const Json& submitted) { return grade_formula(read, submitted); };
+}
+
+}  // namespace qdot::api

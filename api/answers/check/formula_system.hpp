@@ -1,0 +1,41 @@
+#pragma once
+// The system of an item that expects a formula or an equation, with the parameters that it fixes and the
+// words that a submission may use.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "api/answers/check/grader.hpp"
+#include "core/expr/print/notation.hpp"
+#include "core/grading/expected_system.hpp"
+#include "core/grading/student_parser.hpp"
+
+namespace qdot::api {
+
+struct FormulaSystem {
+  explicit FormulaSystem(std::shared_ptr<const Dynamics> of);
+
+  std::shared_ptr<const Dynamics> dynamics;
+  ExpectedSystem system;
+  Vocabulary vocabulary;
+  Notation notation;
+
+  [[nodiscard]] Graph& graph() { return system.graph(); }
+  [[nodiscard]] const Scene& scene() const { return system.scene(); }
+};
+
+/// Reads {"system": ..., "parameters": {...}} and the item's names. None after errors were reported.
+[[nodiscard]] std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item, const Json& request,
+                                                                 const ExpectationScope& scope,
+                                                                 const Place& place, const Place& names,
+                                                                 Errors& errors);
+
+/// {"text": ..., "latex": ...}: a formula or an equation as it was read.
+[[nodiscard]] Json written(const FormulaSystem& system, const ReadEquation& equation);
+
+/// The values of a state by name, of what is free and of no more than the question speaks of.
+[[nodiscard]] Json state_json(const FormulaSystem& system, std::span<const SymbolDomain> symbols,
+                              std::span<const double> state);
+
+}  // namespace qdot::api

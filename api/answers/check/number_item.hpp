@@ -1,0 +1,28 @@
+#pragma once
+// Items that expect what another endpoint answers: numbers, or facts.
+
+#include "api/answers/check/asking.hpp"
+#include "api/answers/check/pointed_values.hpp"
+#include "api/answers/check/request.hpp"
+#include "api/answers/check/verdict.hpp"
+
+namespace qdot::api {
+
+/// {"turning_points": {...}, "at": "/theta_max"}, answered. With `is` the question is whether the value there
+/// is that word or lies in that domain, "> 0".
+struct AnswerItem {
+  Pointed expected;
+  Json is;  ///< null: the value itself
+  NumberRule rule;
+  Grouping grouping;
+  UnitRule unit{UnitRule::optional};
+};
+
+/// None after errors were reported.
+[[nodiscard]] std::optional<AnswerItem> read_answer_item(const CheckItem& item, const std::string& question,
+                                                         const Asking& asking, const Place& place,
+                                                         Errors& errors);
+
+[[nodiscard]] Verdict grade(const AnswerItem& item, const Json& submitted);
+
+}  // namespace qdot::api

@@ -1,0 +1,28 @@
+#pragma once
+// The usual ways to get one term of a formula wrong.
+
+#include <optional>
+#include <vector>
+
+#include "core/grading/slip.hpp"
+
+namespace qdot {
+
+struct ChangedTerm {
+  Slip slip{};
+  Expression change;               ///< what is added to the formula
+  std::optional<Expression> term;  ///< what stands in the term's place
+};
+
+/// The terms of e, multiplied out; functions of sums stay as they are.
+[[nodiscard]] std::vector<Expression> terms_of(const Expression& e);
+
+/// Changes of one term: an exponent, sine for cosine, an argument. `symbols`: what may stand in an argument.
+[[nodiscard]] std::vector<ChangedTerm> changes_of_term(const Expression& term,
+                                                       std::span<const Expression> symbols);
+
+/// Changes of the whole: small angles, sine for cosine everywhere, gravity turned over.
+[[nodiscard]] std::vector<ChangedTerm> changes_of_whole(const Expression& e,
+                                                        const std::optional<Expression>& gravity);
+
+}  // namespace qdot

@@ -1,0 +1,59 @@
+#pragma once
+// A system as its questions see it: the formulas that can be expected of it, its symbols with their domains,
+// and the parameters that a question fixes, so that letters and numbers for them are both right.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/grading/sampled_states.hpp"
+#include "core/mechanics/model.hpp"
+
+namespace qdot {
+
+class ExpectedSystem {
+ public:
+  /// Works on a copy of the model's graph. Keeps a reference to the model.
+  explicit ExpectedSystem(const Model& model);
+
+  [[nodiscard]] Graph& graph() const { return *own_.graph; }
+  [[nodiscard]] const Symbols& symbols() const { return own_.symbols; }
+  [[nodiscard]] const Scene& scene() const { return model_.scene; }
+  [[nodiscard]] std::size_t degrees_of_freedom() const { return model_.degrees_of_freedom(); }
+
+  /// Gives a parameter a value, which may speak of others.
+  void fix(std::size_t parameter, const Expression& value);
+  /// e with these values.
+  [[nodiscard]] Expression with_fixed(const Expression& e) const;
+  /// Whether e speaks of a fixed parameter.
+  [[nodiscard]] bool speaks_of_fixed(const Expression& e) const;
+
+  /// T, V, L, E, h, H, R, p_theta, Q_theta, theta_ddot, a condition's or report's name. Throws
+  /// Error(not_applicable) where the system has none of that; none for a name that means nothing.
+  [[nodiscard]] std::optional<Expression> quantity(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> quantity_names() const;
+
+  /// M and f of M(q,t) q'' = f(q,q',t), rows divided by their common factors.
+  [[nodiscard]] const Matrix& mass_matrix() const { return mass_; }
+  [[nodiscard]] const std::vector<Expression>& forcing() const { return forcing_; }
+
+  /// p_theta and the like.
+  [[nodiscard]] std::vector<Expression> momenta() const;
+  /// Free parameters, coordinates, velocities, momenta, inputs with their rates, and the time.
+  [[nodiscard]] std::vector<SymbolDomain> domains() const;
+
+ private:
+  [[nodiscard]] std::optional<Expression> energy_named(std::string_view name) const;
+  [[nodiscard]] std::optional<Expression> by_coordinate(std::string_view name) const;
+  [[nodiscard]] std::optional<Expression> condition(std::string_view name) const;
+
+  const Model& model_;
+  Lagrangian own_;
+  Matrix mass_;
+  std::vector<Expression> forcing_;
+  std::vector<Replacement> fixed_;
+};
+
+}  // namespace qdot

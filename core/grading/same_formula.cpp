@@ -1,0 +1,86 @@
+#include "core/grading/same_formula.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/grading/normal_form.hpp"
+#include "core/grading/right_motion.hpp"
+
+namespace qdot {
+namespace {
+
+bool speaks_of_accelerations(const ExpectedSystem& system, const Expression& e) {
+  return depends_on(e, system.symbols().coordinates.second_rate);
+}
+
+VanishingAnswer compare_on_motion(const ExpectedSystem& system, const Expression& difference,
+                                  std::uint64_t seed) {
+  if (!speaks_of_accelerations(system, difference)) {
+    const std::vector<SymbolDomain> symbols = system.domains();
+    return vanishing({.value = difference, .symbols = symbols, .seed = seed});
+  }
+  RightMotion right(system);
+  return vanishing(
+      {.value = difference,
+       .symbols = right.symbols(),
+       .seed = seed,
+       .complete = [&](const State& state, BallValues& values) { return right.set(state, values); },
+       .in_symbols = [&] { return right.in_letters(difference); }});
+}
+
+/// Whether e is the same at every state.
+bool is_constant(const ExpectedSystem& system, const Expression& e) {
+  const Symbols::Varying& q = system.symbols().coordinates;
+  std::vector<Expression> varying = q.value;
+  varying.insert(varying.end(), q.rate.begin(), q.rate.end());
+  varying.insert(varying.end(), q.second_rate.begin(), q.second_rate.end());
+  const Symbols::Varying& inputs = system.symbols().inputs;
+  varying.insert(varying.end(), inputs.value.begin(), inputs.value.end());
+  varying.push_back(system.symbols().t);
+  for (const Expression& p : system.momenta()) varying.push_back(p);
+  return std::ranges::all_of(varying, [&](const Expression& x) {
+    const Expression slope = differentiate(e, x);
+    return slope.is_zero() || zeroness(slope) == Zeroness::zero;
+  });
+}
+
+/// Whether the difference of two energies comes from the choice of the zero of V: a constant, for other
+/// energies than V with a parameter that T does not have.
+bool is_free_constant(const ExpectedSystem& system, std::string_view name, const Expression& difference) {
+  constexpr std::array<std::string_view, 5> energies{"V", "L", "E", "h", "H"};
+  if (std::ranges::find(energies, name) == energies.end() || !is_constant(system, difference)) return false;
+  if (name == "V") return true;
+  try {
+    const auto kinetic = system.quantity("T");
+    const auto potential = system.quantity("V");
+    return std::ranges::any_of(system.symbols().parameters, [&](const Expression& parameter) {
+      return depends_on(difference, parameter) && depends_on(*potential, parameter) &&
+             !depends_on(*kinetic, parameter);
+    });
+  } catch (const Error&) {
+    return false;  // a bare Lagrangian has no V
+  }
+}
+
+}  // namespace
+
+FormulaVerdict compare_formulas(const ExpectedSystem& system, std::string_view name,
+                                const Expression& submitted, const Expression& expected, std::uint64_t seed) {
+  const Expression difference = submitted - expected;
+  const VanishingAnswer answer = compare_on_motion(system, difference, seed);
+  if (answer.decision == Decision::counterexample && is_free_constant(system, name, difference))
+    return {.decision = Decision::identity, .differs_by_constant = true};
+  return {.decision = answer.decision, .counterexample = answer.counterexample};
+}
+
+std::optional<double> value_at(const ExpectedSystem& system, const Expression& formula, const State& state) {
+  if (speaks_of_accelerations(system, formula)) return std::nullopt;  // they are the right ones
+  const std::vector<SymbolDomain> symbols = system.domains();
+  BallValues values(std::array{formula});
+  for (std::size_t i = 0; i < state.size(); ++i) values.set(symbols[i].symbol, state[i]);
+  values.evaluate();
+  const Ball& found = values.of(formula);
+  return found.is_finite() ? std::optional(found.value()) : std::nullopt;
+}
+
+}  // namespace qdot

@@ -1,0 +1,190 @@
+#include "core/grading/same_motion.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/expr/linear.hpp"
+#include "core/grading/ball_system.hpp"
+#include "core/grading/normal_form.hpp"
+#include "core/grading/right_motion.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr int states_for_slopes = 12;
+
+BallMatrix transposed(const BallMatrix& m) {
+  BallMatrix result(m.size());
+  for (const auto& row : m) {
+    for (std::size_t j = 0; j < row.size(); ++j) result[j].push_back(row[j]);
+  }
+  return result;
+}
+
+class MotionComparison {
+ public:
+  MotionComparison(const ExpectedSystem& system, std::span<const Expression> residuals, std::uint64_t seed)
+      : system_(system),
+        accelerations_(system.symbols().coordinates.second_rate),
+        residuals_(residuals.begin(), residuals.end()),
+        right_(system),
+        seed_(seed) {}
+
+  MotionVerdict verdict(std::optional<std::size_t> coordinate) {
+    MotionVerdict verdict;
+    for (std::size_t k = 0; k < residuals_.size(); ++k) {
+      const VanishingAnswer answer = on_the_right_motion(residuals_[k]);
+      verdict.equation = k;
+      verdict.decided_by = answer.decision;
+      if (answer.decision == Decision::unknown) return verdict;
+      if (answer.decision == Decision::counterexample) return contradicted(verdict, answer);
+      values_decide_ = values_decide_ || answer.decision == Decision::values;
+    }
+    for (std::size_t k = 0; k < residuals_.size(); ++k) {
+      verdict.equation = k;
+      if (make_linear(residuals_[k])) continue;
+      verdict.fault = MotionFault::not_linear;
+      return verdict;
+    }
+    verdict.decided_by = values_decide_ ? Decision::values : Decision::identity;
+    verdict.fault = coordinate ? fault_of_one(*coordinate) : fault_of_all();
+    return verdict;
+  }
+
+ private:
+  VanishingAnswer on_the_right_motion(const Expression& residual) {
+    return vanishing(
+        {.value = residual,
+         .symbols = right_.symbols(),
+         .seed = seed_,
+         .complete = [&](const State& state, BallValues& values) { return right_.set(state, values); },
+         .in_symbols = [&] { return right_.in_letters(residual); }});
+  }
+
+  MotionVerdict contradicted(MotionVerdict verdict, const VanishingAnswer& answer) {
+    verdict.fault = MotionFault::not_true;
+    verdict.counterexample = answer.counterexample;
+    if (accelerations_.size() == 1) verdict.acceleration = submitted_acceleration(answer.counterexample);
+    return verdict;
+  }
+
+  /// -B/A of an equation A q'' + B = 0.
+  std::optional<double> submitted_acceleration(const State& state) {
+    if (!make_linear(residuals_[0])) return std::nullopt;
+    const Expression slope = differentiate(residuals_[0], accelerations_[0]);
+    BallValues values(std::array{residuals_[0], slope});
+    for (std::size_t i = 0; i < state.size(); ++i) values.set(right_.symbols()[i].symbol, state[i]);
+    values.set(accelerations_[0], Ball(0.0));
+    values.evaluate();
+    const Ball found = -values.of(residuals_[0]) / values.of(slope);
+    return found.is_finite() ? std::optional(found.value()) : std::nullopt;
+  }
+
+  /// Makes r linear in the accelerations, by what stands below its bars if need be.
+  bool make_linear(Expression& residual) const {
+    if (is_linear(residual)) return true;
+    const auto above = numerator(residual);
+    if (!above || !is_linear(*above)) return false;
+    residual = *above;
+    return true;
+  }
+
+  [[nodiscard]] bool is_linear(const Expression& residual) const {
+    for (const Expression& a : accelerations_) {
+      const Expression slope = differentiate(residual, a);
+      for (const Expression& b : accelerations_) {
+        const Expression second = differentiate(slope, b);
+        if (!second.is_zero() && zeroness(second) != Zeroness::zero) return false;
+      }
+    }
+    return true;
+  }
+
+  /// dr/dq'' of every equation at several states of the right motion.
+  template <class Use>
+  void at_states(Use use) {
+    std::vector<Expression> slopes;
+    for (const Expression& residual : residuals_) {
+      for (const Expression& a : accelerations_) slopes.push_back(differentiate(residual, a));
+    }
+    BallValues values(slopes);
+    SampledStates states(right_.symbols(), seed_ + 1);
+    for (int i = 0; i < states_for_slopes; ++i) {
+      const State state = states.next();
+      if (!right_.set(state, values)) continue;
+      for (std::size_t k = 0; k < state.size(); ++k) values.set(right_.symbols()[k].symbol, state[k]);
+      values.evaluate();
+      BallMatrix rows(residuals_.size());
+      for (std::size_t k = 0; k < slopes.size(); ++k)
+        rows[k / accelerations_.size()].push_back(values.of(slopes[k]));
+      use(rows);
+    }
+  }
+
+  [[nodiscard]] bool has_no_slope() const {
+    return std::ranges::all_of(residuals_, [&](const Expression& r) {
+      return std::ranges::all_of(accelerations_, [&](const Expression& a) {
+        const Expression slope = differentiate(r, a);
+        return slope.is_zero() || zeroness(slope) == Zeroness::zero;
+      });
+    });
+  }
+
+  MotionFault fault_of_one(std::size_t coordinate) {
+    if (has_no_slope()) return MotionFault::holds_always;
+    bool is_determined = false, is_unclear = false;
+    int seen = 0;
+    at_states([&](const BallMatrix& rows) {
+      ++seen;
+      const auto c = qdot::solved(transposed(right_.mass()), rows[0]);
+      if (!c) {
+        is_unclear = true;
+      } else if (!(*c)[coordinate].contains_zero()) {
+        is_determined = true;
+      } else if ((*c)[coordinate].magnitude() > 1e-20) {
+        is_unclear = true;
+      }
+    });
+    if (is_determined) return MotionFault::none;
+    const bool is_clear = !is_unclear && seen >= states_for_slopes / 2;
+    return is_clear ? MotionFault::other_coordinate : MotionFault::undecided;
+  }
+
+  MotionFault fault_of_all() {
+    if (has_no_slope()) return MotionFault::holds_always;
+    bool is_determined = false;
+    at_states([&](const BallMatrix& rows) {
+      is_determined = is_determined || qdot::solved(rows, std::vector<Ball>(rows.size()));
+    });
+    if (is_determined) return MotionFault::none;
+    return are_dependent() ? MotionFault::dependent : MotionFault::undecided;
+  }
+
+  /// Whether det dr/dq'' vanishes identically.
+  [[nodiscard]] bool are_dependent() const {
+    if (residuals_.size() > largest_written_system) return false;
+    Matrix slopes;
+    for (const Expression& residual : residuals_) {
+      slopes.emplace_back();
+      for (const Expression& a : accelerations_) slopes.back().push_back(differentiate(residual, a));
+    }
+    const Expression found = determinant(slopes);
+    return found.is_zero() || zeroness(found) == Zeroness::zero;
+  }
+
+  const ExpectedSystem& system_;
+  std::vector<Expression> accelerations_;
+  std::vector<Expression> residuals_;
+  RightMotion right_;
+  std::uint64_t seed_;
+  bool values_decide_{};
+};
+
+}  // namespace
+
+MotionVerdict compare_motion(const ExpectedSystem& system, std::span<const Expression> residuals,
+                             std::optional<std::size_t> coordinate, std::uint64_t seed) {
+  return MotionComparison(system, residuals, seed).verdict(coordinate);
+}
+
+}  // namespace qdot

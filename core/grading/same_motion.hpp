@@ -1,0 +1,44 @@
+#pragma once
+// Whether equations that were submitted have the solutions of the right ones, M q'' = f, whatever their form.
+//
+// An equation r(q, q', q'', t) = 0 is compared by what it says of the motion, not by its terms: r has to
+// vanish on the right accelerations at every state, and to determine an acceleration there. So it may be
+// scaled, divided, rearranged, or have other equations put into it, and 0 = 0 is no equation. With a =
+// dr/dq'' the equation is c (M q'' - f) = 0, c M = a; it is that of coordinate i where c_i is not zero,
+// because then it says the same as the right one together with those of the other coordinates. As many
+// equations as coordinates are right together where det dr/dq'' is not zero.
+
+#include <optional>
+#include <span>
+
+#include "core/grading/expected_system.hpp"
+#include "core/grading/vanishing.hpp"
+
+namespace qdot {
+
+enum class MotionFault {
+  none,
+  not_true,          ///< the right motion does not obey it; see the counterexample
+  holds_always,      ///< it says nothing of the accelerations, and every motion obeys it
+  other_coordinate,  ///< it is true, but says nothing of this coordinate's equation
+  dependent,         ///< the equations follow from fewer of them
+  not_linear,        ///< in the accelerations; it may have solutions that are not the motion's
+  undecided          ///< too few states where everything has a value
+};
+
+struct MotionVerdict {
+  MotionFault fault{MotionFault::undecided};
+  Decision decided_by{Decision::unknown};
+  std::size_t equation{};  ///< which one is at fault
+  State counterexample{};
+  /// For one coordinate: q'' there, as the submission has it.
+  std::optional<double> acceleration{};
+};
+
+/// `residuals`: left - right of each equation, fixed parameters put in. `coordinate`: whose equation it is;
+/// none: all of them are asked for, and there are as many residuals as coordinates.
+[[nodiscard]] MotionVerdict compare_motion(const ExpectedSystem& system,
+                                           std::span<const Expression> residuals,
+                                           std::optional<std::size_t> coordinate, std::uint64_t seed);
+
+}  // namespace qdot

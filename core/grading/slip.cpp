@@ -1,0 +1,222 @@
+#include "core/grading/slip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/work.hpp"
+#include "core/expr/calculus.hpp"
+#include "core/grading/ball_values.hpp"
+#include "core/grading/changed_terms.hpp"
+#include "core/grading/vanishing.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::uint64_t work_of_search = 150'000;
+constexpr int states_to_see = 3;
+
+/// p/q with small q that a ball holds, if there is one.
+std::optional<Number> small_fraction(const Ball& ball) {
+  if (!ball.is_finite() || ball.radius > 1e-12) return std::nullopt;
+  for (int q = 1; q <= 24; ++q) {
+    const double p = std::nearbyint(ball.value() * q);
+    if (std::abs(p) > 1000) return std::nullopt;
+    const Ball rest = ball * Ball(static_cast<double>(q)) - Ball(p);
+    if (rest.contains_zero() || rest.magnitude() < 1e-20)
+      return Number::ratio(static_cast<std::int64_t>(p), q);
+  }
+  return std::nullopt;
+}
+
+/// A formula with its slope in the acceleration by which equations are compared.
+struct Part {
+  Expression value;
+  std::optional<Expression> slope;  ///< none for formulas
+};
+
+class SlipSearch {
+ public:
+  explicit SlipSearch(const SlipQuestion& question)
+      : question_(question), symbols_(question.symbols.begin(), question.symbols.end()) {
+    for (const Expression& a : question.accelerations) symbols_.push_back({a, {}});
+    for (const Expression& a : question.accelerations) {
+      const bool has_both = !slope(question.submitted, a).is_zero() && !slope(question.expected, a).is_zero();
+      if (has_both && !acceleration_) acceleration_ = a;
+    }
+    gather();
+  }
+
+  std::optional<FoundSlip> find() {
+    if (!question_.accelerations.empty() && !acceleration_) return std::nullopt;
+    look();
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      if (auto found = as_multiple(i)) return found;
+    }
+    if (auto found = as_whole_multiple()) return found;
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+      if (!explains(i)) continue;
+      if (confirms(changes_[i].change)) return FoundSlip{changes_[i].slip, changes_[i].term, {}};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static Expression slope(const Expression& e, const Expression& a) { return differentiate(e, a); }
+
+  [[nodiscard]] Part part(const Expression& e) const {
+    return {e, acceleration_ ? std::optional(slope(e, *acceleration_)) : std::nullopt};
+  }
+
+  /// Everything that is evaluated at the states.
+  void gather() {
+    terms_ = terms_of(question_.expected);
+    std::vector<Expression> in_arguments;
+    for (const SymbolDomain& symbol : question_.symbols) {
+      const bool is_bounded = std::isfinite(symbol.domain.lower) || std::isfinite(symbol.domain.upper);
+      if (depends_on(question_.expected, symbol.symbol) && !is_bounded) in_arguments.push_back(symbol.symbol);
+    }
+    changes_ = changes_of_whole(question_.expected, question_.gravity);
+    for (const Expression& term : terms_) {
+      for (ChangedTerm& change : changes_of_term(term, in_arguments)) changes_.push_back(std::move(change));
+    }
+    std::ranges::stable_sort(changes_, {}, &ChangedTerm::slip);
+    parts_ = {part(question_.submitted), part(question_.expected)};
+    for (const Expression& term : terms_) parts_.push_back(part(term));
+    for (const ChangedTerm& change : changes_) parts_.push_back(part(change.change));
+  }
+
+  struct Sight {
+    std::vector<Ball> value, slope;
+  };
+
+  void look() {
+    std::vector<Expression> roots;
+    for (const Part& p : parts_) {
+      roots.push_back(p.value);
+      if (p.slope) roots.push_back(*p.slope);
+    }
+    BallValues values(roots);
+    SampledStates states(symbols_, question_.seed + 2);
+    for (int tries = 0; tries < 12 && sights_.size() < states_to_see; ++tries) {
+      const State state = states.next();
+      for (std::size_t i = 0; i < state.size(); ++i) values.set(symbols_[i].symbol, state[i]);
+      values.evaluate();
+      if (!values.of(question_.submitted).is_finite() || !values.of(question_.expected).is_finite()) continue;
+      Sight sight;
+      for (const Part& p : parts_) {
+        sight.value.push_back(values.of(p.value));
+        sight.slope.push_back(p.slope ? values.of(*p.slope) : Ball(0.0));
+      }
+      sights_.push_back(std::move(sight));
+    }
+  }
+
+  /// mu with S = E + mu d, or r ~ rho + mu d, at one state.
+  [[nodiscard]] Ball multiple_of(const Sight& sight, std::size_t d) const {
+    const auto& [value, slope] = sight;
+    if (!acceleration_) return (value[0] - value[1]) / value[d];
+    return (value[1] * slope[0] - value[0] * slope[1]) / (value[0] * slope[d] - value[d] * slope[0]);
+  }
+
+  /// The same mu at all states.
+  [[nodiscard]] std::optional<Number> multiple_of(std::size_t d) const {
+    std::optional<Number> multiple;
+    for (const Sight& sight : sights_) {
+      const auto here = small_fraction(multiple_of(sight, d));
+      if (!here || (multiple && !(*here == *multiple))) return std::nullopt;
+      multiple = here;
+    }
+    return sights_.size() == states_to_see ? multiple : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<FoundSlip> as_multiple(std::size_t term) {
+    const auto mu = multiple_of(2 + term);
+    if (!mu || mu->is_zero() || !confirms(*mu * terms_[term])) return std::nullopt;
+    const Number factor = Number(1) + *mu;
+    if (factor.is_zero()) return FoundSlip{Slip::dropped_term, std::nullopt, {}};
+    const Slip slip = factor == Number(-1) ? Slip::sign : Slip::factor;
+    return FoundSlip{slip, terms_[term], factor};
+  }
+
+  [[nodiscard]] std::optional<FoundSlip> as_whole_multiple() {
+    if (acceleration_) return std::nullopt;  // an equation may be multiplied
+    const auto mu = multiple_of(1);
+    if (!mu || mu->is_zero() || !confirms(*mu * question_.expected)) return std::nullopt;
+    const Number factor = Number(1) + *mu;
+    if (factor.is_zero()) return std::nullopt;
+    return FoundSlip{factor == Number(-1) ? Slip::whole_sign : Slip::whole_factor, std::nullopt, factor};
+  }
+
+  [[nodiscard]] bool explains(std::size_t change) const {
+    const std::size_t d = 2 + terms_.size() + change;
+    return sights_.size() == states_to_see && std::ranges::all_of(sights_, [&](const Sight& sight) {
+             const auto& [value, slope] = sight;
+             const Ball rest = acceleration_
+                                   ? value[0] * (slope[1] + slope[d]) - (value[1] + value[d]) * slope[0]
+                                   : value[0] - value[1] - value[d];
+             return rest.is_finite() && rest.contains_zero();
+           });
+  }
+
+  /// Whether the change makes the submission of the right formula, everywhere.
+  [[nodiscard]] bool confirms(const Expression& change) const {
+    const Expression changed = question_.expected + change;
+    Expression rest = question_.submitted - changed;
+    if (acceleration_) {
+      rest = question_.submitted * slope(changed, *acceleration_) -
+             changed * slope(question_.submitted, *acceleration_);
+    }
+    const Decision decision =
+        vanishing({.value = rest, .symbols = symbols_, .seed = question_.seed + 3}).decision;
+    return decision == Decision::identity || decision == Decision::values;
+  }
+
+  const SlipQuestion& question_;
+  std::vector<SymbolDomain> symbols_;
+  std::optional<Expression> acceleration_;
+  std::vector<Expression> terms_;
+  std::vector<ChangedTerm> changes_;
+  std::vector<Part> parts_;  ///< the submission, the right formula, its terms, their changes
+  std::vector<Sight> sights_;
+};
+
+}  // namespace
+
+const char* name_of(Slip slip) {
+  switch (slip) {
+    case Slip::sign:
+      return "sign";
+    case Slip::factor:
+      return "factor";
+    case Slip::dropped_term:
+      return "dropped_term";
+    case Slip::whole_sign:
+      return "whole_sign";
+    case Slip::whole_factor:
+      return "whole_factor";
+    case Slip::exponent:
+      return "exponent";
+    case Slip::sine_and_cosine:
+      return "sine_and_cosine";
+    case Slip::argument:
+      return "argument";
+    case Slip::small_angles:
+      return "small_angles";
+    case Slip::gravity:
+      return "gravity";
+  }
+  return "";
+}
+
+std::optional<FoundSlip> find_slip(const SlipQuestion& question) {
+  try {
+    const WorkScope scope(work_of_search);
+    return SlipSearch(question).find();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large) throw;
+    return std::nullopt;
+  }
+}
+
+}  // namespace qdot

@@ -1,0 +1,50 @@
+#pragma once
+// The one slip that explains a wrong formula or equation exactly, where there is one.
+//
+// The right formula is multiplied out into terms t. A slip turns one of them, or all, into something else:
+// E -> E + d. For a formula S the slip is found where S = E + d. For an equation r = 0, which may have been
+// multiplied by anything, it is found where r is a multiple of rho + d, rho being the right residual:
+// r d(rho + d)/dq'' = (rho + d) dr/dq''. Number factors are not guessed: E -> E + mu t gives mu at one state,
+// and others confirm it.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/grading/sampled_states.hpp"
+
+namespace qdot {
+
+enum class Slip {
+  sign,             ///< of one term
+  factor,           ///< a number in front of one term
+  dropped_term,     ///< one term is missing
+  whole_sign,       ///< of the formula
+  whole_factor,     ///< a number in front of the formula
+  exponent,         ///< of one symbol in one term
+  sine_and_cosine,  ///< one stands for the other in one term, or everywhere
+  argument,         ///< of a function in one term
+  small_angles,     ///< sin u = u, cos u = 1
+  gravity           ///< points the other way
+};
+
+/// "sign", "factor", "dropped_term", ...
+[[nodiscard]] const char* name_of(Slip slip);
+
+struct FoundSlip {
+  Slip slip{};
+  std::optional<Expression> term;  ///< as it stands in the submission, up to a factor; none: all of it
+  std::optional<Number> factor;    ///< of a wrong factor: what stands there over what should
+};
+
+struct SlipQuestion {
+  Expression submitted, expected;           ///< formulas, or residuals of equations
+  std::vector<Expression> accelerations{};  ///< of equations; none: they are formulas
+  std::span<const SymbolDomain> symbols;
+  std::optional<Expression> gravity{};  ///< the symbol of its strength
+  std::uint64_t seed{};
+};
+
+[[nodiscard]] std::optional<FoundSlip> find_slip(const SlipQuestion& question);
+
+}  // namespace qdot

@@ -1,0 +1,227 @@
+"""/v1/check: numbers, sets, shapes, facts, formulas, equations and trajectories are graded as a careful teacher would.
+
+Each table has submissions that are right and such that are wrong; `None` stands for one that cannot be read, which has
+no verdict.
+"""
+
+import json
+import math
+import pathlib
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.extend([str(ROOT / "tests" / "support"), str(ROOT / "tests" / "server")])
+
+from service import Service  # noqa: E402
+
+TURNING_POINT = {"turning_points": {"system": "free_spin_pendulum"}, "at": "/theta_max"}
+ANGLES = {"equilibria": {"system": "whirling_pendulum", "parameters": {"Omega": 5}}, "at": "/equilibria/*/state/theta"}
+SHAPE = {"modes": {"system": "cart_pendulum"}, "at": "/modes/1/shape"}
+
+
+class Check(Service):
+    def check(self, items, **more):
+        body = {"items": [{"id": str(i), **item} for i, item in enumerate(items)], **more}
+        answer = self.post("check", body)
+        return answer.status, json.loads(answer.data)
+
+    def get_json(self, target):
+        response = self.raw("GET", target)
+        self.assertEqual(response.status, 200, response.data[:300])
+        return json.loads(response.data)
+
+    def verdicts(self, expect, submissions, **more):
+        status, answer = self.check([{"expect": expect, "submitted": s, **more} for s in submissions])
+        self.assertEqual(status, 200, answer)
+        return answer["items"]
+
+    def assert_verdicts(self, expect, cases, **more):
+        for (submitted, expected), item in zip(cases, self.verdicts(expect, [s for s, _ in cases], **more)):
+            with self.subTest(submitted=submitted):
+                self.assertIs(item["correct"], expected, item)
+                self.assertEqual(item["score"], 1 if expected else 0)
+
+    def error(self, item):
+        status, answer = self.check([item])
+        self.assertEqual(status, 422, answer)
+        return answer["errors"][0]
+
+
+class Numbers(Check):
+    def test_with_and_without_units(self):
+        self.assert_verdicts(TURNING_POINT, [
+            (0.9622, True), ("0.9622", True), ("55.13deg", True), ("55.13°", True), ("0.9622 rad", True), ("0.3063*pi", True),
+            (0.95, False), ("55.13", False), ("-0.9622", False), ("0.9622 kg", False), ("none", False), (None, False),
+            ("about 1", None), ([0.96], None), (True, None), ("0.9622 foo", None), ("", None)], rule={"rtol": 1e-3})
+        self.assert_verdicts({**TURNING_POINT, "at": "/theta_max_deg"},
+                             [(55.13, True), ("55.13", True), ("0.9622 rad", True), (0.9622, False)], rule={"rtol": 1e-3})
+
+    def test_a_unit_may_be_required(self):
+        self.assert_verdicts(TURNING_POINT, [("0.9622 rad", True), ("55.13 deg", True), (0.9622, None), ("0.9622", None)],
+                             rule={"unit": "required", "rtol": 1e-3})
+
+    def test_frequencies_in_turns(self):
+        expect = {"modes": {"system": "cart_pendulum"}, "at": "/modes/0/omega"}
+        self.assert_verdicts(expect, [("3.50179 rad/s", True), ("0.55733 Hz", True), (0.55733, False)], rule={"rtol": 1e-4})
+
+    def test_rules_have_their_own_options(self):
+        for rule, right, wrong in (({"kind": "sigfig", "digits": 3}, 0.962, 0.963), ({"kind": "decdig", "digits": 1}, 1.0, 1.1),
+                                   ({"kind": "stack_relative", "testoptions": 0.01}, 0.97, 0.98), ({"kind": "webwork"}, 0.963, 0.964),
+                                   ({"kind": "stack_absolute", "testoptions": 0.01}, 0.97, 0.9723), ({}, 0.97, 0.98),
+                                   ({"kind": "webwork", "tolerance": 0.1, "tolType": "absolute"}, 1.06, 1.07)):
+            with self.subTest(rule=rule):
+                self.assert_verdicts(TURNING_POINT, [(right, True), (wrong, False)], rule=rule)
+
+    def test_sets_and_angles_modulo_a_turn(self):
+        right = "0, 180deg, 38.298deg, -38.298deg"
+        cases = [(right, True), ([0, math.pi, 0.668423, -0.668423], True), ("(180deg, 38.298deg, -38.298deg, 360deg)", True),
+                 ("0, 180deg, 38.298deg", False), ("0, 0, 38.298deg, -38.298deg", False), ("0, 180deg, 38.298deg, -38.5deg", False)]
+        self.assert_verdicts(ANGLES, cases, rule={"any_order": True, "modulo": "2pi", "rtol": 1e-4})
+        turned = "360deg, 180deg, 38.298deg, -38.298deg"
+        self.assert_verdicts(ANGLES, [(right, True), (turned, False)], rule={"any_order": True, "rtol": 1e-4})
+
+    def test_mode_shapes_at_any_scale(self):
+        self.assert_verdicts(SHAPE, [([1, -5], True), ("(-0.2, 1)", True), ({"theta": -10, "x": 2}, True), ([1, 5], False),
+                                     ([0, 0], False), ([1, -5, 0], None), ({"x": 1}, None)], rule={"any_scale": True})
+        self.assert_verdicts(SHAPE, [([1, -5], True), ([2, -10], False)])
+
+    def test_what_does_not_exist(self):
+        expect = {"turning_points": {"system": "rolling_disk_platform", "parameters": {"g": 0}}, "at": "/theta_max"}
+        status, answer = self.check([{"expect": expect, "submitted": "none"}])
+        if status == 200:
+            self.assertIs(answer["items"][0]["correct"], True)
+
+    def test_facts(self):
+        stability = {**ANGLES, "at": "/equilibria/0/stability"}
+        self.assert_verdicts(stability, [("stable", True), ("Stable ", True), ("unstable", False), (3, None)])
+        self.assert_verdicts({**stability, "is": "stable"}, [("yes", True), (True, True), ("no", False), ("perhaps", None)])
+        self.assert_verdicts({"energy": {"system": "orbiting_pendulum"}, "at": "/validity/tension", "is": ">= 0"},
+                             [("yes", True), ("no", False)])
+        self.assert_verdicts({"equations": {"system": "whirling_pendulum"}, "at": "/conserved/*/name", "is": "energy"},
+                             [("no", True), ("yes", False)])
+
+    def test_a_wrong_key_is_refused_with_its_place(self):
+        item = {"expect": {**TURNING_POINT, "at": "/theta_maxi"}, "submitted": 1}
+        self.assertEqual(self.error(item)["pointer"], "#/items/0/expect/at")
+        item["expect"] = {"turning_points": {"system": "free_spin_pendulum", "parameters": {"kk": 1}}, "at": "/theta_max"}
+        self.assertEqual(self.error(item)["pointer"], "#/items/0/expect/turning_points/parameters/kk")
+        item["expect"] = {"turning_point": {}}
+        self.assertEqual(self.error(item)["pointer"], "#/items/0/expect")
+        item["expect"] = {**TURNING_POINT, "off": "theta"}
+        self.assertEqual(self.error(item)["pointer"], "#/items/0/expect/off")
+        self.assertEqual(self.error({"expect": TURNING_POINT, "submitted": 1, "rule": {"digits": 3}})["pointer"], "#/items/0/rule/digits")
+        self.assertEqual(self.error({"expect": TURNING_POINT})["code"], "missing")
+
+
+class Formulas(Check):
+    def test_kinetic_energy(self):
+        self.assert_verdicts({"expression": {"system": "spring_pendulum"}, "of": "T"}, [
+            ("m/2 (l'^2 + l^2 theta'^2)", True), ("T = 1/2 m l'^2 + 1/2 m l^2 theta'^2", True),
+            (r"T=\frac{m}{2}\left(\dot l^2+l^2\dot\theta^2\right)", True), ("½ m (l̇² + l²θ̇²)", True),
+            ("m/2 (l'^2 + l^2 theta'^2) - 1e-30 m", False), ("m/2 (l'^2 + l theta'^2)", False), ("m (l'^2 + l^2 theta'^2)", False),
+            ("m/2 (l'^2 + L^2 theta'^2)", None), ("m/2 (", None), ("a = b", None), (7, False), ([1], None)])
+
+    def test_letters_and_numbers_of_what_is_given(self):
+        expect = {"equation": {"system": "cart_pendulum", "parameters": {"M": "2*m", "g": 9.81, "l": "50 cm"}}, "of": "theta"}
+        self.assert_verdicts(expect, [
+            ("l theta'' + x'' cos(theta) + g sin(theta) = 0", True), ("0.5 theta'' + x'' cos(theta) + 9.81 sin(theta) = 0", True),
+            ("1/2 theta'' + x'' cos(theta) + 9.8 sin(theta) = 0", False)])
+        expect["of"] = "x"
+        self.assert_verdicts(expect, [("3 m x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", True),
+                                      ("(M+m) x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", True),
+                                      ("2 m x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", False)])
+
+    def test_ones_own_formula(self):
+        self.assert_verdicts({"expression": {"system": "whirling_pendulum"}, "is": "sqrt(g/l)"},
+                             [("sqrt(g/l)", True), ("(g/l)^(1/2)", True), (r"\sqrt{\frac{g}{l}}", True), ("sqrt(g l)/l", True),
+                              ("sqrt(l/g)", False), ("g/l", False)])
+
+    def test_what_was_understood_is_shown(self):
+        item, = self.verdicts({"equation": {"system": "rotating_l_bar"}, "of": "theta"}, ["theta'' = w^2 cos theta"], names={"w": "Omega"})
+        self.assertEqual(item["understood"], {"text": "theta_ddot = Omega^2*cos(theta)", "latex": r"\ddot\theta = \Omega^2 \cos\theta"})
+
+    def test_a_counterexample_can_be_checked_by_hand(self):
+        item, = self.verdicts({"equation": {"system": "whirling_pendulum"}, "of": "theta"}, ["theta'' = Omega^2 cos(theta) sin(theta) + g/l sin(theta)"])
+        self.assertEqual(item["decided_by"], "counterexample")
+        state, value = item["counterexample"]["state"], item["counterexample"]["theta_ddot"]
+        sine, cosine = math.sin(state["theta"]), math.cos(state["theta"])
+        self.assertAlmostEqual(value, state["Omega"] ** 2 * cosine * sine + state["g"] / state["l"] * sine, delta=1e-9 * abs(value))
+        right = state["Omega"] ** 2 * cosine * sine - state["g"] / state["l"] * sine
+        self.assertGreater(abs(value - right), 1e-6)
+
+    def test_wrong_keys(self):
+        self.assertEqual(self.error({"expect": {"expression": {"system": "cart_pendulum"}, "of": "K"}, "submitted": ""})["pointer"], "#/items/0/expect/of")
+        self.assertEqual(self.error({"expect": {"equation": {"system": "cart_pendulum"}, "of": "phi"}, "submitted": ""})["allowed"], ["x", "theta"])
+        self.assertEqual(self.error({"expect": {"equation": {"system": "cart"}}, "submitted": ""})["pointer"], "#/items/0/expect/equation/system")
+        self.assertEqual(self.error({"expect": {"equation": {"system": "cart_pendulum", "parameters": {"k": "2*k"}}}, "submitted": ""})["code"], "circular")
+        self.assertEqual(self.error({"expect": {"equation": {"system": "cart_pendulum"}}, "submitted": "", "names": {"w": "W"}})["pointer"], "#/items/0/names/w")
+
+    def test_every_equation_that_is_printed_is_right(self):
+        for system in [s["name"] for s in self.get_json("/v1/systems")["systems"]]:
+            for form in ("text", "latex", "sympy", "maxima"):
+                printed = self.get_json(f"/v1/equations?system={system}&form={form}")
+                for one in printed["equations_of_motion"]:
+                    expect = {"equation": {"system": system}, "of": one["coordinate"]}
+                    self.assert_verdicts(expect, [(one["equation"], True), (f"{one['left']} = {one['right']} + 1", False)]
+                                         if form != "sympy" else [(one["equation"], True)])
+                equations = [one["equation"] for one in printed["equations_of_motion"]]
+                self.assert_verdicts({"equation": {"system": system}}, [(equations, True), ("\n".join(equations), True)])
+
+    def test_every_formula_that_is_printed_is_right(self):
+        for system in [s["name"] for s in self.get_json("/v1/systems")["systems"]]:
+            for form in ("text", "latex", "maxima"):
+                printed = self.get_json(f"/v1/equations?system={system}&form={form}")
+                for name, formula in [(n, printed[n]) for n in "TVL"] + [("h", printed["jacobi_integral"]), ("H", printed["hamiltonian"])] + list(printed["momenta"].items()):
+                    if formula is None:
+                        continue
+                    with self.subTest(system=system, form=form, name=name):
+                        self.assert_verdicts({"expression": {"system": system}, "of": name}, [(formula, True), (f"{formula} + {printed['T']}", False)])
+
+
+class Trajectories(Check):
+    EXPECT = {"simulate": {"system": "spring_pendulum", "t_end": 5}, "columns": ["l"]}
+
+    def csv(self, samples=101, **query):
+        words = "&".join(f"{name}={value}" for name, value in query.items())
+        return self.raw("GET", f"/v1/simulate?system=spring_pendulum&t_end=5&samples={samples}&format=csv&{words}").data.decode()
+
+    def test_on_the_students_own_instants(self):
+        columns = self.get_json("/v1/simulate?system=spring_pendulum&t_end=5&samples=37")["trajectory"]
+        shifted = {"t": columns["t"], "l": [value + 0.02 for value in columns["l"]]}
+        self.assert_verdicts(self.EXPECT, [
+            (self.csv(), True), (self.csv(23), True), (self.csv(digits=4), True), (columns, True), (self.csv().replace(",", ";"), True),
+            (self.csv(g=9.7), False), (shifted, False), (self.csv().replace("t,l", "t,r"), None), ("t,l\n0,0.55\n", None),
+            (self.csv(5), None), ("", None), ("t,l\n0,x\n", None), ({"t": [0, 1], "l": [0]}, None), (3, None),
+            (self.csv().replace("\n0.05,", "\n-0.05,"), None)], rule={"rtol": 1e-3})
+
+    def test_the_counterexample_is_the_students_own_row(self):
+        item, = self.verdicts(self.EXPECT, [self.csv(g=9.7)], rule={"rtol": 1e-3})
+        row = item["counterexample"]
+        self.assertEqual(row["column"], "l")
+        self.assertIn(f"\n{row['t']},{row['value']}", self.csv(g=9.7))
+
+
+class Secrets(Check):
+    def test_nothing_of_the_key_leaves(self):
+        items = [{"expect": TURNING_POINT, "submitted": 1}, {"expect": ANGLES, "submitted": [0], "rule": {"any_order": True}},
+                 {"expect": {"equation": {"system": "cart_pendulum", "parameters": {"g": 7.125}}, "of": "theta"}, "submitted": "theta'' = g x"},
+                 {"expect": {"expression": {"system": "cart_pendulum", "parameters": {"k": 7.125}}, "of": "V"}, "submitted": "k x"},
+                 {"expect": {"expression": {"system": "cart_pendulum"}, "is": "7.125 l"}, "submitted": "m g"}]
+        body = {"items": [{"id": str(i), **item} for i, item in enumerate(items)]}
+        text = self.post("check", body).data.decode()
+        for secret in ("0.962", "55.13", "0.668", "7.125", "expected", "turning_points", "cart_pendulum"):
+            self.assertNotIn(secret, text)
+        _, revealed = self.check(items, reveal=True)
+        self.assertEqual(revealed["items"][0]["expected"], 0.9622333375061675)
+        self.assertIn("x_ddot*cos(theta)", revealed["items"][2]["expected"]["text"])
+
+    def test_the_same_submission_and_seed_have_the_same_bytes(self):
+        item = {"id": "a", "expect": {"equation": {"system": "compass_walker"}, "of": "phi"}, "submitted": "phi'' = theta''"}
+        once, again, other = (self.post("check", {"items": [item], "seed": seed}).data for seed in (3, 3, 4))
+        self.assertEqual(once, again)
+        self.assertNotEqual(once, other)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+#include "core/grading/same_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/expr/print/print.hpp"
+#include "core/grading/student_parser.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace qdot::test {
+namespace {
+
+MotionVerdict verdict(const std::string& system, const std::string& submitted,
+                      std::optional<std::size_t> coordinate = 0, std::uint64_t seed = 1) {
+  const auto model = model_of(system);
+  const ExpectedSystem of(*model);
+  const Vocabulary vocabulary(of.symbols(), of.momenta());
+  const ReadSubmission read = read_submission(submitted, of.graph(), vocabulary);
+  EXPECT_TRUE(read.errors.empty()) << submitted << ": " << read.errors.front();
+  std::vector<Expression> residuals;
+  for (const ReadEquation& equation : read.equations) residuals.push_back(equation.residual());
+  return compare_motion(of, residuals, coordinate, seed);
+}
+
+MotionFault fault(const std::string& system, const std::string& submitted,
+                  std::optional<std::size_t> coordinate = 0) {
+  return verdict(system, submitted, coordinate).fault;
+}
+
+using enum MotionFault;
+
+TEST(SameMotion, AnEquationMayHaveAnyForm) {
+  for (const char* right :
+       {"theta'' = sin(theta) (Omega^2 cos(theta) - g/l)",
+        "l theta'' - l Omega^2 sin(theta) cos(theta) + g sin(theta) = 0",
+        "m l^2 theta'' = m l sin(theta) (l Omega^2 cos(theta) - g)",
+        "theta''/sin(theta) = Omega^2 cos(theta) - g/l", "theta'' + g/l sin(theta) = Omega^2/2 sin(2*theta)",
+        "1 = sin(theta) (Omega^2 cos(theta) - g/l)/theta''",
+        "0 = -theta'' + sin(theta) (Omega^2 cos(theta) - g/l)",
+        "d/dt(m l^2 theta') = m l^2 Omega^2 sin(theta) cos(theta) - m g l sin(theta)",
+        "Omega^2 = theta''/(sin(theta) cos(theta)) + g/(l cos(theta))"}) {
+    EXPECT_EQ(fault("whirling_pendulum", right), none) << right;
+  }
+  EXPECT_EQ(verdict("whirling_pendulum", "theta'' = sin(theta) (Omega^2 cos(theta) - g/l)").decided_by,
+            Decision::identity);
+}
+
+TEST(SameMotion, AWrongEquationHasACounterexample) {
+  for (const char* wrong :
+       {"theta'' = sin(theta) (Omega^2 cos(theta) + g/l)", "theta'' = sin(theta) (Omega^2 sin(theta) - g/l)",
+        "theta'' = sin(theta) (Omega cos(theta) - g/l)", "theta'' = theta (Omega^2 - g/l)", "theta'' = 0",
+        "theta' = sin(theta)", "theta'' = sin(theta) (Omega^2 cos(theta) - g/l) + 1e-25"}) {
+    const MotionVerdict found = verdict("whirling_pendulum", wrong);
+    EXPECT_EQ(found.fault, not_true) << wrong;
+    EXPECT_FALSE(found.counterexample.empty());
+  }
+  EXPECT_TRUE(verdict("whirling_pendulum", "theta'' = -g/l sin(theta)").acceleration);
+}
+
+TEST(SameMotion, WhatHoldsAlwaysIsNoEquation) {
+  for (const char* empty : {"0 = 0", "theta'' = theta''", "sin(theta)^2 + cos(theta)^2 = 1", "m = m",
+                            "theta'' - theta'' + theta' = theta'"}) {
+    EXPECT_EQ(fault("whirling_pendulum", empty), holds_always) << empty;
+  }
+}
+
+TEST(SameMotion, SquaresAreNotDecided) {
+  EXPECT_EQ(fault("whirling_pendulum", "(theta'' - sin(theta) (Omega^2 cos(theta) - g/l))^2 = 0"),
+            not_linear);
+}
+
+TEST(SameMotion, OtherEquationsMayBePutIntoOne) {
+  const std::string x = "(M+m) x'' + m l theta'' cos(theta) - m l theta'^2 sin(theta) + k x = 0";
+  const std::string theta = "l theta'' + x'' cos(theta) + g sin(theta) = 0";
+  EXPECT_EQ(fault("cart_pendulum", x, 0), none);
+  EXPECT_EQ(fault("cart_pendulum", theta, 1), none);
+  EXPECT_EQ(fault("cart_pendulum", theta, 0), other_coordinate);
+  EXPECT_EQ(fault("cart_pendulum", x, 1), other_coordinate);
+  EXPECT_EQ(fault("cart_pendulum",
+                  "x'' = (m sin(theta) (l theta'^2 + g cos(theta)) - k x)/(M + m sin(theta)^2)", 0),
+            none);
+  EXPECT_EQ(fault("cart_pendulum", x + "\n" + theta, std::nullopt), none);
+  EXPECT_EQ(fault("cart_pendulum", theta + "\n" + x, std::nullopt), none);
+  EXPECT_EQ(
+      fault("cart_pendulum",
+            x + "\n2*x''*(M+m) + 2 m l theta'' cos(theta) = 2 m l theta'^2 sin(theta) - 2 k x", std::nullopt),
+      dependent);
+}
+
+/// Every equation that the service prints is right, and wrong with any other number in front of a term.
+TEST(SameMotion, KnowsTheEquationsOfEverySystem) {
+  for (const std::string& name : practice_systems()) {
+    const auto model = model_of(name);
+    for (std::size_t i = 0; i < model->degrees_of_freedom(); ++i) {
+      const Equation& equation = model->equations.equations[i];
+      const std::string text = print_equation(equation.left, equation.right, Form::text);
+      EXPECT_EQ(fault(name, text, i), none) << name << ": " << text;
+      const std::string q = model->scene.coordinates[i].name;
+      EXPECT_EQ(fault(name, text + " + " + q + "/1000", i), not_true) << name << ": " << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace qdot::test
