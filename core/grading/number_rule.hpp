@@ -42,9 +42,9 @@ enum class Agreement { no, yes, unknown };
 
 /// How several numbers belong together.
 struct Grouping {
-  bool any_order{};              ///< a set: some order of them agrees
-  bool any_scale{};              ///< a direction: some multiple of them, not zero, agrees
-  std::optional<double> period;  ///< angles: they agree modulo this
+  bool any_order{};                ///< a set: some order of them agrees
+  bool any_scale{};                ///< a direction: some multiple of them, not zero, agrees
+  std::optional<double> period{};  ///< angles: they agree modulo this
 };
 
 /// Whether all numbers agree with those expected. Different counts never do.

@@ -19,7 +19,7 @@ constexpr int states_to_see = 3;
 /// p/q with small q that a ball holds, if there is one.
 std::optional<Number> small_fraction(const Ball& ball) {
   if (!ball.is_finite() || ball.radius > 1e-12) return std::nullopt;
-  for (int q = 1; q <= 24; ++q) {
+  for (int q = 1; q <= 144; ++q) {
     const double p = std::nearbyint(ball.value() * q);
     if (std::abs(p) > 1000) return std::nullopt;
     const Ball rest = ball * Ball(static_cast<double>(q)) - Ball(p);

@@ -156,12 +156,12 @@ class StudentParser {
 
   Expression exponent() {
     const bool is_negative = signs();
-    const bool is_number = at(Mark::number);
+    const bool is_one = at_number(1, 0);  // x^1/2 is meant as a root
     const Expression e = nested([this] {
       const Expression base = primary();
       return accept(Mark::power) ? raised(base, exponent()) : base;
     });
-    if (is_number && at(Mark::over) && !token().is_apart && at(Mark::number, 1))
+    if (is_one && at(Mark::over) && at(Mark::number, 1))
       refuse("a fraction in an exponent needs brackets: x^(1/2)", token().offset);
     return is_negative ? -e : e;
   }
@@ -238,9 +238,9 @@ class StudentParser {
   }
 
   Expression rate_of(const Expression& e) {
-    if (!vocabulary_.varies(e)) refuse("only what changes in time has a derivative here", token().offset);
+    if (!vocabulary_.varies(e)) refuse("only coordinates have derivatives here, up to the second", token().offset);
     const Expression rate = total_derivative(e, vocabulary_.rates());
-    if (rate.is_zero()) refuse("there is no derivative of that order here", token().offset);
+    if (rate.is_zero()) refuse("only coordinates have derivatives here, up to the second", token().offset);
     return checked(rate);
   }
 

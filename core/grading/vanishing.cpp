@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/expr/polynomial.hpp"
 #include "core/grading/normal_form.hpp"
 
 namespace qdot {
@@ -88,17 +89,23 @@ class Vanishing {
     const auto form = question_.in_symbols ? question_.in_symbols() : std::optional(question_.value);
     const Zeroness found = form ? zeroness(*form) : Zeroness::unknown;
     if (found == Zeroness::zero) return {Decision::identity, {}};
-    if (found == Zeroness::not_zero) return search(states);
+    if (found == Zeroness::not_zero) return search(*form, states);
     const bool saw_both_sides =
         std::ranges::all_of(sides_, [](const Sides& s) { return s.above && s.below; });
     return {seen >= enough && saw_both_sides ? Decision::values : Decision::unknown, {}};
   }
 
-  /// It is not zero everywhere, so somewhere it can be seen not to be.
-  VanishingAnswer search(SampledStates& states) {
+  /// It is not zero everywhere, so somewhere it can be seen not to be; multiplied out, so that what cancels
+  /// is gone and does not hide what is left.
+  VanishingAnswer search(const Expression& form, SampledStates& states) {
+    const Expression left = expand(form);
+    BallValues values(std::array{left});
     for (int i = 0; i < most_tries_where_one_exists; ++i) {
       const State state = states.next();
-      if (look(state) == Sight::not_zero) return {Decision::counterexample, state};
+      for (std::size_t k = 0; k < state.size(); ++k) values.set(question_.symbols[k].symbol, state[k]);
+      values.evaluate();
+      const Ball& value = values.of(left);
+      if (value.is_finite() && !value.contains_zero()) return {Decision::counterexample, state};
     }
     return {};
   }

@@ -42,7 +42,7 @@ TEST(SameFormula, HoldsInEveryForm) {
   EXPECT_EQ(decision("sin(theta/2)^2", "(1 - cos(theta))/2"), values);
   EXPECT_EQ(decision("1/(1 + tan(theta)^2)", "cos(theta)^2"), identity);
   EXPECT_EQ(decision("1/(l + 1/l)", "l/(l^2 + 1)"), identity);
-  EXPECT_EQ(decision("sqrt(k/m)", "sqrt(k m)/m"), identity);
+  EXPECT_EQ(decision("sqrt(k/m)", "sqrt(k m)/m"), values);
   EXPECT_EQ(decision("sqrt(g/l)", "sqrt(l/g)"), wrong);
 }
 
