@@ -2,9 +2,11 @@
 // The usual ways to get one term of a formula wrong.
 
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "core/grading/slip.hpp"
+#include "core/expr/expression.hpp"
+#include "core/grading/slip_kind.hpp"
 
 namespace qdot {
 

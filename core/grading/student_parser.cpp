@@ -238,7 +238,8 @@ class StudentParser {
   }
 
   Expression rate_of(const Expression& e) {
-    if (!vocabulary_.varies(e)) refuse("only coordinates have derivatives here, up to the second", token().offset);
+    if (!vocabulary_.varies(e))
+      refuse("only coordinates have derivatives here, up to the second", token().offset);
     const Expression rate = total_derivative(e, vocabulary_.rates());
     if (rate.is_zero()) refuse("only coordinates have derivatives here, up to the second", token().offset);
     return checked(rate);

@@ -66,13 +66,23 @@ class ExitCodes(unittest.TestCase):
         self.assertEqual(qdot("--help").returncode, OK)
         self.assertEqual(qdot("simulate", "--help").returncode, OK)
 
+    @staticmethod
+    def fields(document, path):
+        """Those of the query; where there is none, those of the body."""
+        methods = document["paths"][path]
+        if "get" in methods:
+            return methods["get"]["parameters"]
+        schema = methods["post"]["requestBody"]["content"]["application/json"]["schema"]["$ref"].rsplit("/", 1)[1]
+        properties = document["components"]["schemas"][schema]["properties"]
+        return [{"name": name, "description": field["description"]} for name, field in properties.items()]
+
     def test_help_of_a_command_explains_every_field(self):
         document = json.loads(qdot("openapi").stdout)
         paths = [path for path, methods in document["paths"].items() if "post" in methods]
         self.assertGreaterEqual(len(paths), 9)
         for path in paths:
             text = " ".join(qdot(path.removeprefix("/v1/"), "--help").stdout.decode().split())
-            for parameter in document["paths"][path]["get"]["parameters"]:
+            for parameter in self.fields(document, path):
                 if "name" in parameter:
                     with self.subTest(path=path, field=parameter["name"]):
                         meaning = parameter["description"].split("; each stands alone")[0]
