@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 #include "api/about/field_help.hpp"
+#include "api/answers/check/answer_sheet.hpp"
 #include "api/answers/endpoints.hpp"
 #include "api/service.hpp"
 
@@ -38,12 +40,23 @@ std::string all_of(std::istream& stream) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+std::string text_of_file(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw UsageError("cannot read " + file);
+  return all_of(stream);
+}
+
+/// The request of a check, from its key and its answers.
+std::string graded_body(const Arguments& arguments) {
+  if (arguments.key.empty() || arguments.answers.empty() || !arguments.request_file.empty())
+    throw UsageError("give --key and --answers together, and no other request");
+  const auto request = api::graded_request(text_of_file(arguments.key), text_of_file(arguments.answers));
+  if (const auto* error = std::get_if<api::SheetError>(&request)) throw UsageError(error->text);
+  return std::get<api::Json>(request).dump();
+}
+
 std::string request_body(const std::string& file) {
-  if (!file.empty() && file != "-") {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw UsageError("cannot read " + file);
-    return all_of(stream);
-  }
+  if (!file.empty() && file != "-") return text_of_file(file);
   if (file.empty() && ::isatty(STDIN_FILENO)) {
     throw UsageError("give the request as key=value, with --request FILE or on stdin");
   }
@@ -81,7 +94,8 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
   } else if (command.words == Words::request) {
     request.method = "POST";
     request.headers["content-type"] = "application/json";
-    request.body = request_body(arguments.request_file);
+    const bool has_sheets = !arguments.key.empty() || !arguments.answers.empty();
+    request.body = has_sheets ? graded_body(arguments) : request_body(arguments.request_file);
   }
   if (!arguments.format.empty()) query += "format=" + percent_encoded(arguments.format) + "&";
   if (arguments.pretty) query += "pretty&";
@@ -95,6 +109,21 @@ ExitCode meaning_of(const api::Response& response) {
   const auto type = body.is_object() ? body.value("type", "") : "";
   if (type == "/errors/integration-failed" || response.status == 503) return ExitCode::failed;
   return response.status < 500 ? ExitCode::invalid_request : ExitCode::internal;
+}
+
+/// Whether every item is right, in any of the formats.
+bool is_all_right(const std::string& body) {
+  const auto grades = nlohmann::json::parse(body, nullptr, false);
+  const auto all = [](const auto& tests, auto is_right) {
+    return std::all_of(tests.begin(), tests.end(), is_right);
+  };
+  if (grades.contains("items"))
+    return all(grades["items"], [](const auto& item) { return item["correct"] == true; });
+  if (grades.contains("fraction")) return grades["fraction"] == 1;
+  return all(grades["tests"], [](const auto& test) {
+    return test.contains("max_score") ? test["score"] == test["max_score"]
+                                      : test["points"] == test["max_points"];
+  });
 }
 
 }  // namespace
@@ -113,6 +142,8 @@ std::string help_on_fields(const Command& command) {
   return command.endpoint == nullptr ? "" : api::fields_as_text(*command.endpoint->question.fields);
 }
 
+bool grades(const Command& command) { return command.name == "check"; }
+
 bool has_formats(const Command& command) {
   return command.endpoint != nullptr && command.endpoint->question.fields->find("format") != nullptr;
 }
@@ -122,8 +153,10 @@ ExitCode run(const Command& command, const Arguments& arguments) {
     const auto request = request_of(command, arguments);
     const api::Service service({.scenes_directory = arguments.scenes});
     const auto response = service.handle(request);
-    const auto code = meaning_of(response);
+    auto code = meaning_of(response);
     auto& stream = code == ExitCode::ok ? std::cout : std::cerr;
+    if (code == ExitCode::ok && arguments.strict && !is_all_right(response.body))
+      code = ExitCode::not_all_right;
     stream << response.body << std::flush;
     if (!stream) throw std::runtime_error("cannot write the answer");
     return code;

@@ -11,7 +11,15 @@
 namespace qdot::server {
 
 /// What `qdot` returns to its caller.
-enum class ExitCode { ok = 0, usage = 2, invalid_request = 3, failed = 4, internal = 5, unreachable = 6 };
+enum class ExitCode {
+  ok = 0,
+  not_all_right = 1,
+  usage = 2,
+  invalid_request = 3,
+  failed = 4,
+  internal = 5,
+  unreachable = 6
+};
 
 /// What the words after a command are.
 enum class Words {
@@ -37,12 +45,17 @@ struct Command {
 /// Whether the answer of a command has several forms, which `--format` chooses from.
 [[nodiscard]] bool has_formats(const Command& command);
 
+/// Whether the command grades: it takes a key and answers, too.
+[[nodiscard]] bool grades(const Command& command);
+
 struct Arguments {
   std::vector<std::string> words;
   std::string request_file;  ///< "-" means stdin
   std::string format;        ///< json, csv
   bool pretty{false};
-  std::string scenes;  ///< a directory of more scenes
+  std::string key, answers;  ///< files of a check
+  bool strict{false};        ///< of a check: anything but right answers is a failure
+  std::string scenes;        ///< a directory of more scenes
 };
 
 /// Prints the answer on stdout, or the problem on stderr.

@@ -83,6 +83,12 @@ void add_commands(CLI::App& app, Arguments& arguments, Action& action) {
     }
     if (has_formats(entry))
       command.add_option("--format", arguments.format, "The field format, as an option");
+    if (grades(entry)) {
+      command.add_option("--key", arguments.key, "File with the request without what was submitted");
+      command.add_option("--answers", arguments.answers,
+                         "File with the answers: {\"id\": ...}, or CSV id,submitted");
+      command.add_flag("--strict", arguments.strict, "Exit 1 unless every answer is right");
+    }
     command.add_flag("--pretty", arguments.pretty, "Indent the answer");
     add_scenes(command, arguments.scenes);
     command.callback([&, entry] { action = [&, entry] { return run(entry, arguments); }; });

@@ -131,6 +131,10 @@ Appraisal appraise(const Route& route, const Request& request) {
     result.bytes = request.body.size() * bytes_per_number;
   } else if (const auto fields = fields_of(request); fields && fields->is_object()) {
     result.milliseconds += derivation(*fields);
+    if (!route.cost.each.empty()) {
+      const std::size_t count = entries(*fields, std::string(route.cost.each).c_str());
+      result.milliseconds *= static_cast<double>(std::max<std::size_t>(count, 1));
+    }
     if (follows_motion(route.cost, *fields)) result = of_motion(*fields, result);
   }
   result.weight = result.milliseconds > light ? Weight::heavy : Weight::light;

@@ -46,6 +46,7 @@ using Handler = std::function<Response(Call&)>;
 struct Cost {
   double milliseconds{0.3};                                              ///< of one core
   enum class Motion { none, always, up_to_t_end } motion{Motion::none};  ///< up_to_t_end: where that is given
+  std::string_view each{};  ///< the list whose every entry costs as much; empty: none
 };
 
 struct Route {

@@ -130,8 +130,15 @@ class MotionComparison {
     });
   }
 
+  /// Whether the equation speaks of an acceleration.
+  [[nodiscard]] bool has_slope_in(const Expression& acceleration) const {
+    const Expression slope = differentiate(residuals_[0], acceleration);
+    return !slope.is_zero() && zeroness(slope) != Zeroness::zero;
+  }
+
   MotionFault fault_of_one(std::size_t coordinate) {
     if (has_no_slope()) return MotionFault::holds_always;
+    if (!has_slope_in(accelerations_[coordinate])) return MotionFault::other_coordinate;
     bool is_determined = false, is_unclear = false;
     int seen = 0;
     at_states([&](const BallMatrix& rows) {

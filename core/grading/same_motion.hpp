@@ -4,9 +4,9 @@
 // An equation r(q, q', q'', t) = 0 is compared by what it says of the motion, not by its terms: r has to
 // vanish on the right accelerations at every state, and to determine an acceleration there. So it may be
 // scaled, divided, rearranged, or have other equations put into it, and 0 = 0 is no equation. With a =
-// dr/dq'' the equation is c (M q'' - f) = 0, c M = a; it is that of coordinate i where c_i is not zero,
-// because then it says the same as the right one together with those of the other coordinates. As many
-// equations as coordinates are right together where det dr/dq'' is not zero.
+// dr/dq'' the equation is c (M q'' - f) = 0, c M = a; it is that of coordinate i where it speaks of q_i'' and
+// c_i is not zero, because then it says the same as the right one together with those of the other
+// coordinates. As many equations as coordinates are right together where det dr/dq'' is not zero.
 
 #include <optional>
 #include <span>

@@ -111,7 +111,11 @@ class Numbers(Check):
         item["expect"] = {**TURNING_POINT, "off": "theta"}
         self.assertEqual(self.error(item)["pointer"], "#/items/0/expect/off")
         self.assertEqual(self.error({"expect": TURNING_POINT, "submitted": 1, "rule": {"digits": 3}})["pointer"], "#/items/0/rule/digits")
-        self.assertEqual(self.error({"expect": TURNING_POINT})["code"], "missing")
+        self.assertEqual(self.error({"submitted": 1})["code"], "missing")
+
+    def test_a_key_alone_has_no_verdict(self):
+        status, answer = self.check([{"expect": TURNING_POINT}])
+        self.assertEqual((status, answer["gradable"], answer["items"][0]["correct"]), (200, False, None))
 
 
 class Formulas(Check):
@@ -131,6 +135,17 @@ class Formulas(Check):
         self.assert_verdicts(expect, [("3 m x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", True),
                                       ("(M+m) x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", True),
                                       ("2 m x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", False)])
+
+    def test_systems_of_first_order_and_lagrangians(self):
+        self.assert_verdicts({"equation": {"system": "whirling_pendulum"}}, [
+            ("theta' = w; w' = sin(theta) (Omega^2 cos(theta) - g/l)", True), ("v = theta'\nv' = sin(theta) (Omega^2 cos(theta) - g/l)", True),
+            (["dtheta/dt = w", "dw/dt = sin(theta) (Omega^2 cos(theta) - g/l)"], True), ("theta' = w; w' = -g/l sin(theta)", False),
+            (r"\dot\theta = u \\ \dot u = \sin\theta\left(\Omega^2\cos\theta-\frac gl\right)", True), ("theta' = w; theta' = w", False),
+            ("L = m l^2 theta'^2/2 + m Omega^2 l^2 sin(theta)^2/2 + m g l cos(theta)", True),
+            ("L = m l^2 theta'^2/2 + m Omega^2 l^2 sin(theta)^2/2 - m g l cos(theta)", False), ("L = 0", False), ("L = theta'", False)])
+        self.assert_verdicts({"equation": {"system": "cart_pendulum"}}, [
+            ("L = (M+m)/2 x'^2 + m l x' theta' cos(theta) + m l^2 theta'^2/2 - k x^2/2 + m g l cos(theta) + 7 x'", True),
+            ("L = (M+m)/2 x'^2 + m l x' theta' cos(theta) + m l^2 theta'^2/2 - k x^2/2 + m g l cos(theta) + 7 x' theta", False)])
 
     def test_ones_own_formula(self):
         self.assert_verdicts({"expression": {"system": "whirling_pendulum"}, "is": "sqrt(g/l)"},
@@ -200,6 +215,40 @@ class Trajectories(Check):
         row = item["counterexample"]
         self.assertEqual(row["column"], "l")
         self.assertIn(f"\n{row['t']},{row['value']}", self.csv(g=9.7))
+
+
+class Hostile(Check):
+    """Whatever is handed in ends soon, and the next item is graded."""
+
+    BOMBS = ["(" * 4000, "{" * 4000, "\\frac" * 800, "9^9^9^9^9", "x" * 4096, "m" * 48, "1+" * 2040, "-" * 4000 + "1", "m^64^64", "sin(" * 300,
+             "(theta + l + m + k + g + l0)^64", "((theta + l + m)^64 + (theta - l)^64)^64", "(theta+l)^60*(theta+m)^60*(theta+k)^60*(theta+g)^60",
+             "*".join(f"(sin({i}*theta)+cos({i}*l)+m)" for i in range(2, 60)), "+".join(f"sqrt(theta+{i})" for i in range(1, 300)),
+             "exp(" * 60 + "theta" + ")" * 60, "tan(" * 60 + "theta" + ")" * 60, "1/(1+" * 60 + "l" + ")" * 60, "theta" + "'" * 3000,
+             "__import__('os').system('id')", "\\input{/etc/passwd}", "$(id)", "`id`", "<script>", "\u202e\u0430", "theta\u0000",
+             "e^" * 500 + "l", "abs(" * 60 + "theta" + ")" * 60, "|" * 2000, "Derivative(" * 300, "d/dt(" * 60 + "theta" + ")" * 60, "=" * 4000, "1e308*1e308",
+             "t,l\n" + "0,0\n" * 200000, "a" * 500000]
+
+    def test_bombs(self):
+        expected = ({"expression": {"system": "rod_spring_pendulum"}, "of": "r_ddot"}, {"equation": {"system": "rod_spring_pendulum"}, "of": "r"},
+                    {"expression": {"system": "spring_pendulum"}, "of": "T"}, TURNING_POINT, {"simulate": {"system": "spring_pendulum", "t_end": 1}, "columns": ["l"]})
+        for bomb in self.BOMBS:
+            for expect in expected:
+                for text in (bomb, f"{bomb} = 0"):
+                    with self.subTest(bomb=bomb[:60], expect=list(expect)[0]):
+                        items = [{"expect": expect, "submitted": text}, {"expect": TURNING_POINT, "submitted": "55.13deg"}]
+                        status, answer = self.check(items)
+                        self.assertEqual(status, 200, answer)
+                        self.assertIsNot(answer["items"][0]["correct"], True)
+                        self.assertIs(answer["items"][1]["correct"], True)
+
+    def test_other_types(self):
+        for value in (None, True, 3, -1e300, [], {}, [[[[]]]], {"a": {"b": []}}, ["x"] * 5000, [1e308] * 3):
+            for expect in (TURNING_POINT, ANGLES, SHAPE, {"expression": {"system": "spring_pendulum"}, "of": "T"}, {"equation": {"system": "spring_pendulum"}},
+                           {"simulate": {"system": "spring_pendulum", "t_end": 1}}):
+                with self.subTest(value=str(value)[:40], expect=list(expect)[0]):
+                    status, answer = self.check([{"expect": expect, "submitted": value}])
+                    self.assertEqual(status, 200, answer)
+                    self.assertIsNot(answer["items"][0]["correct"], True)
 
 
 class Secrets(Check):

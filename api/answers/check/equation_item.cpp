@@ -5,6 +5,7 @@
 #include "api/answers/check/diagnosis.hpp"
 #include "api/json/text.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/grading/definitions.hpp"
 #include "core/grading/same_motion.hpp"
 
 namespace qdot::api {
@@ -138,17 +139,69 @@ Json expected_equations(const EquationItem& item) {
   return all_written(*item.formula, equations);
 }
 
+/// "L = ..." stands for the equations that follow from it: d/dt dL/dq' - dL/dq = Q.
+std::vector<ReadEquation> equations_of_lagrangian(const EquationItem& item, const Expression& lagrangian) {
+  const ExpectedSystem& system = item.formula->system;
+  const Symbols::Varying& q = system.symbols().coordinates;
+  std::vector<ReadEquation> equations;
+  for (std::size_t i = 0; i < q.value.size(); ++i) {
+    const Expression momentum = differentiate(lagrangian, q.rate[i]);
+    const Expression left =
+        total_derivative(momentum, item.formula->vocabulary.rates()) - differentiate(lagrangian, q.value[i]);
+    equations.push_back({left, system.quantity("Q_" + item.formula->scene().coordinates[i].name)});
+  }
+  return equations;
+}
+
+/// The text behind "L =", where the whole submission is a Lagrangian and L is no symbol of the system's.
+std::optional<std::string> lagrangian_text(const EquationItem& item, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const bool is_one = equals != std::string::npos && text.find('=', equals + 1) == std::string::npos;
+  if (item.coordinate || !is_one || trimmed(text.substr(0, equals)) != "L") return std::nullopt;
+  if (item.formula->vocabulary.find("L")) return std::nullopt;
+  return text.substr(equals + 1);
+}
+
+/// What was submitted in the place of equations, and the equations.
+struct ReadMotion {
+  Json understood{};
+  std::vector<ReadEquation> equations{};
+  std::vector<std::string> errors{};
+};
+
+ReadMotion read_lagrangian(const EquationItem& item, const std::string& text) {
+  const ReadSubmission read = read_submission(text, item.formula->graph(), item.formula->vocabulary);
+  if (!read.errors.empty()) return {.errors = read.errors};
+  if (read.equations.size() != 1 || read.equations[0].right) return {.errors = {"one Lagrangian is needed"}};
+  return {.understood = written(*item.formula, read.equations[0]),
+          .equations = equations_of_lagrangian(item, read.equations[0].left)};
+}
+
+ReadMotion read_motion(const EquationItem& item, const std::string& text) {
+  if (const auto lagrangian = lagrangian_text(item, text)) return read_lagrangian(item, *lagrangian);
+  Vocabulary vocabulary = item.formula->vocabulary;
+  std::string rest;
+  try {
+    rest = without_definitions(text, item.formula->system.symbols(), vocabulary);
+  } catch (const Error& error) {
+    return {.errors = {error.what()}};
+  }
+  const ReadSubmission read = read_submission(rest, item.formula->graph(), vocabulary);
+  if (!read.errors.empty()) return {.errors = read.errors};
+  return {.understood = all_written(*item.formula, read.equations), .equations = read.equations};
+}
+
 Verdict grade_equations(const EquationItem& item, const Json& submitted) {
   const auto text = text_of_equations(submitted);
   if (!text) return unreadable("Write the equation as a text.");
-  const ReadSubmission read = read_submission(*text, item.formula->graph(), item.formula->vocabulary);
+  const ReadMotion read = read_motion(item, *text);
   if (!read.errors.empty()) return {.format_errors = read.errors};
   if (read.equations.size() != item.count()) return unreadable(how_many(item.count()));
   for (const ReadEquation& equation : read.equations) {
     if (!equation.right) return unreadable("an equation has an equals sign");
   }
   Verdict verdict;
-  verdict.understood = all_written(*item.formula, read.equations);
+  verdict.understood = read.understood;
   verdict.expected = expected_equations(item);
   decide_equations(item, read.equations, verdict);
   return verdict;

@@ -81,7 +81,7 @@ const Table<CheckItem>& item_table() {
                 "an endpoint's name with a whole request of it, and 'at': pointers into its answer",
                 required),
           value("submitted", &CheckItem::submitted, AnyKind{},
-                "what was handed in: a number, a text, or an array or object of them", required),
+                "what was handed in: a number, a text, or an array or object of them; none: no answer"),
           record("rule", &CheckItem::rule, rule_table(), "how numbers are compared"),
           value("names", &CheckItem::names,
                 AnyKind{{{"type", "object"}, {"additionalProperties", {{"type", "string"}}}}},

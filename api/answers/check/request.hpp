@@ -34,7 +34,7 @@ struct CheckItem {
   std::string id{};
   double points{1};
   Json expect{};
-  Json submitted{};
+  Json submitted = Json::value_t::discarded;  ///< discarded: there is no answer
   std::optional<RuleRequest> rule{};
   Json names{};  ///< {"w": "Omega"}: the submission's words for symbols
 };

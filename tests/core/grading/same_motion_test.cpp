@@ -78,6 +78,9 @@ TEST(SameMotion, OtherEquationsMayBePutIntoOne) {
   EXPECT_EQ(fault("cart_pendulum",
                   "x'' = (m sin(theta) (l theta'^2 + g cos(theta)) - k x)/(M + m sin(theta)^2)", 0),
             none);
+  EXPECT_EQ(
+      fault("cart_pendulum", "x'' (M + m sin(theta)^2) = m sin(theta) (l theta'^2 + g cos(theta)) - k x", 1),
+      other_coordinate);
   EXPECT_EQ(fault("cart_pendulum", x + "\n" + theta, std::nullopt), none);
   EXPECT_EQ(fault("cart_pendulum", theta + "\n" + x, std::nullopt), none);
   EXPECT_EQ(

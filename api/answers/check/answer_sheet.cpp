@@ -1,0 +1,90 @@
+#include "api/answers/check/answer_sheet.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "api/contract/json_reader.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// The cells of one row of CSV (RFC 4180), which may have line ends inside quotation marks.
+std::vector<std::string> next_row(std::string_view& rest) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  std::size_t at = 0;
+  for (; at < rest.size(); ++at) {
+    const char c = rest[at];
+    const bool is_doubled = is_quoted && c == '"' && at + 1 < rest.size() && rest[at + 1] == '"';
+    if (is_doubled) {
+      cells.back() += rest[at++];
+    } else if (c == '"') {
+      is_quoted = !is_quoted;
+    } else if (is_quoted || (c != ',' && c != '\n' && c != '\r')) {
+      cells.back() += c;
+    } else if (c == ',') {
+      cells.emplace_back();
+    } else if (c == '\n') {
+      ++at;
+      break;
+    }
+  }
+  rest.remove_prefix(at);
+  return cells;
+}
+
+std::variant<Json, SheetError> answers_of_csv(std::string_view text) {
+  if (next_row(text) != std::vector<std::string>{"id", "submitted"})
+    return SheetError{"the answers are neither JSON nor CSV with a line id,submitted first"};
+  Json answers = Json::object();
+  while (!text.empty()) {
+    const std::vector<std::string> row = next_row(text);
+    if (row.size() == 1 && trimmed(row[0]).empty()) continue;
+    if (row.size() != 2) return SheetError{"a row of the answers has not two cells"};
+    if (answers.contains(row[0])) return SheetError{"there are two answers to " + in_quotes(row[0])};
+    answers[row[0]] = row[1];
+  }
+  return answers;
+}
+
+std::variant<Json, SheetError> object_of(std::string_view text, const std::string& name) {
+  auto read = read_json(text, {.bytes = limits::large_body_bytes, .nodes = limits::large_json_nodes});
+  auto* document = std::get_if<JsonDocument>(&read);
+  if (document == nullptr) return SheetError{name + ": " + std::get<Problem>(read).detail};
+  if (!document->value.is_object() || !document->duplicates.empty())
+    return SheetError{name + " needs a JSON object, each key once"};
+  return std::move(document->value);
+}
+
+std::variant<Json, SheetError> answers_of(std::string_view text) {
+  return trimmed(text).starts_with('{') ? object_of(text, "the answers") : answers_of_csv(text);
+}
+
+/// The item of a key with that id; null where there is none.
+Json* item_of(Json& items, const std::string& id) {
+  const auto found = std::ranges::find_if(
+      items, [&](const Json& item) { return item.is_object() && item.contains("id") && item["id"] == id; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::variant<Json, SheetError> graded_request(std::string_view key, std::string_view answers) {
+  auto request = object_of(key, "the key");
+  if (std::holds_alternative<SheetError>(request)) return request;
+  auto sheet = answers_of(answers);
+  if (std::holds_alternative<SheetError>(sheet)) return sheet;
+  Json& body = std::get<Json>(request);
+  if (!body.contains("items") || !body["items"].is_array()) return SheetError{"the key has no array 'items'"};
+  for (const auto& [id, submitted] : std::get<Json>(sheet).items()) {
+    Json* item = item_of(body["items"], id);
+    if (item == nullptr) return SheetError{"the key has no item " + in_quotes(id)};
+    (*item)["submitted"] = submitted;
+  }
+  return request;
+}
+
+}  // namespace qdot::api
