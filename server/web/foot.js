@@ -23,6 +23,12 @@ export function foot({ endpoint, body }) {
   );
 }
 
+/** What the service wants known of its answer, such as an angle that may have been meant in degrees. @param {any} answer */
+export function notes(answer) {
+  const said = Array.isArray(answer.notes) ? answer.notes.map(String) : [];
+  return said.map((/** @type {string} */ text) => element("p", { class: "note" }, text));
+}
+
 /** @param {unknown} error a problem of the service, in its words */
 export function problemNote(error) {
   const body = /** @type {any} */ (error)?.body;

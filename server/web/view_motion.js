@@ -2,7 +2,7 @@
 import { ask, askForTable } from "./api.js";
 import { allColumns, broken, energyColumn, includeOf, jumpTimes } from "./columns.js";
 import { download, element, fill } from "./dom.js";
-import { foot, problemNote } from "./foot.js";
+import { foot, notes, problemNote } from "./foot.js";
 import { plusMinus, short, symbol, symbolNode, unitText } from "./numbers.js";
 import { Plot } from "./plot.js";
 import { sentence } from "./system.js";
@@ -101,7 +101,7 @@ export class MotionView {
       fill(this.plotBox, ...nodes);
     Plot.align([...this.plots.values()]);
     this.versus.show(answer, (unit) => this.factor(unit));
-    fill(this.words, ...this.sentences(answer));
+    fill(this.words, ...notes(answer), ...this.sentences(answer));
     fill(
       this.footBox,
       foot({ endpoint: "simulate", body: page.motionBody ?? {} }),

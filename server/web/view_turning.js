@@ -2,7 +2,7 @@
 import { Problem, ask } from "./api.js";
 import { element, fill } from "./dom.js";
 import { compiled } from "./expression.js";
-import { foot } from "./foot.js";
+import { foot, notes } from "./foot.js";
 import { quantity, short, symbol, symbolNode, unitText } from "./numbers.js";
 import { Plot } from "./plot.js";
 
@@ -56,6 +56,7 @@ export class TurningView {
       this.node,
       this.chooser(),
       this.words(answer),
+      ...notes(answer),
       this.numbers(answer),
       plot?.node,
       this.reasons(answer),
