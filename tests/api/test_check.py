@@ -57,6 +57,11 @@ class Numbers(Check):
         self.assert_verdicts({**TURNING_POINT, "at": "/theta_max_deg"},
                              [(55.13, True), ("55.13", True), ("0.9622 rad", True), (0.9622, False)], rule={"rtol": 1e-3})
 
+    def test_numbers_at_the_end_of_their_range(self):
+        degrees = {**TURNING_POINT, "at": "/theta_max_deg"}
+        self.assert_verdicts(degrees, [("1e308 rad", None), ("1e308", False), ("-1e308", False), (1e308, False), ("5e-324", False)])
+        self.assertEqual(self.error({"expect": TURNING_POINT, "submitted": 1, "points": 1e300})["pointer"], "#/items/0/points")
+
     def test_a_unit_may_be_required(self):
         self.assert_verdicts(TURNING_POINT, [("0.9622 rad", True), ("55.13 deg", True), (0.9622, None), ("0.9622", None)],
                              rule={"unit": "required", "rtol": 1e-3})

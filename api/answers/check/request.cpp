@@ -8,6 +8,7 @@ namespace qdot::api {
 namespace {
 
 const Domain not_negative{.lower = 0};
+const Domain of_points{.lower = 0, .upper = 1e9};
 
 /// Fields that belong to one kind of rule, or to several.
 struct RuleOption {
@@ -75,7 +76,7 @@ const Table<CheckItem>& item_table() {
       "check_item", "One question with what was submitted.",
       {
           value("id", &CheckItem::id, TextKind{limits::name_bytes}, "what the result calls it", required),
-          number("points", &CheckItem::points, {"1", not_negative}, "what a right answer earns",
+          number("points", &CheckItem::points, {"1", of_points}, "what a right answer earns",
                  {.default_value = 1.0}),
           value("expect", &CheckItem::expect, AnyKind{{{"type", "object"}}},
                 "an endpoint's name with a whole request of it, and 'at': pointers into its answer",

@@ -74,7 +74,10 @@ class NumberReader {
     return rule_ == UnitRule::required && unit != "1";
   }
 
-  void add(double value) { numbers_.values.push_back(value); }
+  void add(double value) {
+    if (!std::isfinite(value)) return fail("It is beyond double precision.");
+    numbers_.values.push_back(value);
+  }
 
   void read_text(const std::string& written, const std::string& unit) {
     if (needs_unit(unit) && is_bare(written)) return fail("Write the unit behind the number.");
