@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "api/answers/endpoints.hpp"
 #include "api/answers/simulate/request.hpp"
 #include "api/contract/json_schema.hpp"
 #include "api/http/problem.hpp"
@@ -93,7 +94,11 @@ TEST(Openapi, FieldsAreThoseOfTheTable) {
 
 TEST(Openapi, GetHasTheFieldsOfPost) {
   for (const auto& [path, methods] : document()["paths"].items()) {
-    if (!methods.contains("post")) continue;
+    const Endpoint* endpoint = endpoint_at(path);
+    EXPECT_EQ(endpoint != nullptr && endpoint->roads == Roads::body_and_query,
+              methods.contains("post") && methods.contains("get"))
+        << path;
+    if (!methods.contains("post") || !methods.contains("get")) continue;
     std::set<std::string> fields, parameters;
     const auto place = body_of(path)["schema"]["$ref"].get<std::string>().substr(1);
     for (const auto& [name, field] : document()[Json::json_pointer(place)]["properties"].items())
