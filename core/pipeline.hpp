@@ -37,6 +37,12 @@
 //   where their number or stability changes                            core/steady/bifurcations.hpp
 //   how far a motion of one coordinate goes                            core/turning/turning_points.hpp
 //
+// Of submissions:
+//   formulas as people write them                                      core/grading/student_parser.hpp
+//   whether one is right                                               core/grading/same_formula.hpp
+//   the slip in it                                                     core/grading/slip.hpp
+//   whether equations have the right motion for solutions              core/grading/same_motion.hpp
+//
 // The rooms, and which may use which: core/CMakeLists.txt.
 
 #include "core/dynamics/dynamics.hpp"

@@ -8,7 +8,7 @@
 //   energy/energy.json   what OpenAPI says: tag, operation, summary, description, examples, and the name and
 //                        schema of the answer
 //
-// and name the record in endpoints.cpp.
+// and name the record in questions.cpp; in endpoints.cpp if it is made of other questions.
 
 #include <functional>
 #include <optional>
