@@ -10,12 +10,14 @@
 #include "api/about/documents.hpp"
 #include "api/about/openapi.hpp"
 #include "api/about/practice_sheet.hpp"
+#include "api/about/signposts.hpp"
 #include "api/about/systems.hpp"
 #include "api/answers/endpoints.hpp"
 #include "api/contract/version.hpp"
 #include "api/http/address.hpp"
 #include "api/http/problem.hpp"
 #include "api/json/limits.hpp"
+#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "api/scenes/catalogue.hpp"
 #include "api/scenes/scene_table.hpp"
@@ -141,18 +143,27 @@ struct Service::Impl {
 
   Response answer_part(Call& call) {
     const auto found = std::ranges::find(pages, call.target.path, &Page::path);
-    return found == pages.end() ? not_found(call) : answer_page(*found);
+    return found == pages.end() ? redirected_or_not_found(call) : answer_page(*found);
+  }
+
+  static std::vector<std::string> problem_names() {
+    std::vector<std::string> names;
+    for (const ProblemType& type : problem_types()) names.emplace_back(type.name);
+    return names;
   }
 
   static Response answer_problem_type(Call& call) {
     const ProblemType* type = find_problem_type(call.captures[0]);
-    if (type == nullptr) return not_found(call);
+    if (type == nullptr)
+      return not_found(call, "There is no kind of problem " + in_quotes(call.captures[0]),
+                       closest(call.captures[0], problem_names()), "/openapi.json lists them.");
     if (call.accepted == "text/html") return problem_page(*type);
     return json_response(problem_type_json(*type), call.layout);
   }
 
-  static Response no_such_system(const Call& call) {
-    return not_found(call, "There is no system " + in_quotes(call.captures[0]) + "; /v1/systems lists them.");
+  Response no_such_system(const Call& call) const {
+    return not_found(call, "There is no system " + in_quotes(call.captures[0]),
+                     closest(call.captures[0], catalogue.names()), "/v1/systems lists them.");
   }
 
   /// The scene as it is written, ready to be changed and sent.
@@ -174,8 +185,8 @@ struct Service::Impl {
     const auto exercise =
         answered_exercise(call.captures[0], [this](const Request& request) { return answer(request); });
     if (exercise) return json_response(*exercise, call.layout);
-    return not_found(call, "The practice sheet has no problem " + in_quotes(call.captures[0]) +
-                               "; /v1/problems lists them.");
+    return not_found(call, "The practice sheet has no problem " + in_quotes(call.captures[0]), "",
+                     "/v1/problems lists them, 1 to 10.");
   }
 
   /// POST and its GET twin.
@@ -187,6 +198,11 @@ struct Service::Impl {
       for (const char* method : {"GET", "POST"}) {
         if (endpoint.roads == Roads::body && method == std::string_view("GET")) continue;
         routes.add({method, address_of(endpoint), handler, endpoint.offers, endpoint.cost});
+        for (const std::string& type : endpoint.offers) {
+          const std::string suffix = suffix_of(type);
+          if (!suffix.empty())
+            routes.add({method, address_of(endpoint) + suffix, handler, {type}, endpoint.cost});
+        }
       }
     }
   }
@@ -201,23 +217,32 @@ struct Service::Impl {
     return layout == Layout::pretty ? openapi_pretty : openapi_compact;
   }
 
-  /// A page where that is what the client prefers: someone has followed a link.
-  static Response not_found(const Call& call, std::string detail) {
+  /// "There is no system 'cart'; did you mean cart_pendulum? /v1/systems lists them." A page where that is
+  /// what the client prefers: someone has followed a link.
+  static Response not_found(const Call& call, const std::string& what, const std::string& meant,
+                            const std::string& rest) {
+    Problem problem{.kind = ProblemKind::not_found, .detail = what + "; " + rest};
+    if (!meant.empty()) {
+      problem.detail = what + "; did you mean " + meant + "? " + rest;
+      problem.members = {{"did_you_mean", meant}};
+    }
     static const std::vector<std::string> offers{"application/problem+json", "application/json", "text/html"};
     const std::string* accepted = negotiated(header(call.request, "accept"), offers);
-    if (accepted != nullptr && *accepted == "text/html") {
-      Response page = problem_page(problem_type(ProblemKind::not_found), detail);
-      page.status = 404;
-      page.headers["Vary"] = "Accept";
-      restrict_page(page);
-      return page;
-    }
-    return to_response({.kind = ProblemKind::not_found, .detail = std::move(detail)}, call.target.path,
-                       call.layout);
+    if (accepted == nullptr || *accepted != "text/html")
+      return to_response(problem, call.target.path, call.layout);
+    Response page = problem_page(problem_type(ProblemKind::not_found), problem.detail);
+    page.status = 404;
+    page.headers["Vary"] = "Accept";
+    restrict_page(page);
+    return page;
   }
 
-  static Response not_found(const Call& call) {
-    return not_found(call, "There is nothing at " + in_quotes(call.target.path) + "; / lists what there is.");
+  /// Nothing is at the path, but something may be near it.
+  Response redirected_or_not_found(const Call& call) const {
+    const Signpost signpost = signpost_for(call.target.path, routes, catalogue);
+    if (signpost.is_same) return moved_to(signpost.address, call);
+    return not_found(call, "There is nothing at " + in_quotes(call.target.path), signpost.address,
+                     "/ lists what there is.");
   }
 
   Response answer(const Request& request) const {
@@ -240,7 +265,7 @@ struct Service::Impl {
     const std::string& method = call.request.method;
     if (method == "OPTIONS" && call.request.target == "*") return no_content("GET, HEAD, POST, OPTIONS");
     Routes::Match match = routes.match(method, call.target.path);
-    if (match.allow.empty()) return not_found(call);
+    if (match.allow.empty()) return redirected_or_not_found(call);
     if (method == "OPTIONS") return no_content(match.allow);
     if (match.route == nullptr) {
       Response response =

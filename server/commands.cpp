@@ -4,79 +4,76 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "api/about/examples.hpp"
 #include "api/about/field_help.hpp"
 #include "api/answers/check/answer_sheet.hpp"
 #include "api/answers/endpoints.hpp"
+#include "api/json/text.hpp"
+#include "api/scenes/catalogue.hpp"
 #include "api/service.hpp"
+#include "server/people.hpp"
+#include "server/usage.hpp"
+#include "server/words.hpp"
 
 namespace qdot::server {
 namespace {
 
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using Clock = std::chrono::steady_clock;
 
-std::string percent_encoded(std::string_view text) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string result;
-  for (const unsigned char c : text) {
-    if ((c < 128 && std::isalnum(c)) ||
-        std::string_view("-._~").find(static_cast<char>(c)) != std::string::npos) {
-      result += static_cast<char>(c);
-    } else {
-      result += {'%', digits[c >> 4], digits[c & 15]};
-    }
-  }
-  return result;
-}
-
-std::string all_of(std::istream& stream) {
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-std::string text_of_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw UsageError("cannot read " + file);
-  return all_of(stream);
-}
+constexpr int digits_for_people = 8;  ///< what they read; their errors have the rounding in them
 
 /// The request of a check, from its key and its answers.
 std::string graded_body(const Arguments& arguments) {
   if (arguments.key.empty() || arguments.answers.empty() || !arguments.request_file.empty())
     throw UsageError("give --key and --answers together, and no other request");
-  const auto request = api::graded_request(text_of_file(arguments.key), text_of_file(arguments.answers));
+  const auto request = api::graded_request(request_body(arguments.key), request_body(arguments.answers));
   if (const auto* error = std::get_if<api::SheetError>(&request)) throw UsageError(error->text);
   return std::get<api::Json>(request).dump();
-}
-
-std::string request_body(const std::string& file) {
-  if (!file.empty() && file != "-") return text_of_file(file);
-  if (file.empty() && ::isatty(STDIN_FILENO)) {
-    throw UsageError("give the request as key=value, with --request FILE or on stdin");
-  }
-  return all_of(std::cin);
-}
-
-// "t_end=10" -> "t_end=10&" with both sides encoded.
-std::string query_of(const std::vector<std::string>& words) {
-  std::string query;
-  for (const auto& word : words) {
-    const auto equals = word.find('=');
-    if (equals == word.npos || equals == 0) throw UsageError("'" + word + "' is not of the form key=value");
-    query += percent_encoded(word.substr(0, equals)) + "=" + percent_encoded(word.substr(equals + 1)) + "&";
-  }
-  return query;
 }
 
 std::string path_of(const Command& command) {
   const std::string name(command.name);
   return command.words == Words::none ? "/" + name + ".json" : "/v1/" + name;
+}
+
+/// How an answer is printed.
+enum class Style { json, people };
+
+Style style_of(const Arguments& arguments) {
+  if (arguments.json || arguments.pretty) return Style::json;
+  if (!arguments.format.empty()) return arguments.format == "table" ? Style::people : Style::json;
+  const bool chooses_a_form = std::ranges::any_of(
+      arguments.words, [](const std::string& word) { return word.starts_with("format="); });
+  return ::isatty(STDOUT_FILENO) && !chooses_a_form ? Style::people : Style::json;
+}
+
+Colours colours_on(int descriptor) {
+  const char* terminal = std::getenv("TERM");
+  const bool is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  return ::isatty(descriptor) && !is_dumb && std::getenv("NO_COLOR") == nullptr ? Colours::ansi
+                                                                                : Colours::none;
+}
+
+bool has_field(const Command& command, const std::string& name) {
+  return command.endpoint != nullptr && command.endpoint->question.fields->find(name) != nullptr;
+}
+
+bool gives(const Arguments& arguments, std::string_view name) {
+  return std::ranges::any_of(arguments.words, [&](const std::string& word) {
+    return word.starts_with(name) && word.substr(name.size()).starts_with('=');
+  });
+}
+
+void add_body(const Arguments& arguments, api::Request& request) {
+  request.method = "POST";
+  request.headers["content-type"] = "application/json";
+  request.body = arguments.words.empty() ? request_body(arguments.request_file) : arguments.words.front();
 }
 
 api::Request request_of(const Command& command, const Arguments& arguments) {
@@ -86,22 +83,50 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
   if (command.words == Words::name) {
     if (arguments.words.size() > 1) throw UsageError("give one name");
     if (!arguments.words.empty()) request.target += "/" + percent_encoded(arguments.words.front());
-  } else if (!arguments.words.empty()) {
-    if (!arguments.request_file.empty()) throw UsageError("give key=value or --request, not both");
-    if (command.endpoint != nullptr && command.endpoint->roads == api::Roads::body)
-      throw UsageError("the request does not fit key=value; give JSON with --request FILE or on stdin");
-    query = query_of(arguments.words);
   } else if (command.words == Words::request) {
-    request.method = "POST";
-    request.headers["content-type"] = "application/json";
-    const bool has_sheets = !arguments.key.empty() || !arguments.answers.empty();
-    request.body = has_sheets ? graded_body(arguments) : request_body(arguments.request_file);
+    if (!arguments.words.empty() && !arguments.request_file.empty())
+      throw UsageError("give key=value or --request, not both");
+    if (arguments.words.empty() || is_body(arguments.words)) {
+      add_body(arguments, request);
+    } else if (command.endpoint != nullptr && command.endpoint->roads == api::Roads::body) {
+      throw UsageError("the request does not fit key=value; give JSON with --request FILE or on stdin");
+    } else {
+      query = query_of(arguments.words);
+      if (style_of(arguments) == Style::people && has_field(command, "digits") && !gives(arguments, "digits"))
+        query += "digits=" + std::to_string(digits_for_people) + "&";
+    }
   }
-  if (!arguments.format.empty()) query += "format=" + percent_encoded(arguments.format) + "&";
+  const bool is_ours = arguments.format == "table" || (arguments.format == "json" && !has_formats(command));
+  if (!arguments.format.empty() && !is_ours) query += "format=" + percent_encoded(arguments.format) + "&";
   if (arguments.pretty) query += "pretty&";
   if (!query.empty()) request.target += "?" + query.substr(0, query.size() - 1);
   return request;
 }
+
+/// On a terminal, says each second that the work goes on. It is asked often, and never interrupts.
+class Progress {
+ public:
+  Progress() : shows_(::isatty(STDERR_FILENO) != 0) {}
+  ~Progress() {
+    if (seconds_ > 0) std::cerr << "\r\x1b[K" << std::flush;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  bool operator()() {
+    const auto passed = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begun_).count();
+    if (shows_ && passed > seconds_) {
+      seconds_ = passed;
+      std::cerr << "\r\x1b[Kcomputing, " << passed << " s" << std::flush;
+    }
+    return false;
+  }
+
+ private:
+  bool shows_;
+  Clock::time_point begun_{Clock::now()};
+  std::chrono::seconds::rep seconds_{0};
+};
 
 ExitCode meaning_of(const api::Response& response) {
   if (response.status < 400) return ExitCode::ok;
@@ -126,6 +151,37 @@ bool is_all_right(const std::string& body) {
   });
 }
 
+/// In quotes where a shell would read it otherwise.
+std::string for_a_shell(const std::string& word) {
+  const bool is_plain = std::ranges::all_of(word, [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("_-.,:/=+").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (is_plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string in_words(const api::Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const api::Json& part : value) text += (text.empty() ? "" : ",") + in_words(part);
+  return text;
+}
+
+/// The body as it came, or for people as text.
+std::string printed(const api::Response& response, ExitCode code, const Arguments& arguments) {
+  const bool is_answer = code == ExitCode::ok;
+  const bool wants_text =
+      is_answer ? style_of(arguments) == Style::people : !arguments.json && ::isatty(STDERR_FILENO) != 0;
+  const auto body = wants_text ? api::Json::parse(response.body, nullptr, false) : api::Json();
+  if (!body.is_object()) return response.body;
+  return is_answer ? answer_as_text(body, colours_on(STDOUT_FILENO))
+                   : problem_as_text(body, colours_on(STDERR_FILENO));
+}
+
 }  // namespace
 
 std::vector<Command> commands() {
@@ -138,8 +194,40 @@ std::vector<Command> commands() {
   return all;
 }
 
-std::string help_on_fields(const Command& command) {
-  return command.endpoint == nullptr ? "" : api::fields_as_text(*command.endpoint->question.fields);
+std::string example_of(const Command& command, const api::Catalogue& catalogue) {
+  const api::Json more = api::description_of(*command.endpoint).value("examples", api::Json::array());
+  const api::Json examples = api::request_examples(path_of(command), more, catalogue);
+  if (examples.empty()) return "";
+  std::string line = "qdot " + std::string(command.name);
+  if (command.endpoint->roads == api::Roads::body)
+    return line + " " + for_a_shell(examples.begin()->at("value").dump());
+  for (const auto& [name, value] : examples.begin()->at("value").items()) {
+    if (name == "system") {
+      line += " " + in_words(value);
+    } else if (value.is_object()) {
+      const std::string before = name == "at" || name == "equilibrium" ? name + "." : "";
+      for (const auto& [symbol, given] : value.items())
+        line += " " + for_a_shell(before + symbol + "=" + in_words(given));
+    } else {
+      line += " " + for_a_shell(name + "=" + in_words(value));
+    }
+  }
+  return line;
+}
+
+std::string help_on_fields(const Command& command, const Arguments& arguments) {
+  if (command.endpoint == nullptr) return "";
+  const api::Catalogue catalogue = api::Catalogue::built_in();
+  std::string text = api::fields_as_text(*command.endpoint->question.fields);
+  const api::CatalogueEntry* named =
+      arguments.words.empty() ? nullptr : catalogue.find(arguments.words.front());
+  if (named != nullptr) {
+    text += "\n\n" + api::symbols_as_text(named->scene);
+  } else {
+    text += "\n\nSystems: " + api::enumerated(catalogue.names()) + ".\nThe symbols of one: qdot " +
+            std::string(command.name) + " cart_pendulum --help";
+  }
+  return text + "\n\nExample: " + example_of(command, catalogue);
 }
 
 bool grades(const Command& command) { return command.name == "check"; }
@@ -150,14 +238,20 @@ bool has_formats(const Command& command) {
 
 ExitCode run(const Command& command, const Arguments& arguments) {
   try {
-    const auto request = request_of(command, arguments);
+    auto request = request_of(command, arguments);
     const api::Service service({.scenes_directory = arguments.scenes});
-    const auto response = service.handle(request);
+    api::Response response;
+    {
+      Progress progress;
+      request.interrupted = [&progress] { return progress(); };
+      response = service.handle(request);
+    }
     auto code = meaning_of(response);
     auto& stream = code == ExitCode::ok ? std::cout : std::cerr;
+    const std::string text = printed(response, code, arguments);
     if (code == ExitCode::ok && arguments.strict && !is_all_right(response.body))
       code = ExitCode::not_all_right;
-    stream << response.body << std::flush;
+    stream << text << std::flush;
     if (!stream) throw std::runtime_error("cannot write the answer");
     return code;
   } catch (const UsageError& error) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "api/answers/endpoint.hpp"
+#include "api/scenes/catalogue.hpp"
 
 namespace qdot::server {
 
@@ -39,9 +40,6 @@ struct Command {
 /// path /v1/{name}; if it takes no words, for /{name}.json.
 [[nodiscard]] std::vector<Command> commands();
 
-/// The fields of a command's request with their units, defaults and meaning, for its --help.
-[[nodiscard]] std::string help_on_fields(const Command& command);
-
 /// Whether the answer of a command has several forms, which `--format` chooses from.
 [[nodiscard]] bool has_formats(const Command& command);
 
@@ -51,14 +49,22 @@ struct Command {
 struct Arguments {
   std::vector<std::string> words;
   std::string request_file;  ///< "-" means stdin
-  std::string format;        ///< json, csv
+  std::string format;        ///< table, or one of the answer's own: json, csv, ndjson
+  bool json{false};          ///< as it is, on a terminal too
   bool pretty{false};
   std::string key, answers;  ///< files of a check
   bool strict{false};        ///< of a check: anything but right answers is a failure
   std::string scenes;        ///< a directory of more scenes
 };
 
-/// Prints the answer on stdout, or the problem on stderr.
+/// A command line that is answered: "qdot turning_points free_spin_pendulum".
+[[nodiscard]] std::string example_of(const Command& command, const api::Catalogue& catalogue);
+
+/// The fields of a command's request with their units, defaults and meaning, the symbols of the system that
+/// the words name, and an example, for its --help.
+[[nodiscard]] std::string help_on_fields(const Command& command, const Arguments& arguments);
+
+/// Prints the answer on stdout, or the problem on stderr: as JSON, or on a terminal as text for people.
 [[nodiscard]] ExitCode run(const Command& command, const Arguments& arguments);
 
 }  // namespace qdot::server

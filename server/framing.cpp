@@ -132,7 +132,9 @@ void settle(Head& head) {
       throw Refused(ProblemKind::expectation_failed, "Expect can only be 100-continue.");
   }
   if (head.method == "POST" && !head.fields.contains("content-length"))
-    throw Refused(ProblemKind::length_required, "Say how long the body is: Content-Length.");
+    throw Refused(
+        ProblemKind::length_required,
+        "There is no Content-Length, and so no body: send JSON, curl -d '{\"system\": ...}', or ask with GET and a query.");
   const auto connection = field(head, "connection");
   head.keep_alive = head.keep_alive ? !lists(connection, "close") : lists(connection, "keep-alive");
 }

@@ -23,6 +23,9 @@ class Hosts {
   /// with our port or none, and the listed names. Elsewhere we cannot know our names, so any will do.
   [[nodiscard]] bool allow(std::string_view host) const;
 
+  /// Whether allow() refuses anybody.
+  [[nodiscard]] bool are_checked() const { return restricted_; }
+
   /// The same site ("http://" + Host), or one of the names above with our port.
   [[nodiscard]] bool allow_origin(std::string_view origin, std::string_view host) const;
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int backlog = 1024;
 
 [[noreturn]] void cannot_listen(const std::string& where, const std::string& why) {
-  throw std::runtime_error("cannot listen on " + where + ": " + why);
+  throw CannotListen("cannot listen on " + where + ": " + why);
 }
 
 Descriptor listening(const addrinfo& address) {
@@ -70,7 +70,8 @@ Descriptor listen_on(const std::string& host, int port) {
   for (const auto* address = addresses.get(); address != nullptr; address = address->ai_next) {
     if (auto socket = listening(*address)) return socket;
   }
-  cannot_listen(where, std::strerror(errno));
+  const char* const advice = errno == EADDRINUSE ? "; another program has it: --port 0 takes a free one" : "";
+  cannot_listen(where, std::strerror(errno) + std::string(advice));
 }
 
 int port_of(const Descriptor& listener) {

@@ -1,18 +1,23 @@
 // The command line of qdot: what may be typed. What a command does is in serve, commands and probe.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "api/contract/version.hpp"
 #include "api/service.hpp"
 #include "server/commands.hpp"
+#include "server/listener.hpp"
+#include "server/manual.hpp"
 #include "server/probe.hpp"
 #include "server/serve.hpp"
+#include "server/usage.hpp"
 
 namespace {
 
@@ -76,31 +81,41 @@ void add_commands(CLI::App& app, Arguments& arguments, Action& action) {
     auto& command = *app.add_subcommand(std::string(entry.name), std::string(entry.help));
     if (entry.words == Words::name) command.add_option("name", arguments.words, "One of them");
     if (entry.words == Words::request) {
-      command.add_option("key=value", arguments.words,
-                         "The request; without any, JSON from --request or stdin");
+      command.add_option("system key=value", arguments.words,
+                         "The request: a system's name, then fields and symbols; without any, JSON from "
+                         "--request or stdin");
       command.add_option("--request", arguments.request_file, "File with the JSON request; - is stdin");
-      command.footer([entry] { return help_on_fields(entry); });
+      command.footer([entry, &arguments] { return help_on_fields(entry, arguments); });
     }
-    if (has_formats(entry))
-      command.add_option("--format", arguments.format, "The field format, as an option");
+    command.add_option("--format", arguments.format,
+                       has_formats(entry) ? "The field format, or table; on a terminal table, else json"
+                                          : "table or json; on a terminal table, else json");
     if (grades(entry)) {
       command.add_option("--key", arguments.key, "File with the request without what was submitted");
       command.add_option("--answers", arguments.answers,
                          "File with the answers: {\"id\": ...}, or CSV id,submitted");
       command.add_flag("--strict", arguments.strict, "Exit 1 unless every answer is right");
     }
-    command.add_flag("--pretty", arguments.pretty, "Indent the answer");
+    command.add_flag("--json", arguments.json, "The answer as JSON, on a terminal too");
+    command.add_flag("--pretty", arguments.pretty, "The answer as JSON with indents");
     add_scenes(command, arguments.scenes);
     command.callback([&, entry] { action = [&, entry] { return run(entry, arguments); }; });
   }
 }
 
-ExitCode code_of(bool reached) { return reached ? ExitCode::ok : ExitCode::unreachable; }
+ExitCode code_of(bool reached, const ProbeOptions& options) {
+  if (reached) return ExitCode::ok;
+  const std::string where = options.unix_socket.empty()
+                                ? options.host + " port " + std::to_string(options.port)
+                                : options.unix_socket;
+  std::cerr << "No qdot answers at " << where << "; start one with: qdot serve\n";
+  return ExitCode::unreachable;
+}
 
 void add_probes(CLI::App& app, ProbeOptions& options, double& patience, Action& action) {
   auto& health = *app.add_subcommand("health", "Exit 0 if a server answers, 6 if not");
   add_address(health, options.host, options.port, 1, options.unix_socket);
-  health.callback([&] { action = [&] { return code_of(healthy(options)); }; });
+  health.callback([&] { action = [&] { return code_of(healthy(options), options); }; });
 
   auto& wait = *app.add_subcommand("wait", "Wait until a server answers; exit 6 if none does in time");
   add_address(wait, options.host, options.port, 1, options.unix_socket);
@@ -108,9 +123,24 @@ void add_probes(CLI::App& app, ProbeOptions& options, double& patience, Action& 
   wait.callback([&] {
     action = [&] {
       const auto limit = std::chrono::duration<double>(patience);
-      return code_of(wait_until_healthy(options, std::chrono::ceil<std::chrono::milliseconds>(limit)));
+      return code_of(wait_until_healthy(options, std::chrono::ceil<std::chrono::milliseconds>(limit)),
+                     options);
     };
   });
+}
+
+/// What `cmake --install` puts beside the program.
+void add_documents(CLI::App& app, Action& action) {
+  const auto add = [&](const char* name, const char* help, std::string (*text)(const CLI::App&)) {
+    app.add_subcommand(name, help)->callback([&app, &action, text] {
+      action = [&app, text] {
+        std::cout << text(app) << std::flush;
+        return ExitCode::ok;
+      };
+    });
+  };
+  add("manual", "This program's manual page, in roff", manual_page);
+  add("completion", "Completion for bash: source <(qdot completion)", bash_completion);
 }
 
 }  // namespace
@@ -127,9 +157,19 @@ int main(int argc, char** argv) {
   add_serve(app, serve_options, action);
   add_commands(app, arguments, action);
   add_probes(app, probe_options, patience, action);
+  add_documents(app, action);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = in_known_words(app, {argv + 1, argv + argc});
+    check_words(app, words);
+    std::ranges::reverse(words);  // the order in which CLI11 wants them
+    app.parse(words);
     return static_cast<int>(action());
+  } catch (const UsageError& error) {
+    std::cerr << "qdot: " << error.what() << "\n";
+    return static_cast<int>(ExitCode::usage);
+  } catch (const CannotListen& error) {
+    std::cerr << "qdot: " << error.what() << "\n";
+    return static_cast<int>(ExitCode::usage);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@
 #include "api/contract/version.hpp"
 #include "api/service.hpp"
 #include "server/application.hpp"
+#include "server/hosts.hpp"
 #include "server/transport.hpp"
 #include "server/web/pages.hpp"
 
@@ -160,6 +161,13 @@ void serve(const ServeOptions& given) {
   application = &it;
   const Ending ending(it, transport);
   log_configuration(log, options, addresses);
+  if (!Hosts({.bound = options.host, .port = 0, .allowed = options.allowed_hosts}).are_checked()) {
+    log.write_event("host_unchecked",
+                    {{"detail", "On " + options.host +
+                                    " any Host is answered, so that a page of any "
+                                    "site can ask through a browser. --allowed-hosts with this "
+                                    "service's names ends that."}});
+  }
   announce(options, transport.port());
   transport.run();
   log.write_event("end", api::Json::object());

@@ -102,6 +102,27 @@ std::string in_words(const FieldInfo& field) {
 
 }  // namespace
 
+std::string symbols_as_text(const Scene& scene) {
+  std::string text = "Symbols of " + scene.name + ":";
+  const auto add = [&](const std::string& name, const std::string& unit, const std::string& by_default,
+                       const std::string& meaning) {
+    std::string start = "  " + name;
+    start.resize(std::max(margin, start.size() + 1), ' ');
+    const std::string what = (unit == "1" ? "" : "in " + unit + "; ") + "default " + by_default;
+    text += "\n" + start + beside_name(meaning + (meaning.empty() ? "(" : " (") + what + ")");
+  };
+  for (const Parameter& p : scene.parameters) add(p.name, p.unit, p.default_value, p.meaning);
+  for (const Coordinate& q : scene.coordinates) add(q.name, q.unit, q.initial, q.meaning);
+  const std::vector<Symbol> states = symbols(scene, SymbolRole::initial);
+  for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
+    const Symbol& velocity = states[scene.coordinates.size() + i];
+    const Coordinate& q = scene.coordinates[i];
+    add(velocity.name, velocity.unit, q.initial_rate, "velocity of " + q.name);
+  }
+  for (const Input& input : scene.inputs) add(input.name, input.unit, input.default_value, input.meaning);
+  return text;
+}
+
 std::string fields_as_text(const FieldSet& set) {
   std::string text = "Fields (a value may carry its unit, \"30deg\"):";
   for (const FieldInfo& field : set.fields) text += "\n" + in_words(field);

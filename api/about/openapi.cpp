@@ -90,16 +90,18 @@ class Operation {
   Operation(const Route& route, const Catalogue& catalogue)
       : route_(route),
         endpoint_(endpoint_at(route.pattern)),
-        about_(descriptions().at(route.pattern)),
+        about_(descriptions().at(endpoint_ == nullptr ? route.pattern : address_of(*endpoint_))),
+        suffix_(endpoint_ == nullptr ? "" : route.pattern.substr(address_of(*endpoint_).size())),
         catalogue_(catalogue) {}
 
   [[nodiscard]] Json json() const {
     const bool is_post = route_.method == "POST";
     const auto id = about_["operation"].get<std::string>();
-    Json json{{"tags", {about_["tag"]}},
-              {"summary", about_["summary"]},
-              {"description", about_["description"]},
-              {"operationId", endpoint_ == nullptr ? id : (is_post ? "post" : "get") + capitalized(id)}};
+    Json json{
+        {"tags", {about_["tag"]}},
+        {"summary", in_its_form(about_["summary"].get<std::string>())},
+        {"description", about_["description"]},
+        {"operationId", endpoint_ == nullptr ? id : (is_post ? "post" : "get") + capitalized(id) + form()}};
     if (const Json all = parameters(is_post); !all.empty()) json["parameters"] = all;
     if (is_post) json["requestBody"] = body();
     json["responses"] = responses();
@@ -107,6 +109,17 @@ class Operation {
   }
 
  private:
+  /// "Csv"
+  [[nodiscard]] std::string form() const { return suffix_.empty() ? "" : capitalized(suffix_.substr(1)); }
+
+  /// "A motion (CSV)"
+  [[nodiscard]] std::string in_its_form(std::string text) const {
+    if (suffix_.empty()) return text;
+    std::string letters = suffix_.substr(1);
+    for (char& c : letters) c = static_cast<char>(c - 'a' + 'A');
+    return text + " (" + letters + ")";
+  }
+
   [[nodiscard]] Json parameters(bool is_post) const {
     Json all = Json::array();
     if (about_.contains("capture")) {
@@ -119,7 +132,8 @@ class Operation {
     }
     if (endpoint_ != nullptr) {
       for (const Json& parameter : query_parameters(*endpoint_->question.fields)) {
-        if (!is_post || parameter["name"] == "format") all.push_back(parameter);
+        const bool is_format = parameter["name"] == "format";
+        if (is_format ? suffix_.empty() : !is_post) all.push_back(parameter);
       }
     }
     if (route_.offers[0] == "application/json") all.push_back({{"$ref", "#/components/parameters/pretty"}});
@@ -128,7 +142,7 @@ class Operation {
 
   [[nodiscard]] Json body() const {
     const Json examples =
-        request_examples(route_.pattern, about_.value("examples", Json::array()), catalogue_);
+        request_examples(address_of(*endpoint_), about_.value("examples", Json::array()), catalogue_);
     return {{"required", true},
             {"content",
              {{"application/json",
@@ -139,6 +153,9 @@ class Operation {
   [[nodiscard]] Json responses() const {
     Json content = Json::object();
     for (const std::string& type : route_.offers) {
+      // A client that is generated has one type for each address: the other forms have addresses of their
+      // own.
+      if (suffix_.empty() && !suffix_of(type).empty()) continue;
       const bool is_json = type == "application/json" || type.ends_with("+json");
       content[type] = {
           {"schema", is_json ? reference(about_["answer"].get<std::string>()) : Json{{"type", "string"}}}};
@@ -158,24 +175,77 @@ class Operation {
   const Route& route_;
   const Endpoint* endpoint_;  ///< nullptr: the address computes nothing
   const Json& about_;
+  std::string suffix_;  ///< ".csv": of an address that gives one form of the answer
   const Catalogue& catalogue_;
 };
 
-/// References inside the schema of a scene, moved to where it stands here.
+/// "held_length" is SceneHeldLength.
+std::string name_of_definition(std::string_view name) {
+  std::string result = "Scene";
+  bool starts_word = true;
+  for (const char c : name) {
+    if (c != '_') result += starts_word ? static_cast<char>(c - 'a' + 'A') : c;
+    starts_word = c == '_';
+  }
+  return result;
+}
+
+/// Objects that exclude each other by their `kind`, said in OpenAPI's way instead of by if and then.
+void tell_apart_by_kind(Json& value) {
+  Json choices = Json::array();
+  Json mapping = Json::object();
+  for (const Json& part : value["allOf"]) {
+    choices.push_back(part["then"]);
+    mapping[part["if"]["properties"]["kind"]["const"].get<std::string>()] = part["then"]["$ref"];
+  }
+  value = {{"oneOf", std::move(choices)},
+           {"discriminator", {{"propertyName", "kind"}, {"mapping", std::move(mapping)}}}};
+}
+
+/// References inside the schema of a scene, moved to where its definitions stand here.
 void move_references(Json& value) {
   if (value.is_object() && value.contains("$ref")) {
-    value["$ref"] = "#/components/schemas/Scene" + value["$ref"].get<std::string>().substr(1);
+    const auto name = value["$ref"].get<std::string>().substr(std::string_view("#/$defs/").size());
+    value["$ref"] = reference(name_of_definition(name))["$ref"];
   }
   if (value.is_structured()) {
     for (Json& part : value) move_references(part);
   }
+  const bool is_choice = value.is_object() && value.contains("allOf") && value["allOf"][0].contains("if");
+  if (is_choice) tell_apart_by_kind(value);
 }
 
-Json scene_component() {
+/// The schema of a scene and its definitions, each a component.
+Json scene_components() {
   Json scene = scene_schema();
   for (const char* name : {"$schema", "$id"}) scene.erase(name);
-  move_references(scene);
-  return scene;
+  const Json definitions = scene["$defs"];
+  scene.erase("$defs");
+  Json all = Json::object();
+  all["Scene"] = std::move(scene);
+  for (const auto& [name, definition] : definitions.items()) all[name_of_definition(name)] = definition;
+  for (Json& schema : all) move_references(schema);
+  return all;
+}
+
+/// What the members of answers are, where their schema does not say it itself. "System.method" is said of the
+/// schema System alone.
+const Json& glossary() {
+  static const Json file = Json::parse(text_of(about_files(), "glossary.json"));
+  return file;
+}
+
+void describe_members(Json& value, const std::string& schema) {
+  if (!value.is_structured()) return;
+  if (value.is_object() && value.contains("properties")) {
+    for (auto& [name, member] : value["properties"].items()) {
+      if (!member.is_object() || member.contains("description") || member.contains("$ref")) continue;
+      const std::string special = schema + "." + name;
+      const std::string& key = glossary().contains(special) ? special : name;
+      if (glossary().contains(key)) member["description"] = glossary()[key];
+    }
+  }
+  for (Json& part : value) describe_members(part, schema);
 }
 
 /// The members that every computed answer begins with.
@@ -184,7 +254,8 @@ Json with_head(const Json& answer, const std::string& request) {
   Json& properties = result["properties"] = {{"system", {{"type", "string"}}},
                                              {"model_version", {{"type", "string"}}},
                                              {"service_version", {{"type", "string"}}},
-                                             {"request", reference(request)}};
+                                             {"request", reference(request)},
+                                             {"notes", shared()["notes"]}};
   properties.update(answer["properties"]);
   Json& required = result["required"] = {"system", "model_version", "service_version", "request"};
   for (const Json& name : answer["required"]) required.push_back(name);
@@ -202,7 +273,7 @@ Json schemas(const Catalogue& catalogue) {
   Json all = shared()["schemas"];
   all.update(shared_schemas());
   all["SystemName"] = {{"type", "string"}, {"enum", catalogue.names()}};
-  all["Scene"] = scene_component();
+  all.update(scene_components());
   all["Method"] = method_schema();
   for (const Json& about : descriptions()) {
     if (about.contains("schema")) all[about["answer"].get<std::string>()] = about["schema"];
@@ -215,6 +286,7 @@ Json schemas(const Catalogue& catalogue) {
     all[answer + "Echo"] = echo_schema(*endpoint.question.fields);
     all[answer] = with_head(all[answer], answer + "Echo");
   }
+  for (auto& [name, schema] : all.items()) describe_members(schema, name);
   return all;
 }
 

@@ -53,19 +53,26 @@ Json state_units(const Scene& scene) {
   return units;
 }
 
-void write_head(JsonWriter& writer, const Scene& scene, const Json& echo) {
+void write_head(JsonWriter& writer, const Scene& scene, const Json& echo,
+                const std::vector<std::string>& notes) {
   writer.member("system", scene.name);
   writer.member("model_version", scene.model_version);
   writer.member("service_version", std::string(service_version()));
   writer.member("request", echo);
+  if (!notes.empty()) writer.member("notes", notes);
 }
 
 Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body,
                         std::optional<int> digits) {
   JsonWriter writer(call.layout);
   writer.begin_object();
-  write_head(writer, scene, echo);
-  for (const auto& [name, value] : body.items()) writer.member(name, value, digits.value_or(shortest_digits));
+  std::vector<std::string> notes = call.notes;
+  if (const auto own = body.find("notes"); own != body.end())
+    for (const Json& note : *own) notes.push_back(note.get<std::string>());
+  write_head(writer, scene, echo, notes);
+  for (const auto& [name, value] : body.items()) {
+    if (name != "notes") writer.member(name, value, digits.value_or(shortest_digits));
+  }
   writer.end_object();
   Response response{
       .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};

@@ -43,8 +43,10 @@ struct ResolvedSystem {
 /// {"q": "rad", "q_dot": "rad/s"}: the units of a state by name.
 [[nodiscard]] Json state_units(const Scene& scene);
 
-/// The beginning of every answer: system, versions and the resolved request.
-void write_head(JsonWriter& writer, const Scene& scene, const Json& echo);
+/// The beginning of every answer: system, versions, the resolved request, and the notes on it if there are
+/// any.
+void write_head(JsonWriter& writer, const Scene& scene, const Json& echo,
+                const std::vector<std::string>& notes);
 
 /// A whole answer: the head, then the members of `body`, its floating-point numbers to so many digits (all
 /// without it). Ends the part "encode" of the timing.

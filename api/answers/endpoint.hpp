@@ -57,6 +57,14 @@ struct Endpoint {
   Roads roads{Roads::body_and_query};
   Example example{[](const Scene&, const Json&) { return std::optional(Json::object()); }};
   std::vector<std::string> offers{"application/json"};  ///< media types, the default first
+  std::vector<std::string_view> other_names{};          ///< what people type for it, for "did you mean"
 };
+
+/// Where an answer comes in one form alone: ".csv" for text/csv, ".ndjson" for application/x-ndjson. Empty for
+/// JSON, which the endpoint's own address gives.
+[[nodiscard]] std::string suffix_of(std::string_view media_type);
+
+/// Is `word` a name of the endpoint, or one that people type for it?
+[[nodiscard]] bool is_called(const Endpoint& endpoint, std::string_view word);
 
 }  // namespace qdot::api

@@ -20,14 +20,33 @@ std::span<const Endpoint> endpoints() {
 
 std::string address_of(const Endpoint& endpoint) { return "/v1/" + std::string(endpoint.name); }
 
+namespace {
+
+bool is_address_of(const Endpoint& endpoint, std::string_view address) {
+  const std::string own = address_of(endpoint);
+  return std::ranges::any_of(endpoint.offers,
+                             [&](const std::string& type) { return own + suffix_of(type) == address; });
+}
+
+}  // namespace
+
 const Endpoint* endpoint_at(std::string_view address) {
   const auto found =
-      std::ranges::find_if(endpoints(), [&](const Endpoint& e) { return address_of(e) == address; });
+      std::ranges::find_if(endpoints(), [&](const Endpoint& e) { return is_address_of(e, address); });
   return found == endpoints().end() ? nullptr : &*found;
 }
 
 bool asks_about_a_system(const Endpoint& endpoint) {
   return endpoint.question.fields->find("system") != nullptr;
+}
+
+std::string suffix_of(std::string_view media_type) {
+  if (media_type == "text/csv") return ".csv";
+  return media_type == "application/x-ndjson" ? ".ndjson" : "";
+}
+
+bool is_called(const Endpoint& endpoint, std::string_view word) {
+  return word == endpoint.name || std::ranges::find(endpoint.other_names, word) != endpoint.other_names.end();
 }
 
 Json description_of(const Endpoint& endpoint) {

@@ -1,5 +1,7 @@
 #include "api/answers/models.hpp"
 
+#include "api/json/suggest.hpp"
+
 namespace qdot::api {
 namespace {
 
@@ -8,6 +10,8 @@ Problem wrong_scene(const SceneError& error, const Place& whole) {
   for (const Diagnostic& diagnostic : error.diagnostics()) {
     FieldError found = whole.below("system").error(diagnostic.code, diagnostic.message);
     if (!found.pointer.empty()) found.pointer += diagnostic.place;
+    found.allowed = diagnostic.allowed;
+    if (!diagnostic.symbol.empty()) found.did_you_mean = closest(diagnostic.symbol, diagnostic.allowed);
     errors.push_back(std::move(found));
   }
   return invalid_request(std::move(errors));

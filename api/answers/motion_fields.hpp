@@ -24,15 +24,19 @@ void append_grid_fields(std::vector<RequestField<R>>& fields) {
                           {.default_value = 0.0, .aliases = {"t0", "tstart", "start"}}));
   fields.push_back(
       number("t_end", &R::t_end, {"s", instants}, "end of the motion; with `times` it may be left out",
-             {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration", "stop_time"}}));
-  fields.push_back(integer(
-      "samples", &R::samples, {2, limits::rows}, "number of rows, the two ends of the motion included",
-      {.default_value = 101, .aliases = {"n", "rows", "points", "num", "number_of_points"}}));
-  fields.push_back(number("dt", &R::dt, {"s", {.lower = 0, .lower_open = true}},
-                          "time between rows, which has to divide the time span",
-                          {.aliases = {"step", "dtmax", "delta_t", "timestep", "step_size"}}));
+             {.aliases = {"t", "time", "tmax", "t_max", "tend", "t_final", "tf", "end", "duration",
+                          "stop_time", "t_span", "tspan", "t_stop", "until", "length_of_time"}}));
+  fields.push_back(integer("samples", &R::samples, {2, limits::rows},
+                           "number of rows, the two ends of the motion included",
+                           {.default_value = 101,
+                            .aliases = {"n", "rows", "points", "num", "number_of_points", "n_points",
+                                        "n_samples", "num_points", "npoints"}}));
+  fields.push_back(
+      number("dt", &R::dt, {"s", {.lower = 0, .lower_open = true}},
+             "time between rows, which has to divide the time span",
+             {.aliases = {"step", "dtmax", "delta_t", "timestep", "step_size", "time_step", "stepsize"}}));
   fields.push_back(list("times", &R::times, NumberKind{"s", instants}, limits::rows,
-                        "the instants of the rows, increasing", {.aliases = {"t_eval", "tspan", "saveat"}}));
+                        "the instants of the rows, increasing", {.aliases = {"t_eval", "saveat", "t_grid"}}));
 }
 
 /// The methods of integration by name, the best first.

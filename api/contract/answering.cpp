@@ -6,10 +6,28 @@
 namespace qdot::api {
 namespace {
 
-Problem unsupported(const std::string& content_type) {
-  return {.kind = ProblemKind::unsupported_media_type,
-          .detail = "A body is JSON in UTF-8, Content-Type: application/json; this one says " +
-                    in_quotes(content_type) + "."};
+Problem unsupported(const std::string& content_type, std::string_view body) {
+  std::string detail = "A body is JSON in UTF-8, Content-Type: application/json; this one says " +
+                       in_quotes(content_type) + ".";
+  const std::size_t first = body.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && (body[first] == '[' || body[first] == '"')) {
+    detail += " A request is a JSON object, {...}.";
+  } else if (content_type.starts_with("application/x-www-form-urlencoded")) {
+    detail += " Fields of a form go into the address of a GET: curl -G.";
+  }
+  return {.kind = ProblemKind::unsupported_media_type, .detail = std::move(detail)};
+}
+
+/// A body that nobody reads is not ignored silently.
+Submission submission_of_get(const Call& call) {
+  Submission submission = submission_of_query(call.target.query);
+  if (!call.request.body.empty()) {
+    submission.errors.push_back(
+        Place(Road::body)
+            .error("not_read",
+                   "A GET says everything in its query; send this body with POST: curl -d, without -X GET."));
+  }
+  return submission;
 }
 
 /// The query of a POST.
@@ -34,10 +52,11 @@ Response json_response(const Json& body, Layout layout) {
 }
 
 std::variant<Submission, Problem> submission_of(const Call& call, const JsonLimits& limits) {
-  if (call.request.method != "POST") return submission_of_query(call.target.query);
+  if (call.request.method != "POST") return submission_of_get(call);
   const auto header = call.request.headers.find("content-type");
   const std::string content_type = header == call.request.headers.end() ? "" : header->second;
-  if (body_type(content_type, call.request.body) == BodyType::unsupported) return unsupported(content_type);
+  if (body_type(content_type, call.request.body) == BodyType::unsupported)
+    return unsupported(content_type, call.request.body);
   auto submission = submission_of_body(call.request.body, limits);
   if (auto* read = std::get_if<Submission>(&submission)) add_query(call.target.query, *read);
   return submission;

@@ -37,7 +37,9 @@ Handler answering(const RequestTable<Request>& table, FindSystem find_system,
     if (const auto* problem = std::get_if<Problem>(&read)) {
       return to_response(*problem, call.target.path, call.layout);
     }
-    return answer(std::get<Resolved<Request>>(read), call);
+    const auto& resolved = std::get<Resolved<Request>>(read);
+    call.notes = resolved.request.system.notes;
+    return answer(resolved, call);
   };
 }
 

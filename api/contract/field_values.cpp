@@ -99,7 +99,8 @@ FieldError wrong_type(const Place& place, const std::string& name, const std::st
                       const Json& value) {
   std::string given = value.is_null() ? "null" : "a " + std::string(value.type_name());
   if (value.is_object() || value.is_array()) given = "an " + std::string(value.type_name());
-  return place.error("wrong_type", "'" + name + "' needs " + needed + ", not " + given + ".");
+  const std::string advice = value.is_null() ? "; leave it out for its default" : "";
+  return place.error("wrong_type", "'" + name + "' needs " + needed + ", not " + given + advice + ".");
 }
 
 std::optional<Json> read_value(const AnyKind&, const std::string&, const Json& value, const Place&, Errors&) {
@@ -123,12 +124,15 @@ std::optional<Real> read_number(const NumberKind& kind, const std::string& name,
     if (const auto* wrong = std::get_if<QuantityError>(&quantity)) {
       FieldError error = place.error(wrong->code, "'" + name + "': " + wrong->detail);
       error.allowed = wrong->allowed;
+      error.did_you_mean = wrong->did_you_mean;
       report(errors, std::move(error));
       return std::nullopt;
     }
     number = std::get<Real>(quantity);
   } else {
-    const std::string needed = kind.unit == "1" ? "a number" : "a number of " + kind.unit;
+    const std::string needed =
+        kind.unit == "1" ? "a number"
+                         : "a number of " + kind.unit + " or a text such as \"1 " + kind.unit + "\"";
     return refuse_type(place, errors, name, needed, value);
   }
   if (!kind.range.contains(number.value)) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "api/json/pointer.hpp"
+#include "api/json/slips.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
@@ -30,9 +31,10 @@ Problem syntax_problem(std::string_view text, std::size_t byte, std::string deta
 }
 
 Problem grammar_problem(std::string_view text, std::size_t byte) {
-  if (byte > text.size()) return syntax_problem(text, byte, "The JSON ends too early.");
-  if (text[byte - 1] == '\'') return syntax_problem(text, byte, "JSON has double quotes around its strings.");
-  return syntax_problem(text, byte, "This does not fit the grammar of JSON.");
+  std::string slip = json_slip(text);
+  if (slip.empty())
+    slip = byte > text.size() ? "The JSON ends too early." : "This does not fit the grammar of JSON.";
+  return syntax_problem(text, byte, std::move(slip));
 }
 
 constexpr std::size_t digits_of_doubles = 15;
@@ -182,7 +184,9 @@ std::variant<JsonDocument, Problem> read_json(std::string_view text, const JsonL
                              std::to_string(limits.bytes) + " are read."};
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return Problem{.kind = ProblemKind::invalid_json, .detail = "The body is empty; send a JSON object."};
+    return Problem{
+        .kind = ProblemKind::invalid_json,
+        .detail = "The body is empty; send a JSON object such as {\"system\": \"cart_pendulum\"}."};
   }
   // The parser would take NUL for the end of the text and ignore the rest.
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {

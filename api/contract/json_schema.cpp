@@ -11,9 +11,15 @@ namespace {
 /// Which form of a field is described.
 enum class Form { body, query, echo };
 
-Json described(Json schema, const FieldInfo& field) {
+/// Of a body, defaults are said in words: clients that are generated take a field with a `default` for one
+/// that is always there.
+Json described(Json schema, const FieldInfo& field, Form form) {
   schema["description"] = field.description;
-  if (!field.default_value.is_null()) schema["default"] = field.default_value;
+  const Json& value = field.default_value;
+  const bool is_said = !value.is_null() && !(value.is_structured() && value.empty());
+  if (form == Form::body && is_said)
+    schema["description"] = field.description + " (default " + value.dump() + ")";
+  if (form == Form::query && !value.is_null()) schema["default"] = value;
   if (!field.aliases.empty()) schema["x-aliases"] = field.aliases;
   return schema;
 }
@@ -63,7 +69,7 @@ struct SchemaOf {
 };
 
 Json schema_of(const FieldInfo& field, Form form) {
-  return described(std::visit(SchemaOf{form}, field.kind), field);
+  return described(std::visit(SchemaOf{form}, field.kind), field, form);
 }
 
 Json object_schema(const FieldSet& set, Form form) {
@@ -160,7 +166,7 @@ Json query_parameters(const FieldSet& set) {
 Json echo_schema(const FieldSet& set) {
   Json schema = object_schema(set, Form::echo);
   for (auto& [name, field] : schema["properties"].items()) {
-    for (const char* said_of_requests : {"default", "x-aliases"}) field.erase(said_of_requests);
+    field.erase("x-aliases");
   }
   schema["description"] = "The request as it was understood: defaults filled in, SI units.";
   return schema;

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "api/contract/names.hpp"
+#include "api/contract/synonyms.hpp"
+#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
@@ -28,11 +30,38 @@ std::vector<std::string> field_names(const FieldSet& set, const Scene* scene, Ro
 
 /// The field that another program calls `name`.
 std::string known_by_alias(const FieldSet& set, const std::string& name) {
+  const std::string letters = lower_case(letters_of(name));
+  const auto is_meant = [&](const std::string& alias) { return letters_of(alias) == letters; };
   for (const FieldInfo& field : set.fields) {
-    const std::string lower = lower_case(name);
-    if (std::ranges::find(field.aliases, lower) != field.aliases.end()) return field.name;
+    if (std::ranges::any_of(field.aliases, is_meant)) return field.name;
   }
   return {};
+}
+
+std::string closest_name(std::string_view word, const std::vector<Symbol>& known) {
+  std::vector<std::string> names;
+  for (const Symbol& symbol : known) names.push_back(symbol.name);
+  return closest(word, names);
+}
+
+/// What was meant by a name that is none of `allowed`; empty where nothing is likely.
+std::string meant(const FieldSet& set, const Scene* scene, const std::string& name, Road road,
+                  std::span<const std::string> allowed) {
+  // "&amp;k=1" is an & of HTML.
+  if (name.starts_with("amp;")) return same_letters(std::string_view(name).substr(4), allowed);
+  std::string found = same_letters(name, allowed);
+  if (found.empty()) found = known_by_alias(set, name);
+  const auto among_symbols = [&](auto search) {
+    for (const FieldInfo& field : set.fields) {
+      if (scene == nullptr || symbols_kind(field) == nullptr) continue;
+      const std::string symbol = search(name, symbols(*scene, symbols_kind(field)->role));
+      if (!symbol.empty()) return road == Road::body ? field.name + "." + symbol : symbol;
+    }
+    return std::string();
+  };
+  if (found.empty()) found = among_symbols(meant_symbol);
+  if (found.empty()) found = closest(name, allowed);
+  return found.empty() ? among_symbols(closest_name) : found;
 }
 
 FieldError unknown_field(const FieldSet& set, const Scene* scene, const std::string& name,
@@ -42,8 +71,9 @@ FieldError unknown_field(const FieldSet& set, const Scene* scene, const std::str
   const std::optional<SymbolRole> role = scene == nullptr ? std::nullopt : role_of(*scene, name);
   const FieldInfo* home = role ? field_of(set, *role) : nullptr;
   if (home != nullptr) detail += " " + scene->name + " has it: it belongs in '" + home->name + "'.";
-  FieldError error = unknown_name(place, std::move(detail), name, field_names(set, scene, place.road()));
-  if (const std::string meant = known_by_alias(set, name); !meant.empty()) error.did_you_mean = meant;
+  FieldError error = place.error("unknown_field", std::move(detail));
+  error.allowed = field_names(set, scene, place.road());
+  error.did_you_mean = meant(set, scene, name, place.road(), error.allowed);
   if (home != nullptr) error.did_you_mean = home->name + "." + name;
   return error;
 }
@@ -72,6 +102,16 @@ std::string fields_in_words(const FieldSet& set) {
   return text;
 }
 
+/// "an array, such as ["energy"]", where "energy" was given.
+std::string array_in_words(const ListKind& kind, const Json& value) {
+  if (value.is_string() && is_utf8(value.get_ref<const std::string&>()))
+    return "an array, such as [\"" + printable(value.get_ref<const std::string&>()) + "\"]";
+  const auto* record = std::get_if<RecordKind>(kind.element.get());
+  return record == nullptr
+             ? "an array"
+             : "an array of objects, [{\"" + record->set->fields.front().name + "\": ...}, ...]";
+}
+
 class RecordReader {
  public:
   /// `whole` is the outermost object.
@@ -88,7 +128,7 @@ class RecordReader {
       if (given != object.end()) {
         std::optional<Json> value = read_any(field.kind, field.name, *given, place.below(field.name));
         if (value) resolved.emplace_back(field.name, std::move(*value));
-      } else if (field.need == Need::required) {
+      } else if (field.need == Need::required && !std::holds_alternative<SystemKind>(field.kind)) {
         refuse(place.of_missing(field.name), "missing",
                "'" + field.name + "' is missing: " + field.description);
       } else if (!field.default_value.is_null() && !another_way_is_given(set, field.name, object)) {
@@ -120,11 +160,16 @@ class RecordReader {
   }
 
   void refuse_unknown_fields(const FieldSet& set, const Json& object, const Place& place) {
-    // Without its system, the names in a query cannot be told apart: the mistake is the system.
-    if (place.road() == Road::query && scene() == nullptr && has_symbols(set)) return;
+    // Without its system, the names in a query cannot be told apart: the mistake is the system. Only what is
+    // nearly a field is told, "System".
+    const bool any_may_be_a_symbol = place.road() == Road::query && scene() == nullptr && has_symbols(set);
     for (const auto& [name, value] : object.items()) {
       if (is_full(errors_)) return;
-      if (set.find(name) == nullptr) report(errors_, unknown_field(set, scene(), name, place));
+      if (set.find(name) != nullptr) continue;
+      if (any_may_be_a_symbol && same_letters(name, field_names(set, nullptr, Road::query)).empty() &&
+          known_by_alias(set, name).empty())
+        continue;
+      report(errors_, unknown_field(set, scene(), name, place));
     }
   }
 
@@ -149,6 +194,8 @@ class RecordReader {
   std::optional<Json> resolve(const VectorKind&, const std::string& name, const Json& value,
                               const Place& place) {
     static const ListKind expressions{ExpressionKind{}, 3, 2};
+    if (!value.is_array())
+      return refuse_type(name, "an array of 2 or 3 expressions, such as [\"0\", \"-g\"]", value, place);
     return resolve(expressions, name, value, place);
   }
 
@@ -162,7 +209,7 @@ class RecordReader {
   std::optional<Json> resolve(const ListKind& kind, const std::string& name, const Json& value,
                               const Place& place) {
     const bool from_query = place.road() == Road::query && value.is_string();
-    if (!from_query && !value.is_array()) return refuse_type(name, "an array", value, place);
+    if (!from_query && !value.is_array()) return refuse_type(name, array_in_words(kind, value), value, place);
     const Json parted = from_query ? split_list(value.get_ref<const std::string&>()) : Json();
     const Json& elements = from_query ? parted : value;
     if (elements.size() > kind.most || elements.size() < kind.least) {

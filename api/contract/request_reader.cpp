@@ -36,8 +36,25 @@ class RequestReader {
   void find_system() {
     const auto field = std::ranges::find_if(
         set_.fields, [](const FieldInfo& f) { return std::holds_alternative<SystemKind>(f.kind); });
-    if (field == set_.fields.end() || !fields_.contains(field->name)) return;
-    reading_.system.scene = find_system_(fields_[field->name], root_.below(field->name), reading_.errors);
+    if (field == set_.fields.end()) return;
+    static const Json nothing;
+    const auto given = fields_.find(field->name);
+    const bool is_given = given != fields_.end();
+    const std::size_t before = reading_.errors.size();
+    reading_.system.scene =
+        find_system_(is_given ? *given : nothing, root_.below(field->name), reading_.errors);
+    if (!is_given && reading_.errors.size() > before)
+      reading_.errors.back().did_you_mean = system_without_its_field(field->name);
+  }
+
+  /// "system=cart_pendulum" where the query says only "cart_pendulum".
+  [[nodiscard]] std::string system_without_its_field(const std::string& field) const {
+    for (const auto& [name, value] : fields_.items()) {
+      Errors ignored;
+      if (root_.road() == Road::query && value == "" && find_system_(Json(name), root_, ignored))
+        return field + "=" + name;
+    }
+    return {};
   }
 
   /// k=40 becomes {"parameters": {"k": "40"}}, as in a body.
@@ -52,12 +69,20 @@ class RequestReader {
         put(nested, *role, symbol, value);
       } else if (field != nullptr) {
         refuse(name, "unknown_field",
-               "In a query each symbol is given by itself: " + name + ".k=40 or k=40.");
+               "In a query each symbol is given by itself" + example_of_symbol(*field) + ".");
       } else {
         nested[name] = value;
       }
     }
     fields_ = std::move(nested);
+  }
+
+  /// ": theta=value or initial.theta=value"
+  [[nodiscard]] std::string example_of_symbol(const FieldInfo& field) const {
+    if (scene() == nullptr) return "";
+    const std::vector<Symbol> known = symbols(*scene(), symbols_kind(field)->role);
+    if (known.empty()) return "";
+    return ": " + known.back().name + "=value or " + field.name + "." + known.back().name + "=value";
   }
 
   void put(Json& nested, SymbolRole role, const std::string& symbol, const Json& value) {

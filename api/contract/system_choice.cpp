@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "api/contract/notes.hpp"
+#include "api/contract/synonyms.hpp"
 #include "api/json/limits.hpp"
+#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
@@ -36,7 +39,13 @@ FieldError unknown_symbol(const Scene& scene, SymbolRole role, const std::string
   const std::string detail = (scene.name.empty() ? "The system" : scene.name) + " has no " + kind_name(role) +
                              " " + in_quotes(name) + ".";
   const std::optional<SymbolRole> other = role_of(scene, name);
-  if (!other) return unknown_name(place, detail, name, std::move(allowed));
+  if (!other) {
+    FieldError error = unknown_name(place, detail, name, std::move(allowed));
+    const std::string meant = meant_symbol(name, symbols(scene, role));
+    const bool is_exact = !same_letters(name, error.allowed).empty();
+    if (!meant.empty() && !is_exact) error.did_you_mean = meant;
+    return error;
+  }
   FieldError error = place.error("unknown_field", detail + " It belongs in '" + field_name(*other) + "'.");
   error.did_you_mean = field_name(*other) + "." + name;
   return error;
@@ -73,6 +82,8 @@ std::optional<Json> read_symbol(SymbolRole role, const Symbol& symbol, const Jso
   }
   const auto number = read_number({symbol.unit, symbol.domain}, symbol.name, value, place, scope, errors);
   if (!number) return std::nullopt;
+  if (std::string note = note_on(symbol, value, number->value); !note.empty())
+    choice.notes.push_back(std::move(note));
   numbers_of(role, choice).emplace_back(symbol.name, *number);
   return number->value;
 }
@@ -83,19 +94,19 @@ std::vector<Symbol> symbols(const Scene& scene, SymbolRole role) {
   std::vector<Symbol> result;
   switch (role) {
     case SymbolRole::parameter:
-      for (const Parameter& p : scene.parameters) result.push_back({p.name, p.unit, p.domain});
+      for (const Parameter& p : scene.parameters) result.push_back({p.name, p.unit, p.domain, p.meaning});
       break;
     case SymbolRole::initial:
-      for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain});
+      for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain, q.meaning});
       for (const Coordinate& q : scene.coordinates)
         result.push_back({q.name + "_dot", per_second(q.unit), {}});
       break;
     case SymbolRole::input:
-      for (const Input& input : scene.inputs) result.push_back({input.name, input.unit, {}});
+      for (const Input& input : scene.inputs) result.push_back({input.name, input.unit, {}, input.meaning});
       break;
     case SymbolRole::equilibrium:
     case SymbolRole::position:
-      for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain});
+      for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain, q.meaning});
       break;
   }
   return result;

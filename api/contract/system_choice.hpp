@@ -4,12 +4,14 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "api/contract/field.hpp"
 #include "api/contract/field_values.hpp"
 #include "api/contract/submission.hpp"
+#include "api/contract/symbol.hpp"
 #include "core/mechanics/scene.hpp"
 
 namespace qdot::api {
@@ -22,19 +24,13 @@ struct SystemChoice {
   std::vector<std::pair<std::string, std::string>> inputs{};  ///< expressions in t and the parameters
   std::vector<std::pair<std::string, Real>> equilibrium{};    ///< coordinates where it is meant, SI
   std::vector<std::pair<std::string, Real>> position{};       ///< coordinates, SI
+  std::vector<std::string> notes{};  ///< how a value was understood that could be meant otherwise
 };
 
 /// Finds the system that a request's value names or is: a name, or a scene object. Without one it reports
 /// why.
 using FindSystem =
     std::function<std::shared_ptr<const Scene>(const Json& value, const Place& place, Errors& errors)>;
-
-/// One name that a request can give a value to.
-struct Symbol {
-  std::string name;
-  std::string unit;
-  Domain domain;
-};
 
 /// The symbols of one role: parameters; or each coordinate and its velocity; or inputs; or coordinates.
 [[nodiscard]] std::vector<Symbol> symbols(const Scene& scene, SymbolRole role);

@@ -1,5 +1,6 @@
 #include "api/contract/units.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -17,6 +18,7 @@ namespace {
 
 struct NumberAndRest {
   Number number;
+  std::string_view digits;
   std::string_view rest;
 };
 
@@ -42,11 +44,49 @@ std::string example(std::string_view expected_unit) {
   return "a number of " + std::string(expected_unit) + also;
 }
 
-QuantityError unknown_unit(std::string_view text, std::string_view expected_unit) {
-  const std::string near = closest(text, unit_names());
+/// The name of the unit that was meant, one that fits before others; empty where none is near.
+std::string nearest_unit(std::string_view text, const Unit& expected) {
+  std::string near = closest(text, unit_names_like(expected));
+  if (near.empty()) near = closest(text, unit_names());
+  if (near.empty()) near = unit_name_of(closest(text, unit_words()));
+  return near;
+}
+
+/// The units that may stand behind a number.
+std::vector<std::string> fitting_units(std::string_view expected_unit) {
+  if (expected_unit == "1") return {};
+  std::vector<std::string> names = unit_names_like(declared_unit(expected_unit));
+  if (std::ranges::find(names, expected_unit) == names.end()) names.emplace(names.begin(), expected_unit);
+  return names;
+}
+
+bool is_whole_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// What stands behind the number is no unit.
+QuantityError unknown_unit(std::string_view digits, std::string_view rest, std::string_view expected_unit) {
+  const bool is_exponent = rest.starts_with('e') || rest.starts_with('E');
+  if (is_exponent && is_whole_number(trimmed(rest.substr(1)))) {
+    return {.code = "syntax",
+            .detail = "A + of an exponent is a blank in a URL: leave it out, or write %2B.",
+            .did_you_mean = std::string(digits) + "e" + std::string(trimmed(rest.substr(1)))};
+  }
+  if (rest.starts_with(',') && is_whole_number(rest.substr(1))) {
+    std::string meant = std::string(digits) + "." + std::string(rest.substr(1));
+    std::string detail = "Decimals have a point, not a comma: " + printable(meant) + ".";
+    return {.code = "syntax", .detail = std::move(detail), .did_you_mean = printable(meant)};
+  }
+  const Unit expected = declared_unit(expected_unit);
+  const std::string near = nearest_unit(rest, expected);
   const std::string advice = near.empty() ? " write " : " did you mean " + near + "? Write ";
-  return {"unknown_unit",
-          in_quotes(text) + " is not a unit known here;" + advice + example(expected_unit) + "."};
+  QuantityError error{
+      .code = "unknown_unit",
+      .detail = in_quotes(rest) + " is not a unit known here;" + advice + example(expected_unit) + ".",
+      .allowed = fitting_units(expected_unit)};
+  if (const Unit* unit = find_unit(near); unit != nullptr && unit->dimension == expected.dimension)
+    error.did_you_mean = printable(digits) + " " + near;
+  return error;
 }
 
 std::variant<NumberAndRest, QuantityError> split_number(std::string_view text,
@@ -64,7 +104,8 @@ std::variant<NumberAndRest, QuantityError> split_number(std::string_view text,
   const std::size_t sign = digits.starts_with('-') ? 1 : 0;
   const std::optional<Number> number = Number::written(digits.substr(sign, length - sign));
   if (!number) return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
-  return NumberAndRest{sign == 1 ? -*number : *number, trimmed(digits.substr(length))};
+  return NumberAndRest{sign == 1 ? -*number : *number, digits.substr(0, length),
+                       trimmed(digits.substr(length))};
 }
 
 /// " (kg*m/s^2)" after N, nothing after m.
@@ -83,16 +124,18 @@ int missing_turns(const Unit& unit, const Unit& expected) {
 std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::string_view expected_unit) {
   const auto split = split_number(text, expected_unit);
   if (const auto* error = std::get_if<QuantityError>(&split)) return *error;
-  const auto [number, rest] = std::get<NumberAndRest>(split);
+  const auto [number, digits, rest] = std::get<NumberAndRest>(split);
   if (rest.empty()) return number.rounded();
 
   const Unit expected = declared_unit(expected_unit);
   const std::optional<Unit> unit = parse_unit(rest);
-  if (!unit) return unknown_unit(rest, expected_unit);
+  if (!unit) return unknown_unit(digits, rest, expected_unit);
   if (unit->dimension != expected.dimension) {
-    return QuantityError{"wrong_dimension", in_quotes(rest) + in_base_units(rest, *unit) + " does not fit; " +
-                                                std::string(expected_unit) +
-                                                in_base_units(expected_unit, expected) + " is needed."};
+    return QuantityError{.code = "wrong_dimension",
+                         .detail = in_quotes(rest) + in_base_units(rest, *unit) + " does not fit; " +
+                                   std::string(expected_unit) + in_base_units(expected_unit, expected) +
+                                   " is needed.",
+                         .allowed = fitting_units(expected_unit)};
   }
   Unit with_turns = *unit;
   const int turns = missing_turns(*unit, expected);
@@ -103,6 +146,14 @@ std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::str
     return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
   }
   return value;
+}
+
+bool counts_turns(std::string_view text, std::string_view expected_unit) {
+  const auto split = split_number(text, expected_unit);
+  const auto* quantity = std::get_if<NumberAndRest>(&split);
+  if (quantity == nullptr || quantity->rest.empty()) return false;
+  const std::optional<Unit> unit = parse_unit(quantity->rest);
+  return unit && missing_turns(*unit, declared_unit(expected_unit)) != 0;
 }
 
 }  // namespace qdot::api

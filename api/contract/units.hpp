@@ -13,7 +13,8 @@ namespace qdot::api {
 struct QuantityError {
   std::string code;    ///< syntax, unknown_unit, wrong_dimension or out_of_range; of expressions more
   std::string detail;  ///< one sentence that says what to write instead
-  std::vector<std::string> allowed{};  ///< names, of unknown_symbol
+  std::vector<std::string> allowed{};  ///< names, of unknown_symbol, or units that fit
+  std::string did_you_mean{};          ///< the text that was probably meant, or a name in it
 };
 
 /// The SI value of `text`, a number and an optional unit (core/mechanics/units.hpp has the names), for a
@@ -23,5 +24,8 @@ struct QuantityError {
 /// it is a plain 1/s, Hz is 1/s. "2 1/s" is 2 rad/s: 1/s says nothing of turns.
 [[nodiscard]] std::variant<Real, QuantityError> parse_quantity(std::string_view text,
                                                                std::string_view expected_unit);
+
+/// Is `text` a quantity in Hz for a symbol in radians, so that turns are counted?
+[[nodiscard]] bool counts_turns(std::string_view text, std::string_view expected_unit);
 
 }  // namespace qdot::api

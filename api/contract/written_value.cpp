@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
@@ -23,6 +24,11 @@ bool looks_like_a_quantity(std::string_view text) {
   return begins_with_number && first != text.end() && *first != '*' && *first != '/' && *first != '^';
 }
 
+bool is_unbounded(std::string_view word) {
+  const std::string lower = lower_case(word);
+  return lower == "inf" || lower == "infinity" || lower == "nan";
+}
+
 QuantityError wrong_text(const ParseError& error, const ParameterScope& scope) {
   if (error.code != ErrorCode::unknown_symbol) return {"syntax", error.message + ".", {}};
   if (find_unit(error.symbol) != nullptr) {
@@ -32,7 +38,12 @@ QuantityError wrong_text(const ParseError& error, const ParameterScope& scope) {
             " is none of the parameters. A quantity is a number with its unit behind it, such as '30 deg'.",
         scope.names()};
   }
-  return {"unknown_symbol", error.message + ".", scope.names()};
+  if (is_unbounded(error.symbol))
+    return {.code = "out_of_range", .detail = in_quotes(error.symbol) + " is no finite number."};
+  return {.code = "unknown_symbol",
+          .detail = error.message + ".",
+          .allowed = scope.names(),
+          .did_you_mean = closest(error.symbol, scope.names())};
 }
 
 struct Spoken {
@@ -71,7 +82,8 @@ std::optional<QuantityError> misfit(const Expression& e, const SymbolDimensions&
 
 Value expression_value(std::string_view text, std::string_view expected_unit, ParameterScope& scope) {
   Graph graph;
-  const ParseResult parsed = parse_all(text, graph, scope.names());
+  const std::string plain = in_ascii(greek_by_name(text));
+  const ParseResult parsed = parse_all(plain, graph, scope.names());
   if (!parsed.errors.empty()) return wrong_text(parsed.errors.front(), scope);
   const Expression& e = *parsed.expression;
   const auto spoken = parameters_in(e, scope);
@@ -81,6 +93,44 @@ Value expression_value(std::string_view text, std::string_view expected_unit, Pa
   const Real value = evaluate_exactly(e, values);
   if (!value.is_finite()) return QuantityError{"out_of_range", in_quotes(text) + " has no finite value.", {}};
   return value;
+}
+
+/// The parameters that `letters` is made of, the longest first, with * between: "mg" is m*g. Empty: of none.
+std::string product_of_names(std::string_view letters, const std::vector<std::string>& names) {
+  std::string product;
+  while (!letters.empty()) {
+    std::string_view longest;
+    for (const std::string& name : names) {
+      if (letters.starts_with(name) && name.size() > longest.size()) longest = name;
+    }
+    if (longest.empty()) return {};
+    product += (product.empty() ? "" : "*") + std::string(longest);
+    letters.remove_prefix(longest.size());
+  }
+  return product;
+}
+
+/// "2mg/l" as "2*m*g/l"; empty where something in it is no parameter.
+std::string with_products(std::string_view text, const std::vector<std::string>& names) {
+  std::string result;
+  const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0 || c == '_'; };
+  while (!text.empty()) {
+    const auto end = std::ranges::find_if_not(text, is_letter);
+    const std::string_view letters = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    if (letters.empty()) {
+      if (text.front() != ' ') result += text.front();
+      text.remove_prefix(1);
+      continue;
+    }
+    const std::string product = product_of_names(letters, names);
+    if (product.empty()) return {};
+    const bool follows_factor =
+        !result.empty() &&
+        (std::isdigit(static_cast<unsigned char>(result.back())) != 0 || result.back() == ')');
+    result += (follows_factor ? "*" : "") + product;
+    text.remove_prefix(letters.size());
+  }
+  return result;
 }
 
 }  // namespace
@@ -118,6 +168,15 @@ std::variant<Real, QuantityError> written_value(std::string_view text, std::stri
   if (error == nullptr || (error->code != "syntax" && error->code != "unknown_unit")) return quantity;
   Value value = expression_value(text, expected_unit, scope);
   const auto* other = std::get_if<QuantityError>(&value);
+  const bool has_unknown_unit = error->code == "unknown_unit" && error->did_you_mean.empty();
+  if (other != nullptr && has_unknown_unit) {
+    if (std::string meant = with_products(text, scope.names());
+        !meant.empty() && std::holds_alternative<Real>(expression_value(meant, expected_unit, scope))) {
+      return QuantityError{.code = "syntax",
+                           .detail = "A product is written with *: " + printable(meant) + ".",
+                           .did_you_mean = printable(meant)};
+    }
+  }
   const bool is_no_expression = other != nullptr && (other->code == "syntax" || scope.names().empty());
   return is_no_expression && (looks_like_a_quantity(text) || scope.names().empty()) ? quantity : value;
 }

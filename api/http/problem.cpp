@@ -21,8 +21,9 @@ constexpr auto types = std::to_array<ProblemType>({
     {unauthorized, "unauthorized", 401, "A token is wanted",
      "The service was started with a token. Send it: Authorization: Bearer <token>."},
     {forbidden_origin, "forbidden-origin", 403, "Requests from this origin are not allowed",
-     "A page of another site asked a browser to send this request. Start the service with that origin "
-     "allowed, or send the request without a browser."},
+     "A page of another site asked a browser to send this request. Open the page from this service's own "
+     "address, or send the request without a browser, as curl and scripts do. Where a proxy gives the service "
+     "another name, start it with --allowed-hosts and that name."},
     {not_found, "not-found", 404, "There is nothing at this address", "GET / lists what there is."},
     {method_not_allowed, "method-not-allowed", 405, "This address does not know the method",
      "The Allow header has the methods that it knows."},
@@ -31,7 +32,8 @@ constexpr auto types = std::to_array<ProblemType>({
     {request_timeout, "request-timeout", 408, "The request did not arrive in time",
      "Head and body of a request have to arrive within seconds. Send it again."},
     {length_required, "length-required", 411, "The request needs a Content-Length",
-     "Bodies are sent whole, with their length; not in chunks."},
+     "Bodies are sent whole, with their length; not in chunks. A POST without a body asks for nothing: send "
+     "JSON, curl -d '{\"system\": ...}', or use GET with a query."},
     {payload_too_large, "payload-too-large", 413, "The body is too large", "GET /v1/limits has the sizes."},
     {target_too_long, "target-too-long", 414, "The address is too long",
      "Send the request as a POST with a body."},

@@ -36,6 +36,7 @@ struct Call {
   Layout layout{Layout::compact};
   std::vector<std::string> captures{};  ///< what the names in braces stand for, in order
   std::string accepted{};               ///< the media type that the client prefers of those that are offered
+  std::vector<std::string> notes{};     ///< sentences about how the request was understood
   Timing timing{};
 };
 

@@ -9,6 +9,14 @@
 namespace qdot::api {
 namespace {
 
+/// "4" is the number of a problem on the practice sheet.
+std::string system_of_problem(const Catalogue& catalogue, const std::string& number) {
+  for (const CatalogueEntry& entry : catalogue.entries()) {
+    if (!number.empty() && entry.scene.problem == number) return entry.scene.name;
+  }
+  return {};
+}
+
 std::shared_ptr<const Scene> named(const Catalogue& catalogue, const std::string& name, const Place& place,
                                    Errors& errors) {
   if (const CatalogueEntry* entry = catalogue.find(name)) {
@@ -17,8 +25,18 @@ std::shared_ptr<const Scene> named(const Catalogue& catalogue, const std::string
   FieldError error =
       unknown_name(place, "There is no system " + in_quotes(name) + ".", name, catalogue.names());
   error.code = "unknown_system";
+  if (const std::string meant = system_of_problem(catalogue, name); !meant.empty())
+    error.did_you_mean = meant;
+  if (name.find_first_of(";,&?=") != std::string::npos)
+    error.detail += " In a query, & stands between one name=value and the next.";
   report(errors, std::move(error));
   return nullptr;
+}
+
+void report_missing(const Catalogue& catalogue, const Place& place, Errors& errors) {
+  FieldError error = place.error("missing", "'system' is missing: the name of a system, or a scene.");
+  error.allowed = catalogue.names();
+  report(errors, std::move(error));
 }
 
 std::shared_ptr<const Scene> carried(const Json& value, const Place& place, Errors& errors) {
@@ -34,6 +52,10 @@ FindSystem find_system_in(const Catalogue& catalogue) {
   return [&catalogue](const Json& value, const Place& place, Errors& errors) -> std::shared_ptr<const Scene> {
     if (value.is_string()) return named(catalogue, value.get<std::string>(), place, errors);
     if (value.is_object()) return carried(value, place, errors);
+    if (value.is_null()) {
+      report_missing(catalogue, place, errors);
+      return nullptr;
+    }
     report(errors, place.error("wrong_type", "'system' needs the name of a system, or a scene."));
     return nullptr;
   };

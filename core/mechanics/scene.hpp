@@ -201,9 +201,11 @@ struct Scene {
 
 /// One mistake in a scene.
 struct Diagnostic {
-  std::string place;    ///< path inside the scene, "/bodies/0/position/1"
-  std::string code;     ///< unknown_symbol, syntax, dimension, duplicate_name, domain, missing, ...
-  std::string message;  ///< one sentence that names the symbol and says what to write instead
+  std::string place;     ///< path inside the scene, "/bodies/0/position/1"
+  std::string code;      ///< unknown_symbol, syntax, dimension, duplicate_name, domain, missing, ...
+  std::string message;   ///< one sentence that names the symbol and says what to write instead
+  std::string symbol{};  ///< of unknown_symbol
+  std::vector<std::string> allowed{};  ///< the symbols that may stand there
 };
 
 }  // namespace qdot

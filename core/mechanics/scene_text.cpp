@@ -27,7 +27,7 @@ std::optional<Dimension> dimension_of_unit(const std::string& text) {
 }
 
 void SceneText::complain(const std::string& place, const std::string& code, const std::string& message) {
-  diagnostics_.push_back({place, code, message});
+  diagnostics_.push_back({.place = place, .code = code, .message = message});
 }
 
 Expression SceneText::declare(const std::string& name, const std::optional<Dimension>& dimension,
@@ -67,7 +67,13 @@ std::optional<Dimension> SceneText::unit(const std::string& text, const std::str
 Expression SceneText::read(const std::string& text, Context context, const std::string& place,
                            const std::optional<Dimension>& expected) {
   const ParseResult result = parse_all(text, graph_, allowed_[static_cast<int>(context)]);
-  for (const ParseError& error : result.errors) complain(place, error_code(error), error.message + ".");
+  const std::vector<std::string>& allowed = allowed_[static_cast<int>(context)];
+  for (const ParseError& error : result.errors) {
+    complain(place, error_code(error), error.message + ".");
+    if (error.code != ErrorCode::unknown_symbol) continue;
+    diagnostics_.back().symbol = error.symbol;
+    diagnostics_.back().allowed = allowed;
+  }
   if (!result.expression) return graph_.number(0);
   check_dimension(*result.expression, place, expected);
   return *result.expression;

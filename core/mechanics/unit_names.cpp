@@ -139,6 +139,16 @@ std::vector<std::string> unit_names() {
   return names;
 }
 
+std::vector<std::string> unit_words() {
+  std::vector<std::string> all;
+  for (const auto& [word, name] : words) all.emplace_back(word);
+  return all;
+}
+
+std::string unit_name_of(std::string_view word) {
+  return std::string(named(word) == nullptr ? meant_by(word) : word);
+}
+
 std::vector<std::string> unit_names_like(const Unit& unit) {
   std::vector<std::string> names;
   for (const auto& [name, other] : units()) {

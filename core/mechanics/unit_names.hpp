@@ -20,6 +20,12 @@ namespace qdot {
 /// The names of units, without words for them.
 [[nodiscard]] std::vector<std::string> unit_names();
 
+/// The words for units, "degree", in the singular.
+[[nodiscard]] std::vector<std::string> unit_words();
+
+/// The name of the unit that a name or a word means, "deg"; empty where there is none.
+[[nodiscard]] std::string unit_name_of(std::string_view word);
+
 /// Those of a dimension, of which angles have one of their own here: km, m, cm, mm, um for m.
 [[nodiscard]] std::vector<std::string> unit_names_like(const Unit& unit);
 

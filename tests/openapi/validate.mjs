@@ -38,7 +38,7 @@ delete schemas.SystemName.enum;  // some of the recorded servers had more system
 const ajv = new Ajv({ strict: true, strictTypes: false, strictRequired: false, strictTuples: false,
   allowMatchingProperties: true, validateFormats: false });
 // Its own keywords, and the members of the document, which is a schema to Ajv.
-ajv.addVocabulary(["x-unit", "x-unit-of", "x-aliases", ...Object.keys(document_)]);
+ajv.addVocabulary(["discriminator", "x-unit", "x-unit-of", "x-aliases", ...Object.keys(document_)]);
 ajv.addSchema(document_, "document");
 const compiled = new Map();
 
@@ -69,7 +69,11 @@ function answerMisfit(exchange, path) {
   const place = declared.$ref ? declared.$ref.slice(2).split("/") : ["paths", path, method.toLowerCase(), "responses", String(status)];
   const response = place.reduce((at, key) => at[key], document_);
   if (!response.content) return answer ? `a body with status ${status}` : "";
-  if (!response.content[type]) return `${type} is not in the document`;
+  if (!response.content[type]) {
+    // Another form of an answer is described at its own address.
+    const own = { "text/csv": ".csv", "application/x-ndjson": ".ndjson" }[type];
+    return own && document_.paths[path + own] ? "" : `${type} is not in the document`;
+  }
   const value = /[/+]json$/.test(type) ? JSON.parse(answer) : answer;
   return misfit([...place, "content", type, "schema"], value);
 }

@@ -2,7 +2,8 @@
 
 The README's blocks, by what stands before them:
     ```sh                            commands; those with no answer after them only start programs of the checkout
-    ```json, ```csv, ```text         directly after commands: their answer
+    ```python                        a program
+    ```json, ```csv, ```text         directly after commands or a program: their answer
     ```json                          otherwise: the file that the sentence before it names
 """
 
@@ -10,6 +11,7 @@ import json
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -28,6 +30,8 @@ def read_blocks(text):
         name = FILE_NAME.search(text[:block.start()])
         if language == "sh":
             commands.append((content, None))
+        elif language == "python":
+            commands.append((f"'{sys.executable}' -B - <<'END'\n{content}END\n", None))
         elif block.start() == end and commands and commands[-1][1] is None:
             commands[-1] = (commands[-1][0], content)
         elif language == "json" and name:
@@ -58,7 +62,8 @@ class Readme(unittest.TestCase):
         commands = commands.replace("localhost:8080", f"localhost:{self.server.port}")
         commands = commands.replace("build/release/qdot", f"'{QDOT}'")
         run = subprocess.run(["sh", "-c", commands], cwd=self.directory.name, capture_output=True, timeout=60,
-                             check=False, text=True, env={**ENVIRONMENT, "no_proxy": "localhost"})
+                             check=False, text=True, env={**ENVIRONMENT, "no_proxy": "localhost",
+                                                     "PYTHONPATH": str(ROOT / "api" / "clients")})
         self.assertEqual(run.returncode, 0, run.stderr)
         return run.stdout
 
@@ -66,6 +71,7 @@ class Readme(unittest.TestCase):
         answered = [(command, answer) for command, answer in self.commands if answer is not None]
         self.assertGreaterEqual(sum("curl" in command for command, _ in answered), 5)
         self.assertGreaterEqual(sum("build/release/qdot" in command for command, _ in answered), 2)
+        self.assertGreaterEqual(sum("import" in command for command, _ in answered), 3)
         for command, answer in answered:
             with self.subTest(command=command):
                 self.assertEqual(self.run_here(command).strip(), answer.strip())

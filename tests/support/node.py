@@ -17,10 +17,10 @@ def require_packages():
         raise AssertionError(f"{MODULES} is missing: run server/install test, which needs npm and its registry once")
 
 
-def node(program, *arguments):
-    """Runs a program of a package, or a file of ours, to its end."""
+def node(program, *arguments, directory=None):
+    """Runs a program of a package, or a file of ours, to its end, in the directory."""
     path = program if isinstance(program, pathlib.Path) else MODULES / program
     environment = {**os.environ, "QDOT_NODE_MODULES": str(MODULES), "REDOCLY_TELEMETRY": "off",
                    "REDOCLY_SUPPRESS_UPDATE_NOTICE": "true", "NO_COLOR": "1"}
     return subprocess.run(["node", str(path), *arguments], capture_output=True, text=True, timeout=280, check=False,
-                          env=environment)
+                          env=environment, cwd=directory)

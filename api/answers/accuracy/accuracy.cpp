@@ -205,9 +205,11 @@ Endpoint accuracy_endpoint() {
           .help = "The measured trade of error against work",
           .question = question(accuracy_table(), answer_accuracy),
           .cost = {.milliseconds = 100},
-          .example = [](const Scene&, const Json&) {
-            return std::optional(Json{{"t_end", 1}});
-          }};
+          .example =
+              [](const Scene&, const Json&) {
+                return std::optional(Json{{"t_end", 1}});
+              },
+          .other_names = {"errors_and_work", "benchmark", "work_precision", "precision"}};
 }
 
 }  // namespace qdot::api

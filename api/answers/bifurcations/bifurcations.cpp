@@ -174,7 +174,8 @@ Endpoint bifurcations_endpoint() {
           .help = "Critical values of a parameter",
           .question = question(bifurcations_table(), answer_bifurcations),
           .cost = {.milliseconds = 100},
-          .example = example_of_bifurcations};
+          .example = example_of_bifurcations,
+          .other_names = {"bifurcation", "critical", "branches"}};
 }
 
 }  // namespace qdot::api

@@ -90,7 +90,8 @@ Response answer_energy(const Resolved<EnergyRequest>& resolved, Call& call, Mode
 Endpoint energy_endpoint() {
   return {.name = "energy",
           .help = "Energies, momenta and accelerations at a state",
-          .question = question(energy_table(), answer_energy)};
+          .question = question(energy_table(), answer_energy),
+          .other_names = {"energies", "state", "momenta"}};
 }
 
 }  // namespace qdot::api

@@ -185,7 +185,8 @@ Response answer_equations(const Resolved<EquationsRequest>& resolved, Call& call
 Endpoint equations_endpoint() {
   return {.name = "equations",
           .help = "Lagrangian, equations of motion and what is conserved",
-          .question = question(equations_table(), answer_equations)};
+          .question = question(equations_table(), answer_equations),
+          .other_names = {"equation", "eom", "equations_of_motion", "lagrangian", "hamiltonian", "derive"}};
 }
 
 }  // namespace qdot::api

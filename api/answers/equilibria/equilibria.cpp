@@ -229,6 +229,23 @@ std::vector<FieldError> take_position(const Dynamics& dynamics, const Equilibria
   return errors;
 }
 
+/// The initial state matters where ignorable coordinates move, or where a coordinate is free. Elsewhere what
+/// is said of it would be ignored.
+std::vector<FieldError> unread_initial(const Json& body, const EquilibriaRequest& request,
+                                       const Place& root) {
+  std::vector<FieldError> errors;
+  if (request.solve_for || body.contains("momenta") || body.contains("free")) return errors;
+  const bool is_query = root.road() == Road::query;
+  const Place initial = is_query ? root : root.below("initial");
+  for (const auto& [name, value] : request.system.initial) {
+    errors.push_back(initial.below(name).error(
+        "not_applicable", "All equilibria are found, whatever the initial state: leave " + name +
+                              " out. The parameter that makes a position an equilibrium is asked for by "
+                              "'solve_for' and 'at'."));
+  }
+  return errors;
+}
+
 Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& call, Models& models) {
   const EquilibriaRequest& request = resolved.request;
   ResolvedSystem system = resolved_system(request.system, resolved.echo, models);
@@ -244,6 +261,8 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
   const Json body = request.solve_for ? SolutionAnswer(dynamics, system.state, request, digits).body()
                                       : EquilibriaAnswer(dynamics, system.state, digits).body();
   call.timing.lap("solve");
+  if (auto errors = unread_initial(body, request, Place(road_of(call))); !errors.empty())
+    return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
 
@@ -252,7 +271,8 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
 Endpoint equilibria_endpoint() {
   return {.name = "equilibria",
           .help = "All equilibria, or the parameter that makes a position one",
-          .question = question(equilibria_table(), answer_equilibria)};
+          .question = question(equilibria_table(), answer_equilibria),
+          .other_names = {"equilibrium", "fixed_points", "statics", "steady"}};
 }
 
 }  // namespace qdot::api

@@ -105,7 +105,8 @@ Endpoint gait_endpoint() {
   return {.name = "gait",
           .help = "Periodic gaits of a walker",
           .question = question(gait_table(), answer_gait),
-          .cost = {.milliseconds = 20}};
+          .cost = {.milliseconds = 20},
+          .other_names = {"gaits", "walk"}};
 }
 
 }  // namespace qdot::api

@@ -210,7 +210,9 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
 Endpoint modes_endpoint() {
   return {.name = "modes",
           .help = "Equilibrium, natural frequencies and mode shapes",
-          .question = question(modes_table(), answer_modes)};
+          .question = question(modes_table(), answer_modes),
+          .other_names = {"mode", "normal_modes", "frequencies", "frequency", "natural_frequencies",
+                          "eigenmodes", "eigenvalues", "linearize", "vibrations"}};
 }
 
 }  // namespace qdot::api

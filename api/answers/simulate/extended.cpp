@@ -215,7 +215,7 @@ class ExtendedAnswer {
   Response json() {
     JsonWriter writer(call_.layout);
     writer.begin_object();
-    write_head(writer, system_.scene(), system_.echo);
+    write_head(writer, system_.scene(), system_.echo, call_.notes);
     writer.member("status", status());
     const auto& stop = watched_.simulation.stop;
     if (stop) writer.member("stop", {{"reason", stop->reason}, {"t", stop->t}, {"message", stop->message}});

@@ -121,9 +121,9 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
   complete_tolerances(request, findings);
   check_precision(request, findings);
   if (request.steps && (!scene->impact || !request.impacts)) {
-    findings.report(
-        "steps", "not_applicable",
-        scene->impact ? "Without impacts there are no strides." : scene->name + " does not walk.");
+    findings.report("steps", "not_applicable",
+                    scene->impact ? "Without impacts there are no strides."
+                                  : scene->name + " does not walk: 'steps' are strides. Rows are 'samples'.");
   }
   const bool has_goal = request.accuracy || request.max_error || request.max_evaluations;
   if (!request.verify && has_goal) {

@@ -48,7 +48,7 @@ const RequestTable<TurningPointsRequest>& turning_points_table() {
                  {.default_value = 0.0, .aliases = {"t0", "tstart", "start"}}),
           number("t_end", &TurningPointsRequest::t_end, {"s", instants},
                  "up to when the motion is followed, where no energy integral gives the answer",
-                 {.aliases = {"tmax", "t_max", "tend", "t_final", "tf", "end", "duration"}}),
+                 {.aliases = {"t", "time", "tmax", "t_max", "tend", "t_final", "tf", "end", "duration"}}),
           on_invalid_field<TurningPointsRequest>(
               "what a motion that is followed does where the model stops holding"),
           impacts_field<TurningPointsRequest>(),

@@ -297,7 +297,8 @@ Endpoint turning_points_endpoint() {
           .help = "The largest and the least value of a coordinate",
           .question = question(turning_points_table(), answer_turning_points),
           .cost = {.motion = Cost::Motion::up_to_t_end},
-          .example = example_of_turning_points};
+          .example = example_of_turning_points,
+          .other_names = {"turning_point", "theta_max", "amplitude", "extrema", "turning"}};
 }
 
 }  // namespace qdot::api

@@ -46,12 +46,16 @@ TEST(JsonReader, KeepsOrderTypesAndValues) {
 TEST(JsonReader, SaysWhereTheGrammarBreaks) {
   const Problem broken = problem("{\"a\": 1,\n \"b\": x}");
   EXPECT_EQ(broken.kind, ProblemKind::invalid_json);
-  EXPECT_EQ(broken.detail, "This does not fit the grammar of JSON. Byte 16, line 2, column 7.");
+  EXPECT_EQ(
+      broken.detail,
+      "A text stands in double quotes: \"x\". If they were there when you typed it, the shell took them: "
+      "put the whole body in single quotes, -d '{\"system\": ...}'. Byte 16, line 2, column 7.");
   EXPECT_EQ(broken.members["byte"], 16);
-  EXPECT_EQ(problem("{\"a\": ").detail, "The JSON ends too early. Byte 7, line 1, column 7.");
+  EXPECT_EQ(problem("{\"a\": ").detail,
+            "The JSON ends too early: } is missing at its end. Byte 7, line 1, column 7.");
   EXPECT_EQ(problem("{'a': 1}").detail,
-            "JSON has double quotes around its strings. Byte 2, line 1, column 2.");
-  EXPECT_EQ(problem(" \n").detail, "The body is empty; send a JSON object.");
+            "JSON has double quotes around its strings, not single ones. Byte 2, line 1, column 2.");
+  EXPECT_EQ(problem(" \n").detail, "The body is empty; send a JSON object such as {\"system\": \"cart_pendulum\"}.");
 }
 
 TEST(JsonReader, RefusesWhatIsNotJson) {

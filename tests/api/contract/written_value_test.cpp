@@ -107,6 +107,26 @@ TEST_F(WrittenValue, WhatIsWrongIsSaid) {
             (std::vector<std::string>{"m", "l", "g", "k"}));
 }
 
+TEST_F(WrittenValue, WhatWasMeantIsSuggested) {
+  const auto meant = [&](std::string_view text, std::string_view unit) {
+    const auto result = read(text, unit);
+    return std::holds_alternative<Real>(result) ? "nothing" : std::get<QuantityError>(result).did_you_mean;
+  };
+  EXPECT_EQ(meant("2mg/l", "N/m"), "2*m*g/l");
+  EXPECT_EQ(meant("2mg/l", "kg"), "") << "its dimension does not fit";
+  EXPECT_EQ(meant("30 dgrees", "rad"), "30 deg");
+  EXPECT_EQ(meant("0,6", "m"), "0.6");
+  EXPECT_EQ(meant("1E 2", "kg"), "1e2");
+  EXPECT_EQ(meant("2*L", "m"), "l");
+  EXPECT_EQ(code("inf", "kg"), "out_of_range");
+}
+
+TEST_F(WrittenValue, SignsBeyondAsciiAreRead) {
+  EXPECT_EQ(si("π/6", "rad"), si("pi/6", "rad"));
+  EXPECT_EQ(si("−2", "m"), -2);
+  EXPECT_EQ(si("2·m", "kg"), 1);
+}
+
 TEST_F(WrittenValue, WithoutAScopeThereAreNumbersOnly) {
   ParameterScope none;
   EXPECT_EQ(std::get<Real>(written_value("2*pi", "s", none)).value, 2 * pi);

@@ -17,6 +17,25 @@ TEST(Suggest, DistanceCountsEdits) {
   EXPECT_EQ(edit_distance("ca", "abc"), 3U) << "a swapped pair is not edited again";
 }
 
+TEST(Suggest, SameLettersAreTheSameName) {
+  const std::vector<std::string> names{"cart_pendulum", "theta", "Omega", "M", "m"};
+  EXPECT_EQ(same_letters("Cart-Pendulum", names), "cart_pendulum");
+  EXPECT_EQ(same_letters("cart pendulum", names), "cart_pendulum");
+  EXPECT_EQ(same_letters("θ", names), "theta");
+  EXPECT_EQ(same_letters("omega", names), "Omega");
+  EXPECT_EQ(same_letters("m", names), "m") << "the same capital letters come first";
+  EXPECT_EQ(same_letters("--", names), "");
+}
+
+TEST(Suggest, APartStandsForTheWholeWhereItIsOneOnly) {
+  const std::vector<std::string> names{"cart_pendulum", "rod_pendulum", "compass_walker", "simulate"};
+  EXPECT_EQ(closest("cart", names), "cart_pendulum");
+  EXPECT_EQ(closest("walker", names), "compass_walker");
+  EXPECT_EQ(closest("sim", names), "simulate");
+  EXPECT_EQ(closest("pendulum", names), "");
+  EXPECT_EQ(closest("alker", names), "");
+}
+
 TEST(Suggest, CapitalLettersCountAsSmallOnes) {
   EXPECT_EQ(edit_distance("omega", "Omega"), 0U);
   EXPECT_EQ(closest("THETA", std::vector<std::string>{"phi", "theta"}), "theta");

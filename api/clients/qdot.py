@@ -1,0 +1,251 @@
+"""qdot from Python: one file, no dependencies. Copy it beside your program.
+
+    >>> from qdot import Qdot
+    >>> mechanics = Qdot("http://localhost:8080")
+    >>> modes = mechanics.modes("cart_pendulum", k="2*m*g/l")
+    >>> [mode["omega"] for mode in modes["modes"]]
+    [3.5017852589786256, 7.003570517957251]
+
+    >>> swing = mechanics.simulate("spring_pendulum", l="60 cm", theta="30deg", t_end=2, samples=3, digits=4)
+    >>> swing["trajectory"]["theta"]
+    [0.5236, 0.2391, -0.3502]
+
+A parameter, a coordinate or a velocity of the system is given by its own name, k=10, theta="30deg", theta_dot=0, or
+in its place, parameters={"k": 10}, initial={"theta": "30deg"}. A number is in SI units; a text may carry its unit or be
+an expression of parameters. What comes back is the answer of the service as it is, a dict: trajectory columns are
+lists, so `pandas.DataFrame(swing["trajectory"])` is a table. What is wrong with a request is raised as a Problem that
+says where, why and what to write instead.
+
+Without a server: Qdot(command="build/release/qdot") asks the command line, with the same answers.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import subprocess
+import urllib.error
+import urllib.parse
+import urllib.request
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+
+Value = Union[float, int, str]
+Values = Mapping[str, Value]
+System = Union[str, Mapping[str, Any]]
+Answer = Dict[str, Any]
+
+__all__ = ["Qdot", "Problem", "Unreachable"]
+
+
+class Problem(Exception):
+    """The service refused a request, or could not compute it.
+
+    >>> try:
+    ...     Qdot("http://localhost:8080").modes("cart_pendulum", kk=10)
+    ... except Problem as problem:
+    ...     print(problem)
+    422 The request does not fit the schema: 1 field is wrong.
+      #/kk: There is no field 'kk'. Did you mean 'parameters.k'?
+    """
+
+    def __init__(self, document: Mapping[str, Any]):
+        self.document = dict(document)  #: the whole problem, RFC 9457
+        self.status: int = document.get("status", 0)
+        self.title: str = document.get("title", "")
+        self.detail: str = document.get("detail", "")
+        self.errors: List[Dict[str, Any]] = document.get("errors", [])
+        super().__init__("\n  ".join([f"{self.status} {self.title}: {self.detail}", *map(self._words, self.errors)]))
+
+    @staticmethod
+    def _words(error: Mapping[str, Any]) -> str:
+        text = f"{error.get('pointer') or error.get('parameter')}: {error['detail']}"
+        if error.get("did_you_mean"):
+            return text + f" Did you mean '{error['did_you_mean']}'?"
+        return text + (f" Write one of {', '.join(error['allowed'])}." if error.get("allowed") else "")
+
+
+class Unreachable(ConnectionError):
+    """Nothing answers there."""
+
+
+class Qdot:
+    """The service at an address, or the program `command`. `token`: for a service that was started with one."""
+
+    def __init__(self, address: str = "http://localhost:8080", *, command: Optional[str] = None,
+                 token: Optional[str] = None, timeout: float = 120):
+        address = address if "://" in address else "http://" + address
+        address = address.rstrip("/")
+        self.address = address[:-len("/v1")] if address.endswith("/v1") else address
+        self.command = command
+        self.token = token
+        self.timeout = timeout
+        self._systems: Dict[str, Answer] = {}
+
+    # What can be asked. None stands for a field that is left out.
+
+    def simulate(self, system: System, *, parameters: Optional[Values] = None, initial: Optional[Values] = None,
+                 inputs: Optional[Values] = None, t_start: Optional[Value] = None, t_end: Optional[Value] = None,
+                 samples: Optional[int] = None, dt: Optional[Value] = None, times: Optional[Sequence[Value]] = None,
+                 include: Optional[Sequence[str]] = None, events: Optional[Sequence[str]] = None,
+                 on_invalid: Optional[str] = None, impacts: Optional[bool] = None, steps: Optional[int] = None,
+                 method: Optional[str] = None, h: Optional[Value] = None, rtol: Optional[Value] = None,
+                 atol: Optional[Value] = None, accuracy: Optional[str] = None, max_error: Optional[Value] = None,
+                 max_evaluations: Optional[int] = None, verify: Optional[bool] = None,
+                 precision: Optional[str] = None, digits: Optional[int] = None, **symbols: Value) -> Answer:
+        """A motion: answer["trajectory"] has a list for t and for each coordinate and velocity.
+
+        answer["accuracy"]["max_abs_error"] has the error of each column, over all rows.
+        """
+        return self._ask("simulate", locals())
+
+    def equations(self, system: System, *, form: Optional[str] = None) -> Answer:
+        """The equations of motion, derived; form: text, latex, mathml, sympy, maxima or c."""
+        return self._ask("equations", locals())
+
+    def energy(self, system: System, *, parameters: Optional[Values] = None, initial: Optional[Values] = None,
+               inputs: Optional[Values] = None, t: Optional[Value] = None, digits: Optional[int] = None,
+               **symbols: Value) -> Answer:
+        """Energies, momenta, accelerations and reactions at a state."""
+        return self._ask("energy", locals())
+
+    def modes(self, system: System, *, parameters: Optional[Values] = None, equilibrium: Optional[Values] = None,
+              initial: Optional[Values] = None, inputs: Optional[Values] = None, digits: Optional[int] = None,
+              **symbols: Value) -> Answer:
+        """Natural frequencies and mode shapes at an equilibrium: answer["modes"], ascending omega."""
+        return self._ask("modes", locals())
+
+    def equilibria(self, system: System, *, parameters: Optional[Values] = None, initial: Optional[Values] = None,
+                   inputs: Optional[Values] = None, solve_for: Optional[str] = None, at: Optional[Values] = None,
+                   digits: Optional[int] = None, **symbols: Value) -> Answer:
+        """All equilibria with their stability; or the parameter solve_for that makes the position `at` one.
+
+        >>> Qdot().equilibria("rotating_l_bar", solve_for="Omega", at={"theta": "30deg"})["Omega"]
+        4.855906243855786
+        """
+        return self._ask("equilibria", locals())
+
+    def turning_points(self, system: System, *, parameters: Optional[Values] = None,
+                       initial: Optional[Values] = None, inputs: Optional[Values] = None,
+                       coordinate: Optional[str] = None, t_start: Optional[Value] = None,
+                       t_end: Optional[Value] = None, on_invalid: Optional[str] = None,
+                       impacts: Optional[bool] = None, digits: Optional[int] = None, **symbols: Value) -> Answer:
+        """How far a coordinate goes: theta_max and theta_min for the coordinate theta.
+
+        >>> Qdot().turning_points("free_spin_pendulum")["theta_max_deg"]
+        55.131909145890695
+        """
+        return self._ask("turning_points", locals())
+
+    def bifurcations(self, system: System, *, parameter: str, from_: Value, to: Value,
+                     parameters: Optional[Values] = None, initial: Optional[Values] = None,
+                     inputs: Optional[Values] = None, digits: Optional[int] = None, **symbols: Value) -> Answer:
+        """Critical values of a parameter between from_ and to, with the branches that meet there."""
+        return self._ask("bifurcations", locals())
+
+    def gait(self, system: System = "compass_walker", *, parameters: Optional[Values] = None,
+             gait: Optional[str] = None, digits: Optional[int] = None, **symbols: Value) -> Answer:
+        """Periodic gaits of a walker."""
+        return self._ask("gait", locals())
+
+    def accuracy(self, system: System, *, parameters: Optional[Values] = None, initial: Optional[Values] = None,
+                 inputs: Optional[Values] = None, t_start: Optional[Value] = None, t_end: Optional[Value] = None,
+                 samples: Optional[int] = None, dt: Optional[Value] = None, times: Optional[Sequence[Value]] = None,
+                 impacts: Optional[bool] = None, methods: Optional[Sequence[str]] = None,
+                 max_error: Optional[Value] = None, measure: Optional[bool] = None, digits: Optional[int] = None,
+                 **symbols: Value) -> Answer:
+        """The measured trade of error against work for one motion."""
+        return self._ask("accuracy", locals())
+
+    # What there is.
+
+    def systems(self, name: Optional[str] = None) -> Answer:
+        """All systems, or one: its parameters and coordinates with units, defaults and meanings.
+
+        >>> [p["name"] for p in Qdot().systems("cart_pendulum")["parameters"]]
+        ['M', 'm', 'k', 'l', 'g']
+        """
+        return self._read("systems", name)
+
+    def problems(self, number: Optional[int] = None) -> Answer:
+        """The practice sheet, or one of its problems with questions, requests and answers."""
+        return self._read("problems", number)
+
+    def ask(self, endpoint: str, request: Mapping[str, Any]) -> Answer:
+        """Any endpoint with a request in its JSON form: ask("modes", {"system": "cart_pendulum"})."""
+        body = json.dumps(request, allow_nan=False)
+        if self.command:
+            return self._run(endpoint, "--request", "-", body=body)
+        return self._send("/v1/" + urllib.parse.quote(endpoint), body)
+
+    def __getattr__(self, name: str) -> Any:
+        known = [word for word in dir(type(self)) if not word.startswith("_")]
+        near = difflib.get_close_matches(name, known, 1)
+        advice = f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)
+        raise AttributeError(f"Qdot has no {name}: {advice}")
+
+    # How it is asked.
+
+    def _ask(self, endpoint: str, arguments: Dict[str, Any]) -> Answer:
+        symbols = arguments.pop("symbols", {})
+        request = {name.rstrip("_"): value for name, value in arguments.items() if name != "self" and value is not None}
+        for name, value in symbols.items():
+            place = self._place_of(name, request["system"])
+            if place is None:
+                request[name] = value  # the service says what is wrong with it
+            else:
+                request[place] = {**request.get(place, {}), name: value}
+        return self.ask(endpoint, request)
+
+    def _place_of(self, name: str, system: System) -> Optional[str]:
+        """Where a request has the system's symbol of this name: "parameters", "initial" or "inputs"."""
+        scene = system
+        if isinstance(system, str):
+            if system not in self._systems:
+                try:
+                    self._systems[system] = self.systems(system)
+                except Problem:
+                    return None  # there is no such system, which the question itself will say better
+            scene = self._systems[system]
+        assert isinstance(scene, Mapping)
+        coordinates = [entry["name"] for entry in scene.get("coordinates", [])]
+        if name in coordinates or name in [coordinate + "_dot" for coordinate in coordinates]:
+            return "initial"
+        for place in ("parameters", "inputs"):
+            if name in [entry["name"] for entry in scene.get(place, [])]:
+                return place
+        return None
+
+    def _read(self, kind: str, name: Union[str, int, None]) -> Answer:
+        if self.command:
+            return self._run(kind, *([] if name is None else [str(name)]))
+        path = f"/v1/{kind}" + ("" if name is None else "/" + urllib.parse.quote(str(name), safe=""))
+        return self._send(path, None)
+
+    def _send(self, path: str, body: Optional[str]) -> Answer:
+        headers = {"Content-Type": "application/json"}
+        if self.token:
+            headers["Authorization"] = "Bearer " + self.token
+        request = urllib.request.Request(self.address + path, None if body is None else body.encode(), headers)
+        try:
+            with urllib.request.urlopen(request, timeout=self.timeout) as response:
+                return json.load(response)
+        except urllib.error.HTTPError as error:
+            raise Problem(self._document(error.read(), error.code)) from None
+        except urllib.error.URLError as error:
+            raise Unreachable(f"No qdot answers at {self.address} ({error.reason}); start one with: qdot serve") from None
+
+    def _run(self, *words: str, body: str = "") -> Answer:
+        assert self.command
+        run = subprocess.run([self.command, *words], input=body.encode(), capture_output=True, timeout=self.timeout,
+                             check=False)
+        if run.returncode == 0:
+            return json.loads(run.stdout)
+        raise Problem(self._document(run.stderr, 0))
+
+    @staticmethod
+    def _document(text: bytes, status: int) -> Answer:
+        try:
+            document = json.loads(text)
+        except ValueError:
+            return {"status": status, "title": "no problem document", "detail": text.decode("utf-8", "replace")[:500]}
+        return document if isinstance(document, dict) else {"status": status, "detail": str(document)}
