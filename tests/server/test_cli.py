@@ -78,7 +78,7 @@ class ExitCodes(unittest.TestCase):
 
     def test_help_of_a_command_explains_every_field(self):
         document = json.loads(qdot("openapi").stdout)
-        paths = [path for path, methods in document["paths"].items() if "post" in methods]
+        paths = [path for path, methods in document["paths"].items() if "post" in methods and "." not in path]
         self.assertGreaterEqual(len(paths), 9)
         for path in paths:
             text = " ".join(qdot(path.removeprefix("/v1/"), "--help").stdout.decode().split())
@@ -90,7 +90,7 @@ class ExitCodes(unittest.TestCase):
         self.assertIn("(number in s > 0)", qdot("simulate", "--help").stdout.decode())
 
     def test_usage(self):
-        for arguments in ([], ["no_such_command"], ["simulate", "--no-such-option"], ["simulate", "no_equals_sign"],
+        for arguments in ([], ["no_such_command"], ["simulate", "--no-such-option"], ["simulate", "system=x", "no_equals_sign"],
                           ["simulate", "=value"], ["simulate", "--request", "/no/such/file"],
                           ["simulate", "system=x", "--request", "-"], ["systems", "one", "two"],
                           ["serve", "--port", "65536"], ["serve", "--threads", "0"]):
