@@ -240,9 +240,10 @@ struct Service::Impl {
   /// Nothing is at the path, but something may be near it.
   Response redirected_or_not_found(const Call& call) const {
     const Signpost signpost = signpost_for(call.target.path, routes, catalogue);
-    if (signpost.is_same) return moved_to(signpost.address, call);
-    return not_found(call, "There is nothing at " + in_quotes(call.target.path), signpost.address,
-                     "/ lists what there is.");
+    const bool is_elsewhere = signpost.address != call.target.path;
+    if (signpost.is_same && is_elsewhere) return moved_to(signpost.address, call);
+    return not_found(call, "There is nothing at " + in_quotes(call.target.path),
+                     is_elsewhere ? signpost.address : "", "/ lists what there is.");
   }
 
   Response answer(const Request& request) const {

@@ -215,6 +215,17 @@ void move_references(Json& value) {
   if (is_choice) tell_apart_by_kind(value);
 }
 
+/// As in the bodies of requests: a client that is generated takes a member with a `default` for one that is
+/// always there.
+void say_defaults_in_words(Json& schema) {
+  if (!schema.contains("properties")) return;
+  for (auto& [name, member] : schema["properties"].items()) {
+    if (!member.contains("default")) continue;
+    member["description"] = member.value("description", "") + " (default " + member["default"].dump() + ")";
+    member.erase("default");
+  }
+}
+
 /// The schema of a scene and its definitions, each a component.
 Json scene_components() {
   Json scene = scene_schema();
@@ -224,7 +235,10 @@ Json scene_components() {
   Json all = Json::object();
   all["Scene"] = std::move(scene);
   for (const auto& [name, definition] : definitions.items()) all[name_of_definition(name)] = definition;
-  for (Json& schema : all) move_references(schema);
+  for (Json& schema : all) {
+    move_references(schema);
+    say_defaults_in_words(schema);
+  }
   return all;
 }
 

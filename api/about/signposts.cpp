@@ -197,11 +197,17 @@ std::string as_sent(std::string_view query) {
   return result;
 }
 
+/// Slashes too many and capitals are told and not followed: a path that was put together wrongly shows where.
+bool is_tidy(std::string_view path) {
+  return path == lower_case(path) && path.find("//") == std::string_view::npos && !path.ends_with('/');
+}
+
 }  // namespace
 
 Signpost signpost_for(std::string_view path, const Routes& routes, const Catalogue& catalogue) {
   const std::size_t ampersand = std::min(path.find('&'), path.size());
   Signpost found = Finder(path.substr(0, ampersand), routes, catalogue).find();
+  found.is_same = found.is_same && is_tidy(path);
   if (ampersand == path.size() || found.address.empty()) return found;
   // "/v1/modes&system=cart_pendulum": the query begins with a question mark.
   const char join = found.address.find('?') == std::string::npos ? '?' : '&';

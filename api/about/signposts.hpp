@@ -12,7 +12,7 @@ namespace qdot::api {
 
 struct Signpost {
   std::string address{};  ///< a path, maybe with a query: "/v1/modes?system=cart_pendulum"; empty: none
-  bool is_same{false};    ///< the path is this address but for /v1, a slash, hyphens or capitals
+  bool is_same{false};    ///< the path is this address but for /v1 and hyphens
 };
 
 [[nodiscard]] Signpost signpost_for(std::string_view path, const Routes& routes, const Catalogue& catalogue);

@@ -59,7 +59,7 @@ async function send(request, output) {
     const type = response.headers.get("Content-Type") ?? "";
     status = `${response.status} ${type}`;
     text = await response.text();
-    if (/json$/.test(type)) text = JSON.stringify(JSON.parse(text), null, 2);
+    if (/[/+]json$/.test(type)) text = JSON.stringify(JSON.parse(text), null, 2);
   } catch (error) {
     text = String(error);
   }

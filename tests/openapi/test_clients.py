@@ -1,6 +1,7 @@
 """Generated clients in TypeScript and the Python file give what plain HTTP gives, for the same questions."""
 
 import contextlib
+import http.client
 import json
 import pathlib
 import socket
@@ -84,10 +85,12 @@ class Clients(unittest.TestCase):
                     answer = post(port, question)
                     self.assertEqual(answer.status, 422 if "refused" in question else 200, answer.data[:500])
                     self.assertIsNone(answer.getheader("sl-violations"))
+            refused = post(port, {"ask": "modes", "request": {"system": "cart_pendulum", "digits": "many"}})
+            self.assertIn(b"digits", refused.data)
+            self.assertNotIn(b"/errors/invalid-request", refused.data, "the proxy itself refuses what does not fit")
 
 
 def post(port, question):
-    import http.client
     connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
     connection.request("POST", "/v1/" + question["ask"], json.dumps(question["request"]),
                        {"Content-Type": "application/json", "Accept": "application/json"})
