@@ -37,14 +37,22 @@ class RequestReader {
     const auto field = std::ranges::find_if(
         set_.fields, [](const FieldInfo& f) { return std::holds_alternative<SystemKind>(f.kind); });
     if (field == set_.fields.end()) return;
-    static const Json nothing;
     const auto given = fields_.find(field->name);
-    const bool is_given = given != fields_.end();
-    const std::size_t before = reading_.errors.size();
-    reading_.system.scene =
-        find_system_(is_given ? *given : nothing, root_.below(field->name), reading_.errors);
-    if (!is_given && reading_.errors.size() > before)
-      reading_.errors.back().did_you_mean = system_without_its_field(field->name);
+    if (given != fields_.end()) {
+      reading_.system.scene = find_system_(*given, root_.below(field->name), reading_.errors);
+    } else {
+      refuse_without_system(*field);
+    }
+  }
+
+  void refuse_without_system(const FieldInfo& field) {
+    FieldError error = root_.below(field.name)
+                           .error("missing", "'" + field.name + "' is missing: " + field.description + ".");
+    Errors of_nothing;
+    find_system_(Json(), root_, of_nothing);  // it knows which systems there are
+    if (!of_nothing.empty()) error.allowed = of_nothing.front().allowed;
+    error.did_you_mean = system_without_its_field(field.name);
+    report(reading_.errors, std::move(error));
   }
 
   /// "system=cart_pendulum" where the query says only "cart_pendulum".

@@ -85,8 +85,11 @@ TEST(Openapi, FieldsAreThoseOfTheTable) {
   ASSERT_EQ(schema["properties"].size(), set.fields.size());
   for (const FieldInfo& field : set.fields) {
     const Json& property = schema["properties"].at(field.name);
-    EXPECT_EQ(property["description"], field.description);
-    EXPECT_EQ(property.value("default", Json()), field.default_value);
+    const Json& value = field.default_value;
+    const bool has_default = !value.is_null() && !(value.is_structured() && value.empty());
+    const std::string words = has_default ? " (default " + value.dump() + ")" : "";
+    EXPECT_EQ(property["description"], field.description + words);
+    EXPECT_FALSE(property.contains("default")) << "generated clients would take the field for required";
   }
   EXPECT_EQ(schema["required"], Json{"system"});
   EXPECT_EQ(schema["additionalProperties"], false);
@@ -106,6 +109,7 @@ TEST(Openapi, GetHasTheFieldsOfPost) {
     for (const Json& parameter : methods["get"]["parameters"]) {
       if (parameter.contains("name")) parameters.insert(parameter["name"]);
     }
+    if (path.find('.') != std::string::npos) fields.erase("format");  // the address says it
     EXPECT_EQ(fields, parameters) << path;
   }
 }

@@ -55,7 +55,8 @@ TEST(JsonReader, SaysWhereTheGrammarBreaks) {
             "The JSON ends too early: } is missing at its end. Byte 7, line 1, column 7.");
   EXPECT_EQ(problem("{'a': 1}").detail,
             "JSON has double quotes around its strings, not single ones. Byte 2, line 1, column 2.");
-  EXPECT_EQ(problem(" \n").detail, "The body is empty; send a JSON object such as {\"system\": \"cart_pendulum\"}.");
+  EXPECT_EQ(problem(" \n").detail,
+            "The body is empty; send a JSON object such as {\"system\": \"cart_pendulum\"}.");
 }
 
 TEST(JsonReader, RefusesWhatIsNotJson) {

@@ -188,7 +188,7 @@ TEST(RequestReader, RefusesValuesOfOtherTypes) {
   EXPECT_EQ(error(R"("flag": "true")"), "'flag' needs true or false, not a string.");
   EXPECT_EQ(error(R"("colour": 1)"), "'colour' needs red or green, not a number.");
   EXPECT_EQ(error(R"("colours": ["red", "red"])"), "'colours' has \"red\" twice.");
-  EXPECT_EQ(error(R"("colours": "red")"), "'colours' needs an array, not a string.");
+  EXPECT_EQ(error(R"("colours": "red")"), "'colours' needs an array, such as [\"red\"], not a string.");
   EXPECT_EQ(error(R"("times": [1,2,3,4,5,6])"), "'times' has 6 entries; at most 5 are read.");
   EXPECT_EQ(error(R"("events": [""])"), "'events' is empty.");
   EXPECT_EQ(error(R"("events": ["123456789012345678901"])"), "'events' has 21 bytes; at most 20 are read.");
