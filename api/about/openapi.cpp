@@ -262,6 +262,13 @@ void describe_members(Json& value, const std::string& schema) {
   for (Json& part : value) describe_members(part, schema);
 }
 
+Json notes_schema() {
+  return {{"type", "array"},
+          {"items", {{"type", "string"}}},
+          {"description",
+           "How values were understood that could be meant otherwise, and what else should be known."}};
+}
+
 /// The members that every computed answer begins with.
 Json with_head(const Json& answer, const std::string& request) {
   Json result = answer;
@@ -269,7 +276,7 @@ Json with_head(const Json& answer, const std::string& request) {
                                              {"model_version", {{"type", "string"}}},
                                              {"service_version", {{"type", "string"}}},
                                              {"request", reference(request)},
-                                             {"notes", shared()["notes"]}};
+                                             {"notes", notes_schema()}};
   properties.update(answer["properties"]);
   Json& required = result["required"] = {"system", "model_version", "service_version", "request"};
   for (const Json& name : answer["required"]) required.push_back(name);

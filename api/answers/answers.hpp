@@ -46,7 +46,7 @@ struct ResolvedSystem {
 /// The beginning of every answer: system, versions, the resolved request, and the notes on it if there are
 /// any.
 void write_head(JsonWriter& writer, const Scene& scene, const Json& echo,
-                const std::vector<std::string>& notes);
+                const std::vector<std::string>& notes = {});
 
 /// A whole answer: the head, then the members of `body`, its floating-point numbers to so many digits (all
 /// without it). Ends the part "encode" of the timing.

@@ -33,9 +33,10 @@ def ask_in_python(client, question):
         for place in ("parameters", "initial", "inputs"):
             words.update(words.pop(place, {}))
     try:
-        return at(question["at"], getattr(client, question["ask"])(**words))
+        answer = getattr(client, question["ask"])(**words)
     except Problem as problem:
         return at(question["refused"], problem.document)
+    return at(question["at"], answer)
 
 
 class Clients(unittest.TestCase):
