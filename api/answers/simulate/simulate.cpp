@@ -96,7 +96,7 @@ class SimulationAnswer {
   Response json() {
     JsonWriter writer(call_.layout);
     writer.begin_object();
-    write_head(writer, scene(), system_.echo);
+    write_head(writer, scene(), system_.echo, call_.notes);
     writer.member("status", status());
     if (result_.stop) writer.member("stop", stop_json(), digits());
     writer.member("t_reached", result_.t, digits());
@@ -279,7 +279,8 @@ Endpoint simulate_endpoint() {
               [](const Scene&, const Json&) {
                 return std::optional(Json{{"t_end", 10}});
               },
-          .offers = {"application/json", csv_type, ndjson_type}};
+          .offers = {"application/json", csv_type, ndjson_type},
+          .other_names = {"sim", "simulation", "run", "trajectory", "integrate", "solve", "motion", "ode"}};
 }
 
 }  // namespace qdot::api
