@@ -149,6 +149,8 @@ std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::str
 }
 
 bool counts_turns(std::string_view text, std::string_view expected_unit) {
+  if (text.find_first_of("zZ") == std::string_view::npos)
+    return false;  // Hz, hertz: no other unit has cycles
   const auto split = split_number(text, expected_unit);
   const auto* quantity = std::get_if<NumberAndRest>(&split);
   if (quantity == nullptr || quantity->rest.empty()) return false;

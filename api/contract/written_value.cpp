@@ -24,6 +24,13 @@ bool looks_like_a_quantity(std::string_view text) {
   return begins_with_number && first != text.end() && *first != '*' && *first != '/' && *first != '^';
 }
 
+/// "2*m", "1/3": an operation follows the number.
+bool begins_like_an_expression(std::string_view text) {
+  const std::size_t first = text.find_first_not_of("0123456789. ");
+  const bool has_number = first != 0 && first != std::string_view::npos;
+  return has_number && (text[first] == '*' || text[first] == '/' || text[first] == '^');
+}
+
 bool is_unbounded(std::string_view word) {
   const std::string lower = lower_case(word);
   return lower == "inf" || lower == "infinity" || lower == "nan";
@@ -163,6 +170,11 @@ std::variant<Real, QuantityError> ParameterScope::read(std::size_t i) {
 
 std::variant<Real, QuantityError> written_value(std::string_view text, std::string_view expected_unit,
                                                 ParameterScope& scope) {
+  // What is plainly an expression is not first looked up among the units.
+  if (begins_like_an_expression(text)) {
+    if (Value value = expression_value(text, expected_unit, scope); std::holds_alternative<Real>(value))
+      return value;
+  }
   Value quantity = parse_quantity(text, expected_unit);
   const auto* error = std::get_if<QuantityError>(&quantity);
   if (error == nullptr || (error->code != "syntax" && error->code != "unknown_unit")) return quantity;
