@@ -156,6 +156,16 @@ class Qdot:
         """The measured trade of error against work for one motion."""
         return self._ask("accuracy", locals())
 
+    def check(self, items: Sequence[Mapping[str, Any]], *, seed: Optional[int] = None,
+              reveal: Optional[bool] = None) -> Answer:
+        """Grades submissions: each item has what is expected and what was submitted.
+
+        >>> Qdot().check([{"id": "1", "expect": {"turning_points": {"system": "free_spin_pendulum"}, "at": "/theta_max"},
+        ...                "submitted": "55.1deg"}])["items"][0]["correct"]
+        True
+        """
+        return self._ask("check", locals())
+
     # What there is.
 
     def systems(self, name: Optional[str] = None) -> Answer:
