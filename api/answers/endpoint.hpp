@@ -60,8 +60,8 @@ struct Endpoint {
   std::vector<std::string_view> other_names{};          ///< what people type for it, for "did you mean"
 };
 
-/// Where an answer comes in one form alone: ".csv" for text/csv, ".ndjson" for application/x-ndjson. Empty for
-/// JSON, which the endpoint's own address gives.
+/// Where an answer comes in one form alone: ".csv" for text/csv, ".ndjson" for application/x-ndjson. Empty
+/// for JSON, which the endpoint's own address gives.
 [[nodiscard]] std::string suffix_of(std::string_view media_type);
 
 /// Is `word` a name of the endpoint, or one that people type for it?
