@@ -40,6 +40,7 @@ TEST(SameFormula, HoldsInEveryForm) {
   EXPECT_EQ(decision("T", "m/2 (l'^2 - l^2 theta'^2)"), wrong);
   EXPECT_EQ(decision("tan(theta)", "sin(2*theta)/(1 + cos(2*theta))"), identity);
   EXPECT_EQ(decision("sin(theta/2)^2", "(1 - cos(theta))/2"), values);
+  EXPECT_EQ(decision("sin(theta/2)^2", "(1 - cos(theta))/2 + 1e-12"), wrong);
   EXPECT_EQ(decision("1/(1 + tan(theta)^2)", "cos(theta)^2"), identity);
   EXPECT_EQ(decision("1/(l + 1/l)", "l/(l^2 + 1)"), identity);
   EXPECT_EQ(decision("sqrt(k/m)", "sqrt(k m)/m"), values);
