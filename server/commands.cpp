@@ -73,7 +73,12 @@ bool gives(const Arguments& arguments, std::string_view name) {
 void add_body(const Arguments& arguments, api::Request& request) {
   request.method = "POST";
   request.headers["content-type"] = "application/json";
-  request.body = arguments.words.empty() ? request_body(arguments.request_file) : arguments.words.front();
+  const bool has_sheets = !arguments.key.empty() || !arguments.answers.empty();
+  if (has_sheets) {
+    request.body = graded_body(arguments);
+  } else {
+    request.body = arguments.words.empty() ? request_body(arguments.request_file) : arguments.words.front();
+  }
 }
 
 api::Request request_of(const Command& command, const Arguments& arguments) {
