@@ -12,7 +12,7 @@ namespace qdot {
 namespace {
 
 bool is_within_digits(double submitted, double expected, int places) {
-  const double half = 0.51 * power(10, -places);
+  const double half = 0.51 * power(10.0, static_cast<double>(-places));
   return submitted > expected - half && submitted < expected + half;
 }
 

@@ -8,13 +8,13 @@ namespace {
 
 std::string name_of(const Expression& symbol) { return std::get<Symbol>(symbol.node()).name; }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// "omega0" as "omega_0", with which LaTeX and people write the index.
 std::string with_index_apart(const std::string& name) {
-  const auto digits = std::ranges::find_if(name, is_digit);
+  const auto digits = std::ranges::find_if(name, is_decimal_digit);
   if (digits == name.begin() || digits == name.end() || *(digits - 1) == '_') return name;
-  if (!std::all_of(digits, name.end(), is_digit)) return name;
+  if (!std::all_of(digits, name.end(), is_decimal_digit)) return name;
   return std::string(name.begin(), digits) + "_" + std::string(digits, name.end());
 }
 

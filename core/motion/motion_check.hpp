@@ -33,8 +33,9 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 /// The grid of the request stands in it. Numbers are moved up (1) or down (-1).
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
 
-/// One check tells the error of truncation. Where round-off is as large, a single difference may be small
-/// by chance; two checks that start on either side cannot both be.
+/// One check tells the error of truncation. Where round-off is as large, as the difference or what is
+/// conserved shows, a single difference may be small by chance; two checks that start on either side cannot
+/// both be.
 [[nodiscard]] bool tells_truncation(const ComputedMotion& motion, const Simulation& check);
 
 /// Why the check does not tell the error of the motion; nullptr where it does.
