@@ -85,7 +85,7 @@ class ExitCodes(unittest.TestCase):
             for parameter in self.fields(document, path):
                 if "name" in parameter:
                     with self.subTest(path=path, field=parameter["name"]):
-                        meaning = parameter["description"].split("; each stands alone")[0]
+                        meaning = parameter["description"].split("; each stands alone")[0].split(" (default ")[0]
                         self.assertIn(f" {parameter['name']} {meaning} (", text)
         self.assertIn("(number in s > 0)", qdot("simulate", "--help").stdout.decode())
 
