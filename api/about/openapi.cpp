@@ -64,6 +64,7 @@ Json problem_responses() {
     schema["properties"] = {{"status", {{"const", status}}}, {"type", {{"enum", std::move(uris)}}}};
     Json response{{"description", std::move(description)},
                   {"content", {{"application/problem+json", {{"schema", std::move(schema)}}}}}};
+    if (status == 404) response["content"]["text/html"] = {{"schema", {{"type", "string"}}}};  // to a browser
     if (const Json headers = headers_of(status); !headers.empty()) response["headers"] = headers;
     responses[response_name(status)] = std::move(response);
   }

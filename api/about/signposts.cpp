@@ -197,9 +197,11 @@ std::string as_sent(std::string_view query) {
   return result;
 }
 
-/// Slashes too many and capitals are told and not followed: a path that was put together wrongly shows where.
+/// No path at all, slashes too many and capitals are told and not followed: a path that was put together
+/// wrongly shows where.
 bool is_tidy(std::string_view path) {
-  return path == lower_case(path) && path.find("//") == std::string_view::npos && !path.ends_with('/');
+  return !path.empty() && path == lower_case(path) && path.find("//") == std::string_view::npos &&
+         !path.ends_with('/');
 }
 
 }  // namespace

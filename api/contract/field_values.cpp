@@ -99,7 +99,7 @@ FieldError wrong_type(const Place& place, const std::string& name, const std::st
                       const Json& value) {
   std::string given = value.is_null() ? "null" : "a " + std::string(value.type_name());
   if (value.is_object() || value.is_array()) given = "an " + std::string(value.type_name());
-  const std::string advice = value.is_null() ? "; leave it out for its default" : "";
+  const std::string advice = value.is_null() ? "; leave out what has no value" : "";
   return place.error("wrong_type", "'" + name + "' needs " + needed + ", not " + given + advice + ".");
 }
 

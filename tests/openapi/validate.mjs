@@ -55,6 +55,7 @@ const templates = Object.keys(document_.paths).map((path) => ({
 
 function problemMisfit({ status, type, answer }) {
   if (status < 400) return `${status} is not in the document`;
+  if (status === 404 && type === "text/html") return "";  // to a browser
   if (type !== "application/problem+json") return `a problem of type ${type}`;
   return misfit(["components", "schemas", "Problem"], JSON.parse(answer));
 }
@@ -101,7 +102,7 @@ let mistakes = 0;
 for (const file of process.argv.slice(3)) {
   for await (const line of createInterface({ input: createReadStream(file), crlfDelay: Infinity })) {
     const exchange = JSON.parse(line);
-    const path = (templates.find(({ pattern }) => pattern.test(exchange.target.split("?")[0])) || {}).path;
+    const path = (templates.find(({ pattern }) => pattern.test(exchange.target.split(/[?#]/)[0])) || {}).path;
     ++answers;
     for (const why of [answerMisfit(exchange, path), requestMisfit(exchange, path)]) {
       if (why && ++mistakes <= shownMistakes) {

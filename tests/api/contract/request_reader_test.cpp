@@ -176,9 +176,8 @@ TEST(RequestReader, RefusesValuesOfOtherTypes) {
   };
   EXPECT_EQ(error(R"("mass": true)"),
             "'mass' needs a number of kg or a text such as \"1 kg\", not a boolean.");
-  EXPECT_EQ(
-      error(R"("mass": null)"),
-      "'mass' needs a number of kg or a text such as \"1 kg\", not null; leave it out for its default.");
+  EXPECT_EQ(error(R"("mass": null)"),
+            "'mass' needs a number of kg or a text such as \"1 kg\", not null; leave out what has no value.");
   EXPECT_EQ(error(R"("mass": 0)"), "'mass' must be > 0.0 kg; it is 0.0.");
   EXPECT_EQ(error(R"("count": "7")"), "'count' needs a whole number, not a string.");
   EXPECT_EQ(error(R"("count": 11)"), "'count' must be from 1 to 10; it is 11.");

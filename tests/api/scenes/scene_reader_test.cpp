@@ -163,7 +163,8 @@ TEST(SceneReader, MessagesSayWhatToWriteInstead) {
                                                          "domain", "meaning", "latex"}));
   EXPECT_EQ(errors[2].detail, "'kind' cannot be 'dsik'.");
   EXPECT_EQ(errors[2].did_you_mean, "disk");
-  EXPECT_EQ(errors[3].detail, "'mass' needs an expression, such as \"-l*cos(theta)\", not null.");
+  EXPECT_EQ(errors[3].detail,
+            "'mass' needs an expression, such as \"-l*cos(theta)\", not null; leave out what has no value.");
 }
 
 TEST(SceneReader, SizesAreBounded) {
