@@ -6,8 +6,9 @@
 //
 //   |g'| tau - |g''| tau^2 / 2 = |g| + sum_k |dg/dy_k| e_k  and what rounding does to g
 //
-// with g' and g'' along the motion. Where this has no solution the motion grazes: whether it comes to a zero
-// there is no more certain than the motion itself.
+// with g' and g'' along the motion, both of them measured at one place: right to second order in tau, an
+// estimate as the e_k are, and no enclosure. Where this has no solution the motion grazes: whether it comes
+// to a zero there is no more certain than the motion itself.
 
 #include <optional>
 #include <span>

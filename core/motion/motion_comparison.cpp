@@ -11,7 +11,6 @@
 namespace qdot {
 namespace {
 
-constexpr double safety = 2;     ///< as in row_errors.cpp
 constexpr double part = 0.1;     ///< of its own time, in which no difference changes its sign twice
 constexpr double useful = 1e-3;  ///< horizon: of a column's largest magnitude
 
@@ -111,7 +110,7 @@ class Comparing {
     }
   }
 
-  /// In which the motion goes once through what its coordinates range over, were it ever as fast as at most.
+  /// The longest L_q / L_v: in which the motion may go once through a column.
   [[nodiscard]] double own_time() const {
     double time = 0;
     for (std::size_t i = 0; i < width_ / 2; ++i) {
@@ -164,7 +163,7 @@ class Comparing {
     std::optional<double> error;
     for (const Simulation& other : others_) {
       if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
-      error = std::max(error.value_or(0), safety * std::abs(other.stop->t - stop.t));
+      error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
     }
     const auto least = errors.of(stop, motion_.simulation.y, of_state);
     return error && least ? std::optional(std::max(*error, *least)) : std::nullopt;

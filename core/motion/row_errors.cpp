@@ -7,7 +7,6 @@
 namespace qdot {
 namespace {
 
-constexpr double safety = 2;         ///< differences were between 0.85 and 1.2 times the error
 constexpr double storing = 0x1p-52;  ///< a number is rounded when it is stored
 constexpr double too_much = 0.5;     ///< of a column
 
@@ -25,14 +24,14 @@ void RowErrors::add(std::span<const double> row, std::span<const std::span<const
     double difference = 0;
     for (const auto& other : others) difference = std::max(difference, std::abs(row[k] - other[k]));
     const double missed = unseen.empty() ? 0 : unseen[k];
-    error_[k] = std::max(error_[k], safety * difference + storing * std::abs(row[k]) + missed);
-    lost_ = lost_ || safety * difference > too_much * scale_[k];
+    error_[k] = std::max(error_[k], safety_of_differences * difference + storing * std::abs(row[k]) + missed);
+    lost_ = lost_ || safety_of_differences * difference > too_much * scale_[k];
   }
   if (!lost_) return;
   widen(row);
   for (const auto& other : others) widen(other);
   for (std::size_t k = 0; k < row.size(); ++k)
-    error_[k] = std::max(error_[k], safety * (highest_[k] - lowest_[k]));
+    error_[k] = std::max(error_[k], safety_of_differences * (highest_[k] - lowest_[k]));
 }
 
 void RowErrors::widen(std::span<const double> row) {

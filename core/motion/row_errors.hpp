@@ -14,6 +14,9 @@
 
 namespace qdot {
 
+/// Times the difference of two computations is the error; differences were 0.85 to 1.2 times the error.
+inline constexpr double safety_of_differences = 2;
+
 class RowErrors {
  public:
   /// The largest magnitude of each column of the motion, by which errors count as large.
