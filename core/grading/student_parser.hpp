@@ -15,22 +15,14 @@
 //
 // Text, nodes and depth are bounded as in core/expr/parse.hpp.
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/grading/read_equation.hpp"
 #include "core/grading/vocabulary.hpp"
 
 namespace qdot {
-
-struct ReadEquation {
-  Expression left;
-  std::optional<Expression> right;  ///< none where there is no equals sign
-
-  /// left - right.
-  [[nodiscard]] Expression residual() const { return right ? left - *right : left; }
-};
 
 struct ReadSubmission {
   std::vector<ReadEquation> equations;  ///< one a line

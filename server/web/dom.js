@@ -32,6 +32,19 @@ export function element(name, attributes = {}, ...children) {
   return node;
 }
 
+/**
+ * A table that is moved sideways in its frame where it is too wide for the page.
+ * @param {{class?: string, heads?: Child[]}} options @param {...Child} rows
+ */
+export function table({ class: name, heads = [] }, ...rows) {
+  const head = element("thead", {}, element("tr", {}, ...heads.map((text) => element("th", { scope: "col" }, text))));
+  return element(
+    "div",
+    { class: "table-frame", tabindex: "0" },
+    element("table", { class: name }, heads.length ? head : null, element("tbody", {}, ...rows)),
+  );
+}
+
 /** Replaces what a node holds. @param {Element} node @param {...Child} children */
 export function fill(node, ...children) {
   node.replaceChildren(...present(children));

@@ -1,6 +1,6 @@
 // The practice sheet: each part's question, its answer with the line that gives it, and what the sheet prints.
 import { ask, read } from "./api.js";
-import { element, fill, mathematics } from "./dom.js";
+import { element, fill, mathematics, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot } from "./foot.js";
 import { Motion } from "./motion.js";
@@ -65,13 +65,7 @@ function result(part, typeset) {
   const all = Object.entries(part.result ?? {}).flatMap(([pointer, value]) =>
     rows(title(pointer), value, at(typeset, pointer), units[pointer.split("/").pop() ?? ""]),
   );
-  return all.length
-    ? element(
-        "div",
-        { class: "table-frame", tabindex: "0" },
-        element("table", { class: "answers" }, element("tbody", {}, ...all)),
-      )
-    : "";
+  return all.length ? table({ class: "answers" }, ...all) : "";
 }
 
 /** What the sheet says, beside what is derived. @param {any} sheet */

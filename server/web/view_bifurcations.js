@@ -1,7 +1,7 @@
 // How the equilibria move with a parameter, and where their number or their stability changes.
 import { ask } from "./api.js";
 import { pieces, tellingColumns } from "./branches.js";
-import { element, fill } from "./dom.js";
+import { element, fill, table } from "./dom.js";
 import { foot, problemNote } from "./foot.js";
 import { quantity, short, symbol, symbolNode, unitText } from "./numbers.js";
 import { Plot } from "./plot.js";
@@ -186,29 +186,20 @@ export class BifurcationsView {
   /** @param {any} answer */
   table(answer) {
     if (!answer.critical.length) return "";
-    return element(
-      "div",
-      { class: "table-frame", tabindex: "0" },
-      element(
-        "table",
-        {},
+    return table(
+      {},
+      ...answer.critical.map((/** @type {any} */ one) =>
         element(
-          "tbody",
+          "tr",
           {},
-          ...answer.critical.map((/** @type {any} */ one) =>
-            element(
-              "tr",
-              {},
-              element(
-                "th",
-                { scope: "row" },
-                symbolNode(this.parameter),
-                " = ",
-                quantity(one.value, { unit: answer.units[this.parameter], error: one.error }),
-              ),
-              element("td", {}, one.kind.replaceAll("_", " ")),
-            ),
+          element(
+            "th",
+            { scope: "row" },
+            symbolNode(this.parameter),
+            " = ",
+            quantity(one.value, { unit: answer.units[this.parameter], error: one.error }),
           ),
+          element("td", {}, one.kind.replaceAll("_", " ")),
         ),
       ),
     );

@@ -1,6 +1,6 @@
 // The equations as mathematics, in the form that is wanted, and what is conserved and why.
 import { ask } from "./api.js";
-import { copyButton, element, fill, mathematics } from "./dom.js";
+import { copyButton, element, fill, mathematics, table } from "./dom.js";
 import { foot } from "./foot.js";
 import { prose, symbol, symbolNode } from "./numbers.js";
 
@@ -124,22 +124,13 @@ export class EquationsView {
 
   /** @param {string[][]} rows @param {string} form */
   matrix(rows, form) {
-    return element(
-      "div",
-      { class: "table-frame", tabindex: "0" },
-      element(
-        "table",
-        { class: "matrix" },
+    return table(
+      { class: "matrix" },
+      ...rows.map((row) =>
         element(
-          "tbody",
+          "tr",
           {},
-          ...rows.map((row) =>
-            element(
-              "tr",
-              {},
-              ...row.map((text) => element("td", {}, form === "mathml" ? mathematics(text) : element("code", {}, text))),
-            ),
-          ),
+          ...row.map((text) => element("td", {}, form === "mathml" ? mathematics(text) : element("code", {}, text))),
         ),
       ),
     );

@@ -1,6 +1,6 @@
 // Where it can rest, and whether it stays there; and the parameter that makes a place an equilibrium.
 import { ask } from "./api.js";
-import { element, fill } from "./dom.js";
+import { element, fill, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot, problemNote } from "./foot.js";
 import { quantity, short, symbol, symbolNode } from "./numbers.js";
@@ -114,37 +114,23 @@ export class EquilibriaView {
       "eigenvalues / s⁻¹",
       "drawing",
     ];
-    return element(
-      "div",
-      { class: "table-frame", tabindex: "0" },
-      element(
-        "table",
-        {},
-        element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
+    return table(
+      { heads },
+      ...answer.equilibria.map((/** @type {any} */ one) =>
         element(
-          "tbody",
+          "tr",
           {},
-          ...answer.equilibria.map((/** @type {any} */ one) =>
-            element(
-              "tr",
-              {},
-              ...this.coordinates.map((/** @type {string} */ name) =>
-                element("td", {}, quantity(one.state[name], { unit: answer.units[name], error: one.error?.[name] || undefined })),
-              ),
-              element(
-                "td",
-                { class: one.stability },
-                one.stability,
-                one.nonlinear ? `, ${typeof one.nonlinear === "string" ? one.nonlinear : (one.nonlinear.stability ?? "")}` : "",
-              ),
-              element("td", { class: "number" }, this.eigenvalues(one.eigenvalues ?? [])),
-              element(
-                "td",
-                {},
-                element("button", { type: "button", class: "quiet", onclick: () => this.rest(one, answer) }, "show"),
-              ),
-            ),
+          ...this.coordinates.map((/** @type {string} */ name) =>
+            element("td", {}, quantity(one.state[name], { unit: answer.units[name], error: one.error?.[name] || undefined })),
           ),
+          element(
+            "td",
+            { class: one.stability },
+            one.stability,
+            one.nonlinear ? `, ${typeof one.nonlinear === "string" ? one.nonlinear : (one.nonlinear.stability ?? "")}` : "",
+          ),
+          element("td", { class: "number" }, this.eigenvalues(one.eigenvalues ?? [])),
+          element("td", {}, element("button", { type: "button", class: "quiet", onclick: () => this.rest(one, answer) }, "show")),
         ),
       ),
     );

@@ -1,6 +1,6 @@
 // Periodic gaits: how they walk, and whether a small stumble dies out.
 import { ask } from "./api.js";
-import { element, fill } from "./dom.js";
+import { element, fill, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot } from "./foot.js";
 import { Motion } from "./motion.js";
@@ -59,28 +59,19 @@ export class GaitView {
         }),
         `${gait.kind}, ${gait.stable ? "stable" : "unstable"}`,
       );
-    return element(
-      "div",
-      { class: "table-frame", tabindex: "0" },
-      element(
-        "table",
-        {},
-        element(
-          "tbody",
-          {},
-          row("gait", pick),
-          row("step time", (gait) => quantity(gait.step_time, { unit: "s", error: gait.error.step_time })),
-          row("step length", (gait) => quantity(gait.step_length, { unit: "m", error: gait.error.step_length })),
-          ...Object.keys(answer.gaits[0].state).map((name) =>
-            row(symbol(name), (gait) => quantity(gait.state[name], { unit: answer.units[name], error: gait.error.state[name] })),
-          ),
-          row("multipliers", (gait) =>
-            gait.multipliers
-              .filter((/** @type {any} */ m) => m.im >= 0)
-              .map((/** @type {any} */ m) => short(m.re, 4) + (m.im ? ` ± ${short(m.im, 4)} i` : ""))
-              .join(", "),
-          ),
-        ),
+    return table(
+      {},
+      row("gait", pick),
+      row("step time", (gait) => quantity(gait.step_time, { unit: "s", error: gait.error.step_time })),
+      row("step length", (gait) => quantity(gait.step_length, { unit: "m", error: gait.error.step_length })),
+      ...Object.keys(answer.gaits[0].state).map((name) =>
+        row(symbol(name), (gait) => quantity(gait.state[name], { unit: answer.units[name], error: gait.error.state[name] })),
+      ),
+      row("multipliers", (gait) =>
+        gait.multipliers
+          .filter((/** @type {any} */ m) => m.im >= 0)
+          .map((/** @type {any} */ m) => short(m.re, 4) + (m.im ? ` ± ${short(m.im, 4)} i` : ""))
+          .join(", "),
       ),
     );
   }

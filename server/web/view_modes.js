@@ -1,6 +1,6 @@
 // Small oscillations about an equilibrium: each mode with its frequency and shape, shown moving in the drawing.
 import { ask } from "./api.js";
-import { element, fill } from "./dom.js";
+import { element, fill, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot } from "./foot.js";
 import { ModeMotion } from "./motion.js";
@@ -70,19 +70,9 @@ export class ModesView {
       ...answer.coordinates.map((/** @type {string} */ name) => symbolNode(name)),
       scaled ? "in one unit" : null,
     ].filter((head) => head !== null);
-    return element(
-      "div",
-      { class: "table-frame", tabindex: "0" },
-      element(
-        "table",
-        { class: "modes" },
-        element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", { scope: "col" }, head)))),
-        element(
-          "tbody",
-          {},
-          ...answer.modes.map((/** @type {any} */ mode, /** @type {number} */ i) => this.row(answer, mode, i, scaled)),
-        ),
-      ),
+    return table(
+      { class: "modes", heads },
+      ...answer.modes.map((/** @type {any} */ mode, /** @type {number} */ i) => this.row(answer, mode, i, scaled)),
     );
   }
 
@@ -157,18 +147,9 @@ export class ModesView {
         "div",
         {},
         element("h2", {}, title),
-        element(
-          "div",
-          { class: "table-frame", tabindex: "0" },
-          element(
-            "table",
-            { class: "matrix" },
-            element(
-              "tbody",
-              {},
-              ...rows.map((row) => element("tr", {}, ...row.map((value) => element("td", { class: "number" }, short(value, 6))))),
-            ),
-          ),
+        table(
+          { class: "matrix" },
+          ...rows.map((row) => element("tr", {}, ...row.map((value) => element("td", { class: "number" }, short(value, 6))))),
         ),
       );
     const isZero = answer.gyroscopic_matrix.flat().every((/** @type {number} */ value) => value === 0);

@@ -1,6 +1,6 @@
 // How far it swings: turning points as places where the effective potential meets the energy.
 import { Problem, ask } from "./api.js";
-import { element, fill } from "./dom.js";
+import { element, fill, table } from "./dom.js";
 import { compiled } from "./expression.js";
 import { foot, notes } from "./foot.js";
 import { quantity, short, symbol, symbolNode, unitText } from "./numbers.js";
@@ -128,7 +128,7 @@ export class TurningView {
           element("td", {}),
         ),
       );
-    return element("div", { class: "table-frame", tabindex: "0" }, element("table", {}, element("tbody", {}, ...rows)));
+    return table({}, ...rows);
   }
 
   /** @param {any} answer */

@@ -212,8 +212,7 @@ Verdict grade_equations(const EquationItem& item, const Json& submitted) {
 std::optional<Grader> read_equation_item(const CheckItem& item, const std::string& kind,
                                          const ExpectationScope& scope, const Place& place, Errors& errors) {
   const Place expect = place.below("expect");
-  auto formula =
-      read_formula_system(item, item.expect[kind], scope, expect.below(kind), place.below("names"), errors);
+  auto formula = read_formula_system(item, kind, scope, place, errors);
   if (!formula) return std::nullopt;
   EquationItem read{.formula = formula, .coordinate = {}, .seed = scope.seed, .reveal = scope.reveal};
   if (item.expect.contains("of")) {

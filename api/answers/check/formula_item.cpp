@@ -137,8 +137,7 @@ std::optional<Expression> own_formula(FormulaSystem& formula, const Json& is, co
 std::optional<Grader> read_formula_item(const CheckItem& item, const std::string& kind,
                                         const ExpectationScope& scope, const Place& place, Errors& errors) {
   const Place expect = place.below("expect");
-  auto formula =
-      read_formula_system(item, item.expect[kind], scope, expect.below(kind), place.below("names"), errors);
+  auto formula = read_formula_system(item, kind, scope, place, errors);
   if (!formula) return std::nullopt;
   const bool has_name = item.expect.contains("of");
   if (has_name == item.expect.contains("is")) {

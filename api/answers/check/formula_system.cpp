@@ -153,9 +153,11 @@ FormulaSystem::FormulaSystem(std::shared_ptr<const Dynamics> of)
   }
 }
 
-std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item, const Json& request,
-                                                   const ExpectationScope& scope, const Place& place,
-                                                   const Place& names, Errors& errors) {
+std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item, const std::string& kind,
+                                                   const ExpectationScope& scope, const Place& item_place,
+                                                   Errors& errors) {
+  const Json& request = item.expect[kind];
+  const Place expect = item_place.below("expect"), place = expect.below(kind);
   if (!request.is_object() || !request.contains("system")) {
     report(errors, place.error("missing", "'system' is missing: the name of a system, or a scene."));
     return nullptr;
@@ -167,7 +169,7 @@ std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item, const 
   auto formula = std::make_shared<FormulaSystem>(dynamics);
   if (request.contains("parameters"))
     ParameterReader(*formula, errors).read(request["parameters"], place.below("parameters"));
-  read_names(item.names, formula->vocabulary, names, errors);
+  read_names(item.names, formula->vocabulary, item_place.below("names"), errors);
   return errors.size() == mistakes ? formula : nullptr;
 }
 

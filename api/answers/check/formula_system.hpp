@@ -25,11 +25,12 @@ struct FormulaSystem {
   [[nodiscard]] const Scene& scene() const { return system.scene(); }
 };
 
-/// Reads {"system": ..., "parameters": {...}} and the item's names. None after errors were reported.
-[[nodiscard]] std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item, const Json& request,
+/// Reads "expect": {kind: {"system": ..., "parameters": {...}}} and the names of the item, which stands at
+/// that place. None after errors were reported.
+[[nodiscard]] std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item,
+                                                                 const std::string& kind,
                                                                  const ExpectationScope& scope,
-                                                                 const Place& place, const Place& names,
-                                                                 Errors& errors);
+                                                                 const Place& place, Errors& errors);
 
 /// {"text": ..., "latex": ...}: a formula or an equation as it was read.
 [[nodiscard]] Json written(const FormulaSystem& system, const ReadEquation& equation);
