@@ -16,13 +16,16 @@ an expression of parameters. What comes back is the answer of the service as it 
 lists, so `pandas.DataFrame(swing["trajectory"])` is a table. What is wrong with a request is raised as a Problem that
 says where, why and what to write instead.
 
-Without a server: Qdot(command="build/release/qdot") asks the command line, with the same answers.
+Without a server: Qdot(command="build/release/qdot") asks the command line, with the same answers. Key grades with it, in
+the cells of a notebook or in any other test.
 """
 
 from __future__ import annotations
 
 import difflib
 import json
+import math
+import os
 import subprocess
 import urllib.error
 import urllib.parse
@@ -34,7 +37,7 @@ Values = Mapping[str, Value]
 System = Union[str, Mapping[str, Any]]
 Answer = Dict[str, Any]
 
-__all__ = ["Qdot", "Problem", "Unreachable"]
+__all__ = ["Qdot", "Key", "Problem", "Unreachable"]
 
 
 class Problem(Exception):
@@ -259,3 +262,67 @@ class Qdot:
         except ValueError:
             return {"status": status, "title": "no problem document", "detail": text.decode("utf-8", "replace")[:500]}
         return document if isinstance(document, dict) else {"status": status, "detail": str(document)}
+
+
+class Key:
+    """A key file, a check without what was submitted. It asks the program beside this file, as a bundle has it; or `qdot`.
+
+    >>> import tempfile
+    >>> with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+    ...     _ = file.write('''{"items": [
+    ...       {"id": "q1", "expect": {"turning_points": {"system": "free_spin_pendulum"}, "at": "/theta_max"}}]}''')
+    ...     file.flush()
+    ...     key = Key(file.name, Qdot())
+    >>> key.grade("q1", "55.1deg")["correct"]
+    True
+    >>> key.assert_right("q1", "-55.1deg")
+    Traceback (most recent call last):
+    AssertionError: q1 is not right. The sign is wrong.
+    """
+
+    def __init__(self, file: Union[str, "os.PathLike[str]"], qdot: Optional[Qdot] = None):
+        with open(file, encoding="utf-8") as text:
+            self._key: Dict[str, Any] = json.load(text)
+        beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), "qdot")
+        self._qdot = qdot or Qdot(command=beside if os.access(beside, os.X_OK) else "qdot")
+
+    @property
+    def items(self) -> List[str]:
+        return [item["id"] for item in self._key["items"]]
+
+    def points(self, item: str) -> float:
+        """What a right answer to an item earns."""
+        return self._item(item).get("points", 1)
+
+    def grade(self, item: str, submitted: Any) -> Answer:
+        """What check says of one answer: `correct` is True, False or None, where it has no verdict."""
+        request = {**self._key, "items": [{**self._item(item), "submitted": self._plain(submitted)}], "format": "json"}
+        return self._qdot.ask("check", request)["items"][0]
+
+    def assert_right(self, item: str, submitted: Any) -> None:
+        """Raises an AssertionError that says what is said of the answer where it is not right."""
+        graded = self.grade(item, submitted)
+        if graded["correct"] is True:
+            return
+        said = graded["format_errors"] + graded["feedback"]
+        if graded["diagnosis"]:
+            said.append(graded["diagnosis"]["text"])
+        verdict = "is not right." if graded["correct"] is False else "cannot be graded."
+        raise AssertionError(" ".join([item, verdict, *said]))
+
+    def _item(self, name: str) -> Dict[str, Any]:
+        for item in self._key["items"]:
+            if item["id"] == name:
+                return item
+        raise KeyError(f"the key has no item {name}, only {', '.join(self.items)}")
+
+    def _plain(self, value: Any) -> Any:
+        """As JSON has it: numbers and lists of them also where they are another library's, everything else as text."""
+        if hasattr(value, "tolist"):
+            value = value.tolist()
+        if isinstance(value, (list, tuple)):
+            return [self._plain(entry) for entry in value]
+        if isinstance(value, Mapping):
+            return {str(name): self._plain(entry) for name, entry in value.items()}
+        is_number = isinstance(value, int) or isinstance(value, float) and math.isfinite(value)
+        return value if is_number else str(value)

@@ -96,7 +96,10 @@ Json for_coderunner(const Json& grades) {
     rows.push_back(Json::array({item["correct"] == Json(true) ? 1 : 0, as_html(item["id"].get<std::string>()),
                                 as_html(output_of(item)), item["score"]}));
   }
-  return {{"fraction", grades["score"]}, {"testresults", std::move(rows)}};
+  // One for each column that is shown: %s is text, %h is HTML.
+  return {{"fraction", grades["score"]},
+          {"testresults", std::move(rows)},
+          {"columnformats", Json::array({"%h", "%h", "%s"})}};
 }
 
 }  // namespace
