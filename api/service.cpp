@@ -199,7 +199,7 @@ struct Service::Impl {
         if (endpoint.roads == Roads::body && method == std::string_view("GET")) continue;
         routes.add({method, address_of(endpoint), handler, endpoint.offers, endpoint.cost});
         for (const std::string& type : endpoint.offers) {
-          const std::string suffix = suffix_of(type);
+          const std::string suffix = suffix_of(endpoint, type);
           if (!suffix.empty())
             routes.add({method, address_of(endpoint) + suffix, handler, {type}, endpoint.cost});
         }

@@ -192,7 +192,8 @@ std::string printed(const api::Response& response, ExitCode code, const Argument
 std::vector<Command> commands() {
   std::vector<Command> all;
   for (const api::Endpoint& endpoint : api::endpoints())
-    all.push_back({endpoint.name, endpoint.help, Words::request, &endpoint});
+    if (endpoint.body_type == "application/json")
+      all.push_back({endpoint.name, endpoint.help, Words::request, &endpoint});
   all.push_back({"systems", "The systems there are, or one of them", Words::name});
   all.push_back({"problems", "The practice sheet, or one of its problems with answers", Words::name});
   all.push_back({"openapi", "The description of the service in OpenAPI 3.1", Words::none});

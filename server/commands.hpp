@@ -36,8 +36,8 @@ struct Command {
   const api::Endpoint* endpoint{nullptr};  ///< nullptr: the command computes nothing
 };
 
-/// Every endpoint (api/answers/endpoints.hpp), then the commands that compute nothing. A command asks for the
-/// path /v1/{name}; if it takes no words, for /{name}.json.
+/// Every endpoint (api/answers/endpoints.hpp) that takes one request, then the commands that compute nothing.
+/// A command asks for the path /v1/{name}; if it takes no words, for /{name}.json.
 [[nodiscard]] std::vector<Command> commands();
 
 /// Whether the answer of a command has several forms, which `--format` chooses from.

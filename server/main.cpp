@@ -12,6 +12,7 @@
 
 #include "api/contract/version.hpp"
 #include "api/service.hpp"
+#include "server/batch.hpp"
 #include "server/commands.hpp"
 #include "server/listener.hpp"
 #include "server/manual.hpp"
@@ -103,6 +104,18 @@ void add_commands(CLI::App& app, Arguments& arguments, Action& action) {
   }
 }
 
+void add_batch(CLI::App& app, BatchOptions& options, Action& action) {
+  auto& command = *app.add_subcommand("batch", "Answer many requests, a line of JSON each");
+  command.add_option("file", options.file, "File with the lines; without it or as -, stdin");
+  command.add_option("--jobs", options.jobs, "Lines that are answered at a time (default: cores)")
+      ->check(CLI::Range(1, max_threads));
+  command.add_option("--output", options.output, "File for the answers instead of stdout");
+  command.add_flag("--resume", options.resume, "Go on behind the answers that the output has already");
+  add_scenes(command, options.scenes);
+  command.footer([] { return help_on_lines(); });
+  command.callback([&] { action = [&] { return run_batch(options); }; });
+}
+
 ExitCode code_of(bool reached, const ProbeOptions& options) {
   if (reached) return ExitCode::ok;
   const std::string where = options.unix_socket.empty()
@@ -151,11 +164,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   ServeOptions serve_options;
   Arguments arguments;
+  BatchOptions batch_options;
   ProbeOptions probe_options;
   double patience = 30;
   Action action;
   add_serve(app, serve_options, action);
   add_commands(app, arguments, action);
+  add_batch(app, batch_options, action);
   add_probes(app, probe_options, patience, action);
   add_documents(app, action);
   try {

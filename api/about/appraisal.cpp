@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "api/answers/endpoints.hpp"
 #include "api/contract/json_reader.hpp"
 #include "api/contract/submission.hpp"
 #include "api/contract/written_value.hpp"
@@ -110,33 +111,109 @@ bool follows_motion(const Cost& cost, const Json& fields) {
   return false;
 }
 
-/// The fields of a request; nothing when there are none to tell a cost by.
+/// The fields of a body; nothing when there are none to tell a cost by.
+std::optional<Json> fields_of_body(std::string_view body) {
+  auto read = submission_of_body(body);
+  auto* submission = std::get_if<Submission>(&read);
+  return submission == nullptr ? std::nullopt : std::optional(std::move(submission->fields));
+}
+
 std::optional<Json> fields_of(const Request& request) {
-  if (request.method == "POST") {
-    auto read = submission_of_body(request.body);
-    auto* submission = std::get_if<Submission>(&read);
-    return submission == nullptr ? std::nullopt : std::optional(std::move(submission->fields));
-  }
+  if (request.method == "POST") return fields_of_body(request.body);
   const auto target = parse_target(request.target);
   return target ? std::optional(submission_of_query(target->query).fields) : std::nullopt;
+}
+
+Appraisal of_fields(const Cost& cost, const Json& fields) {
+  Appraisal result{.milliseconds = cost.milliseconds};
+  if (!fields.is_object()) return result;
+  result.milliseconds += derivation(fields);
+  if (!cost.each.empty()) {
+    const std::size_t count = entries(fields, std::string(cost.each).c_str());
+    result.milliseconds *= static_cast<double>(std::max<std::size_t>(count, 1));
+  }
+  return follows_motion(cost, fields) ? of_motion(fields, result) : result;
+}
+
+/// Of the request {"modes": {...}}, which asks another endpoint.
+Appraisal of_asked(const Json& asked) {
+  Appraisal sum{.milliseconds = 0};
+  for (const auto& [name, fields] : asked.items()) {
+    const Endpoint* endpoint = endpoint_at("/v1/" + name);
+    if (endpoint == nullptr) continue;
+    const Appraisal one = of_fields(endpoint->cost, fields);
+    sum.milliseconds += one.milliseconds;
+    sum.bytes += one.bytes;
+  }
+  return sum;
+}
+
+/// A long batch is appraised by its first lines.
+Appraisal of_lines(const Cost& cost, std::string_view body) {
+  if (body.empty()) return {};
+  const auto lines = static_cast<double>(std::ranges::count(body, '\n') + (body.ends_with('\n') ? 0 : 1));
+  Appraisal sum{.milliseconds = 0};
+  double read = 0;
+  std::size_t left = largest_read;
+  while (!body.empty()) {
+    const std::string_view line = body.substr(0, body.find('\n'));
+    if (line.size() > left) break;
+    left -= line.size();
+    const auto fields = fields_of_body(line);
+    const Appraisal one = of_asked(fields && fields->is_object() ? *fields : Json::object());
+    sum.milliseconds += cost.milliseconds + one.milliseconds;
+    sum.bytes += one.bytes;
+    ++read;
+    body.remove_prefix(std::min(line.size() + 1, body.size()));
+  }
+  if (read == 0) return {.milliseconds = unread, .bytes = body.size() * bytes_per_number};
+  return {.milliseconds = sum.milliseconds * lines / read,
+          .bytes = static_cast<std::size_t>(static_cast<double>(sum.bytes) * lines / read)};
+}
+
+/// How many values a variable of a sweep has; `fields` are the variable's own or those of a query.
+double count_of(const Json& fields) {
+  if (const std::size_t listed = entries(fields, "values"); listed > 0) return static_cast<double>(listed);
+  return number(fields, "count", "1").value_or(1);
+}
+
+/// The product of what the variables have, or the size of a sample.
+double rows_of_sweep(const Json& fields) {
+  const auto vary = fields.find("vary");
+  double rows = count_of(fields);
+  if (vary != fields.end() && vary->is_object())
+    for (const auto& [name, variable] : vary->items()) rows *= variable.is_object() ? count_of(variable) : 1;
+  return rows >= 1 ? rows : 1;
+}
+
+/// Of a sweep: what one row costs, times the rows.
+Appraisal of_rows(const Json& fields) {
+  if (!fields.is_object()) return {};
+  const auto ask = fields.find("ask");
+  if (ask == fields.end()) return {};
+  const Json asked = ask->is_string() ? Json{{ask->get<std::string>(), fields}} : *ask;
+  if (!asked.is_object()) return {};
+  const Appraisal one = of_asked(asked);
+  const double rows = std::min(rows_of_sweep(fields), static_cast<double>(limits::sweep_rows));
+  return {.milliseconds = one.milliseconds * rows, .bytes = one.bytes};
+}
+
+Appraisal of_request(const Cost& cost, const Request& request) {
+  if (cost.made_of == Cost::MadeOf::lines) return of_lines(cost, request.body);
+  if (request.body.size() > largest_read)
+    return {.milliseconds = cost.milliseconds + unread, .bytes = request.body.size() * bytes_per_number};
+  const auto fields = fields_of(request);
+  if (!fields) return {.milliseconds = cost.milliseconds};
+  return cost.made_of == Cost::MadeOf::rows ? of_rows(*fields) : of_fields(cost, *fields);
 }
 
 }  // namespace
 
 Appraisal appraise(const Route& route, const Request& request) {
-  Appraisal result{.route = route.pattern, .milliseconds = route.cost.milliseconds};
-  if (request.body.size() > limits::large_body_bytes) return result;  // refused by its size
-  if (request.body.size() > largest_read) {
-    result.milliseconds += unread;
-    result.bytes = request.body.size() * bytes_per_number;
-  } else if (const auto fields = fields_of(request); fields && fields->is_object()) {
-    result.milliseconds += derivation(*fields);
-    if (!route.cost.each.empty()) {
-      const std::size_t count = entries(*fields, std::string(route.cost.each).c_str());
-      result.milliseconds *= static_cast<double>(std::max<std::size_t>(count, 1));
-    }
-    if (follows_motion(route.cost, *fields)) result = of_motion(*fields, result);
-  }
+  Appraisal result{.milliseconds = route.cost.milliseconds};
+  if (request.body.size() <= limits::large_body_bytes)  // else it is refused by its size
+    result = of_request(route.cost, request);
+  result.route = route.pattern;
   result.weight = result.milliseconds > light ? Weight::heavy : Weight::light;
   return result;
 }

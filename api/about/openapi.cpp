@@ -142,13 +142,22 @@ class Operation {
   }
 
   [[nodiscard]] Json body() const {
+    const auto schema = about_["answer"].get<std::string>() + "Request";
+    if (endpoint_->body_type != "application/json") {
+      return {{"required", true}, {"content", {{endpoint_->body_type, {{"schema", lines_of(schema)}}}}}};
+    }
     const Json examples =
         request_examples(address_of(*endpoint_), about_.value("examples", Json::array()), catalogue_);
     return {{"required", true},
-            {"content",
-             {{"application/json",
-               {{"schema", reference(about_["answer"].get<std::string>() + "Request")},
-                {"examples", examples}}}}}};
+            {"content", {{"application/json", {{"schema", reference(schema)}, {"examples", examples}}}}}};
+  }
+
+  /// Lines of JSON.
+  [[nodiscard]] static Json lines_of(const std::string& schema) {
+    return {{"type", "string"},
+            {"description", "Lines, each a " + schema + " in JSON."},
+            {"contentMediaType", "application/x-ndjson"},
+            {"contentSchema", reference(schema)}};
   }
 
   [[nodiscard]] Json responses() const {
@@ -156,10 +165,12 @@ class Operation {
     for (const std::string& type : route_.offers) {
       // A client that is generated has one type for each address: the other forms have addresses of their
       // own.
-      if (suffix_.empty() && !suffix_of(type).empty()) continue;
+      if (suffix_.empty() && endpoint_ != nullptr && !suffix_of(*endpoint_, type).empty()) continue;
       const bool is_json = type == "application/json" || type.ends_with("+json");
-      content[type] = {
-          {"schema", is_json ? reference(about_["answer"].get<std::string>()) : Json{{"type", "string"}}}};
+      const auto answer = about_.value("answer", "");  // a page has none
+      const bool has_lines = endpoint_ != nullptr && type == endpoint_->body_type;
+      const Json text = has_lines ? lines_of(answer) : Json{{"type", "string"}};
+      content[type] = {{"schema", is_json ? reference(answer) : text}};
     }
     Json responses{{"200", {{"description", about_["summary"]}, {"content", std::move(content)}}}};
     if (route_.method == "GET") {

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "api/answers/answers.hpp"
@@ -28,18 +29,27 @@ namespace qdot::api {
 struct Question {
   const FieldSet* fields{};
   std::function<Handler(const FindSystem& find_system, Models& models)> handler{};
+  /// The request as the answer echoes it, or what is wrong with it, without an answer.
+  std::function<std::variant<Json, Problem>(const Submission&, const FindSystem&)> read{};
 };
 
 /// Makes both from one table. What core throws while `answer` runs becomes a problem (guarded).
 template <class Request>
 Question question(const RequestTable<Request>& table,
                   Response (*answer)(const Resolved<Request>& resolved, Call& call, Models& models)) {
-  return {&table.set(), [&table, answer](const FindSystem& find_system, Models& models) {
-            return answering<Request>(table, find_system,
-                                      [answer, &models](const Resolved<Request>& resolved, Call& call) {
-                                        return guarded(call, [&] { return answer(resolved, call, models); });
-                                      });
-          }};
+  const auto handler = [&table, answer](const FindSystem& find_system, Models& models) {
+    return answering<Request>(table, find_system,
+                              [answer, &models](const Resolved<Request>& resolved, Call& call) {
+                                return guarded(call, [&] { return answer(resolved, call, models); });
+                              });
+  };
+  const auto read = [&table](const Submission& submission,
+                             const FindSystem& find_system) -> std::variant<Json, Problem> {
+    auto read = table.read(submission, find_system);
+    if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
+    return std::get<Resolved<Request>>(std::move(read)).echo;
+  };
+  return {&table.set(), handler, read};
 }
 
 /// The members of a request beside `system`, for a scene whose parameters have these values; no value where
@@ -57,12 +67,13 @@ struct Endpoint {
   Roads roads{Roads::body_and_query};
   Example example{[](const Scene&, const Json&) { return std::optional(Json::object()); }};
   std::vector<std::string> offers{"application/json"};  ///< media types, the default first
+  std::string_view body_type{"application/json"};       ///< of a POST
   std::vector<std::string_view> other_names{};          ///< what people type for it, for "did you mean"
 };
 
 /// Where an answer comes in one form alone: ".csv" for text/csv, ".ndjson" for application/x-ndjson. Empty
-/// for JSON, which the endpoint's own address gives.
-[[nodiscard]] std::string suffix_of(std::string_view media_type);
+/// for the default, which the endpoint's own address gives.
+[[nodiscard]] std::string suffix_of(const Endpoint& endpoint, std::string_view media_type);
 
 /// Is `word` a name of the endpoint, or one that people type for it?
 [[nodiscard]] bool is_called(const Endpoint& endpoint, std::string_view word);

@@ -3,16 +3,31 @@
 #include <algorithm>
 #include <vector>
 
+#include "api/answers/batch/request.hpp"
 #include "api/answers/check/request.hpp"
 #include "api/answers/embedded.hpp"
 #include "api/answers/questions.hpp"
 
 namespace qdot::api {
 
-std::span<const Endpoint> endpoints() {
+namespace {
+
+/// What a line of a batch may ask.
+std::span<const Endpoint> endpoints_of_lines() {
   static const std::vector<Endpoint> all = [] {
     std::vector<Endpoint> result(questions().begin(), questions().end());
     result.push_back(check_endpoint());
+    return result;
+  }();
+  return all;
+}
+
+}  // namespace
+
+std::span<const Endpoint> endpoints() {
+  static const std::vector<Endpoint> all = [] {
+    std::vector<Endpoint> result(endpoints_of_lines().begin(), endpoints_of_lines().end());
+    result.push_back(batch_endpoint(endpoints_of_lines()));
     return result;
   }();
   return all;
@@ -24,8 +39,8 @@ namespace {
 
 bool is_address_of(const Endpoint& endpoint, std::string_view address) {
   const std::string own = address_of(endpoint);
-  return std::ranges::any_of(endpoint.offers,
-                             [&](const std::string& type) { return own + suffix_of(type) == address; });
+  return std::ranges::any_of(
+      endpoint.offers, [&](const std::string& type) { return own + suffix_of(endpoint, type) == address; });
 }
 
 }  // namespace
@@ -40,7 +55,8 @@ bool asks_about_a_system(const Endpoint& endpoint) {
   return endpoint.question.fields->find("system") != nullptr;
 }
 
-std::string suffix_of(std::string_view media_type) {
+std::string suffix_of(const Endpoint& endpoint, std::string_view media_type) {
+  if (media_type == endpoint.offers.front()) return "";
   if (media_type == "text/csv") return ".csv";
   return media_type == "application/x-ndjson" ? ".ndjson" : "";
 }

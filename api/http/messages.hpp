@@ -11,12 +11,21 @@
 
 namespace qdot::api {
 
+/// Calls a task with each of 0 to count - 1, in several threads if there are several, and returns when all
+/// are done. The task must not throw.
+using Spread = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+
+/// A service bounds what a request may cost; on someone's own machine it costs what it costs.
+enum class Work { bounded, unbounded };
+
 struct Request {
   std::string method{};                          ///< "GET", "POST", ...
   std::string target{};                          ///< path and query as sent, "/v1/energy?system=..."
   std::map<std::string, std::string> headers{};  ///< names in lower case
   std::string body{};
   std::function<bool()> interrupted{};  ///< optional: true when nobody waits for the answer any more
+  Spread spread{};                      ///< optional: threads for a request that is made of many
+  Work work{Work::bounded};
 };
 
 /// The answer to HEAD is that to GET, body included: the transport sends its length and leaves it out.

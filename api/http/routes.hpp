@@ -29,6 +29,8 @@ class Timing {
   std::vector<std::pair<std::string, double>> laps_;
 };
 
+struct Submission;
+
 /// One request on its way to its handler.
 struct Call {
   const Request& request;
@@ -38,6 +40,7 @@ struct Call {
   std::string accepted{};               ///< the media type that the client prefers of those that are offered
   std::vector<std::string> notes{};     ///< sentences about how the request was understood
   Timing timing{};
+  const Submission* submission{};  ///< the fields of the request where they were read before; else nullptr
 };
 
 using Handler = std::function<Response(Call&)>;
@@ -48,6 +51,8 @@ struct Cost {
   double milliseconds{0.3};                                              ///< of one core
   enum class Motion { none, always, up_to_t_end } motion{Motion::none};  ///< up_to_t_end: where that is given
   std::string_view each{};  ///< the list whose every entry costs as much; empty: none
+  /// Whether it costs what the requests cost that it is made of.
+  enum class MadeOf { itself, lines, rows } made_of{MadeOf::itself};
 };
 
 struct Route {

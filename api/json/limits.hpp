@@ -23,6 +23,14 @@ inline constexpr std::size_t listed_errors = 50;
 inline constexpr std::size_t check_items = 200;
 inline constexpr std::uint64_t check_algebra = 300'000;  ///< of one submission
 
+// Many requests in one.
+inline constexpr std::size_t id_bytes = 200;
+inline constexpr std::size_t batch_lines = 1'000;
+inline constexpr std::size_t batch_answer_bytes = 16 * 1024 * 1024;
+inline constexpr std::int64_t sweep_rows = 10'000;
+inline constexpr std::size_t sweep_variables = 8;
+inline constexpr std::size_t sweep_columns = 50;
+
 // Equations derived, and searches in them: products of terms, operations on intervals.
 inline constexpr std::uint64_t algebra = 10'000'000;
 

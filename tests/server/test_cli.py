@@ -1,6 +1,7 @@
 """The command line: the same bytes as over HTTP, and exit codes that scripts can rely on."""
 
 import json
+import re
 import socket
 import tempfile
 import unittest
@@ -72,7 +73,11 @@ class ExitCodes(unittest.TestCase):
         methods = document["paths"][path]
         if "get" in methods:
             return methods["get"]["parameters"]
-        schema = methods["post"]["requestBody"]["content"]["application/json"]["schema"]["$ref"].rsplit("/", 1)[1]
+        content = methods["post"]["requestBody"]["content"]
+        if "application/json" in content:
+            schema = content["application/json"]["schema"]["$ref"].rsplit("/", 1)[1]
+        else:  # each line is one of the body's
+            schema = re.search(r"each an? (\w+) in JSON", content["application/x-ndjson"]["schema"]["description"]).group(1)
         properties = document["components"]["schemas"][schema]["properties"]
         return [{"name": name, "description": field["description"]} for name, field in properties.items()]
 

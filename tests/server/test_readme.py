@@ -110,12 +110,6 @@ class Readme(unittest.TestCase):
         with RunningQdot("--deadline", "60", "--scenes", os.path.join(self.directory.name, "scenes")) as server:
             self.assertEqual(server.request("GET", "/v1/simulate?system=bead_on_hoop&t_end=1").status, 200)
 
-    def test_what_is_not_there_yet_is_not_there(self):
-        addresses = [f"/v1/{name}?system=cart_pendulum" for name in ("batch",)]
-        for address in addresses:
-            with self.subTest(address=address):
-                self.assertEqual(self.server.request("GET", address).status, 404)
-
     def get_json(self, target):
         response = self.server.request("GET", target)
         self.assertEqual(response.status, 200)

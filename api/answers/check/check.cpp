@@ -1,6 +1,7 @@
 #include <array>
 
 #include "api/answers/check/expectation.hpp"
+#include "api/answers/questions.hpp"
 #include "api/contract/version.hpp"
 #include "api/json/limits.hpp"
 #include "core/base/work.hpp"
@@ -109,7 +110,7 @@ Response answer_check(const CheckRequest& request, Call& call, const Expectation
 }
 
 Handler check_handler(const FindSystem& find_system, Models& models) {
-  return [asking = Asking(find_system, models), find_system, &models](Call& call) {
+  return [asking = Asking(questions(), find_system, models), find_system, &models](Call& call) {
     const auto submission =
         submission_of(call, {.bytes = limits::large_body_bytes, .nodes = limits::large_json_nodes});
     if (const auto* problem = std::get_if<Problem>(&submission))

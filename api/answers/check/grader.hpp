@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "api/answers/check/asking.hpp"
+#include "api/answers/asking.hpp"
 #include "api/answers/check/request.hpp"
 #include "api/answers/check/verdict.hpp"
 

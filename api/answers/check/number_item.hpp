@@ -1,7 +1,7 @@
 #pragma once
 // Items that expect what another endpoint answers: numbers, or facts.
 
-#include "api/answers/check/asking.hpp"
+#include "api/answers/asking.hpp"
 #include "api/answers/check/pointed_values.hpp"
 #include "api/answers/check/request.hpp"
 #include "api/answers/check/verdict.hpp"

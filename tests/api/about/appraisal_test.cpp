@@ -64,6 +64,19 @@ TEST(Appraisal, ASystemThatTheRequestBringsHasToBeDerived) {
   EXPECT_EQ(chain(8).weight, Weight::heavy);
 }
 
+TEST(Appraisal, ABatchCostsWhatItsLinesCost) {
+  const std::string line = R"({"id": 1, "simulate": )" + motion(R"("t_end": 50)") + "}\n";
+  const double one = of("/v1/batch", line).milliseconds;
+  std::string lines;
+  for (int i = 0; i < 200; ++i) lines += line;  // more than is read
+  EXPECT_GT(one, of("/v1/simulate", motion(R"("t_end": 50)")).milliseconds);
+  EXPECT_NEAR(of("/v1/batch", lines).milliseconds / one, 200, 1);
+  EXPECT_EQ(of("/v1/batch", lines).weight, Weight::heavy);
+  EXPECT_EQ(of("/v1/batch", R"({"id": 1, "energy": {"system": "cart_pendulum"}})").weight, Weight::light);
+  for (const char* wrong : {"", "\n\n", "[", "{}\n[]", R"({"energy": 3})"})
+    EXPECT_EQ(of("/v1/batch", wrong).weight, Weight::light) << wrong;
+}
+
 TEST(Appraisal, WhatCannotBeReadIsCheapUnlessItIsLarge) {
   for (const char* body :
        {"", "{", "[]", "null", R"({"t_end": "soon", "samples": {}, "times": 3, "system": []})",

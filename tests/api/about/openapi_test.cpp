@@ -118,6 +118,7 @@ TEST(Openapi, ExamplesAreAnswered) {
   std::size_t count = 0;
   for (const auto& [path, methods] : document()["paths"].items()) {
     if (!methods.contains("post")) continue;
+    if (!methods["post"]["requestBody"]["content"].contains("application/json")) continue;  // lines
     EXPECT_FALSE(body_of(path)["examples"].empty()) << path;
     for (const Json& example : body_of(path)["examples"]) {
       ++count;

@@ -21,7 +21,7 @@ TEST(Endpoints, EachRecordIsWholeAndHasANameOfItsOwn) {
     EXPECT_FALSE(endpoint.help.empty() || endpoint.help.ends_with('.')) << endpoint.name;
     const bool is_first = endpoint.question.fields->fields[0].name == "system";
     EXPECT_EQ(is_first, asks_about_a_system(endpoint)) << endpoint.name;
-    EXPECT_EQ(endpoint.offers[0], "application/json") << endpoint.name;
+    EXPECT_EQ(endpoint.offers[0], endpoint.body_type) << endpoint.name;
     EXPECT_GT(endpoint.cost.milliseconds, 0) << endpoint.name;
     const Json about = description_of(endpoint);
     for (const char* member : {"tag", "operation", "summary", "description", "answer", "schema"}) {

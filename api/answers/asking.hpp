@@ -1,8 +1,11 @@
 #pragma once
-// Asking the other questions from inside: an item of a check holds a whole request of one of them.
+// Asking endpoints from inside: an item of a check holds a whole request of one of them, a line of a batch,
+// too.
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "api/answers/endpoint.hpp"
@@ -12,10 +15,14 @@ namespace qdot::api {
 
 class Asking {
  public:
-  Asking(const FindSystem& find_system, Models& models);
+  Asking(std::span<const Endpoint> endpoints, const FindSystem& find_system, Models& models);
 
   [[nodiscard]] bool knows(const std::string& question) const { return handlers_.contains(question); }
   [[nodiscard]] std::vector<std::string> names() const;
+
+  /// The response to a POST of `body` to the endpoint `question`, the same as over HTTP.
+  [[nodiscard]] Response respond(const std::string& question, std::string body,
+                                 const std::function<bool()>& interrupted = {}) const;
 
   /// The answer to a request of `question`. What is wrong with it is reported with its place below `place`.
   [[nodiscard]] std::optional<Json> ask(const std::string& question, const Json& request, const Place& place,

@@ -1,6 +1,5 @@
-#include "api/answers/check/asking.hpp"
+#include "api/answers/asking.hpp"
 
-#include "api/answers/questions.hpp"
 #include "api/json/pointer.hpp"
 #include "api/json/writer.hpp"
 
@@ -27,8 +26,8 @@ void report_below(const Json& problem, const Place& place, Errors& errors) {
 
 }  // namespace
 
-Asking::Asking(const FindSystem& find_system, Models& models) {
-  for (const Endpoint& endpoint : questions()) {
+Asking::Asking(std::span<const Endpoint> endpoints, const FindSystem& find_system, Models& models) {
+  for (const Endpoint& endpoint : endpoints) {
     handlers_[std::string(endpoint.name)] = endpoint.question.handler(find_system, models);
   }
 }
@@ -39,15 +38,21 @@ std::vector<std::string> Asking::names() const {
   return names;
 }
 
-std::optional<Json> Asking::ask(const std::string& question, const Json& request, const Place& place,
-                                Errors& errors) const {
+Response Asking::respond(const std::string& question, std::string body,
+                         const std::function<bool()>& interrupted) const {
   const Request inner{.method = "POST",
                       .target = "/v1/" + question,
                       .headers = {{"content-type", "application/json"}},
-                      .body = to_text(request)};
+                      .body = std::move(body),
+                      .interrupted = interrupted};
   Call call{.request = inner, .target = {.path = inner.target, .query = {}}};
   call.accepted = "application/json";
-  const Response response = handlers_.at(question)(call);
+  return handlers_.at(question)(call);
+}
+
+std::optional<Json> Asking::ask(const std::string& question, const Json& request, const Place& place,
+                                Errors& errors) const {
+  const Response response = respond(question, to_text(request));
   Json answer = Json::parse(response.body, nullptr, false);
   if (response.status == 200 && answer.is_object()) return answer;
   if (answer.is_object()) {

@@ -1,0 +1,103 @@
+#include <algorithm>
+
+#include "api/answers/asking.hpp"
+#include "api/answers/batch/line.hpp"
+#include "api/answers/batch/request.hpp"
+#include "api/answers/many.hpp"
+#include "api/http/address.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr const char* lines_type = "application/x-ndjson";
+constexpr std::size_t at_a_time = 8;  ///< lines whose answers are there beside those that are counted
+
+/// As they were sent, without the newlines. The last one need not have any.
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+/// What is wrong with the whole: its type, its length.
+std::optional<Problem> problem_of_body(const Call& call, std::size_t lines) {
+  const auto header = call.request.headers.find("content-type");
+  const std::string type = header == call.request.headers.end() ? "" : header->second;
+  const std::string plain = lower_case(trimmed(std::string_view(type).substr(0, type.find(';'))));
+  const bool has_lines =
+      plain == lines_type || plain == "application/jsonl" || plain == "application/json-lines";
+  if (!has_lines && body_type(type, call.request.body) == BodyType::unsupported)
+    return Problem{.kind = ProblemKind::unsupported_media_type,
+                   .detail =
+                       "The lines of a batch are JSON in UTF-8, Content-Type: application/x-ndjson; this "
+                       "one says " +
+                       in_quotes(type) + "."};
+  if (lines > limits::batch_lines)
+    return Problem{.kind = ProblemKind::limit_exceeded,
+                   .detail = "The batch has " + std::to_string(lines) + " lines; at most " +
+                             std::to_string(limits::batch_lines) +
+                             " are answered at once. qdot batch has no "
+                             "such limit."};
+  return std::nullopt;
+}
+
+Problem too_long() {
+  return {.kind = ProblemKind::limit_exceeded,
+          .detail = "The answers before this line are longer than " +
+                    std::to_string(limits::batch_answer_bytes) +
+                    " bytes together; send this line and those after it as another batch."};
+}
+
+/// The answers in order. Once they are too many bytes together, the lines that follow are not asked any more.
+std::string answers_to(const std::vector<std::string_view>& lines, const FieldSet& fields, const Call& call,
+                       const Asking& asking) {
+  const AskEndpoint ask = [&](const std::string& endpoint, std::string body) {
+    return asking.respond(endpoint, std::move(body), call.request.interrupted);
+  };
+  const AskEndpoint refuse = [](const std::string&, const std::string&) {
+    return to_response(too_long(), "/v1/batch");
+  };
+  std::string text;
+  for (std::size_t begin = 0; begin < lines.size(); begin += at_a_time) {
+    const bool is_full = text.size() > limits::batch_answer_bytes;
+    std::vector<std::string> answers(std::min(at_a_time, lines.size() - begin));
+    for_each(call.request, answers.size(), [&](std::size_t i) {
+      answers[i] = answered_line(lines[begin + i], fields, is_full ? refuse : ask);
+    });
+    for (const std::string& answer : answers) text += answer;
+  }
+  return text;
+}
+
+}  // namespace
+
+Endpoint batch_endpoint(std::span<const Endpoint> asked) {
+  static const FieldSet fields = batch_line_fields(asked);
+  const auto handler = [asked](const FindSystem& find_system, Models& models) {
+    return [asking = Asking(asked, find_system, models)](Call& call) {
+      const std::vector<std::string_view> lines = lines_of(call.request.body);
+      if (const auto problem = problem_of_body(call, lines.size()))
+        return to_response(*problem, call.target.path, call.layout);
+      Response response{.content_type = lines_type, .body = answers_to(lines, fields, call, asking)};
+      call.timing.lap("solve");
+      return response;
+    };
+  };
+  return {.name = "batch",
+          .help = "Answer many requests, a line of JSON each",
+          .question = {&fields, handler},
+          .cost = {.milliseconds = 0.1, .made_of = Cost::MadeOf::lines},
+          .roads = Roads::body,
+          .example = [](const Scene&, const Json&) { return std::optional<Json>(); },
+          .offers = {lines_type},
+          .body_type = lines_type,
+          .other_names = {"bulk", "many", "multi", "batches"}};
+}
+
+}  // namespace qdot::api

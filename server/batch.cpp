@@ -1,0 +1,134 @@
+#include "server/batch.hpp"
+
+#include <fcntl.h>
+#include <malloc.h>
+#include <pthread.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "api/about/field_help.hpp"
+#include "api/answers/batch/line.hpp"
+#include "api/answers/endpoints.hpp"
+#include "api/service.hpp"
+#include "server/batch_output.hpp"
+#include "server/batch_progress.hpp"
+#include "server/descriptor.hpp"
+#include "server/line_reader.hpp"
+#include "server/ordered_work.hpp"
+#include "server/usage.hpp"
+
+namespace qdot::server {
+namespace {
+
+sigset_t stopping_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
+  return signals;
+}
+
+/// Waits for a signal in a thread of its own, because the others may be computing, or waiting for a pipe.
+void end_on_signal(BatchOutput& output, const BatchProgress& progress, bool can_be_resumed) {
+  const sigset_t signals = stopping_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([&output, &progress, signals, can_be_resumed] {
+    int signal = 0;
+    sigwait(&signals, &signal);
+    output.close();
+    std::cerr << "\nStopped after " << progress.state().lines << " lines"
+              << (can_be_resumed ? "; --resume goes on there." : ".") << std::endl;
+    _exit(128 + signal);
+  }).detach();
+}
+
+Descriptor opened(const std::string& file) {
+  if (file.empty() || file == "-") {
+    if (::isatty(STDIN_FILENO) != 0)
+      throw UsageError("name a file of requests, a line each, or give them on stdin");
+    return Descriptor(::dup(STDIN_FILENO));
+  }
+  Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor) throw UsageError("cannot read " + file);
+  return descriptor;
+}
+
+/// Of a file; a pipe does not tell.
+std::optional<std::uint64_t> size_of(int descriptor) {
+  struct stat status {};
+  const bool is_file = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  return is_file ? std::optional(static_cast<std::uint64_t>(status.st_size)) : std::nullopt;
+}
+
+const api::FieldSet& line_fields() { return *api::endpoint_at("/v1/batch")->question.fields; }
+
+std::string answer_to(const InputLine& line, const api::Service& service) {
+  if (line.is_overlong) return api::answer_to_overlong_line();
+  return api::answered_line(line.text, line_fields(), [&](const std::string& endpoint, std::string body) {
+    return service.handle({.method = "POST",
+                           .target = "/v1/" + endpoint,
+                           .headers = {{"content-type", "application/json"}},
+                           .body = std::move(body),
+                           .work = api::Work::unbounded});
+  });
+}
+
+/// Reads over the lines that are answered. The last of them must have the id of the last answer.
+void skip_answered(LineReader& reader, const BatchOutput& output, BatchProgress& progress) {
+  for (std::uint64_t i = 1; i <= output.lines(); ++i) {
+    const auto line = reader.next();
+    if (!line)
+      throw UsageError("the answers are not those to these lines: there are " +
+                       std::to_string(output.lines()) + " of them to " + std::to_string(i - 1) + " lines");
+    progress.skip(1, line->bytes);
+    if (i < output.lines()) continue;
+    const std::string id = line->is_overlong ? "null" : api::id_of_line(line->text, line_fields());
+    if (id != output.last_id())
+      throw UsageError("the answers are not those to these lines: line " + std::to_string(i) +
+                       " has another id than its answer");
+  }
+}
+
+int threads_of(const BatchOptions& options) {
+  if (options.jobs > 0) return options.jobs;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+ExitCode run_batch(const BatchOptions& options) {
+  if (options.resume && options.output.empty()) throw UsageError("--resume needs --output FILE");
+  ::mallopt(M_ARENA_MAX, 4);  // what one thread frees, others use
+  const Descriptor input = opened(options.file);
+  const auto start = options.resume ? BatchOutput::Start::where_it_ended : BatchOutput::Start::anew;
+  BatchOutput output(options.output, start);
+  BatchProgress progress(size_of(input.get()));
+  end_on_signal(output, progress, !options.output.empty());
+  LineReader reader(input.get(), api::longest_batch_line());
+  skip_answered(reader, output, progress);
+  const api::Service service({.scenes_directory = options.scenes});
+  OrderedWork work(
+      threads_of(options), [&](const InputLine& line) { return answer_to(line, service); },
+      [&](const OrderedWork::Piece& piece) {
+        output.write(piece.text);
+        progress.add(piece.lines, piece.input_bytes);
+      });
+  while (auto line = reader.next()) work.add(std::move(*line));
+  work.finish();
+  return ExitCode::ok;
+}
+
+std::string help_on_lines() {
+  return api::fields_as_text(line_fields()) + R"(
+
+Example: qdot batch
+with lines on standard input such as {"id": 1, "modes": {"system": "cart_pendulum"}})";
+}
+
+}  // namespace qdot::server

@@ -1,0 +1,107 @@
+#include "server/batch_output.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <vector>
+
+#include "server/usage.hpp"
+
+namespace qdot::server {
+namespace {
+
+constexpr std::string_view before_id = R"({"id":)";
+constexpr std::string_view after_id = R"(,"status":)";
+constexpr std::size_t longest_beginning = 4096;  ///< bytes in which the id of an answer stands
+
+[[noreturn]] void throw_errno(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+std::size_t read_at(int file, std::vector<char>& block, off_t at) {
+  const ssize_t count = ::pread(file, block.data(), block.size(), at);
+  if (count < 0) throw_errno("cannot read the answers that are there");
+  return static_cast<std::size_t>(count);
+}
+
+/// What is told of a file by the newlines in it.
+struct Lines {
+  std::uint64_t count{0};
+  off_t end{0};         ///< of the last whole line
+  off_t last_begin{0};  ///< of that line
+};
+
+Lines lines_in(int file) {
+  Lines lines;
+  std::vector<char> block(std::size_t{1} << 20);
+  off_t at = 0;
+  while (const std::size_t count = read_at(file, block, at)) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (block[i] != '\n') continue;
+      ++lines.count;
+      lines.last_begin = lines.end;
+      lines.end = at + static_cast<off_t>(i) + 1;
+    }
+    at += static_cast<off_t>(count);
+  }
+  return lines;
+}
+
+std::string id_at(int file, off_t begin) {
+  std::vector<char> block(longest_beginning);
+  const std::string_view text(block.data(), read_at(file, block, begin));
+  const std::size_t end = text.find(after_id);
+  const bool is_answer = text.starts_with(before_id) && end != std::string_view::npos;
+  return is_answer ? std::string(text.substr(before_id.size(), end - before_id.size())) : "";
+}
+
+}  // namespace
+
+BatchOutput::BatchOutput(const std::string& path, Start start) : descriptor_(STDOUT_FILENO) {
+  if (path.empty()) return;
+  file_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  descriptor_ = file_.get();
+  if (descriptor_ < 0) throw UsageError("cannot write " + path);
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) throw UsageError("another batch writes " + path);
+  struct stat status {};
+  const bool is_regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+  if (!is_regular && start == Start::where_it_ended)
+    throw UsageError(path + " is no file that a batch could be resumed with");
+  if (!is_regular) return;
+  if (start == Start::where_it_ended) {
+    find_the_end();
+  } else if (::ftruncate(descriptor_, 0) != 0) {
+    throw_errno("cannot empty the file of answers");
+  }
+}
+
+void BatchOutput::find_the_end() {
+  const Lines there = lines_in(descriptor_);
+  lines_ = there.count;
+  if (there.count > 0) last_id_ = id_at(descriptor_, there.last_begin);
+  if (::ftruncate(descriptor_, there.end) != 0 || ::lseek(descriptor_, there.end, SEEK_SET) < 0)
+    throw_errno("cannot go to the end of the answers");
+}
+
+void BatchOutput::write(std::string_view text) {
+  const std::lock_guard lock(writing_);
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor_, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw_errno("cannot write the answers");
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void BatchOutput::close() {
+  // It is never unlocked again.
+  static_cast<void>(writing_.try_lock_for(std::chrono::seconds(1)));
+}
+
+}  // namespace qdot::server

@@ -1,0 +1,273 @@
+"""qdot batch: lines in, lines out, in order, in constant memory, and once each whatever ends it."""
+
+import json
+import os
+import pty
+import random
+import select
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from running_qdot import ENVIRONMENT, QDOT, SANITIZED, qdot
+
+QUESTIONS = [("modes", {"system": "cart_pendulum"}), ("energy", {"system": "spring_pendulum"}),
+             ("turning_points", {"system": "free_spin_pendulum"}),
+             ("simulate", {"system": "rod_pendulum", "t_end": 1, "samples": 3}),
+             ("energy", {"system": "spring_pendulum", "parameters": {"k": -1}})]
+MOST_MEMORY = 100 << 20
+
+
+def line(number, question, request):
+    return json.dumps({"id": number, question: request}) + "\n"
+
+
+def lines(count, seed=1):
+    chosen = random.Random(seed)
+    return "".join(line(i, *chosen.choice(QUESTIONS)) for i in range(count))
+
+
+class Batch(unittest.TestCase):
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.addCleanup(self.directory.cleanup)
+
+    def path(self, name, text=None):
+        path = os.path.join(self.directory.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
+
+    @staticmethod
+    def read(path):
+        with open(path, "rb") as file:
+            return file.read()
+
+    def answered(self, text, *arguments):
+        """The answers to lines, as bytes and read."""
+        run = subprocess.run([QDOT, "batch", *arguments], input=text, capture_output=True, timeout=120, check=False,
+                             env=ENVIRONMENT)
+        self.assertEqual((run.returncode, run.stderr), (0, b""))
+        answers = run.stdout.split(b"\n")
+        self.assertEqual(answers.pop(), b"")
+        return answers
+
+
+class Lines(Batch):
+    def test_an_answer_has_the_bytes_of_the_single_request(self):
+        for number, (question, request) in enumerate(QUESTIONS):
+            with self.subTest(question=question):
+                answer, = self.answered(line(number, question, request).encode())
+                single = qdot(question, stdin=json.dumps(request))
+                status = 200 if single.returncode == 0 else 422
+                body = (single.stdout or single.stderr).removesuffix(b"\n")
+                self.assertEqual(answer, b'{"id":%d,"status":%d,"answer":%s}' % (number, status, body))
+
+    def test_digits_beyond_a_double_reach_the_question(self):
+        request = '{"system": "spring_pendulum", "parameters": {"k": 40.12345678901234567890123}, "t_end": 1, "precision": "extended"}'
+        answer, = self.answered(f'{{"simulate": {request}}}'.encode())
+        self.assertEqual(answer, b'{"id":null,"status":200,"answer":%s}' % qdot("simulate", stdin=request).stdout.strip())
+
+    def test_an_answer_that_is_not_json_is_a_text(self):
+        request = {"system": "spring_pendulum", "t_end": 1, "samples": 3, "format": "csv"}
+        answer, = self.answered(line("a", "simulate", request).encode())
+        self.assertEqual(json.loads(answer)["answer"].encode(), qdot("simulate", stdin=json.dumps(request)).stdout)
+
+    def test_order_is_kept_whatever_a_line_costs(self):
+        long = {"system": "spring_pendulum", "t_end": 300, "samples": 2}
+        text = "".join(line(i, "simulate", long) if i % 7 == 0 else line(i, *QUESTIONS[0]) for i in range(60))
+        answers = self.answered(text.encode(), "--jobs", "4")
+        self.assertEqual([json.loads(answer)["id"] for answer in answers], list(range(60)))
+        self.assertEqual(answers, self.answered(text.encode(), "--jobs", "1"))
+
+    def test_a_wrong_line_fails_alone(self):
+        good = line("good", *QUESTIONS[1]).encode()
+        wrong = {b'{"id": 1, "energy": {"system": "spring': 400, b"": 400, b"   ": 400, b"null": 422, b"[]": 422,
+                 b'{"id": 1}': 422, b'{"id": 1, "no_such": {}}': 422, b'{"id": 1, "energy": {}, "modes": {}}': 422,
+                 b'{"id": [1], "energy": {"system": "spring_pendulum"}}': 422, b"[" * 100000: 422,
+                 b'{"id": 1, "energy": ' + b'{"a":' * 50 + b"1" + b"}" * 51: 422, b"\0": 400, b'{"id": "\0"}': 400,
+                 b'{"id": "\xff", "energy": {}}': 400, b'{"id": 1, "id": 2, "energy": {}}': 422,
+                 b'{"id": "' + b"x" * 300 + b'", "energy": {}}': 422, b'{"id": 1, "batch": {}}': 422,
+                 b'{"id": 1, "energy": 3}': 422, b'{"id": 1e999, "energy": {}}': 400}
+        for text, status in wrong.items():
+            with self.subTest(text=text[:50]):
+                first, answer, last = self.answered(good + text + b"\n" + good)
+                self.assertEqual(first, last)
+                self.assertEqual(json.loads(first)["status"], 200)
+                answer = json.loads(answer)
+                self.assertEqual(answer["status"], status)
+                self.assertEqual(answer["answer"]["status"], status)
+                self.assertLess(len(json.dumps(answer)), 3000)
+
+    def test_the_last_line_needs_no_newline_and_windows_has_two_characters(self):
+        text = lines(5)
+        answers = self.answered(text.encode())
+        self.assertEqual(self.answered(text.rstrip("\n").encode()), answers)
+        self.assertEqual(self.answered(text.replace("\n", "\r\n").encode()), answers)
+        self.assertEqual(self.answered(b""), [])
+
+    def test_a_line_is_answered_before_the_next_one_comes(self):
+        with subprocess.Popen([QDOT, "batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=ENVIRONMENT) as process:
+            for number in range(3):
+                process.stdin.write(line(number, *QUESTIONS[0]).encode())
+                process.stdin.flush()
+                self.assertTrue(select.select([process.stdout], [], [], 20)[0], "no answer")
+                self.assertEqual(json.loads(process.stdout.readline())["id"], number)
+            process.stdin.close()
+            self.assertEqual(process.wait(20), 0)
+
+    def test_usage(self):
+        for arguments in (["/no/such/file"], ["--resume"], ["--jobs", "0"], ["--output", "/no/such/directory/file"],
+                          ["--resume", "--output", "/dev/null"], ["--jbos", "2"]):
+            run = qdot("batch", *arguments)
+            self.assertEqual((run.returncode, run.stdout), (2, b""), run.stderr)
+
+
+class Memory(Batch):
+    def peak(self, pieces):
+        """Most bytes in memory while these pieces of text are answered, and the number of answers."""
+        with tempfile.TemporaryFile() as output:
+            process = subprocess.Popen([QDOT, "batch"], stdin=subprocess.PIPE, stdout=output, env=ENVIRONMENT)
+            for piece in pieces:
+                process.stdin.write(piece)
+            process.stdin.close()
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(process.returncode, 0)
+            output.seek(0)
+            return usage.ru_maxrss * 1024, sum(1 for _ in output)
+
+    @unittest.skipIf(SANITIZED, "their memory is not ours")
+    def test_it_is_constant(self):
+        request = json.dumps({"system": "spring_pendulum"})
+        wide = f'{{"id": 1, "energy": {request}{" " * 60000}}}\n'.encode()  # what comes is long, and quickly answered
+        bytes_in, answers = self.peak(wide for _ in range(300_000_000 // len(wide)))
+        self.assertEqual(answers, 300_000_000 // len(wide))
+        self.assertLess(bytes_in, MOST_MEMORY)
+
+    @unittest.skipIf(SANITIZED, "their memory is not ours")
+    def test_a_line_of_a_hundred_megabytes_is_not_kept(self):
+        def pieces():
+            yield b'{"id": "'
+            for _ in range(1000):
+                yield b"x" * 100_000
+            yield b'"}\n' + lines(1).encode()
+
+        bytes_in, answers = self.peak(pieces())
+        self.assertEqual(answers, 2)
+        self.assertLess(bytes_in, MOST_MEMORY)
+
+    @unittest.skipIf(SANITIZED, "their memory is not ours")
+    def test_nor_are_answers_behind_one_that_takes_long(self):
+        slow = line(0, "simulate", {"system": "spring_pendulum", "t_end": 3000, "samples": 2})
+        wide = line(1, "simulate", {"system": "spring_pendulum", "t_end": 1, "samples": 5000})
+        bytes_in, answers = self.peak([slow.encode()] + [wide.encode()] * 600)  # of 0.4 MB each
+        self.assertEqual(answers, 601)
+        self.assertLess(bytes_in, MOST_MEMORY)
+
+
+class Resume(Batch):
+    def run_until(self, source, target, seconds, ending=signal.SIGKILL):
+        """Runs, and ends it after so long; its exit code."""
+        process = subprocess.Popen([QDOT, "batch", source, "--output", target, "--resume"], stderr=subprocess.PIPE,
+                                   env=ENVIRONMENT)
+        try:
+            _, errors = process.communicate(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            process.send_signal(ending)
+            _, errors = process.communicate(timeout=20)
+        return process.returncode, errors.decode()
+
+    def test_after_any_number_of_kills_nothing_is_lost_or_doubled(self):
+        text = lines(4000, seed=7)
+        source, target, whole = self.path("in", text), self.path("out"), self.path("whole")
+        self.assertEqual(qdot("batch", source, "--output", whole).returncode, 0)
+        moments = random.Random(3)
+        code, kills = None, 0
+        while code != 0:
+            code, errors = self.run_until(source, target, moments.uniform(0.01, 0.4))
+            self.assertIn(code, (0, -signal.SIGKILL), errors)
+            kills += code != 0
+            self.assertLess(kills, 2000)
+            if code != 0 and kills % 3 == 0 and os.path.exists(target):  # and as a full disk or a fallen machine leaves it
+                os.truncate(target, max(0, os.path.getsize(target) - moments.randrange(3000)))
+        print(f"{kills} kills")
+        self.assertGreater(kills, 0)
+        self.assertEqual(self.read(target), self.read(whole))
+
+    def test_a_torn_last_line_is_done_again(self):
+        source, target = self.path("in", lines(20)), self.path("out")
+        qdot("batch", source, "--output", target)
+        whole = self.read(target)
+        for cut in (1, 2, 50, len(whole.split(b"\n")[-2]), len(whole.split(b"\n")[-2]) + 1, len(whole) - 1, len(whole)):
+            os.truncate(target, len(whole) - cut)
+            run = qdot("batch", source, "--output", target, "--resume")
+            self.assertEqual((run.returncode, run.stderr), (0, b""))
+            self.assertEqual(self.read(target), whole)
+
+    def test_without_it_the_file_begins_anew(self):
+        target = self.path("out", "something\n")
+        qdot("batch", self.path("in", lines(2)), "--output", target)
+        self.assertEqual(self.read(target).count(b"\n"), 2)
+
+    def test_answers_to_other_lines_are_left_alone(self):
+        target = self.path("out")
+        qdot("batch", self.path("in", lines(5)), "--output", target)
+        before = self.read(target)
+        others = "".join(line(i + 1, *QUESTIONS[0]) for i in range(9))
+        for text in (others, lines(3)):
+            run = qdot("batch", self.path("other", text), "--output", target, "--resume")
+            self.assertEqual(run.returncode, 2)
+            self.assertEqual(self.read(target), before)
+
+    def test_two_do_not_write_one_file(self):
+        target = self.path("out")
+        with subprocess.Popen([QDOT, "batch", "--output", target], stdin=subprocess.PIPE, env=ENVIRONMENT) as first:
+            first.stdin.write(line(1, *QUESTIONS[0]).encode())
+            first.stdin.flush()
+            deadline = time.monotonic() + 20
+            while not (os.path.exists(target) and self.read(target)) and time.monotonic() < deadline:
+                time.sleep(0.02)
+            run = qdot("batch", self.path("in", lines(2)), "--output", target, "--resume")
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(b"another batch", run.stderr)
+            first.stdin.close()
+            self.assertEqual(first.wait(20), 0)
+
+    def test_control_c_ends_at_once_behind_a_whole_line(self):
+        slow = {"system": "spring_pendulum", "t_end": 2000, "samples": 2}
+        source = self.path("in", "".join(line(i, "simulate", slow) for i in range(1000)))
+        for ending in (signal.SIGINT, signal.SIGTERM):
+            target = self.path(f"out{ending}")
+            code, errors = self.run_until(source, target, 2, ending)
+            self.assertEqual(code, 128 + ending)
+            written = self.read(target)
+            self.assertTrue(written == b"" or written.endswith(b"\n"))
+            self.assertIn(f"Stopped after {written.count(bytes([10]))} lines", errors)
+            self.assertIn("--resume", errors)
+
+
+class Terminal(Batch):
+    def test_progress_is_told_on_a_terminal_only(self):
+        slow = {"system": "spring_pendulum", "t_end": 500, "samples": 2}
+        source = self.path("in", "".join(line(i, "simulate", slow) for i in range(100000)))
+        terminal, its_end = pty.openpty()
+        process = subprocess.Popen([QDOT, "batch", source, "--output", self.path("out")], stderr=its_end,
+                                   stdout=subprocess.DEVNULL, env=ENVIRONMENT)
+        os.close(its_end)
+        text = b""
+        deadline = time.monotonic() + 30
+        while b"left" not in text and time.monotonic() < deadline:
+            if select.select([terminal], [], [], 1)[0]:
+                text += os.read(terminal, 4096)
+        process.send_signal(signal.SIGINT)
+        process.wait(20)
+        os.close(terminal)
+        self.assertRegex(text.decode(), r"\d+ lines, \d+ %, about [\d.]+ (s|min|h) left")
+
+
+if __name__ == "__main__":
+    unittest.main()
