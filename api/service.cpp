@@ -12,6 +12,7 @@
 #include "api/about/practice_sheet.hpp"
 #include "api/about/signposts.hpp"
 #include "api/about/systems.hpp"
+#include "api/answers/check/variant.hpp"
 #include "api/answers/endpoints.hpp"
 #include "api/contract/version.hpp"
 #include "api/http/address.hpp"
@@ -19,6 +20,7 @@
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
+#include "api/json/writer.hpp"
 #include "api/scenes/catalogue.hpp"
 #include "api/scenes/scene_table.hpp"
 #include "api/scenes/system_lookup.hpp"
@@ -193,6 +195,9 @@ struct Service::Impl {
   void add_endpoints() {
     for (const CatalogueEntry& entry : catalogue.entries()) models.add(entry.scene);
     const FindSystem find_system = find_system_in(catalogue);
+    draw = [this, find_system](std::string_view key, std::uint64_t seed) {
+      return drawn_variant(key, seed, find_system, models);
+    };
     for (const Endpoint& endpoint : endpoints()) {
       const Handler handler = endpoint.question.handler(find_system, models);
       for (const char* method : {"GET", "POST"}) {
@@ -300,6 +305,7 @@ struct Service::Impl {
   std::vector<Page> pages;
   Catalogue catalogue;
   Models models;
+  std::function<std::variant<Json, SheetError>(std::string_view key, std::uint64_t seed)> draw;
   Routes routes;
   mutable std::once_flag openapi_is_made;
   mutable std::string openapi_pretty, openapi_compact;
@@ -341,6 +347,13 @@ Appraisal Service::appraise(const Request& request) const noexcept {
   } catch (...) {
     return {};
   }
+}
+
+std::variant<std::string, SheetError> Service::variant(std::string_view key, std::uint64_t seed,
+                                                       Layout layout) const {
+  const auto drawn = impl_->draw(key, seed);
+  if (const auto* error = std::get_if<SheetError>(&drawn)) return *error;
+  return to_text(std::get<Json>(drawn), layout);
 }
 
 }  // namespace qdot::api

@@ -2,12 +2,17 @@
 // The contract without sockets: request value in, response value out. The server and the command line are
 // two thin callers of Service::handle.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
+#include "api/answers/check/sheet_error.hpp"
 #include "api/http/messages.hpp"
+#include "api/json/layout.hpp"
 
 namespace qdot::api {
 
@@ -26,6 +31,9 @@ class Service {
   [[nodiscard]] Response handle(const Request& request) const noexcept;
   /// Takes microseconds, and less than two milliseconds for the worst request.
   [[nodiscard]] Appraisal appraise(const Request& request) const noexcept;
+  /// A variant of a key in JSON (api/answers/check/variant.hpp).
+  [[nodiscard]] std::variant<std::string, SheetError> variant(std::string_view key, std::uint64_t seed,
+                                                              Layout layout) const;
 
  private:
   struct Impl;

@@ -19,6 +19,7 @@
 #include "server/probe.hpp"
 #include "server/serve.hpp"
 #include "server/usage.hpp"
+#include "server/variant.hpp"
 
 namespace {
 
@@ -116,6 +117,19 @@ void add_batch(CLI::App& app, BatchOptions& options, Action& action) {
   command.callback([&] { action = [&] { return run_batch(options); }; });
 }
 
+void add_variant(CLI::App& app, VariantOptions& options, Action& action) {
+  auto& command =
+      *app.add_subcommand("variant", "One student's numbers and key, drawn from the ranges of a key");
+  command.add_option("key", options.key, "File with the key; - is stdin")->required();
+  command.add_option("--seed", options.seed, "Chooses the variant: 0, 1, 2, ...")->required();
+  command.add_flag("--pretty", options.pretty, "With indents");
+  add_scenes(command, options.scenes);
+  command.footer(
+      "Example: qdot variant key.json --seed 7 > variant.json\n"
+      "         qdot check --key variant.json --answers answers.csv");
+  command.callback([&] { action = [&] { return print_variant(options); }; });
+}
+
 ExitCode code_of(bool reached, const ProbeOptions& options) {
   if (reached) return ExitCode::ok;
   const std::string where = options.unix_socket.empty()
@@ -165,12 +179,14 @@ int main(int argc, char** argv) {
   ServeOptions serve_options;
   Arguments arguments;
   BatchOptions batch_options;
+  VariantOptions variant_options;
   ProbeOptions probe_options;
   double patience = 30;
   Action action;
   add_serve(app, serve_options, action);
   add_commands(app, arguments, action);
   add_batch(app, batch_options, action);
+  add_variant(app, variant_options, action);
   add_probes(app, probe_options, patience, action);
   add_documents(app, action);
   try {

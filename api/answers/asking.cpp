@@ -63,4 +63,15 @@ std::optional<Json> Asking::ask(const std::string& question, const Json& request
   return std::nullopt;
 }
 
+const Json* AskedOnce::ask(const std::string& question, const Json& request, const Place& place,
+                           Errors& errors) {
+  const bool is_known = answer_ && question_ == question && request_ == request;
+  if (!is_known) {
+    answer_ = asking_.ask(question, request, place, errors);
+    question_ = question;
+    request_ = request;
+  }
+  return answer_ ? &*answer_ : nullptr;
+}
+
 }  // namespace qdot::api

@@ -32,4 +32,20 @@ class Asking {
   std::map<std::string, Handler> handlers_;
 };
 
+/// The same question several times in a row is asked once: items often point into one answer.
+class AskedOnce {
+ public:
+  explicit AskedOnce(const Asking& asking) : asking_(asking) {}
+
+  /// As Asking::ask; nullptr where there is no answer. It lasts until the next question.
+  [[nodiscard]] const Json* ask(const std::string& question, const Json& request, const Place& place,
+                                Errors& errors);
+
+ private:
+  const Asking& asking_;
+  std::string question_;
+  Json request_;
+  std::optional<Json> answer_;
+};
+
 }  // namespace qdot::api

@@ -283,6 +283,9 @@ class Key:
     def __init__(self, file: Union[str, "os.PathLike[str]"], qdot: Optional[Qdot] = None):
         with open(file, encoding="utf-8") as text:
             self._key: Dict[str, Any] = json.load(text)
+        self._key.pop("variant", None)  # the numbers that were drawn are in the items, too
+        if "ranges" in self._key:
+            raise ValueError("The key has ranges: draw a variant of it first, qdot variant KEY --seed 1.")
         beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), "qdot")
         self._qdot = qdot or Qdot(command=beside if os.access(beside, os.X_OK) else "qdot")
 

@@ -1,8 +1,6 @@
 #include "core/grading/number_slip.hpp"
 
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "core/numerics/constants.hpp"
 
@@ -31,16 +29,20 @@ const char* name_of(NumberSlip slip) {
   return names[static_cast<std::size_t>(slip)];
 }
 
-std::optional<NumberSlip> find_number_slip(double submitted, double expected, std::string_view unit) {
+std::vector<std::pair<NumberSlip, double>> slips_of(double expected, std::string_view unit) {
   using enum NumberSlip;
-  if (expected == 0 || !std::isfinite(expected)) return std::nullopt;
+  if (expected == 0 || !std::isfinite(expected)) return {};
   Slips slips = slips_of_unit(expected, unit);
   for (const auto& plain :
        Slips{{sign, -expected}, {factor, 2 * expected}, {factor, expected / 2}, {power, expected * expected}})
     slips.push_back(plain);
   if (expected > 0) slips.emplace_back(power, std::sqrt(expected));
+  return slips;
+}
+
+std::optional<NumberSlip> find_number_slip(double submitted, double expected, std::string_view unit) {
   std::optional<NumberSlip> found;
-  for (const auto& [slip, value] : slips) {
+  for (const auto& [slip, value] : slips_of(expected, unit)) {
     if (!(std::abs(submitted - value) <= closeness * std::abs(value))) continue;
     if (found) return std::nullopt;
     found = slip;

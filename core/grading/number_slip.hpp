@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace qdot {
 
@@ -19,6 +21,9 @@ enum class NumberSlip {
 
 /// "sign", "degrees", ...
 [[nodiscard]] const char* name_of(NumberSlip slip);
+
+/// What the slips give in place of an expected number, in an order of its own for each unit; none for zero.
+[[nodiscard]] std::vector<std::pair<NumberSlip, double>> slips_of(double expected, std::string_view unit);
 
 /// `unit` is that of the expected number: "rad", "deg", "rad/s", "Hz" and "s" have slips of their own. What
 /// was submitted has to agree to 1e-3 with what one slip gives, and with no other.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "api/answers/check/ranges.hpp"
 #include "api/contract/json_reader.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/text.hpp"
@@ -50,17 +51,8 @@ std::variant<Json, SheetError> answers_of_csv(std::string_view text) {
   return answers;
 }
 
-std::variant<Json, SheetError> object_of(std::string_view text, const std::string& name) {
-  auto read = read_json(text, {.bytes = limits::large_body_bytes, .nodes = limits::large_json_nodes});
-  auto* document = std::get_if<JsonDocument>(&read);
-  if (document == nullptr) return SheetError{name + ": " + std::get<Problem>(read).detail};
-  if (!document->value.is_object() || !document->duplicates.empty())
-    return SheetError{name + " needs a JSON object, each key once"};
-  return std::move(document->value);
-}
-
 std::variant<Json, SheetError> answers_of(std::string_view text) {
-  return trimmed(text).starts_with('{') ? object_of(text, "the answers") : answers_of_csv(text);
+  return trimmed(text).starts_with('{') ? sheet_object(text, "the answers") : answers_of_csv(text);
 }
 
 /// The item of a key with that id; null where there is none.
@@ -72,8 +64,20 @@ Json* item_of(Json& items, const std::string& id) {
 
 }  // namespace
 
+std::variant<Json, SheetError> sheet_object(std::string_view text, const std::string& name) {
+  auto read = read_json(text, {.bytes = limits::large_body_bytes, .nodes = limits::large_json_nodes});
+  auto* document = std::get_if<JsonDocument>(&read);
+  if (document == nullptr) return SheetError{name + ": " + std::get<Problem>(read).detail};
+  if (!document->value.is_object() || !document->duplicates.empty())
+    return SheetError{name + " needs a JSON object, each key once"};
+  return std::move(document->value);
+}
+
 std::variant<Json, SheetError> graded_request(std::string_view key, std::string_view answers) {
-  auto request = object_of(key, "the key");
+  auto request = sheet_object(key, "the key");
+  if (std::holds_alternative<SheetError>(request)) return request;
+  std::get<Json>(request).erase("variant");  // what was drawn is in the items
+  request = original_key(std::get<Json>(request));
   if (std::holds_alternative<SheetError>(request)) return request;
   auto sheet = answers_of(answers);
   if (std::holds_alternative<SheetError>(sheet)) return sheet;

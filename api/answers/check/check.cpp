@@ -120,8 +120,9 @@ Handler check_handler(const FindSystem& find_system, Models& models) {
     if (const auto* problem = std::get_if<Problem>(&read))
       return to_response(*problem, call.target.path, call.layout);
     const CheckRequest& request = std::get<Resolved<CheckRequest>>(read).request;
-    const ExpectationScope scope{asking, find_system, models, static_cast<std::uint64_t>(request.seed),
-                                 request.reveal};
+    AskedOnce once(asking);
+    const ExpectationScope scope{
+        asking, once, find_system, models, static_cast<std::uint64_t>(request.seed), request.reveal};
     return guarded(call, [&] { return answer_check(request, call, scope); });
   };
 }

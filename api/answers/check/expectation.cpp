@@ -26,7 +26,7 @@ std::optional<Grader> read_numbers(const CheckItem& item, const std::string& kin
                                    const ExpectationScope& scope, const Place& place, Errors& errors) {
   if (kind == "simulate" && !item.expect.contains("at"))
     return read_trajectory_item(item, kind, scope, place, errors);
-  auto read = read_answer_item(item, kind, scope.asking, place, errors);
+  auto read = read_answer_item(item, kind, scope.once, place, errors);
   if (!read) return std::nullopt;
   return [answer = std::move(*read)](const Json& submitted) { return grade(answer, submitted); };
 }

@@ -15,6 +15,7 @@ using Grader = std::function<Verdict(const Json& submitted)>;
 /// What a reader of expectations works with.
 struct ExpectationScope {
   const Asking& asking;
+  AskedOnce& once;
   const FindSystem& find_system;
   Models& models;
   std::uint64_t seed{};

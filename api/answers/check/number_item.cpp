@@ -131,7 +131,7 @@ Verdict grade_numbers(const AnswerItem& item, const SubmittedNumbers& numbers) {
 }  // namespace
 
 std::optional<AnswerItem> read_answer_item(const CheckItem& item, const std::string& question,
-                                           const Asking& asking, const Place& place, Errors& errors) {
+                                           AskedOnce& asking, const Place& place, Errors& errors) {
   const Place expect = place.below("expect");
   const auto answer = asking.ask(question, item.expect[question], expect.below(question), errors);
   AnswerItem result;

@@ -20,7 +20,7 @@ struct AnswerItem {
 
 /// None after errors were reported.
 [[nodiscard]] std::optional<AnswerItem> read_answer_item(const CheckItem& item, const std::string& question,
-                                                         const Asking& asking, const Place& place,
+                                                         AskedOnce& asking, const Place& place,
                                                          Errors& errors);
 
 [[nodiscard]] Verdict grade(const AnswerItem& item, const Json& submitted);

@@ -1,0 +1,25 @@
+#include "server/variant.hpp"
+
+#include <iostream>
+#include <stdexcept>
+#include <variant>
+
+#include "api/service.hpp"
+#include "server/words.hpp"
+
+namespace qdot::server {
+
+ExitCode print_variant(const VariantOptions& options) {
+  const api::Service service({.scenes_directory = options.scenes});
+  const auto layout = options.pretty ? api::Layout::pretty : api::Layout::compact;
+  const auto drawn = service.variant(request_body(options.key), options.seed, layout);
+  if (const auto* error = std::get_if<api::SheetError>(&drawn)) {
+    std::cerr << "qdot variant: " << error->text << "\n";
+    return ExitCode::invalid_request;
+  }
+  std::cout << std::get<std::string>(drawn) << std::flush;
+  if (!std::cout) throw std::runtime_error("cannot write the answer");
+  return ExitCode::ok;
+}
+
+}  // namespace qdot::server
