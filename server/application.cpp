@@ -11,6 +11,7 @@
 
 #include "api/http/problem.hpp"
 #include "server/engine.hpp"
+#include "server/spread.hpp"
 
 namespace qdot::server {
 namespace {
@@ -141,6 +142,7 @@ void Application::compute(Case& it) {
     it.waited = Milliseconds(Clock::now() - it.exchange->arrived).count();
     if (over()) return finish(it, it.problem(ProblemKind::deadline));
     it.request->interrupted = over;
+    it.request->spread = spread_over(options_.lanes.threads, Help::beside_light_work);
     auto response = parts_.answer(*it.request);
     add_queue_time(it.waited, response);
     finish(it, std::move(response));

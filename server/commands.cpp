@@ -3,12 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "api/about/examples.hpp"
 #include "api/about/field_help.hpp"
@@ -18,6 +20,7 @@
 #include "api/scenes/catalogue.hpp"
 #include "api/service.hpp"
 #include "server/people.hpp"
+#include "server/spread.hpp"
 #include "server/usage.hpp"
 #include "server/words.hpp"
 
@@ -108,7 +111,8 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
   return request;
 }
 
-/// On a terminal, says each second that the work goes on. It is asked often, and never interrupts.
+/// On a terminal, says each second that the work goes on. It is asked often, by several threads, and never
+/// interrupts.
 class Progress {
  public:
   Progress() : shows_(::isatty(STDERR_FILENO) != 0) {}
@@ -120,8 +124,8 @@ class Progress {
 
   bool operator()() {
     const auto passed = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begun_).count();
-    if (shows_ && passed > seconds_) {
-      seconds_ = passed;
+    auto said = seconds_.load();
+    if (shows_ && passed > said && seconds_.compare_exchange_strong(said, passed)) {
       std::cerr << "\r\x1b[Kcomputing, " << passed << " s" << std::flush;
     }
     return false;
@@ -130,7 +134,7 @@ class Progress {
  private:
   bool shows_;
   Clock::time_point begun_{Clock::now()};
-  std::chrono::seconds::rep seconds_{0};
+  std::atomic<std::chrono::seconds::rep> seconds_{0};
 };
 
 ExitCode meaning_of(const api::Response& response) {
@@ -200,12 +204,26 @@ std::vector<Command> commands() {
   return all;
 }
 
+namespace {
+
+/// Whether a request can be said in words: objects in it are symbols alone.
+bool fits_words(const api::Endpoint& endpoint, const api::Json& request) {
+  if (endpoint.roads == api::Roads::body) return false;
+  for (const auto& [name, value] : request.items()) {
+    const api::FieldInfo* field = endpoint.question.fields->find(name);
+    if (value.is_object() && (field == nullptr || api::symbols_kind(*field) == nullptr)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::string example_of(const Command& command, const api::Catalogue& catalogue) {
   const api::Json more = api::description_of(*command.endpoint).value("examples", api::Json::array());
   const api::Json examples = api::request_examples(path_of(command), more, catalogue);
   if (examples.empty()) return "";
   std::string line = "qdot " + std::string(command.name);
-  if (command.endpoint->roads == api::Roads::body)
+  if (!fits_words(*command.endpoint, examples.begin()->at("value")))
     return line + " " + for_a_shell(examples.begin()->at("value").dump());
   for (const auto& [name, value] : examples.begin()->at("value").items()) {
     if (name == "system") {
@@ -250,6 +268,8 @@ ExitCode run(const Command& command, const Arguments& arguments) {
     {
       Progress progress;
       request.interrupted = [&progress] { return progress(); };
+      request.spread = spread_over(static_cast<int>(std::thread::hardware_concurrency()));
+      request.work = api::Work::unbounded;
       response = service.handle(request);
     }
     auto code = meaning_of(response);

@@ -12,7 +12,6 @@ namespace {
 constexpr double assumed_pace = 1e-3;  // seconds that a unit of cost takes, before anything was measured
 constexpr double assumed_cost = 20;    // how much measured work this assumption weighs as much as
 constexpr double memory = 0.95;        // the weight that the past keeps after each piece of work
-constexpr int heavy_niceness = 10;  // beside a light thread it gets about a tenth of a core, alone all of it
 
 }  // namespace
 

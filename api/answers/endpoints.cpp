@@ -7,6 +7,7 @@
 #include "api/answers/check/request.hpp"
 #include "api/answers/embedded.hpp"
 #include "api/answers/questions.hpp"
+#include "api/answers/sweep/request.hpp"
 
 namespace qdot::api {
 
@@ -17,6 +18,7 @@ std::span<const Endpoint> endpoints_of_lines() {
   static const std::vector<Endpoint> all = [] {
     std::vector<Endpoint> result(questions().begin(), questions().end());
     result.push_back(check_endpoint());
+    result.push_back(sweep_endpoint());
     return result;
   }();
   return all;

@@ -53,7 +53,7 @@ class Document(Service):
                 answer = self.raw("POST", path, json.dumps(body), {"Content-Type": "application/json"})
                 self.assertEqual(answer.status, 200, answer.data[:300])
                 count += 1
-                if "get" not in self.document["paths"][path]:
+                if "get" not in self.document["paths"][path] or path.startswith("/v1/sweep"):  # of one variable: test_sweep.py
                     continue
                 twin = self.raw("GET", f"{path}?{flattened(body)}")
                 self.assertEqual(twin.data, answer.data)

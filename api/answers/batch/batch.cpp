@@ -47,7 +47,7 @@ std::optional<Problem> problem_of_body(const Call& call, std::size_t lines) {
   return std::nullopt;
 }
 
-Problem too_long() {
+Problem answers_too_long() {
   return {.kind = ProblemKind::limit_exceeded,
           .detail = "The answers before this line are longer than " +
                     std::to_string(limits::batch_answer_bytes) +
@@ -61,7 +61,7 @@ std::string answers_to(const std::vector<std::string_view>& lines, const FieldSe
     return asking.respond(endpoint, std::move(body), call.request.interrupted);
   };
   const AskEndpoint refuse = [](const std::string&, const std::string&) {
-    return to_response(too_long(), "/v1/batch");
+    return to_response(answers_too_long(), "/v1/batch");
   };
   std::string text;
   for (std::size_t begin = 0; begin < lines.size(); begin += at_a_time) {

@@ -77,6 +77,25 @@ TEST(Appraisal, ABatchCostsWhatItsLinesCost) {
     EXPECT_EQ(of("/v1/batch", wrong).weight, Weight::light) << wrong;
 }
 
+TEST(Appraisal, ASweepCostsWhatItsRowsCost) {
+  const auto sweep = [](const std::string& vary) {
+    return of("/v1/sweep",
+              R"({"ask": {"simulate": )" + motion(R"("t_end": 50)") + R"(}, "vary": )" + vary + "}");
+  };
+  const double one = of("/v1/simulate", motion(R"("t_end": 50)")).milliseconds;
+  const auto grid = sweep(R"({"k": {"from": 1, "to": 2, "count": 20}, "m": {"values": [1, 2, 3]}})");
+  EXPECT_NEAR(grid.milliseconds, 60 * one, one);
+  EXPECT_EQ(grid.weight, Weight::heavy);
+  EXPECT_NEAR(sweep(R"({"k": {"uniform": [1, 2]}}, "count": 50)").milliseconds, 50 * one, one);
+  EXPECT_LT(sweep(R"({"k": {"from": 1, "to": 2, "count": 1e300}})").milliseconds, 1e6);
+  for (const char* wrong : {"null", "{}", "[]", "3", R"({"k": 3})"}) EXPECT_GT(sweep(wrong).milliseconds, 0);
+  const auto query = appraise(
+      route_to("/v1/sweep"),
+      {.method = "GET",
+       .target = "/v1/sweep?ask=simulate&system=cart_pendulum&t_end=50&vary=k&from=1&to=2&count=40"});
+  EXPECT_NEAR(query.milliseconds, 40 * one, one);
+}
+
 TEST(Appraisal, WhatCannotBeReadIsCheapUnlessItIsLarge) {
   for (const char* body :
        {"", "{", "[]", "null", R"({"t_end": "soon", "samples": {}, "times": 3, "system": []})",

@@ -1,0 +1,117 @@
+#include "api/answers/sweep/collected.hpp"
+
+#include <algorithm>
+
+#include "api/answers/check/pointed_values.hpp"
+#include "api/answers/sweep/schema_place.hpp"
+#include "api/contract/names.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/text.hpp"
+
+namespace qdot::api {
+namespace {
+
+constexpr std::size_t longest_pointer = 200;
+
+/// "/modes/0/omega" is called omega.
+std::string name_of_pointer(std::string_view pointer) {
+  while (!pointer.empty()) {
+    const std::size_t slash = pointer.rfind('/');
+    const std::string_view last = pointer.substr(slash == std::string_view::npos ? 0 : slash + 1);
+    const bool is_index = !last.empty() && last.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!is_index || slash == std::string_view::npos) return std::string(last);
+    pointer = pointer.substr(0, slash);
+  }
+  return {};
+}
+
+class ColumnReader {
+ public:
+  ColumnReader(std::vector<std::string> taken, const Json& schema, Errors& errors)
+      : taken_(std::move(taken)), schema_(schema), errors_(errors) {}
+
+  void read(std::string name, const Json& pointer, const Place& place) {
+    if (!pointer.is_string() || pointer.get_ref<const std::string&>().size() > longest_pointer) {
+      report(errors_, wrong_type(place, "collect", "a pointer such as \"/modes/0/omega\"", pointer));
+      return;
+    }
+    const auto& text = pointer.get_ref<const std::string&>();
+    if (name.empty()) name = name_of_pointer(text);
+    if (!is_name(name, NameOf::thing_or_velocity)) {
+      report(errors_, bad_name(place, name));
+    } else if (std::ranges::find(taken_, name) != taken_.end()) {
+      report(errors_, place.error("duplicate_name", "Another column is called " + in_quotes(name) +
+                                                        "; give this one a name, {\"name\": \"/pointer\"}."));
+    } else if (auto problem = place_in_schema(schema_, text, place)) {
+      report(errors_, std::move(*problem));
+    }
+    taken_.push_back(name);
+    columns_.push_back({std::move(name), text});
+  }
+
+  [[nodiscard]] std::vector<CollectedColumn> take() { return std::move(columns_); }
+
+ private:
+  std::vector<std::string> taken_;
+  const Json& schema_;
+  Errors& errors_;
+  std::vector<CollectedColumn> columns_;
+};
+
+/// "/a, /b" in a query.
+std::vector<std::string> parted(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    parts.emplace_back(trimmed(std::string_view(text).substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// Why an answer says that a value is null: beside it or above.
+std::string reason_in(const Json& answer, const std::string& name) {
+  const auto reason = answer.find("reason");
+  if (reason == answer.end()) return "It is null there.";
+  if (reason->is_string()) return reason->get<std::string>();
+  return reason->is_object() && reason->contains(name) ? (*reason)[name].get<std::string>()
+                                                       : "It is null there.";
+}
+
+}  // namespace
+
+std::optional<std::vector<CollectedColumn>> read_columns(const Json& collect,
+                                                         const std::vector<std::string>& taken,
+                                                         const Json& answer_schema, const Place& place,
+                                                         Errors& errors) {
+  const std::size_t before = errors.size();
+  ColumnReader reader(taken, answer_schema, errors);
+  const std::size_t count = collect.is_structured() ? collect.size() : 1;
+  if (count == 0 || count > limits::sweep_columns) {
+    report(errors,
+           place.error(count == 0 ? "empty" : "too_many",
+                       "1 to " + std::to_string(limits::sweep_columns) + " values are collected of a row."));
+  } else if (collect.is_object()) {
+    for (const auto& [name, pointer] : collect.items()) reader.read(name, pointer, place.below(name));
+  } else if (collect.is_array()) {
+    for (std::size_t i = 0; i < count; ++i) reader.read("", collect[i], place.below(i));
+  } else if (collect.is_string()) {
+    for (const std::string& pointer : parted(collect.get<std::string>())) reader.read("", pointer, place);
+  } else {
+    report(errors, wrong_type(place, "collect", "an object of pointers", collect));
+  }
+  return errors.size() == before ? std::optional(reader.take()) : std::nullopt;
+}
+
+CollectedValue collected(const Json& answer, const CollectedColumn& column) {
+  Errors errors;
+  const auto found = pointed(answer, column.pointer, Place(Road::body), errors);
+  if (!found) return {.reason = "The answer has nothing at " + in_quotes(column.pointer) + "."};
+  if (found->is_list || found->values.size() != 1)
+    return {.reason = "There is more than one value at " + in_quotes(column.pointer) + "."};
+  const PointedValue& value = found->values.front();
+  if (value.value.is_null()) return {.reason = reason_in(answer, value.name)};
+  return {.value = value.value, .unit = value.unit};
+}
+
+}  // namespace qdot::api

@@ -1,0 +1,78 @@
+#include "api/answers/sweep/rows.hpp"
+
+#include <mutex>
+
+#include "api/answers/many.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// "1 field is wrong." says less than what is wrong with it.
+std::string reason_of_problem(const Json& problem) {
+  if (!problem.is_object()) return "There is no answer.";
+  const auto errors = problem.find("errors");
+  if (errors != problem.end() && !errors->empty()) return (*errors)[0].value("detail", "");
+  return problem.value("detail", "");
+}
+
+SweptRow read_row(const Response& response, const std::vector<CollectedColumn>& columns,
+                  std::vector<std::string>& units) {
+  SweptRow row{.status = response.status, .values = std::vector<Json>(columns.size())};
+  const Json answer = Json::parse(response.body, nullptr, false);
+  if (response.status != 200) {
+    row.reason = reason_of_problem(answer);
+    return row;
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    CollectedValue found = collected(answer, columns[i]);
+    row.values[i] = std::move(found.value);
+    units.push_back(found.unit);
+    if (!found.reason.empty())
+      row.reason += (row.reason.empty() ? "" : " ") + columns[i].name + ": " + found.reason;
+  }
+  return row;
+}
+
+/// Asks one row as a client would ask it alone.
+Response asked_row(const SweepPlan& plan, std::size_t row, const Call& call, const Handler& handler) {
+  const Submission submission = row_request(plan, row);
+  const Request inner{.method = submission.road == Road::query ? "GET" : "POST",
+                      .target = "/v1/" + std::string(plan.question->name),
+                      .headers = {},
+                      .body = {},
+                      .interrupted = call.request.interrupted,
+                      .work = call.request.work};
+  Call one{.request = inner, .target = {.path = inner.target, .query = {}}};
+  one.accepted = "application/json";
+  one.submission = &submission;
+  return handler(one);
+}
+
+}  // namespace
+
+SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSystem& find_system,
+                        Models& models) {
+  Models own;
+  if (plan.is_carried) own.add(*plan.scene);
+  const FindSystem same = [&plan](const Json&, const Place&, Errors&) { return plan.scene; };
+  const Handler handler = plan.is_carried ? plan.question->question.handler(same, own)
+                                          : plan.question->question.handler(find_system, models);
+  SweptRows answered{.rows = std::vector<SweptRow>(plan.swept.rows)};
+  std::vector<std::string> units(plan.columns.size());
+  std::vector<std::size_t> first(plan.columns.size(), plan.swept.rows);  // row that the unit is of
+  std::mutex mutex;
+  for_each(call.request, plan.swept.rows, [&](std::size_t i) {
+    std::vector<std::string> own_units;
+    answered.rows[i] = read_row(asked_row(plan, i, call, handler), plan.columns, own_units);
+    const std::lock_guard lock(mutex);
+    for (std::size_t column = 0; column < own_units.size(); ++column) {
+      if (own_units[column].empty() || first[column] < i) continue;
+      first[column] = i;
+      units[column] = own_units[column];
+    }
+  });
+  for (const std::string& unit : units) answered.units.push_back(unit.empty() ? "1" : unit);
+  return answered;
+}
+
+}  // namespace qdot::api

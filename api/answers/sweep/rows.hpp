@@ -1,0 +1,27 @@
+#pragma once
+// The rows of a sweep, answered.
+
+#include <string>
+#include <vector>
+
+#include "api/answers/sweep/plan.hpp"
+
+namespace qdot::api {
+
+struct SweptRow {
+  int status{200};
+  std::string reason{};        ///< why something is missing; empty: the row is whole
+  std::vector<Json> values{};  ///< one for each column, null where it is missing
+};
+
+struct SweptRows {
+  std::vector<SweptRow> rows{};
+  std::vector<std::string> units{};  ///< of the columns, as the first answers have them; "1" where none does
+};
+
+/// Asks every row, in the threads that the call's request may use. `find_system` and `models` are those of
+/// the service; a scene that the request brings is compiled once for all rows.
+[[nodiscard]] SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSystem& find_system,
+                                      Models& models);
+
+}  // namespace qdot::api

@@ -1,0 +1,45 @@
+#pragma once
+// What a sweep runs over. A grid has every combination of its variables' values, the last variable varying
+// fastest. A sample has `count` rows, each variable drawn by itself.
+//
+// The numbers of a sample are those of SplitMix64 (core/grading/sampled_states.hpp) from the seed, taken row
+// by row and in each row variable by variable: u = (z >> 11) 2^-53 lies in [0, 1).
+//   uniform [a, b]: a + (b - a) u
+//   normal [m, s]:  m + s sqrt(-2 log(1 - u1)) cos(2 pi u2)
+// Source of the second: Box and Muller, A note on the generation of random normal deviates, Annals of
+// Mathematical Statistics 29 (1958).
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/answers/sweep/request.hpp"
+
+namespace qdot::api {
+
+struct SweepVariable {
+  std::string name{};
+  SymbolRole role{};  ///< parameter or initial
+  std::string unit{};
+};
+
+struct SweptValues {
+  std::vector<SweepVariable> variables{};
+  std::size_t rows{};
+  std::vector<double> values{};  ///< row-major, SI
+  bool is_sample{};
+  Json echo{};  ///< what the variables run over, in SI
+
+  [[nodiscard]] double value(std::size_t row, std::size_t variable) const {
+    return values[row * variables.size() + variable];
+  }
+};
+
+/// None after errors were reported. `whole` is the place of the request, `asked` the fields of the question
+/// that is asked: what varies must be among what they take. `most_rows` may be exceeded by none.
+[[nodiscard]] std::optional<SweptValues> read_variables(const SweepRequest& request, const Scene& scene,
+                                                        const FieldSet& asked, const Place& whole,
+                                                        std::int64_t most_rows, Errors& errors);
+
+}  // namespace qdot::api
