@@ -66,6 +66,15 @@ void add_queue_time(double milliseconds, api::Response& response) {
   timing = timing.empty() ? text.data() : text.data() + (", " + timing);
 }
 
+/// Who waits for longer than that has hardly time left to be answered.
+LanesOptions within_deadline(LanesOptions lanes, Clock::duration deadline) {
+  constexpr double part_for_waiting = 0.6;
+  const double longest = part_for_waiting * std::chrono::duration<double>(deadline).count();
+  for (LaneLimits* limits : {&lanes.light, &lanes.heavy})
+    limits->burst_wait = std::min(limits->burst_wait, longest);
+  return lanes;
+}
+
 }  // namespace
 
 struct Application::Case {
@@ -98,7 +107,7 @@ Application::Application(const ApplicationOptions& options, ApplicationParts par
       access_(options.hosts, options.token),
       log_(log),
       metrics_(metrics),
-      lanes_(options.lanes) {}
+      lanes_(within_deadline(options.lanes, options.deadline)) {}
 
 void Application::handle(const std::shared_ptr<Exchange>& exchange) {
   try {

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -27,6 +28,12 @@ thread_local Lanes::Running* Lanes::current_ = nullptr;
 
 double Lanes::State::expected_wait(int threads) const {
   return (waiting_cost + running_cost) / threads * (recent_seconds / recent_cost);
+}
+
+double Lanes::State::longest_wait(std::chrono::steady_clock::time_point now) const {
+  const std::chrono::duration<double> busy = now - idle;
+  return busy.count() <= limits.burst_wait ? std::max(limits.burst_wait, limits.longest_wait)
+                                           : limits.longest_wait;
 }
 
 Lanes::Lanes(const LanesOptions& options) : threads_(options.threads), heavy_bytes_(options.heavy_bytes) {
@@ -56,8 +63,10 @@ bool Lanes::submit(Lane lane, Work work) {
   {
     const std::lock_guard lock(mutex_);
     const bool free = it.queue.empty() && it.running - it.aside < static_cast<std::size_t>(threads_);
+    const auto now = std::chrono::steady_clock::now();
+    if (free) it.idle = now;
     if (!free &&
-        (it.queue.size() >= it.limits.waiting || it.expected_wait(threads_) > it.limits.longest_wait)) {
+        (it.queue.size() >= it.limits.waiting || it.expected_wait(threads_) > it.longest_wait(now))) {
       return false;
     }
     it.waiting_cost += work.cost;

@@ -6,8 +6,14 @@
 // A queue is bounded by the time until its last entry would begin: the sum of the costs ahead of it, divided
 // by the threads, times the seconds that a unit of cost takes. Each request tells its cost; only the pace is
 // measured.
+//
+// A burst is no overload: what comes all at once to a lane that was idle may wait longer, because nothing
+// need follow it. Where more keeps coming, so that somebody has waited all that time, the bound is the narrow
+// one again until the lane has been idle once more (as routers tell a good queue from a standing one: Nichols
+// and Jacobson, Controlling queue delay, ACM Queue 10 (2012)).
 
 #include <array>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -27,13 +33,14 @@ inline constexpr std::array all_lanes{Lane::light, Lane::heavy};
 
 struct LaneLimits {
   double longest_wait{};  ///< seconds that the last entry of the queue may expect to wait
+  double burst_wait{};    ///< the same for so many seconds after the lane was idle; no less than longest_wait
   std::size_t waiting{};  ///< entries that the queue may have
 };
 
 struct LanesOptions {
   int threads{1};  ///< of each lane
-  LaneLimits light{.longest_wait = 0.1, .waiting = 512};
-  LaneLimits heavy{.longest_wait = 1, .waiting = 64};
+  LaneLimits light{.longest_wait = 0.1, .burst_wait = 0.5, .waiting = 1024};
+  LaneLimits heavy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
   std::size_t heavy_bytes{std::size_t{96} << 20};  ///< bytes that heavy work may hold at a time
 };
 
@@ -81,9 +88,11 @@ class Lanes {
     std::size_t running{0};
     std::size_t aside{0};  // of those that run, the ones that others need not wait for
     double running_cost{0}, waiting_cost{0};
+    std::chrono::steady_clock::time_point idle{};  // when the lane last had a thread that did nothing
     // Recent work, older work counting less: the pace is their quotient.
     double recent_seconds{0}, recent_cost{0};
     [[nodiscard]] double expected_wait(int threads) const;
+    [[nodiscard]] double longest_wait(std::chrono::steady_clock::time_point now) const;
   };
 
   void work(Lane lane);

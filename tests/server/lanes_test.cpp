@@ -72,6 +72,32 @@ TEST(Lanes, AQueueIsAsLongAsItsWaitAndNotAsItsEntries) {
   first.release();
 }
 
+TEST(Lanes, ABurstIsNoOverload) {
+  Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0.1, .burst_wait = 10, .waiting = 1000}});
+  Occupied first(lanes, Lane::heavy);
+  first.wait_until_begun();
+  // Nothing was measured yet: a unit of cost counts as a millisecond.
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 100, .task = [] {}})) << i;
+  EXPECT_FALSE(lanes.submit(Lane::heavy, {.cost = 100, .task = [] {}})) << "more than the burst may wait";
+  first.release();
+}
+
+TEST(Lanes, WhatIsOfferedWithoutEndIsAnOverload) {
+  Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0.05, .burst_wait = 0.2, .waiting = 1000}});
+  Occupied first(lanes, Lane::heavy);
+  first.wait_until_begun();
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 70, .task = [] {}}));
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 1, .task = [] {}})) << "behind 70 ms, in a burst";
+  std::this_thread::sleep_for(300ms);
+  EXPECT_FALSE(lanes.submit(Lane::heavy, {.cost = 1, .task = [] {}})) << "the lane was busy all the time";
+  first.release();
+  lanes.wait_until_idle();
+  Occupied next(lanes, Lane::heavy);
+  next.wait_until_begun();
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 1, .task = [] {}})) << "it was idle since";
+  next.release();
+}
+
 TEST(Lanes, TheCostliestIsAdmittedWhereNobodyWaits) {
   Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0, .waiting = 0}});
   std::latch done{1};

@@ -22,6 +22,7 @@ from running_qdot import RunningQdot
 LIGHT = hostile_inputs.simulate(t_end=90, samples=2, digits=6)  # a few milliseconds
 SMALL = hostile_inputs.get(b"/v1/modes?system=cart_pendulum")
 HEAVY = hostile_inputs.simulate(t_end=2000, samples=2, digits=6)  # a hundred times as much
+MOTION = hostile_inputs.simulate(t_end=100, samples=2, digits=6)  # about ten milliseconds, and in the heavy lane
 HEALTH = hostile_inputs.get(b"/healthz")
 MOST_CONNECTIONS = 900
 
@@ -161,7 +162,29 @@ def fairness(port, seconds):
            "heavy_done": sum(status == 200 for status, _ in done)}
 
 
+def burst(port, count):
+    """So many motions at one moment, beside light requests."""
+    light = in_process(paced, port, SMALL, 0.005, 3)
+    time.sleep(0.5)
+    client = Client(port)
+    started = time.monotonic()
+    for _ in range(count):
+        client.send(MOTION, started)
+    while client.busy and time.monotonic() < started + 60:
+        client.receive(0.1)
+    beside = light.get()
+    unanswered = len(client.busy) + client.unsent
+    client.close()
+    yield {"what": "burst", "of": count, "answered": sum(status == 200 for status, _ in client.answers),
+           "seconds": round(max((took for _, took in client.answers), default=0), 2),
+           "unanswered": unanswered, "light_p99_ms": milliseconds(beside, 200),
+           "light_refused": sum(status != 200 for status, _ in beside)}
+
+
 def broken_promises(found):
+    if found["what"] == "burst":
+        yield found["answered"] < found["of"], "not all of a burst was answered"
+        yield found["light_p99_ms"] > 10, "a light request took more than 10 ms beside a burst"
     if found["what"].endswith("x"):
         yield found["goodput"] < 0.9, "goodput below 90 % of saturation"
         yield found["p99_ms"] > 250, "an admitted light request took more than 250 ms"
@@ -183,7 +206,7 @@ def main():
     with RunningQdot() as server:
         os.sched_setaffinity(0, cores[1:] or cores)
         rounds = [float(factor) if "." in factor else int(factor) for factor in options.rounds.split(",")]
-        for part in (overload(server.port, rounds, options.seconds), fairness(server.port, options.seconds)):
+        for part in (burst(server.port, 300), overload(server.port, rounds, options.seconds), fairness(server.port, options.seconds)):
             for found in part:
                 found["broken"] = [text for failed, text in broken_promises(found) if failed]
                 broken = broken or bool(found["broken"])

@@ -32,5 +32,22 @@ class Overload(unittest.TestCase):
             self.assertLess(fairness["beside_heavy_p99_ms"], 500)
 
 
+    def test_a_burst_is_answered(self):
+        with RunningQdot() as server:
+            burst = next(load.burst(server.port, 300))
+            print(burst)
+            self.assertEqual((burst["answered"], burst["unanswered"], burst["light_refused"]), (300, 0, 0))
+            self.assertLess(burst["light_p99_ms"], 500)
+
+    def test_what_is_offered_without_end_is_shed_at_once(self):
+        with RunningQdot("--threads", "1", "--deadline", "2") as server:  # a burst may wait for 1.2 seconds
+            heavy = load.hostile_inputs.simulate(t_end=500, samples=2, digits=6)
+            answers, unanswered = load.open_loop(server.port, heavy, 120, 5)
+            refused = [took for status, took in answers if status == 503]
+            self.assertEqual(unanswered, 0)
+            self.assertGreater(len(refused), 100)
+            self.assertLess(sorted(refused)[len(refused) // 2], 0.5)
+
+
 if __name__ == "__main__":
     unittest.main()
