@@ -198,12 +198,34 @@ Appraisal of_rows(const Json& fields) {
   return {.milliseconds = one.milliseconds * rows, .bytes = one.bytes};
 }
 
+/// Of a check: for each item what it takes to read and to compare, and the answer that it is held against.
+Appraisal of_items(const Cost& cost, const Json& fields) {
+  Appraisal sum{.milliseconds = cost.milliseconds};
+  const auto items = fields.is_object() ? fields.find("items") : fields.end();
+  if (!fields.is_object() || items == fields.end() || !items->is_array() || items->empty()) return sum;
+  sum.milliseconds = 0;
+  for (const Json& item : *items) {
+    sum.milliseconds += cost.milliseconds;
+    const auto expect = item.is_object() ? item.find("expect") : item.end();
+    if (!item.is_object() || expect == item.end() || !expect->is_object()) continue;
+    const Appraisal asked = of_asked(*expect);
+    sum.milliseconds += asked.milliseconds;
+    sum.bytes = std::max(sum.bytes, asked.bytes);
+    for (const char* formula : {"equation", "expression"}) {
+      const auto found = expect->find(formula);
+      if (found != expect->end() && found->is_object()) sum.milliseconds += derivation(*found);
+    }
+  }
+  return sum;
+}
+
 Appraisal of_request(const Cost& cost, const Request& request) {
   if (cost.made_of == Cost::MadeOf::lines) return of_lines(cost, request.body);
   if (request.body.size() > largest_read)
     return {.milliseconds = cost.milliseconds + unread, .bytes = request.body.size() * bytes_per_number};
   const auto fields = fields_of(request);
   if (!fields) return {.milliseconds = cost.milliseconds};
+  if (cost.made_of == Cost::MadeOf::items) return of_items(cost, *fields);
   return cost.made_of == Cost::MadeOf::rows ? of_rows(*fields) : of_fields(cost, *fields);
 }
 

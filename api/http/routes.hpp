@@ -52,7 +52,7 @@ struct Cost {
   enum class Motion { none, always, up_to_t_end } motion{Motion::none};  ///< up_to_t_end: where that is given
   std::string_view each{};  ///< the list whose every entry costs as much; empty: none
   /// Whether it costs what the requests cost that it is made of.
-  enum class MadeOf { itself, lines, rows } made_of{MadeOf::itself};
+  enum class MadeOf { itself, lines, rows, items } made_of{MadeOf::itself};
 };
 
 struct Route {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "core/grading/changed_terms.hpp"
 #include "core/grading/normal_form.hpp"
 #include "core/grading/right_motion.hpp"
 
@@ -13,19 +15,42 @@ bool speaks_of_accelerations(const ExpectedSystem& system, const Expression& e) 
   return depends_on(e, system.symbols().coordinates.second_rate);
 }
 
-VanishingAnswer compare_on_motion(const ExpectedSystem& system, const Expression& difference,
-                                  std::uint64_t seed) {
-  if (!speaks_of_accelerations(system, difference)) {
-    const std::vector<SymbolDomain> symbols = system.domains();
-    return vanishing({.value = difference, .symbols = symbols, .seed = seed});
+/// The sum of the sizes of a formula's terms at a state.
+class FormulaSize {
+ public:
+  FormulaSize(const Expression& formula, std::span<const SymbolDomain> symbols)
+      : terms_(terms_of(formula)), symbols_(symbols), values_(terms_) {}
+
+  double operator()(const State& state, RightMotion* right) {
+    for (std::size_t i = 0; i < state.size(); ++i) values_.set(symbols_[i].symbol, state[i]);
+    if (right != nullptr && !right->set(state, values_)) return 0;
+    values_.evaluate();
+    double size = 0;
+    for (const Expression& term : terms_) size += std::abs(values_.of(term).value());
+    return size;
   }
-  RightMotion right(system);
-  return vanishing(
-      {.value = difference,
-       .symbols = right.symbols(),
-       .seed = seed,
-       .complete = [&](const State& state, BallValues& values) { return right.set(state, values); },
-       .in_symbols = [&] { return right.in_letters(difference); }});
+
+ private:
+  std::vector<Expression> terms_;
+  std::span<const SymbolDomain> symbols_;
+  BallValues values_;
+};
+
+VanishingAnswer compare_on_motion(const ExpectedSystem& system, const Expression& difference,
+                                  const Expression& expected, std::uint64_t seed, double tolerance) {
+  const bool is_of_motion = speaks_of_accelerations(system, difference);
+  const std::vector<SymbolDomain> symbols = system.domains();
+  std::optional<RightMotion> right;
+  if (is_of_motion) right.emplace(system);
+  std::optional<FormulaSize> size;
+  if (tolerance > 0) size.emplace(expected, symbols);
+  VanishingQuestion question{.value = difference, .symbols = symbols, .seed = seed, .tolerance = tolerance};
+  question.size = [&](const State& state) { return (*size)(state, right ? &*right : nullptr); };
+  if (is_of_motion) {
+    question.complete = [&](const State& state, BallValues& values) { return right->set(state, values); };
+    question.in_symbols = [&] { return right->in_letters(difference); };
+  }
+  return vanishing(question);
 }
 
 /// Whether e is the same at every state.
@@ -65,9 +90,10 @@ bool is_free_constant(const ExpectedSystem& system, std::string_view name, const
 }  // namespace
 
 FormulaVerdict compare_formulas(const ExpectedSystem& system, std::string_view name,
-                                const Expression& submitted, const Expression& expected, std::uint64_t seed) {
+                                const Expression& submitted, const Expression& expected, std::uint64_t seed,
+                                double tolerance) {
   const Expression difference = submitted - expected;
-  const VanishingAnswer answer = compare_on_motion(system, difference, seed);
+  const VanishingAnswer answer = compare_on_motion(system, difference, expected, seed, tolerance);
   if (answer.decision == Decision::counterexample && is_free_constant(system, name, difference))
     return {.decision = Decision::identity, .differs_by_constant = true};
   return {.decision = answer.decision, .counterexample = answer.counterexample};

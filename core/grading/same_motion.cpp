@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/expr/linear.hpp"
 #include "core/grading/ball_system.hpp"
+#include "core/grading/changed_terms.hpp"
 #include "core/grading/normal_form.hpp"
 #include "core/grading/right_motion.hpp"
 
@@ -21,14 +23,71 @@ BallMatrix transposed(const BallMatrix& m) {
   return result;
 }
 
+/// How large the terms of the right equations are at a state, as they stand in one that was submitted: with c
+/// M = dr/dq'', sum |c_i| (sum |terms of f_i| + sum |M_ij q_j''|). What vanishes identically has no part in
+/// it, so that nobody can make room for a mistake by adding some.
+class EquationSize {
+ public:
+  EquationSize(const ExpectedSystem& system, RightMotion& right, const Expression& residual)
+      : right_(right),
+        degrees_(system.degrees_of_freedom()),
+        roots_(roots(system, residual)),
+        values_(roots_) {}
+
+  double operator()(const State& state) {
+    for (std::size_t i = 0; i < state.size(); ++i) values_.set(right_.symbols()[i].symbol, state[i]);
+    if (!right_.set(state, values_)) return 0;
+    values_.evaluate();
+    std::vector<Ball> slopes;
+    for (std::size_t j = 0; j < degrees_; ++j) slopes.push_back(values_.of(roots_[j]));
+    const BallMatrix mass = right_.mass();
+    const auto parts = qdot::solved(transposed(mass), slopes);
+    if (!parts) return 0;
+    double size = 0;
+    for (std::size_t i = 0; i < degrees_; ++i)
+      size += std::abs((*parts)[i].value()) * size_of_row(i, mass[i]);
+    return size;
+  }
+
+ private:
+  /// Slopes, then the terms of each f_i.
+  std::vector<Expression> roots(const ExpectedSystem& system, const Expression& residual) {
+    std::vector<Expression> all;
+    for (const Expression& a : system.symbols().coordinates.second_rate)
+      all.push_back(differentiate(residual, a));
+    for (const Expression& forcing : system.forcing()) {
+      for (const Expression& term : terms_of(forcing)) all.push_back(term);
+      ends_.push_back(all.size());
+    }
+    return all;
+  }
+
+  [[nodiscard]] double size_of_row(std::size_t i, const std::vector<Ball>& mass) const {
+    double size = 0;
+    for (std::size_t k = i == 0 ? degrees_ : ends_[i - 1]; k < ends_[i]; ++k)
+      size += std::abs(values_.of(roots_[k]).value());
+    for (std::size_t j = 0; j < degrees_; ++j)
+      size += std::abs(mass[j].value() * right_.accelerations()[j].value());
+    return size;
+  }
+
+  RightMotion& right_;
+  std::size_t degrees_;
+  std::vector<std::size_t> ends_;
+  std::vector<Expression> roots_;
+  BallValues values_;
+};
+
 class MotionComparison {
  public:
-  MotionComparison(const ExpectedSystem& system, std::span<const Expression> residuals, std::uint64_t seed)
+  MotionComparison(const ExpectedSystem& system, std::span<const Expression> residuals, std::uint64_t seed,
+                   double tolerance)
       : system_(system),
         accelerations_(system.symbols().coordinates.second_rate),
         residuals_(residuals.begin(), residuals.end()),
         right_(system),
-        seed_(seed) {}
+        seed_(seed),
+        tolerance_(tolerance) {}
 
   MotionVerdict verdict(std::optional<std::size_t> coordinate) {
     MotionVerdict verdict;
@@ -38,6 +97,7 @@ class MotionComparison {
       verdict.decided_by = answer.decision;
       if (answer.decision == Decision::unknown) return verdict;
       if (answer.decision == Decision::counterexample) return contradicted(verdict, answer);
+      is_rounded_ = is_rounded_ || answer.decision == Decision::rounded;
       values_decide_ = values_decide_ || answer.decision == Decision::values;
     }
     for (std::size_t k = 0; k < residuals_.size(); ++k) {
@@ -46,19 +106,25 @@ class MotionComparison {
       verdict.fault = MotionFault::not_linear;
       return verdict;
     }
-    verdict.decided_by = values_decide_ ? Decision::values : Decision::identity;
+    verdict.decided_by = is_rounded_      ? Decision::rounded
+                         : values_decide_ ? Decision::values
+                                          : Decision::identity;
     verdict.fault = coordinate ? fault_of_one(*coordinate) : fault_of_all();
     return verdict;
   }
 
  private:
   VanishingAnswer on_the_right_motion(const Expression& residual) {
+    std::optional<EquationSize> size;
+    if (tolerance_ > 0) size.emplace(system_, right_, residual);
     return vanishing(
         {.value = residual,
          .symbols = right_.symbols(),
          .seed = seed_,
          .complete = [&](const State& state, BallValues& values) { return right_.set(state, values); },
-         .in_symbols = [&] { return right_.in_letters(residual); }});
+         .in_symbols = [&] { return right_.in_letters(residual); },
+         .tolerance = tolerance_,
+         .size = [&](const State& state) { return size ? (*size)(state) : 0; }});
   }
 
   MotionVerdict contradicted(MotionVerdict verdict, const VanishingAnswer& answer) {
@@ -184,14 +250,16 @@ class MotionComparison {
   std::vector<Expression> residuals_;
   RightMotion right_;
   std::uint64_t seed_;
+  double tolerance_;
   bool values_decide_{};
+  bool is_rounded_{};
 };
 
 }  // namespace
 
 MotionVerdict compare_motion(const ExpectedSystem& system, std::span<const Expression> residuals,
-                             std::optional<std::size_t> coordinate, std::uint64_t seed) {
-  return MotionComparison(system, residuals, seed).verdict(coordinate);
+                             std::optional<std::size_t> coordinate, std::uint64_t seed, double tolerance) {
+  return MotionComparison(system, residuals, seed, tolerance).verdict(coordinate);
 }
 
 }  // namespace qdot

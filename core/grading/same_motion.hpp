@@ -36,9 +36,11 @@ struct MotionVerdict {
 };
 
 /// `residuals`: left - right of each equation, fixed parameters put in. `coordinate`: whose equation it is;
-/// none: all of them are asked for, and there are as many residuals as coordinates.
+/// none: all of them are asked for, and there are as many residuals as coordinates. `tolerance` is that of
+/// rounded numbers, as a part of the sizes of the right equations' terms.
 [[nodiscard]] MotionVerdict compare_motion(const ExpectedSystem& system,
                                            std::span<const Expression> residuals,
-                                           std::optional<std::size_t> coordinate, std::uint64_t seed);
+                                           std::optional<std::size_t> coordinate, std::uint64_t seed,
+                                           double tolerance = 0);
 
 }  // namespace qdot

@@ -9,7 +9,8 @@
 namespace qdot {
 namespace {
 
-constexpr int enough = 12;      // states at which everything was seen
+constexpr int enough = 12;  // states at which everything was seen
+constexpr int enough_of_rounded = 40;
 constexpr int most_tries = 80;  // with those that say nothing
 constexpr int most_tries_where_one_exists = 1000;
 
@@ -53,12 +54,14 @@ class Vanishing {
     if (question_.value.is_zero()) return {Decision::identity, {}};
     SampledStates states(question_.symbols, question_.seed);
     int seen = 0;
-    for (int i = 0; i < most_tries && seen < enough; ++i) {
+    const int wanted = question_.tolerance > 0 ? enough_of_rounded : enough;
+    for (int i = 0; i < most_tries && seen < wanted; ++i) {
       const State state = states.next();
       const Sight sight = look(state);
       if (sight == Sight::not_zero) return {Decision::counterexample, state};
       if (sight == Sight::zero) ++seen;
     }
+    if (is_rounded_) return {seen == wanted ? Decision::rounded : Decision::unknown, {}};
     return by_algebra(seen, states);
   }
 
@@ -71,10 +74,18 @@ class Vanishing {
     values_.evaluate();
     const Ball& value = values_.of(question_.value);
     if (!value.is_finite()) return Sight::nothing;
-    if (!value.contains_zero()) return Sight::not_zero;
+    if (!value.contains_zero()) {
+      if (!is_tolerable(value, state)) return Sight::not_zero;
+      is_rounded_ = true;
+      return values_.is_evidence() ? Sight::zero : Sight::nothing;
+    }
     if (!values_.is_evidence() || !values_.vanishes(question_.value)) return Sight::nothing;
     note_sides();
     return Sight::zero;
+  }
+
+  [[nodiscard]] bool is_tolerable(const Ball& value, const State& state) const {
+    return question_.tolerance > 0 && value.magnitude() <= question_.tolerance * question_.size(state);
   }
 
   void note_sides() {
@@ -117,6 +128,7 @@ class Vanishing {
   const VanishingQuestion& question_;
   BallValues values_;
   std::vector<Sides> sides_;
+  bool is_rounded_{};
 };
 
 }  // namespace

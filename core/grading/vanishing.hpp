@@ -5,6 +5,10 @@
 // does not vanish, and its state a counterexample. Where all states agree, the algebra of normal_form.hpp
 // says whether that is an identity. Places where it has no value, or where not all of it can be seen, are
 // left out; with too few of others there is no answer.
+//
+// Numbers that were rounded may be allowed: a difference then counts as none where it is at most `tolerance`
+// times the size of what is compared, at more states, of which some are far apart, so that a missing term is
+// seen.
 
 #include <functional>
 #include <optional>
@@ -27,9 +31,17 @@ struct VanishingQuestion {
   std::function<bool(const State& state, BallValues& values)> complete{};
   /// The value in the symbols alone, for the algebra, when it is not `value` itself; none: too long.
   std::function<std::optional<Expression>()> in_symbols{};
+  double tolerance{0};
+  std::function<double(const State& state)> size{};  ///< where there is a tolerance
 };
 
-enum class Decision { identity, values, counterexample, unknown };
+enum class Decision {
+  identity,
+  values,
+  rounded,  ///< it does not vanish, and is within the tolerance
+  counterexample,
+  unknown
+};
 
 struct VanishingAnswer {
   Decision decision{Decision::unknown};

@@ -170,6 +170,34 @@ class Formulas(Check):
         right = state["Omega"] ** 2 * cosine * sine - state["g"] / state["l"] * sine
         self.assertGreater(abs(value - right), 1e-6)
 
+    def test_rounded_numbers_where_the_key_allows_them(self):
+        energy = {"expression": {"system": "rod_pendulum"}, "of": "T"}
+        rounded = "m l^2 (0.667 theta'^2 + 0.5 phi'^2 + theta' phi' cos(theta - phi))"
+        self.assert_verdicts(energy, [(rounded, False)])
+        self.assert_verdicts(energy, [
+            (rounded, True), ("m l^2 (2/3 theta'^2 + phi'^2/2 + theta' phi' cos(theta - phi))", True),
+            ("m l^2 (0.65 theta'^2 + 0.5 phi'^2 + theta' phi' cos(theta - phi))", False), ("m l^2 (0.667 theta'^2 + 0.5 phi'^2)", False),
+            ("m l^2 (0.667 theta'^2 + 0.5 phi'^2 + theta' phi')", False), ("0", False)], rule={"rtol": 0.01})
+        self.assertEqual(self.verdicts(energy, [rounded], rule={"rtol": 0.01})[0]["decided_by"], "rule")
+        equation = {"equation": {"system": "rotating_l_bar"}, "of": "theta"}
+        right = "{} theta'' - {} Omega^2 sin theta cos theta - 1.5 Omega^2 (sin^2 theta - cos^2 theta) = -g/(2l)*(15 sin theta - cos theta)"
+        self.assert_verdicts(equation, [(right.format(18.3333, 17.6667), False)])
+        padding = "1000000*(sin(theta)^2 + cos(theta)^2 - 1) + "
+        self.assert_verdicts(equation, [
+            (right.format(18.3333, 17.6667), True), (right.format("55/3", "53/3"), True), (right.format(18.3333, 11.6667), False),
+            (right.format(19, 17.6667), False), (padding + "theta'' = 0", False), (padding + "0.001 theta'' = 0", False),
+            ("theta'' = 0.0545 (17.667 Omega^2 sin theta cos theta + 1.5 Omega^2 (sin^2 theta - cos^2 theta) - g/(2l)*(15 sin theta - cos theta))", True),
+            ("theta'' - theta'' = 0", False), ("0 = 0", False), ("theta'' = 0.0545 (17.667 Omega^2 sin theta cos theta)", False)],
+            rule={"rtol": 0.01})
+        both = {"equation": {"system": "cart_pendulum", "parameters": {"M": "2*m"}}}
+        lines = "{} m x'' + m l theta'' cos theta - m l theta'^2 sin theta + k x = 0\nl theta'' + x'' cos theta + g sin theta = 0"
+        self.assert_verdicts(both, [(lines.format("2.99"), True), (lines.format("2.9"), False)], rule={"rtol": 0.005})
+
+    def test_other_rules_are_for_numbers(self):
+        for rule in ({"any_order": True}, {"kind": "sigfig"}, {"atol": 0.1}, {}, {"rtol": 0.1, "unit": "required"}):
+            error = self.error({"expect": {"equation": {"system": "rotating_l_bar"}, "of": "theta"}, "rule": rule, "submitted": "x = 0"})
+            self.assertEqual((error["pointer"], error["code"]), ("#/items/0/rule", "unused"))
+
     def test_wrong_keys(self):
         self.assertEqual(self.error({"expect": {"expression": {"system": "cart_pendulum"}, "of": "K"}, "submitted": ""})["pointer"], "#/items/0/expect/of")
         self.assertEqual(self.error({"expect": {"equation": {"system": "cart_pendulum"}, "of": "phi"}, "submitted": ""})["allowed"], ["x", "theta"])

@@ -133,7 +133,7 @@ Endpoint check_endpoint() {
   return {.name = "check",
           .help = "Grade submitted numbers, equations and trajectories",
           .question = {&check_table().set(), check_handler},
-          .cost = {.milliseconds = 3, .each = "items"},
+          .cost = {.milliseconds = 3, .made_of = Cost::MadeOf::items},
           .roads = Roads::body,
           .example = [](const Scene&, const Json&) { return std::optional<Json>(); }};
 }

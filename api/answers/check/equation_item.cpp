@@ -14,6 +14,7 @@ namespace {
 struct EquationItem {
   std::shared_ptr<FormulaSystem> formula;
   std::optional<std::size_t> coordinate;  ///< none: the equations of all coordinates
+  double tolerance{};                     ///< of rounded numbers; 0: they are exact
   std::uint64_t seed{};
   bool reveal{};
 
@@ -76,6 +77,7 @@ bool has_no_verdict(MotionFault fault) {
 /// An equation that cannot be told wrong by a state is wrong by its form.
 std::string decided_by(const MotionVerdict& found) {
   if (found.fault == MotionFault::not_true) return "counterexample";
+  if (found.decided_by == Decision::rounded) return "rule";
   return found.decided_by == Decision::values ? "values" : "identity";
 }
 
@@ -112,7 +114,7 @@ void decide_equations(const EquationItem& item, std::span<const ReadEquation> eq
     speaks_of_fixed = speaks_of_fixed || system.speaks_of_fixed(residual);
     residuals.push_back(system.with_fixed(residual));
   }
-  const MotionVerdict found = compare_motion(system, residuals, item.coordinate, item.seed);
+  const MotionVerdict found = compare_motion(system, residuals, item.coordinate, item.seed, item.tolerance);
   if (found.fault != MotionFault::none) {
     const std::string which = residuals.size() > 1 && found.fault == MotionFault::not_true
                                   ? "Equation " + std::to_string(found.equation + 1) + ": "
@@ -214,7 +216,11 @@ std::optional<Grader> read_equation_item(const CheckItem& item, const std::strin
   const Place expect = place.below("expect");
   auto formula = read_formula_system(item, kind, scope, place, errors);
   if (!formula) return std::nullopt;
-  EquationItem read{.formula = formula, .coordinate = {}, .seed = scope.seed, .reveal = scope.reveal};
+  EquationItem read{.formula = formula,
+                    .coordinate = {},
+                    .tolerance = formula_tolerance(item, place, errors),
+                    .seed = scope.seed,
+                    .reveal = scope.reveal};
   if (item.expect.contains("of")) {
     const Json& of = item.expect["of"];
     std::vector<std::string> names;

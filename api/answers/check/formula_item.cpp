@@ -15,6 +15,7 @@ struct FormulaItem {
   std::shared_ptr<FormulaSystem> formula;
   std::string name;  ///< "T"; empty: a formula of the teacher's own
   Expression expected;
+  double tolerance{};  ///< of rounded numbers; 0: they are exact
   std::uint64_t seed{};
   bool reveal{};
 };
@@ -58,7 +59,8 @@ Json counterexample_json(const FormulaItem& item, const Expression& submitted, c
 void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdict) {
   const ExpectedSystem& system = item.formula->system;
   const Expression formula = system.with_fixed(submitted);
-  const FormulaVerdict found = compare_formulas(system, item.name, formula, item.expected, item.seed);
+  const FormulaVerdict found =
+      compare_formulas(system, item.name, formula, item.expected, item.seed, item.tolerance);
   switch (found.decision) {
     case Decision::identity:
       verdict.correct = true;
@@ -67,6 +69,10 @@ void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdi
     case Decision::values:
       verdict.correct = true;
       verdict.decided_by = "values";
+      break;
+    case Decision::rounded:
+      verdict.correct = true;
+      verdict.decided_by = "rule";
       break;
     case Decision::counterexample:
       verdict.correct = false;
@@ -152,6 +158,7 @@ std::optional<Grader> read_formula_item(const CheckItem& item, const std::string
   FormulaItem read{.formula = std::move(formula),
                    .name = {},
                    .expected = *expected,
+                   .tolerance = formula_tolerance(item, place, errors),
                    .seed = scope.seed,
                    .reveal = scope.reveal};
   if (has_name) read.name = item.expect["of"].get<std::string>();

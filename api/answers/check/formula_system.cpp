@@ -173,6 +173,21 @@ std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item, const 
   return errors.size() == mistakes ? formula : nullptr;
 }
 
+double formula_tolerance(const CheckItem& item, const Place& place, Errors& errors) {
+  if (!item.rule) return 0;
+  const RuleRequest& rule = *item.rule;
+  const bool is_other = rule.kind != Comparison::relabs || rule.atol || !rule.modulo.is_null() ||
+                        rule.any_order || rule.any_scale || rule.unit != UnitRule::optional;
+  if (is_other || !rule.rtol) {
+    report(errors,
+           place.below("rule").error(
+               "unused",
+               "Formulas and equations have no rule but 'rtol', how far their numbers may be rounded."));
+    return 0;
+  }
+  return *rule.rtol;
+}
+
 Json written(const FormulaSystem& system, const ReadEquation& equation) {
   Json json = Json::object();
   for (const auto& [name, form] : {std::pair{"text", Form::text}, std::pair{"latex", Form::latex}}) {

@@ -32,6 +32,10 @@ struct FormulaSystem {
                                                                  const ExpectationScope& scope,
                                                                  const Place& place, Errors& errors);
 
+/// The `rtol` of an item's rule, for rounded numbers in formulas; 0 without a rule. What formulas have no use
+/// for is reported.
+[[nodiscard]] double formula_tolerance(const CheckItem& item, const Place& place, Errors& errors);
+
 /// {"text": ..., "latex": ...}: a formula or an equation as it was read.
 [[nodiscard]] Json written(const FormulaSystem& system, const ReadEquation& equation);
 

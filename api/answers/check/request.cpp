@@ -48,7 +48,10 @@ const Table<RuleRequest>& rule_table() {
                   {"webwork", webwork}},
                  "PrairieLearn's relabs, sigfig, decdig; STACK's NumRelative, NumAbsolute; WeBWorK's reals",
                  {.default_value = "relabs", .aliases = {"comparison", "type"}}),
-          number("rtol", &RuleRequest::rtol, tolerance, "relabs: relative tolerance, 0.01 by default"),
+          number(
+              "rtol", &RuleRequest::rtol, tolerance,
+              "relabs: relative tolerance, 0.01 by default; of a formula or an equation: how far its numbers may be "
+              "rounded, 0 by default"),
           number("atol", &RuleRequest::atol, tolerance, "relabs: absolute tolerance, 1e-8 by default"),
           integer("digits", &RuleRequest::digits, {1, 17}, "sigfig, decdig: digits that count, 2 by default"),
           number("testoptions", &RuleRequest::testoptions, tolerance,

@@ -96,6 +96,24 @@ TEST(Appraisal, ASweepCostsWhatItsRowsCost) {
   EXPECT_NEAR(query.milliseconds, 40 * one, one);
 }
 
+TEST(Appraisal, ACheckCostsWhatItsItemsAreHeldAgainst) {
+  const auto check = [](const std::string& expect, int count = 1) {
+    std::string items;
+    for (int i = 0; i < count; ++i)
+      items += R"(,{"id": ")" + std::to_string(i) + R"(", "expect": )" + expect + "}";
+    return of("/v1/check", R"({"items": [)" + items.substr(1) + "]}");
+  };
+  const std::string turning = R"({"turning_points": {"system": "free_spin_pendulum"}, "at": "/theta_max"})";
+  EXPECT_EQ(check(turning).weight, Weight::light);
+  EXPECT_GT(check(turning, 9).milliseconds, 8 * check(turning).milliseconds);
+  for (const char* dear : {R"({"gait": {"system": "compass_walker"}, "at": "/gaits/0/step_time"})",
+                           R"({"accuracy": {"system": "cart_pendulum"}, "at": "/rows/0"})",
+                           R"({"simulate": {"system": "cart_pendulum", "t_end": 1000}, "at": "/t_reached"})"})
+    EXPECT_EQ(check(dear).weight, Weight::heavy) << dear;
+  for (const char* wrong : {"3", "[]", R"({"energy": 3})", R"({"equation": []})", "null"})
+    EXPECT_EQ(check(wrong).weight, Weight::light) << wrong;
+}
+
 TEST(Appraisal, WhatCannotBeReadIsCheapUnlessItIsLarge) {
   for (const char* body :
        {"", "{", "[]", "null", R"({"t_end": "soon", "samples": {}, "times": 3, "system": []})",
