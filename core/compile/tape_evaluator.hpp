@@ -13,7 +13,7 @@
 
 namespace qdot {
 
-/// For one tape without `solve`, at time 0, and one set of parameters.
+/// For one tape without `solve`, at one time, 0 at first, and one set of parameters.
 /// T has T::literal(Real), +, *, /, square, sqrt, sin, cos, power(T, T) or power(T, Real) and
 /// evaluate(Function, T).
 template <class T>
@@ -33,6 +33,8 @@ class TapeEvaluator {
     for (std::size_t i = 0; i < parameters.size(); ++i) slots_[i] = parameters[i];
     run(function_.prologue_);
   }
+
+  void set_time(const T& t) { slots_[function_.parameters_] = t; }
 
   void operator()(std::span<const T> variables, std::span<T> out) {
     for (std::size_t i = 0; i < variables.size(); ++i) slots_[function_.parameters_ + 1 + i] = variables[i];

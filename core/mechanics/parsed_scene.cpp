@@ -123,9 +123,15 @@ class SceneParser {
                      read_position(body.end, place + "/end")};
   }
   ParsedBody read_body(const Disk& body, const std::string& place) {
+    Vector centre = read_position(body.centre, place + "/centre");
+    if (centre.size() > 2) {
+      text_.complain(place + "/centre", "not_applicable",
+                     "A disk stays in the plane, so its centre has two components: in space its energy "
+                     "depends on where its axis points.");
+    }
     return ParsedDisk{read_mass(body.mass, place),
                       text_.read(body.radius, Context::parameters, place + "/radius", dimension_of_unit("m")),
-                      read_position(body.centre, place + "/centre"),
+                      std::move(centre),
                       text_.read(body.angle, Context::configuration, place + "/angle", Dimension{})};
   }
 

@@ -37,6 +37,24 @@ decltype(ExtendedSystem::hidden) hidden_of(const CompiledFunction& accelerations
   };
 }
 
+std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
+  std::vector<DoubleDouble> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
+  return result;
+}
+
+}  // namespace
+
+ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
+                                       std::span<const double> grid) {
+  ExtendedMotionRequest result;
+  result.parameters = double_doubles(parameters);
+  result.y_start = double_doubles(y_start);
+  result.t_start = t_start;
+  result.grid.assign(grid.begin(), grid.end());
+  return result;
+}
+
 ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
   const CompiledFunction& accelerations = dynamics.accelerations();
   ExtendedSystem system;
@@ -56,25 +74,11 @@ ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionReq
   return system;
 }
 
-std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
-  std::vector<DoubleDouble> result;
-  for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
-  return result;
-}
-
-}  // namespace
-
-ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
-                                       std::span<const double> grid) {
-  ExtendedMotionRequest result;
-  result.parameters = double_doubles(parameters);
-  result.y_start = double_doubles(y_start);
-  result.t_start = t_start;
-  result.grid.assign(grid.begin(), grid.end());
-  return result;
-}
-
 ExtendedRun extended_states(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
+  return extended_states(extended_system(dynamics, request), request);
+}
+
+ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRequest& request) {
   const bool is_full = request.form == Form::full;
   const double rtol = request.rtol > 0 ? request.rtol : is_full ? round_off_of_full : round_off_of_mixed;
   const unsigned order = is_full ? extended_order(rtol, ExtendedExpansion::highest_order) : order_of_mixed;
@@ -84,7 +88,7 @@ ExtendedRun extended_states(const Dynamics& dynamics, const ExtendedMotionReques
                                .order = request.taylor_order > 0 ? request.taylor_order : order,
                                .tolerances = {rtol, rtol * 1e-3},
                                .limits = request.limits};
-  return integrate(extended_system(dynamics, request), run, request.grid);
+  return integrate(system, run, request.grid);
 }
 
 }  // namespace qdot

@@ -31,8 +31,14 @@ struct ExtendedMotionRequest {
 [[nodiscard]] ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start,
                                                      double t_start, std::span<const double> grid);
 
+/// The equations in that form. Keeps references to nothing but the dynamics.
+[[nodiscard]] ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionRequest& request);
+
 /// The states on the grid. The motion is the smooth one: no event, no impact and no condition of validity is
 /// looked at. Needs accelerations that have a Taylor expansion (has_extended_expansion).
 [[nodiscard]] ExtendedRun extended_states(const Dynamics& dynamics, const ExtendedMotionRequest& request);
+
+/// The same with a system that is there.
+[[nodiscard]] ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRequest& request);
 
 }  // namespace qdot

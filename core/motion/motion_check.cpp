@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/compile/extended/expansion.hpp"
-#include "core/motion/extended_motion.hpp"
+#include "core/motion/extended_impacts.hpp"
 
 namespace qdot {
 namespace {
@@ -113,15 +113,19 @@ const char* not_comparable(const ComputedMotion& motion, const Simulation& check
 
 SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {
   const Simulation& first = motion.simulation;
-  const bool is_smooth = first.sections.empty() && motion.dynamics.kinks() == nullptr &&
-                         has_extended_expansion(motion.dynamics.accelerations());
+  const bool is_smooth =
+      motion.dynamics.kinks() == nullptr && has_extended_expansion(motion.dynamics.accelerations());
   if (motion.is_stiff || !is_smooth || first.rows == 0) return {};
   ExtendedMotionRequest request =
       extended_request(motion.request.parameters, motion.request.y_start, motion.request.t_start,
                        std::span(motion.grid.t).first(first.rows));
   request.look_for_hidden = true;
   request.limits.max_evaluations = evaluations_left / cost_of_digits;
-  const ExtendedRun run = extended_states(motion.dynamics, request);
+  const std::optional<ExtendedRun> found =
+      first.sections.empty() ? extended_states(motion.dynamics, request)
+                             : extended_states_through(first.sections, motion.dynamics, request);
+  if (!found) return {};
+  const ExtendedRun& run = *found;
   SharperMotion result{.simulation = {}, .evaluations = cost_of_digits * run.evaluations};
   if (run.rows < first.rows || !run.bounded) return result;
   Simulation& sharper = result.simulation.emplace();

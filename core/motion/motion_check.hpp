@@ -47,7 +47,7 @@ struct SharperMotion {
 };
 
 /// The motion from the numbers as they were typed, in so many digits that the difference is what rounding
-/// did to it. None where it has impacts, where something may lie hidden, or where that is too much work.
+/// did to it. None where it has kinks, where something may lie hidden, or where that is too much work.
 [[nodiscard]] SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left);
 
 }  // namespace qdot

@@ -7,6 +7,7 @@
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/integrate.hpp"
+#include "core/motion/impact_map.hpp"
 #include "core/motion/motion_sections.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/root.hpp"
@@ -177,7 +178,9 @@ class Simulator {
 
   /// Goes on from the state after the impact; false when the motion is over there anyway.
   bool apply_impact() {
-    std::vector<double> after = after_impact();
+    const ImpactMap map = impact_map(dynamics_.model());
+    std::vector<double> after = result_.y;
+    map.assign(values_at(dynamics_, map.components, request_.parameters, result_.t, result_.y), after);
     const double begin = result_.sections.empty() ? request_.t_start : result_.sections.back().t;
     result_.sections.push_back({result_.t, result_.t - begin, result_.y, after});
     if (result_.t >= request_.t_end || result_.sections.size() == request_.end_after_impacts) {
@@ -211,28 +214,6 @@ class Simulator {
     const double rest = last * most / (1 - most);
     if (rest > negligible * (request_.t_end - request_.t_start)) return std::nullopt;
     return rest;
-  }
-
-  [[nodiscard]] std::vector<double> after_impact() const {
-    std::vector<Column> components;
-    std::vector<std::size_t> places;
-    for (const auto& [symbol, expression] : dynamics_.model().parsed.impact) {
-      components.push_back({"", "", expression});
-      places.push_back(state_index(symbol));
-    }
-    const std::vector<double> values =
-        values_at(dynamics_, components, request_.parameters, result_.t, result_.y);
-    std::vector<double> after = result_.y;
-    for (std::size_t i = 0; i < places.size(); ++i) after[places[i]] = values[i];
-    return after;
-  }
-
-  [[nodiscard]] std::size_t state_index(const Expression& symbol) const {
-    const Symbols::Varying& q = dynamics_.model().parsed.symbols.coordinates;
-    const auto found = std::find(q.value.begin(), q.value.end(), symbol);
-    if (found != q.value.end()) return static_cast<std::size_t>(found - q.value.begin());
-    return q.value.size() +
-           static_cast<std::size_t>(std::find(q.rate.begin(), q.rate.end(), symbol) - q.rate.begin());
   }
 
   [[nodiscard]] std::span<const double> row(std::size_t i) const {

@@ -114,6 +114,19 @@ const std::vector<Mistake> table{
        s.gravity = {"0", "-g", "0"};
      },
      "/gravity", "components", "Positions and vectors have two components, or all of them three."},
+    {"DiskInSpace",
+     [](Scene& s) {
+       for (Point& point : s.points) point.components.push_back("0");
+       s.gravity.push_back("0");
+       s.bodies = {Disk{.name = "wheel",
+                        .mass = "m",
+                        .radius = "l0",
+                        .centre = {.point = s.points[0].name, .components = {}},
+                        .angle = "theta"}};
+     },
+     "/bodies/0/centre", "not_applicable",
+     "A disk stays in the plane, so its centre has two components: in space its energy depends on where its "
+     "axis points."},
     {"ReactionOfNoHeldLength",
      [](Scene& s) {
        s.valid_while.push_back({"pull", "N", Reaction{"s", -1}, "slack", "Slack."});
