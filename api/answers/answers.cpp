@@ -29,6 +29,18 @@ ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
   return state;
 }
 
+WrittenTexts written_texts(const SystemChoice& choice) {
+  WrittenTexts texts;
+  for (const auto& [name, text] : choice.written) {
+    for (const SymbolRole role : {SymbolRole::parameter, SymbolRole::initial}) {
+      for (const Symbol& symbol : symbols(*choice.scene, role)) {
+        if (symbol.name == name) texts[name] = exact_quantity(text, symbol.unit);
+      }
+    }
+  }
+  return texts;
+}
+
 ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models) {
   ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};
   system.state = resolved_state(system.model(), choice);

@@ -12,6 +12,7 @@
 #include "api/http/routes.hpp"
 #include "api/json/json.hpp"
 #include "api/json/writer.hpp"
+#include "core/closed/written_texts.hpp"
 
 namespace qdot::api {
 
@@ -23,6 +24,9 @@ struct ResolvedState {
 
 /// Throws Error(invalid_state) where a default has no finite value.
 [[nodiscard]] ResolvedState resolved_state(const Model& model, const SystemChoice& choice);
+
+/// What the request writes of parameters and initial state, as expressions in SI.
+[[nodiscard]] WrittenTexts written_texts(const SystemChoice& choice);
 
 /// The system of a request, with everything resolved that the request left open.
 struct ResolvedSystem {

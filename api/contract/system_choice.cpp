@@ -85,6 +85,9 @@ std::optional<Json> read_symbol(SymbolRole role, const Symbol& symbol, const Jso
   if (std::string note = note_on(symbol, value, number->value); !note.empty())
     choice.notes.push_back(std::move(note));
   numbers_of(role, choice).emplace_back(symbol.name, *number);
+  if (role == SymbolRole::parameter || role == SymbolRole::initial)
+    choice.written.emplace_back(symbol.name,
+                                value.is_string() ? value.get<std::string>() : place.written(value));
   return number->value;
 }
 

@@ -24,6 +24,8 @@ struct SystemChoice {
   std::vector<std::pair<std::string, std::string>> inputs{};  ///< expressions in t and the parameters
   std::vector<std::pair<std::string, Real>> equilibrium{};    ///< coordinates where it is meant, SI
   std::vector<std::pair<std::string, Real>> position{};       ///< coordinates, SI
+  /// Parameters and the initial state as they were written, "30deg", "2*m*g/l".
+  std::vector<std::pair<std::string, std::string>> written{};
   std::vector<std::string> notes{};  ///< how a value was understood that could be meant otherwise
 };
 

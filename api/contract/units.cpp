@@ -10,6 +10,7 @@
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/mechanics/unit_names.hpp"
 #include "core/mechanics/units.hpp"
 
@@ -119,6 +120,20 @@ int missing_turns(const Unit& unit, const Unit& expected) {
   return unit.angle == 0 && unit.cycles == expected.angle ? unit.cycles : 0;
 }
 
+/// With the turns that are missing.
+Unit counting_turns(Unit unit, const Unit& expected) {
+  const int turns = missing_turns(unit, expected);
+  unit.pi_power += turns;
+  unit.factor = unit.factor * power(Number(2), turns);
+  return unit;
+}
+
+/// An integer in digits.
+std::string in_digits(const Number& integer) {
+  Graph graph;
+  return print(graph.number(integer), Form::text);
+}
+
 }  // namespace
 
 std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::string_view expected_unit) {
@@ -137,15 +152,21 @@ std::variant<Real, QuantityError> parse_quantity(std::string_view text, std::str
                                    " is needed.",
                          .allowed = fitting_units(expected_unit)};
   }
-  Unit with_turns = *unit;
-  const int turns = missing_turns(*unit, expected);
-  with_turns.pi_power += turns;
-  with_turns.factor = with_turns.factor * power(Number(2), turns);
-  const Real value = with_turns.to_si(number);
+  const Real value = counting_turns(*unit, expected).to_si(number);
   if (!value.is_finite()) {
     return QuantityError{"out_of_range", in_quotes(text) + " is beyond double precision."};
   }
   return value;
+}
+
+std::string exact_quantity(std::string_view text, std::string_view expected_unit) {
+  const auto split = split_number(text, expected_unit);
+  const auto* quantity = std::get_if<NumberAndRest>(&split);
+  const std::optional<Unit> unit = quantity == nullptr ? std::nullopt : parse_unit(quantity->rest);
+  if (!unit) return std::string(text);
+  const Unit whole = counting_turns(*unit, declared_unit(expected_unit));
+  return "(" + std::string(quantity->digits) + ")*(" + in_digits(whole.factor.numerator()) + "/" +
+         in_digits(whole.factor.denominator()) + ")*pi^(" + std::to_string(whole.pi_power) + ")";
 }
 
 bool counts_turns(std::string_view text, std::string_view expected_unit) {

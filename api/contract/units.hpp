@@ -25,6 +25,9 @@ struct QuantityError {
 [[nodiscard]] std::variant<Real, QuantityError> parse_quantity(std::string_view text,
                                                                std::string_view expected_unit);
 
+/// The same as an expression of numbers and pi, "(30)*(1/180)*pi"; any other text as it is.
+[[nodiscard]] std::string exact_quantity(std::string_view text, std::string_view expected_unit);
+
 /// Is `text` a quantity in Hz for a symbol in radians, so that turns are counted?
 [[nodiscard]] bool counts_turns(std::string_view text, std::string_view expected_unit);
 

@@ -139,6 +139,7 @@ class Solver {
   }
 
   Solution run() {
+    result_.polynomial = polynomial_;
     Candidates found = candidates();
     keep(found.values);
     if (result_.values.empty() && !found.values.empty()) {

@@ -8,6 +8,7 @@
 // is searched over its whole domain (core/numerics/root_isolation.hpp). All ignorable coordinates move with
 // the velocities given, not with given momenta. Errors are proven bounds for the position taken as exact.
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,7 @@ struct Solution {
   std::string unit;
   /// For one coordinate and a polynomial; ascending. No value where it is not known.
   std::optional<std::vector<SolvableRange>> ranges;
+  std::shared_ptr<const SteadyPolynomial> polynomial;  ///< the forces, of the unknown
 };
 
 /// Names that can be solved for: the parameters, then the velocities of the ignorable coordinates.

@@ -16,7 +16,7 @@ namespace {
 class PolynomialDerivation {
  public:
   PolynomialDerivation(const Model& model, const Statics& statics, const std::string& unknown)
-      : model_(model), statics_(statics), reduction_(statics.reduction), graph_(*reduction_.graph) {
+      : model_(model), statics_(statics), reduction_(statics.reduction) {
     for (const Expression& x : reduction_.x) x_.push_back(graph_.adopt(x));
     const std::size_t parameters = reduction_.constants.size() - reduction_.ignored.size();
     for (std::size_t i = 0; i < parameters; ++i) constants_.push_back(graph_.adopt(reduction_.constants[i]));
@@ -37,6 +37,8 @@ class PolynomialDerivation {
     }
     describe_coordinates();
     compile();
+    result_.forms = coefficients_;
+    result_.graph = own_;
     return std::move(result_);
   }
 
@@ -128,7 +130,8 @@ class PolynomialDerivation {
   const Model& model_;
   const Statics& statics_;
   const Reduction& reduction_;
-  Graph graph_;
+  std::shared_ptr<Graph> own_{std::make_shared<Graph>(*reduction_.graph)};
+  Graph& graph_{*own_};
   std::vector<Expression> x_, constants_;
   Expression u_;
   Replacement zero_;

@@ -2,6 +2,7 @@
 // The forces at rest as functions of one unknown number u, which is a parameter or the velocity of an
 // ignorable coordinate. All ignorable coordinates move with given velocities here, not with given momenta.
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,7 +29,9 @@ struct SteadyPolynomial {
   CompiledFunction momenta;         ///< of the ignored coordinates
   std::vector<bool> turns;          ///< for each x: see SteadyForces
   std::vector<std::size_t> needed;  ///< places in x that some force depends on
-  bool u_turns{};                   ///< a full turn of u changes no force
+  std::vector<Expression> forms;    ///< `coefficients` as expressions, in `graph`
+  std::shared_ptr<const Graph> graph;
+  bool u_turns{};  ///< a full turn of u changes no force
 };
 
 [[nodiscard]] SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics,

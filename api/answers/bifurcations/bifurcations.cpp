@@ -1,8 +1,10 @@
 #include "core/steady/bifurcations.hpp"
 #include "api/answers/bifurcations/request.hpp"
+#include "api/answers/exact_json.hpp"
 #include "api/answers/gait/request.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
+#include "core/closed/exact_solution.hpp"
 #include "core/gait/gait_continuation.hpp"
 
 namespace qdot::api {
@@ -56,7 +58,12 @@ class BifurcationsAnswer {
     const Bifurcations found =
         bifurcations(dynamics_, state_.parameters, state_.y, index_, request_.from, request_.to);
     Json body{{"of", "equilibria"}, {"critical", Json::array()}, {"complete", found.complete}};
-    for (const CriticalValue& c : found.critical) body["critical"].push_back(critical(c));
+    const auto exact = exact_critical_values(dynamics_, state_.parameters, state_.y, index_,
+                                             written_texts(request_.system), found);
+    for (std::size_t i = 0; i < found.critical.size(); ++i) {
+      body["critical"].push_back(critical(found.critical[i]));
+      if (exact[i]) body["critical"].back()["exact"] = exact_json(*exact[i]);
+    }
     if (!found.reason.empty()) body["reason"] = found.reason;
     if (!found.degenerate.empty()) {
       body["degenerate"] = found.degenerate;

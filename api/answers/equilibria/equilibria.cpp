@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "api/answers/equilibria/request.hpp"
+#include "api/answers/exact_json.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
 #include "api/json/text.hpp"
+#include "core/closed/exact_solution.hpp"
 #include "core/steady/equilibria.hpp"
 #include "core/steady/solve_for.hpp"
 
@@ -127,10 +129,12 @@ class SolutionAnswer {
         scene_(dynamics.model().scene),
         state_(state),
         unknown_(*request.solve_for),
+        written_(written_texts(request.system)),
         digits_(digits) {}
 
   Json body() {
     const Solution solution = solve_for(dynamics_, state_.parameters, state_.y, unknown_);
+    exact_ = exact_solutions(dynamics_, state_.parameters, state_.y, unknown_, written_, solution);
     Json body = Json::object();
     if (solution.values.empty()) {
       body[unknown_] = nullptr;
@@ -140,6 +144,7 @@ class SolutionAnswer {
       const SolvedValue& first = solution.values.front();
       body[unknown_] = first.value;
       body["error"] = stated_error({first.value, first.error}, digits_);
+      if (exact_[0]) body["exact"] = exact_json(*exact_[0]);
       put_stability(body, first.stability, digits_);
     }
     put_all(body, solution);
@@ -151,8 +156,10 @@ class SolutionAnswer {
  private:
   void put_all(Json& body, const Solution& solution) const {
     body["all"] = Json::array();
-    for (const SolvedValue& solved : solution.values) {
+    for (std::size_t i = 0; i < solution.values.size(); ++i) {
+      const SolvedValue& solved = solution.values[i];
       Json json{{unknown_, solved.value}, {"error", stated_error({solved.value, solved.error}, digits_)}};
+      if (exact_[i]) json["exact"] = exact_json(*exact_[i]);
       put_stability(json, solved.stability, digits_);
       body["all"].push_back(std::move(json));
     }
@@ -189,7 +196,9 @@ class SolutionAnswer {
   const Scene& scene_;
   const ResolvedState& state_;
   std::string unknown_;
+  WrittenTexts written_;
   int digits_;
+  std::vector<std::optional<ClosedForm>> exact_;
 };
 
 /// Puts the position into the state and into the echo. Returns an error for each coordinate that the position

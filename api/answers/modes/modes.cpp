@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "api/answers/exact_json.hpp"
 #include "api/answers/stated.hpp"
+#include "core/closed/exact_modes.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/mechanics/units.hpp"
@@ -45,8 +47,9 @@ double value_of(const Model& model, std::span<const double> parameters, const st
 
 class ModesAnswer {
  public:
-  ModesAnswer(const Model& model, std::span<const double> parameters, const Modes& modes, int digits)
-      : scene_(model.scene), modes_(modes), digits_(digits) {
+  ModesAnswer(const Model& model, std::span<const double> parameters, const Modes& modes,
+              const ExactModes& exact, int digits)
+      : scene_(model.scene), modes_(modes), exact_(exact), digits_(digits) {
     for (const Coordinate& q : scene_.coordinates) {
       scales_.push_back(q.scale.empty() ? 1 : value_of(model, parameters, q.scale));
       scaled_units_.push_back(q.scale.empty() ? q.unit : "m");
@@ -64,7 +67,10 @@ class ModesAnswer {
     body["gyroscopic_matrix"] = matrix(modes_.gyroscopic);
     if (!modes_.damping.empty()) body["damping_matrix"] = matrix(modes_.damping);
     body["modes"] = Json::array();
-    for (const Mode& mode : modes_.modes) body["modes"].push_back(mode_json(mode));
+    for (std::size_t i = 0; i < modes_.modes.size(); ++i) {
+      body["modes"].push_back(mode_json(modes_.modes[i]));
+      if (exact_.modes[i]) body["modes"].back()["exact"] = exact_mode_json(modes_.modes[i], *exact_.modes[i]);
+    }
     body["units"] = units();
     return body;
   }
@@ -103,6 +109,17 @@ class ModesAnswer {
     }
     json["error"] = std::move(error);
     if (!proven) json["reason"] = not_isolated;
+    if (Json exact = exact_state_json(); !exact.empty()) json["exact"] = std::move(exact);
+    return json;
+  }
+
+  /// Formulas of the coordinates that are not zero.
+  [[nodiscard]] Json exact_state_json() const {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (exact_.state[i] && exact_.state[i]->text != "0")
+        json[scene_.coordinates[i].name] = exact_json(*exact_.state[i]);
+    }
     return json;
   }
 
@@ -133,6 +150,26 @@ class ModesAnswer {
     if (mode.multiplicity > 1) json["multiplicity"] = mode.multiplicity;
     json["shape"] = shape_json(mode.shape);
     if (has_one_unit()) json["shape_scaled"] = shape_json(scaled(mode.shape));
+    return json;
+  }
+
+  /// The formula of omega^2, or of rate^2, and what follows from it.
+  [[nodiscard]] Json exact_mode_json(const Mode& mode, const ExactMode& exact) const {
+    const std::string name = mode.kind == ModeKind::oscillation ? "omega" : "rate";
+    Json json{{"of", name + "^2"}};
+    json.update(exact_json(exact.square));
+    if (exact.rate) json[name] = formula_json(*exact.rate);
+    if (exact.period) json["period"] = formula_json(*exact.period);
+    if (exact.lambda) json["lambda"] = formula_json(*exact.lambda);
+    if (!exact.shape.empty()) json["shape"] = exact_shape_json(exact.shape);
+    if (!exact.scaled_shape.empty()) json["shape_scaled"] = exact_shape_json(exact.scaled_shape);
+    if (exact.general) json["general"] = exact_json(*exact.general);
+    return json;
+  }
+
+  [[nodiscard]] Json exact_shape_json(const std::vector<ClosedForm>& shape) const {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < shape.size(); ++i) json[scene_.coordinates[i].name] = formula_json(shape[i]);
     return json;
   }
 
@@ -187,6 +224,7 @@ class ModesAnswer {
 
   const Scene& scene_;
   const Modes& modes_;
+  const ExactModes& exact_;
   int digits_;
   std::vector<double> scales_;
   std::vector<std::string> scaled_units_;
@@ -199,8 +237,9 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
   const auto& [parameters, y] = system.state;
   const Modes modes =
       normal_modes(*system.dynamics, parameters, y, guess_of(system.scene(), request.system, y));
+  const ExactModes exact = exact_modes(*system.dynamics, parameters, written_texts(request.system), modes);
   const int digits = request.digits.value_or(shortest_digits);
-  const Json body = ModesAnswer(system.model(), parameters, modes, digits).body();
+  const Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);
 }

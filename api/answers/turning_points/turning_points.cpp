@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "api/answers/exact_json.hpp"
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/turning_points/request.hpp"
 #include "core/base/error.hpp"
+#include "core/closed/exact_turning.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/notation.hpp"
@@ -172,6 +174,7 @@ class TurningPointsAnswer {
     put("period", stated(found.period), "s");
     if (!found.period.reason.empty()) reasons_["period"] = found.period.reason;
     put_constants(found);
+    put_exact(found);
     put_validity(found);
     if (!found.notes.empty()) body_["notes"] = found.notes;
   }
@@ -196,6 +199,31 @@ class TurningPointsAnswer {
       units_[name] = momentum_unit(scene(), reduction.ignored[k]);
     }
     body_["constants"] = std::move(constants);
+  }
+
+  void put_exact(const TurningPoints& found) {
+    const ExactTurningPoints exact =
+        exact_turning_points(dynamics(), system_.state.parameters, written_texts(request_.system), found);
+    Json json = Json::object();
+    if (exact.equation) json["equation"] = exact_json(*exact.equation);
+    if (exact.maximum) json[coordinate().name + "_max"] = exact_json(*exact.maximum);
+    if (exact.minimum) json[coordinate().name + "_min"] = exact_json(*exact.minimum);
+    const Json& constants = body_["constants"];  // the energy, then the momenta
+    auto name = constants.items().begin();
+    if (exact.energy) json[name.key()] = exact_json(*exact.energy);
+    for (const std::optional<ClosedForm>& momentum : exact.momenta) {
+      ++name;
+      if (momentum) json[name.key()] = exact_json(*momentum);
+    }
+    if (!json.empty()) body_["exact"] = std::move(json);
+  }
+
+  static Json exact_json(const ClosedForm& form) { return api::exact_json(form); }
+  static Json exact_json(const ExactExtremum& extremum) {
+    Json json = api::exact_json(extremum.value);
+    if (extremum.cosine) json["cos"] = formula_json(*extremum.cosine);
+    if (extremum.sine) json["sin"] = formula_json(*extremum.sine);
+    return json;
   }
 
   /// Whether it holds is said where the least value and its error tell.

@@ -44,6 +44,7 @@ Layout::Traits Layout::traits(NodeId id) const {
   return std::visit(overloaded{[](const Literal&) { return Traits{}; },
                                [&](const Symbol& x) {
                                  Traits result;
+                                 result.is_number = false;
                                  result.place = place_of(x.name, notation_);
                                  result.acceleration = result.place.role == Role::acceleration ? 1 : 0;
                                  result.velocity = result.place.role == Role::velocity ? 1 : 0;
@@ -55,6 +56,7 @@ Layout::Traits Layout::traits(NodeId id) const {
                                [&](const Power& x) { return power_traits(x); },
                                [&](const Call& x) {
                                  Traits result;
+                                 result.is_number = traits_.at(x.argument).is_number;
                                  result.calls = true;
                                  result.varies = traits_.at(x.argument).varies;
                                  return result;
@@ -71,6 +73,7 @@ Layout::Traits Layout::sum_traits(const Sum& sum) const {
       result.acceleration = term.acceleration;
       result.velocity = term.velocity;
     }
+    result.is_number = result.is_number && term.is_number;
     result.calls = result.calls || term.calls;
     result.varies = result.varies || term.varies;
   }
@@ -89,6 +92,7 @@ Layout::Traits Layout::product_traits(const Product& product) const {
     const Traits& factor = traits_.at(id);
     result.acceleration += factor.acceleration;
     result.velocity += factor.velocity;
+    result.is_number = result.is_number && factor.is_number;
     result.calls = result.calls || factor.calls;
     result.varies = result.varies || factor.varies;
   }
@@ -103,23 +107,27 @@ Layout::Traits Layout::power_traits(const Power& power) const {
   const double degree = std::max(power.exponent.value(), 0.0);
   result.acceleration = degree * base.acceleration;
   result.velocity = degree * base.velocity;
+  result.is_number = base.is_number;
   result.calls = base.calls;
   result.varies = base.varies;
   return result;
 }
 
-/// What decides a factor's place in a product first. A bracket of parameters alone comes before the
-/// coordinates: (M + m)*x_ddot.
+/// What decides a factor's place in a product first. A bracket of numbers comes before everything, one of
+/// parameters alone before the coordinates: (17 - sqrt(217))*g/l, (M + m)*x_ddot.
 int Layout::rank(NodeId base) const {
   constexpr int bracket_of_parameters = 2 * static_cast<int>(Role::other) + 1;
   constexpr int after_symbols = 2 * static_cast<int>(Role::acceleration) + 1;
   const Traits& traits = traits_.at(base);
   return std::visit(
-      overloaded{[](const Literal&) { return -1; },
+      overloaded{[](const Literal&) { return -2; },
                  [&](const Symbol&) { return 2 * static_cast<int>(traits.place.role); },
                  [](const Power&) { return after_symbols; }, [](const Call&) { return after_symbols + 1; },
                  [](const Product&) { return after_symbols + 2; },
-                 [&](const Sum&) { return traits.varies ? after_symbols + 3 : bracket_of_parameters; }},
+                 [&](const Sum&) {
+                   if (traits.is_number) return -1;
+                   return traits.varies ? after_symbols + 3 : bracket_of_parameters;
+                 }},
       graph_.node(base));
 }
 

@@ -48,6 +48,7 @@ class Layout {
     double velocity{0};            ///< degree in the velocities (of a sum: both of its first term)
     bool calls{false};             ///< whether a function occurs
     bool varies{false};            ///< whether a coordinate, velocity or acceleration occurs
+    bool is_number{true};          ///< no symbol occurs
     Place place;                   ///< of a symbol
     std::vector<NodeId> children;  ///< of sums and products, in order
   };

@@ -1,0 +1,59 @@
+#pragma once
+// An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine or a
+// cosine that solves a linear equation; coordinates that solve one, l = l0 + m*g/k. It is proven by putting
+// it into the forces, which have to vanish identically.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/expr/calculus.hpp"
+#include "core/numerics/interval.hpp"
+
+namespace qdot {
+
+/// What is looked for: x with g(x) = 0 near a place that is known by numbers.
+struct PlaceProblem {
+  std::vector<Expression> x;
+  std::vector<bool> is_angle;
+  std::vector<Expression> forces;   ///< g
+  std::vector<Interval> near;       ///< encloses x
+  std::vector<Expression> offsets;  ///< angles among the parameters, and their values
+  std::vector<double> offset_values;
+};
+
+class ExactPlace {
+ public:
+  /// No value where none of these forms solves g = 0.
+  [[nodiscard]] static std::optional<ExactPlace> of(const PlaceProblem& problem);
+
+  /// With the known angles and zeros alone, whether forces vanish there or not.
+  [[nodiscard]] static ExactPlace special(const PlaceProblem& problem);
+
+  /// x_k by the parameters.
+  [[nodiscard]] const std::vector<Expression>& x() const { return x_; }
+  /// e at the place.
+  [[nodiscard]] Expression at(const Expression& e) const;
+
+ private:
+  /// sin(x_k) or cos(x_k) is `value`, the other one the root of 1 - value^2.
+  struct Solved {
+    Expression sine, cosine;
+    Expression known, other;  ///< which is which
+    Expression value;
+  };
+
+  explicit ExactPlace(const PlaceProblem& problem) : problem_(&problem), x_(problem.x) {}
+  void take_special_values();
+  [[nodiscard]] bool solve_one();
+  [[nodiscard]] bool solve(std::size_t k, const Expression& force);
+  [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force);
+  [[nodiscard]] bool is_known(std::size_t k) const { return x_[k] != problem_->x[k]; }
+
+  const PlaceProblem* problem_;
+  std::vector<Expression> x_;
+  std::vector<Replacement> replacements_;
+  std::vector<Solved> solved_;
+};
+
+}  // namespace qdot

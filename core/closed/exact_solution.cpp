@@ -1,0 +1,205 @@
+#include "core/closed/exact_solution.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/closed/exact_roots.hpp"
+#include "core/closed/linear_motions.hpp"
+#include "core/closed/trial.hpp"
+
+namespace qdot {
+namespace {
+
+using Forms = std::vector<std::optional<ClosedForm>>;
+
+/// Of the formulas that agree with a number, the shortest with its relations.
+class Best {
+ public:
+  Best(const ExactValues& values, std::vector<Expression> allowed)
+      : values_(values), allowed_(std::move(allowed)) {}
+
+  void consider(const Expression& e, const Relations& relations) {
+    if (length_ && *length_ <= written_length(e)) return;
+    auto form = closed_form(values_, e, relations, allowed_);
+    if (!form) return;
+    length_ = written_length(e);
+    form_ = std::move(form);
+  }
+  [[nodiscard]] const std::optional<ClosedForm>& form() const { return form_; }
+
+ private:
+  const ExactValues& values_;
+  std::vector<Expression> allowed_;
+  std::optional<std::size_t> length_;
+  std::optional<ClosedForm> form_;
+};
+
+std::optional<std::size_t> parameter_number(const Scene& scene, const std::string& name) {
+  const auto found = std::ranges::find(scene.parameters, name, &Parameter::name);
+  if (found == scene.parameters.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - scene.parameters.begin());
+}
+
+Reals with(Reals parameters, std::optional<std::size_t> index, double value) {
+  if (index) parameters.set(*index, value);
+  return parameters;
+}
+
+class SolutionForms {
+ public:
+  SolutionForms(const Dynamics& dynamics, const Reals& parameters, const Reals& y, const std::string& unknown,
+                const WrittenTexts& written, const Solution& found)
+      : polynomial_(*found.polynomial),
+        graph_(std::make_shared<Graph>(*polynomial_.graph)),
+        values_(dynamics.model(), graph_, written,
+                with(parameters, parameter_number(dynamics.model().scene, unknown), 1),
+                parameter_number(dynamics.model().scene, unknown)),
+        u_(graph_->symbol(unknown)),
+        found_(found) {
+    const Symbols::Varying& q = dynamics.model().parsed.symbols.coordinates;
+    for (std::size_t i = 0; i < q.value.size(); ++i) {
+      take(graph_->adopt(q.value[i]), y.exact(i));
+      take(graph_->symbol(dynamics.model().scene.coordinates[i].name + "_dot"), y.exact(q.value.size() + i));
+    }
+  }
+
+  Forms forms() const {
+    Forms result(found_.values.size());
+    std::vector<Best> best(found_.values.size(), Best(values_, places_));
+    for (const Relations& relations : {Relations{}, values_.relations()}) {
+      for (const Expression& root : roots(relations)) {
+        for (std::size_t i = 0; i < best.size(); ++i) {
+          if (agrees(values_.value(root), found_.values[i].value, found_.values[i].error))
+            best[i].consider(root, relations);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < best.size(); ++i) result[i] = best[i].form();
+    return result;
+  }
+
+ private:
+  void take(const Expression& symbol, const Real& value) {
+    if (symbol == u_) return;
+    places_.push_back(symbol);
+    numbers_.push_back(graph_->number(Number::real(value.value)));
+    values_.set(symbol, value);
+  }
+
+  /// Roots of one force that hold for other values of the parameters, too.
+  [[nodiscard]] std::vector<Expression> roots(const Relations& relations) const {
+    std::vector<Expression> found;
+    for (std::size_t k = 0; k < polynomial_.forces.size(); ++k) {
+      if (!polynomial_.forces[k].degree || !polynomial_.forces[k].depends) continue;
+      std::vector<Expression> c;
+      for (std::size_t i = 0; i < 3; ++i)
+        c.push_back(substitute(graph_->adopt(polynomial_.forms[3 * k + i]), relations.replacements));
+      for (const Expression& root : roots_of(c[0], c[1], c[2], values_.sign_of())) {
+        if (holds(root, k, relations)) found.push_back(root);
+      }
+    }
+    return found;
+  }
+
+  [[nodiscard]] bool holds(const Expression& root, std::size_t k, const Relations& relations) const {
+    Trial trial(values_, relations);
+    trial.set(places_, numbers_);
+    trial.set({u_}, {root});
+    const auto c = [&](std::size_t i) { return graph_->adopt(polynomial_.forms[3 * k + i]); };
+    trial.vanishes({c(0), c(1) * u_, c(2) * u_ * u_});
+    return trial.passes();
+  }
+
+  const SteadyPolynomial& polynomial_;
+  std::shared_ptr<Graph> graph_;
+  ExactValues values_;
+  Expression u_;
+  const Solution& found_;
+  std::vector<Expression> places_, numbers_;  ///< what the position gives
+};
+
+class CriticalForm {
+ public:
+  CriticalForm(const Dynamics& dynamics, const Statics& statics, const Reals& parameters, std::size_t index,
+               const WrittenTexts& written, const CriticalValue& critical)
+      : motions_(linear_motions(statics, true)),
+        values_(dynamics.model(), motions_.graph, written, parameters, index),
+        p_(values_.symbols()[index]),
+        critical_(critical) {
+    std::vector<Interval> near;
+    for (std::size_t i = 0; i < critical.y.size() / 2; ++i)
+      near.emplace_back(critical.y[i] - critical.errors[i], critical.y[i] + critical.errors[i]);
+    problem_ = place_problem(motions_, statics, values_, near);
+  }
+
+  std::optional<ClosedForm> form() const {
+    const auto proven = ExactPlace::of(problem_);
+    const ExactPlace place = proven ? *proven : ExactPlace::special(problem_);
+    std::vector<Expression> conditions;
+    for (const Expression& force : motions_.forces) conditions.push_back(place.at(force));
+    Matrix stiffness = motions_.stiffness;
+    for (auto& row : stiffness) {
+      for (Expression& e : row) e = place.at(e);
+    }
+    conditions.push_back(determinant(stiffness));
+    std::erase_if(conditions, [](const Expression& e) { return rational_function(e).is_zero(); });
+    Best best(values_, {});
+    for (const Relations& relations : {Relations{}, values_.relations()}) {
+      for (const Expression& condition : conditions) consider(condition, conditions, relations, best);
+    }
+    return best.form();
+  }
+
+ private:
+  void consider(const Expression& condition, const std::vector<Expression>& all, const Relations& relations,
+                Best& best) const {
+    const auto c = quadratic_in(substitute(condition, relations.replacements), p_);
+    if (!c) return;
+    for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of())) {
+      if (!agrees(values_.value(root), critical_.value, critical_.error)) continue;
+      Trial trial(values_, relations);
+      trial.set({p_}, {root});
+      for (const Expression& other : all) trial.vanishes({substitute(other, {{{p_, root}}})});
+      if (trial.passes()) best.consider(root, relations);
+    }
+  }
+
+  LinearMotions motions_;
+  ExactValues values_;
+  Expression p_;
+  const CriticalValue& critical_;
+  PlaceProblem problem_;
+};
+
+}  // namespace
+
+Forms exact_solutions(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
+                      const std::string& unknown, const WrittenTexts& written, const Solution& found) {
+  if (found.values.empty() || !found.polynomial) return Forms(found.values.size());
+  try {
+    return SolutionForms(dynamics, parameters, y, unknown, written, found).forms();
+  } catch (const Error&) {  // the algebra grows too large, or divides by what vanishes
+    return Forms(found.values.size());
+  }
+}
+
+Forms exact_critical_values(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
+                            std::size_t index, const WrittenTexts& written, const Bifurcations& found) {
+  Forms result;
+  for (const CriticalValue& critical : found.critical) {
+    result.emplace_back();
+    if (critical.value == 0) continue;
+    const Reals there = with(parameters, index, critical.value);
+    try {
+      const auto statics = dynamics.statics(there);
+      if (statics->reduction.degrees_of_freedom() > largest_written_system ||
+          !momenta_vanish(dynamics, *statics, there, y))
+        continue;
+      result.back() = CriticalForm(dynamics, *statics, there, index, written, critical).form();
+    } catch (const Error&) {  // as above
+    }
+  }
+  return result;
+}
+
+}  // namespace qdot

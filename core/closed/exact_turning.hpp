@@ -1,0 +1,30 @@
+#pragma once
+// The equation of the turning points with the initial state put in, and its roots where it is a linear or
+// quadratic polynomial of the coordinate, of its cosine or of its sine:
+//
+//   U(x; p) - h = 0,   p_c the momenta of the ignored coordinates, h = 1/2 A(x0) x0'^2 + U(x0; p)
+
+#include "core/closed/closed_form.hpp"
+#include "core/dynamics/dynamics.hpp"
+#include "core/turning/turning_points.hpp"
+
+namespace qdot {
+
+struct ExactExtremum {
+  ClosedForm value;
+  std::optional<ClosedForm> cosine, sine;
+};
+
+struct ExactTurningPoints {
+  std::optional<ClosedForm> equation;  ///< "left = 0"
+  std::optional<ExactExtremum> maximum, minimum;
+  std::optional<ClosedForm> energy;                ///< h
+  std::vector<std::optional<ClosedForm>> momenta;  ///< of the ignored coordinates, in order
+};
+
+/// Of turning points by the energy integral, where the initial state is known exactly.
+[[nodiscard]] ExactTurningPoints exact_turning_points(const Dynamics& dynamics, const Reals& parameters,
+                                                      const WrittenTexts& written,
+                                                      const TurningPoints& found);
+
+}  // namespace qdot

@@ -1,0 +1,32 @@
+#pragma once
+// A formula tried at values of the parameters that nobody chose: what it claims for all of them has to hold
+// there, too, to twice the digits of a double.
+
+#include <vector>
+
+#include "core/closed/exact_values.hpp"
+
+namespace qdot {
+
+class Trial {
+ public:
+  /// `relations` hold at every place that is tried.
+  Trial(const ExactValues& values, const Relations& relations) : values_(values), relations_(relations) {}
+
+  /// Symbols that are no parameters, or asked for, and what they are by what has a value already.
+  void set(const std::vector<Expression>& symbols, const std::vector<Expression>& values);
+  /// Claims that the sum of the terms is zero.
+  void vanishes(std::vector<Expression> terms) { claims_.push_back(std::move(terms)); }
+  /// Every claim holds wherever all its terms have values, and somewhere they have.
+  [[nodiscard]] bool passes() const;
+
+ private:
+  [[nodiscard]] std::vector<RealAssignment> place(int number) const;
+
+  const ExactValues& values_;
+  const Relations& relations_;
+  std::vector<Replacement> others_;
+  std::vector<std::vector<Expression>> claims_;
+};
+
+}  // namespace qdot

@@ -1,0 +1,121 @@
+#include "core/expr/surd.hpp"
+
+#include "core/expr/factored_form.hpp"
+#include "core/expr/polynomial_gcd.hpp"
+
+namespace qdot {
+namespace {
+
+const Polynomial one{{Monomial{}, Number(1)}};
+
+RationalFunction whole(const Polynomial& a) { return in_lowest_terms(a, one); }
+
+const Polynomial& radicand_of(const Surd& a, const Surd& b) { return a.is_rational() ? b.n : a.n; }
+
+/// x = front * (u + v sqrt(n)), u and v polynomials without a common factor, u with a positive number in
+/// front.
+struct Parts {
+  RationalFunction front;
+  Polynomial u, v;
+};
+
+Parts parts_of(const Surd& x) {
+  const RationalFunction above = in_lowest_terms(x.p.above, x.q.above);
+  const RationalFunction below = in_lowest_terms(x.p.below, x.q.below);
+  Parts parts{{}, above.above * below.below, above.below * below.above};
+  const Number common = gcd(content(parts.u), content(parts.v));
+  const Number front = parts.u.begin()->second.is_negative() ? -common : common;
+  parts.u = scaled(parts.u, {}, Number(1) / front);
+  parts.v = scaled(parts.v, {}, Number(1) / front);
+  parts.front = x.p / whole(parts.u);
+  return parts;
+}
+
+Expression root(Graph& graph, const Polynomial& n) { return sqrt(factored_form(graph, n)); }
+
+Expression bracket(Graph& graph, const Parts& parts, const Polynomial& n) {
+  return factored_form(graph, parts.u) + factored_form(graph, parts.v) * root(graph, n);
+}
+
+/// above/below with its numbers: what is left of f^(1/2) when outside is taken out.
+struct Rooted {
+  RationalFunction outside, inside;
+};
+
+Rooted squares_taken_out(const RationalFunction& f, const SignOf& sign) {
+  const SquareFactors above = square_factors(f.above), below = square_factors(f.below);
+  Polynomial outside = above.outside, outside_below = below.outside;
+  RationalFunction inside = in_lowest_terms(above.inside, below.inside);
+  const int signs = sign(outside) * sign(outside_below);
+  if (signs == 0) return {whole(one), f};
+  if (signs < 0) outside = scaled(outside, {}, Number(-1));
+  if (sign(inside.below) < 0)
+    inside = {scaled(inside.above, {}, Number(-1)), scaled(inside.below, {}, Number(-1))};
+  return {in_lowest_terms(outside, outside_below), std::move(inside)};
+}
+
+/// 1/sqrt(x) rather than sqrt(1/x).
+Expression root_of_quotient(Graph& graph, const RationalFunction& f, const Expression& factor) {
+  if (f.above == one && factor.is_one()) return pow(factored_form(graph, f.below), Number::ratio(-1, 2));
+  return sqrt(to_expression(graph, f) * factor);
+}
+
+}  // namespace
+
+Surd operator+(const Surd& a, const Surd& b) { return {a.p + b.p, a.q + b.q, radicand_of(a, b)}; }
+Surd operator-(const Surd& a) { return {-a.p, -a.q, a.n}; }
+Surd operator-(const Surd& a, const Surd& b) { return a + -b; }
+
+Surd operator*(const Surd& a, const Surd& b) {
+  const Polynomial& n = radicand_of(a, b);
+  if (a.is_rational()) return {a.p * b.p, a.p * b.q, n};
+  if (b.is_rational()) return {a.p * b.p, a.q * b.p, n};
+  return {a.p * b.p + a.q * b.q * whole(n), a.p * b.q + a.q * b.p, n};
+}
+
+Surd operator/(const Surd& a, const Surd& b) {
+  if (b.is_rational()) return {a.p / b.p, a.q / b.p, a.n};
+  const RationalFunction norm = b.p * b.p - b.q * b.q * whole(b.n);
+  const Surd above = a * Surd(b.p, -b.q, b.n);
+  return {above.p / norm, above.q / norm, above.n};
+}
+
+Surd square_root(const RationalFunction& f) {
+  if (f.is_zero()) return {};
+  const SquareFactors factors = square_factors(f.above * f.below);
+  const RationalFunction front = in_lowest_terms(factors.outside, f.below);
+  if (factors.inside == one) return front;
+  return {{}, front, factors.inside};
+}
+
+std::vector<Surd> quadratic_roots(const RationalFunction& a, const RationalFunction& b,
+                                  const RationalFunction& c) {
+  if (a.is_zero()) return b.is_zero() ? std::vector<Surd>{} : std::vector<Surd>{-c / b};
+  const RationalFunction half = b / (whole(scaled(one, {}, Number(-2))) * a);
+  const Surd root = square_root(half * half - c / a);
+  return {Surd(half) - root, Surd(half) + root};
+}
+
+Expression to_expression(Graph& graph, const Surd& x) {
+  if (x.is_rational()) return to_expression(graph, x.p);
+  if (x.p.is_zero()) return to_expression(graph, x.q) * root(graph, x.n);
+  const Parts parts = parts_of(x);
+  const Expression product = to_expression(graph, parts.front) * bracket(graph, parts, x.n);
+  const Expression sum = to_expression(graph, x.p) + to_expression(graph, x.q) * root(graph, x.n);
+  return written_length(sum) < written_length(product) ? sum : product;
+}
+
+Expression positive_root(Graph& graph, const Surd& x, const SignOf& sign) {
+  if (x.is_zero()) return graph.number(0);
+  if (x.is_rational()) {
+    const Rooted rooted = squares_taken_out(x.p, sign);
+    return to_expression(graph, rooted.outside) * root_of_quotient(graph, rooted.inside, graph.number(1));
+  }
+  if (x.p.is_zero()) return sqrt(to_expression(graph, x));
+  const Parts parts = parts_of(x);
+  const Rooted rooted = squares_taken_out(parts.front, sign);
+  return to_expression(graph, rooted.outside) *
+         root_of_quotient(graph, rooted.inside, bracket(graph, parts, x.n));
+}
+
+}  // namespace qdot

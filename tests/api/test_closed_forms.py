@@ -1,0 +1,210 @@
+"""Closed forms over HTTP, read by SymPy: against the practice sheet, hand-written matrices and the answers' own numbers."""
+
+import pathlib
+import random
+import sys
+import unittest
+
+import mpmath
+import numpy
+import sympy
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, strict_json  # noqa: E402
+
+SETS = 1000  # of random parameters that a formula is held against
+ROUND_OFF = 1e-12  # relative: what double precision leaves of an eigenvalue
+
+
+def symbols_of(*texts):
+    names = {"m", "M", "l", "g", "k", "l0", "r", "R", "Omega", "omega0", "gamma", "theta", "phi", "psi"}
+    return {name: sympy.Symbol(name, real=True) for name in names}
+
+
+def read(form):
+    """The formula as SymPy's; `lambda` is a Python word and no name here."""
+    return sympy.sympify(form["text"].replace("^", "**"), locals=symbols_of())
+
+
+def value(form, numbers):
+    with mpmath.workdps(40):
+        expression = read(form)
+        exact = {symbol: mpmath.mpf(repr(numbers[symbol.name])) for symbol in expression.free_symbols}
+        return mpmath.mpf(sympy.N(expression.subs(exact), 35))
+
+
+def same(form, expected):
+    names = symbols_of()
+    positive = {symbol: sympy.Symbol(name, positive=True) for name, symbol in names.items()}
+    return sympy.simplify((read(form) - sympy.sympify(expected, locals=names)).subs(positive)) == 0
+
+
+class ClosedForms(Service):
+    def modes(self, system, parameters=None, **more):
+        return self.ask("modes", {"system": system, "parameters": parameters or {}} | more)
+
+    def assert_same(self, form, expected):
+        self.assertTrue(same(form, expected), (form["text"], expected))
+
+    def test_the_modes_of_the_fourth_problem(self):
+        slow, fast = self.modes("cart_pendulum")["modes"]
+        self.assertEqual(slow["exact"]["text"], "g/(2*l)")
+        self.assertEqual(slow["exact"]["latex"], "\\frac{g}{2 l}")
+        self.assertEqual(fast["exact"]["text"], "2*g/l")
+        self.assertEqual([slow["exact"]["lambda"]["text"], fast["exact"]["lambda"]["text"]], ["1/2", "2"])
+        self.assertEqual({name: form["text"] for name, form in slow["exact"]["shape_scaled"].items()},
+                         {"x": "1", "theta": "1"})
+        self.assertEqual({name: form["text"] for name, form in fast["exact"]["shape_scaled"].items()},
+                         {"x": "1", "theta": "-2"})
+        self.assertEqual(fast["exact"]["shape"]["theta"]["text"], "-2/l")
+        self.assertIn("k = 2*m*g/l", slow["exact"]["assumes"])
+        self.assertIn("M = 2*m", slow["exact"]["assumes"])
+        self.assertIn("l > 0", slow["exact"]["assumes"])
+
+    def test_numbers_that_satisfy_the_problems_relation_give_the_same_formulas(self):
+        for parameters in ({"M": 1, "m": 0.5, "k": 19.62, "l": 0.5, "g": 9.81}, {"k": "2*m*g/l", "m": "300 g"}):
+            slow, fast = self.modes("cart_pendulum", parameters)["modes"]
+            self.assertEqual([slow["exact"]["text"], fast["exact"]["text"]], ["g/(2*l)", "2*g/l"])
+        slow, _ = self.modes("cart_pendulum", {"k": 19.63, "l": 0.5})["modes"]
+        self.assertNotEqual(slow["exact"]["text"], "g/(2*l)")
+
+    def test_the_modes_of_the_fifth_problem(self):
+        slow, fast = self.modes("rod_pendulum")["modes"]
+        for mode, sign in ((slow, "-"), (fast, "+")):
+            self.assertEqual(mode["exact"]["text"], f"(17 {sign} sqrt(217))*g/(4*l)")
+            self.assert_same(mode["exact"]["lambda"], f"(17 {sign} sqrt(217))/4")
+            other = "+" if sign == "-" else "-"
+            self.assert_same(mode["exact"]["shape"]["phi"], f"(1 {other} sqrt(217))/12")
+            self.assert_same(mode["exact"]["omega"], f"sqrt((17 {sign} sqrt(217))*g/l)/2")
+
+    def test_one_coordinate(self):
+        for system, parameters, expected in (
+            ("whirling_pendulum", {"Omega": 3}, "g/l - Omega**2"),
+            ("whirling_pendulum", {"Omega": 6}, "Omega**2 - g**2/(l**2*Omega**2)"),
+            ("orbiting_pendulum", {"r": 0.7}, "r*omega0**2/l"),
+            ("spring_pendulum", {}, "k*g/(k*l0 + m*g)"),
+            ("free_spin_pendulum", {}, None),
+        ):
+            initial = {"psi_dot": 0} if system == "free_spin_pendulum" else {}
+            mode = next(m for m in self.modes(system, parameters, initial=initial)["modes"] if m["kind"] == "oscillation")
+            self.assert_same(mode["exact"], expected or "g/l")
+        upside_down = self.modes("whirling_pendulum", {"Omega": 3}, equilibrium={"theta": "pi"})["modes"][0]
+        self.assertEqual(upside_down["exact"]["of"], "rate^2")
+        self.assert_same(upside_down["exact"], "Omega**2 + g/l")
+
+    def test_the_place_has_a_formula_too(self):
+        found = self.modes("spring_pendulum")["equilibrium"]
+        self.assert_same(found["exact"]["l"], "l0 + m*g/k")
+        found = self.modes("whirling_pendulum", {"Omega": 6})["equilibrium"]
+        self.assert_same(found["exact"]["theta"], "acos(g/(l*Omega**2))")
+
+    def general_forms(self, system, parameters):
+        forms = []
+        for mode in self.modes(system, parameters)["modes"]:
+            if "exact" in mode:
+                forms.append(mode["exact"].get("general", mode["exact"]))
+        return forms
+
+    def assert_eigenvalues(self, forms, names, matrices, seed):
+        """Every formula is an eigenvalue of hand-written matrices (physics of the sheet), all of them together."""
+        draw = random.Random(seed)
+        functions = [sympy.lambdify([sympy.Symbol(n, real=True) for n in names], read(form), "math") for form in forms]
+        for _ in range(SETS):
+            numbers = [draw.uniform(0.2, 5) for _ in names]
+            mass, stiffness = (numpy.array(a, dtype=float) for a in matrices(*numbers))
+            root = numpy.linalg.inv(numpy.linalg.cholesky(mass))
+            expected = numpy.linalg.eigvalsh(root @ stiffness @ root.T)
+            found = sorted(function(*numbers) for function in functions)
+            for a, b in zip(found, expected):
+                self.assertLessEqual(abs(a - b), 1e3*ROUND_OFF*max(abs(expected)), (numbers, found, expected))
+
+    def test_a_cart_at_a_thousand_sets_of_parameters(self):
+        forms = self.general_forms("cart_pendulum", {"M": 1.37, "k": 21.7, "m": 0.631, "l": 0.413})
+        self.assertEqual(len(forms), 2)
+        self.assert_eigenvalues(forms, ["M", "m", "k", "l", "g"], lambda M, m, k, l, g: (
+            [[M + m, m*l], [m*l, m*l*l]], [[k, 0], [0, m*g*l]]), 4)
+
+    def test_a_rod_with_a_string_at_a_thousand_sets_of_parameters(self):
+        self.assert_eigenvalues(self.general_forms("rod_pendulum", {}), ["m", "l", "g"], lambda m, l, g: (
+            [[4/3*m*l*l, m*l*l], [m*l*l, m*l*l]], [[3/2*m*g*l, 0], [0, m*g*l]]), 5)
+
+    def test_a_spring_pendulum_at_a_thousand_sets_of_parameters(self):
+        forms = self.general_forms("spring_pendulum", {})
+        self.assert_eigenvalues(forms, ["m", "k", "l0", "g"], lambda m, k, l0, g: (
+            [[m, 0], [0, m*(l0 + m*g/k)**2]], [[k, 0], [0, m*g*(l0 + m*g/k)]]), 6)
+
+    def test_formulas_agree_with_the_numbers_beside_them(self):
+        draw = random.Random(11)
+        shown = 0
+        for _ in range(60):
+            system = draw.choice(["cart_pendulum", "spring_pendulum", "rod_pendulum", "whirling_pendulum",
+                                  "orbiting_pendulum", "rod_spring_pendulum", "compass_walker"])
+            given = {name: round(draw.uniform(0.3, 4), draw.choice([0, 1, 3])) or 1
+                     for name in self.ask_parameters(system) if draw.random() < 0.7}
+            if "gamma" in given:
+                given["gamma"] = 0.05
+            found = self.modes(system, given)
+            numbers = found["request"]["parameters"]
+            for mode in found["modes"]:
+                if "exact" not in mode:
+                    continue
+                shown += 1
+                what = mode["exact"]["of"].removesuffix("^2")
+                error = mode["error"] if what == "omega" else mode.get("rate_error", mode["error"])
+                square = value(mode["exact"], numbers)
+                self.assertLessEqual(abs(mpmath.sqrt(square) - mode[what]), error*1.01 + 1e-16*mode[what],
+                                     (system, given, mode))
+                self.assertLessEqual(abs(value(mode["exact"][what], numbers) - mode[what]), 1e-14*mode[what])
+                for name, form in mode["exact"].get("shape", {}).items():
+                    self.assertLessEqual(abs(value(form, numbers) - mode["shape"][name]),
+                                         1e-12*max(1, abs(mode["shape"][name])))
+        self.assertGreater(shown, 60)
+
+    def ask_parameters(self, system):
+        return self.modes(system)["request"]["parameters"]
+
+    def test_the_spin_that_holds_the_tenth_problem(self):
+        expected = "sqrt(3*g*(15*sin(theta) - cos(theta))/(l*(53*sin(2*theta) - 9*cos(2*theta))))"
+        for angle in ("30deg", 0.5, "-60deg"):
+            found = self.ask("equilibria", {"system": "rotating_l_bar", "solve_for": "Omega", "at": {"theta": angle}})
+            self.assertIn("exact", found, found)
+            numbers = found["request"]["parameters"] | found["request"]["at"]
+            names = symbols_of()
+            formula = read(found["exact"])**2 - sympy.sympify(expected, locals=names)**2
+            self.assertEqual(sympy.simplify(sympy.expand_trig(formula)), 0)
+            self.assertLessEqual(abs(value(found["exact"], numbers) - found["Omega"]), found["error"]*1.01 + 1e-15)
+            self.assertTrue(found["all"][1]["exact"]["text"].startswith("-"))
+
+    def test_the_steady_cone_of_the_eighth_problem(self):
+        found = self.ask("equilibria", {"system": "free_spin_pendulum", "solve_for": "psi_dot", "at": {"theta": 0.7}})
+        difference = read(found["exact"])**2 - sympy.sympify("g*sin(theta)/(l*(1/2 + sin(theta))*cos(theta))", locals=symbols_of())
+        self.assertEqual(sympy.simplify(difference), 0)
+
+    def test_the_critical_spin_of_the_sixth_problem(self):
+        found = self.ask("bifurcations", {"system": "whirling_pendulum", "parameter": "Omega", "from": 0, "to": 10})
+        self.assertEqual([c["exact"]["text"] for c in found["critical"]], ["sqrt(g/l)"])
+        found = self.ask("bifurcations", {"system": "whirling_pendulum", "parameter": "l", "from": 0.1, "to": 1})
+        self.assert_same(found["critical"][0]["exact"], "g/Omega**2")
+
+    def test_the_turning_points_of_the_seventh_problem(self):
+        found = self.ask("turning_points", {"system": "orbiting_pendulum"})
+        self.assertEqual(found["exact"]["phi_max"]["text"], "pi/3")
+        self.assertEqual(found["exact"]["phi_max"]["cos"]["text"], "1/2")
+        found = self.ask("turning_points", {"system": "orbiting_pendulum", "parameters": {"r": 0.8}})
+        self.assert_same(found["exact"]["phi_max"]["cos"], "1 - l/(2*r)")
+
+    def test_the_equation_of_the_eighth_problem(self):
+        found = self.ask("turning_points", {"system": "free_spin_pendulum"})
+        left = dict(found["exact"]["equation"], text=found["exact"]["equation"]["text"].removesuffix(" = 0"))
+        self.assert_same(left, "1/8/(1/2 + sin(theta))**2 - cos(theta) + 1/2")
+        self.assert_same(found["exact"]["E"], "-m*g*l/2")
+        self.assert_same(found["exact"]["p_psi"], "m*l**2*sqrt(g/l)/2")
+
+    def test_problems_show_them(self):
+        for number, pointer, text in ((4, "/modes/0/exact", "g/(2*l)"), (5, "/modes/1/exact", "(17 + sqrt(217))*g/(4*l)")):
+            part = strict_json(self.raw("GET", f"/v1/problems/{number}").data)["parts"][0]
+            self.assertEqual(part["result"][pointer]["text"], text)
+
+
+if __name__ == "__main__":
+    unittest.main()
