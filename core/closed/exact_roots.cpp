@@ -2,18 +2,56 @@
 
 #include <algorithm>
 
+#include "core/expr/polynomial_gcd.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/expr/trigonometry.hpp"
 
 namespace qdot {
 namespace {
 
+/// The one with fewer operations, or else fewer letters.
 Expression shorter(const Expression& a, const Expression& b) {
-  return written_length(b) < written_length(a) ? b : a;
+  const std::size_t of_a = written_length(a), of_b = written_length(b);
+  if (of_a != of_b) return of_b < of_a ? b : a;
+  return print(b, Form::text).size() < print(a, Form::text).size() ? b : a;
+}
+
+/// Brackets with whole numbers that are positive where the symbols have their values, as one writes them by
+/// hand: 3*(53*sin(2 x) - 9*cos(2 x)) for -159*(9/53*cos(2 x) - sin(2 x)).
+Expression with_whole_brackets(const Expression& e, const SignOf& sign) {
+  const auto* product = std::get_if<Product>(&e.node());
+  if (product == nullptr) return e;
+  Graph& graph = e.graph();
+  const std::vector<NodeId> factors = product->factors;
+  Expression result = graph.number(product->coefficient);
+  for (const NodeId id : factors) {
+    const auto [base, exponent] = split_power({graph, id});
+    if (!std::holds_alternative<Sum>(base.node()) || !exponent.is_integer()) {
+      result = result * Expression(graph, id);
+      continue;
+    }
+    const Polynomial terms = multiplied_out(base);
+    const Number front = sign(terms) < 0 ? -content(terms) : content(terms);
+    const Expression bracket = to_expression(graph, scaled(terms, {}, Number(1) / front));
+    result = result * pow(graph.number(front), exponent) * pow(bracket, exponent);
+  }
+  return written_length(result) <= written_length(e) + 3 ? result : e;
 }
 
 /// a/b: by identities of angles, or in lowest terms.
-Expression quotient(const Expression& a, const Expression& b) {
-  return shorter(simplify_quotient(a, b), to_expression(a.graph(), rational_function(a / b)));
+Expression quotient(const Expression& a, const Expression& b, const SignOf& sign) {
+  Graph& graph = a.graph();
+  const auto single = [&](const Expression& e) {
+    return to_expression(graph, with_single_angles(graph, multiplied_out(e)));
+  };
+  const Expression lowest = to_expression(graph, rational_function(a / b));
+  Expression best =
+      shorter(with_whole_brackets(simplify_quotient(a, b), sign), with_whole_brackets(lowest, sign));
+  if (const Expression sum = expand(lowest); std::holds_alternative<Sum>(sum.node()))
+    best = shorter(best, sum);
+  return shorter(best,
+                 with_whole_brackets(to_expression(graph, rational_function(single(a) / single(b))), sign));
 }
 
 Expression root_of(const Expression& square, const SignOf& sign) {
@@ -24,9 +62,9 @@ Expression root_of(const Expression& square, const SignOf& sign) {
 
 std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, const Expression& c2,
                                  const SignOf& sign) {
-  if (c2.is_zero()) return c1.is_zero() ? std::vector<Expression>{} : std::vector{quotient(-c0, c1)};
+  if (c2.is_zero()) return c1.is_zero() ? std::vector<Expression>{} : std::vector{quotient(-c0, c1, sign)};
   if (c1.is_zero()) {
-    const Expression root = root_of(quotient(-c0, c2), sign);
+    const Expression root = root_of(quotient(-c0, c2, sign), sign);
     return {root, -root};
   }
   std::vector<Expression> roots;

@@ -5,9 +5,11 @@
 #include "core/base/error.hpp"
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/trial.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
 #include "core/expr/trigonometry.hpp"
+#include "core/mechanics/notation.hpp"
 
 namespace qdot {
 namespace {
@@ -35,7 +37,7 @@ class TurningForms {
     for (const Relations& relations : {values_.relations(), Relations{}}) {
       const Expression left = divided(substitute(balance, relations.replacements));
       if (left.is_zero() || !depends_on(left, x_)) return {};
-      const auto form = closed_form(values_, left, relations, {&x_, 1});
+      const auto form = formula(left, relations, {&x_, 1});
       const bool better = form && (!result.equation || written_length(left) < length);
       if (better) {
         length = written_length(left);
@@ -54,16 +56,36 @@ class TurningForms {
     return form;
   }
 
-  /// (q0, q0') as replacements of all coordinates and velocities.
+  /// (q0, q0') as replacements of all coordinates and velocities. A number with a dimension would leave
+  /// formulas whose terms do not fit together.
   bool take_initial_state() {
     const auto& symbols = values_.model().parsed.symbols.coordinates;
     for (std::size_t i = 0; i < symbols.value.size(); ++i) {
       const auto q = values_.coordinate(i), rate = values_.velocity(i);
-      if (!q || !rate) return false;
+      if (!q || !rate || (rate->number() != nullptr && !rate->is_zero())) return false;
+      const bool is_angle = values_.model().scene.coordinates[i].unit == "rad";
+      if (!is_angle && q->number() != nullptr && !q->is_zero()) return false;
+      take_assumption(i, *q, *rate);
       start_.emplace_back(graph_->adopt(symbols.value[i]), *q);
       start_.emplace_back(graph_->adopt(symbols.rate[i]), *rate);
     }
     return true;
+  }
+
+  void take_assumption(std::size_t i, const Expression& q, const Expression& rate) {
+    const std::string& name = values_.model().scene.coordinates[i].name;
+    const Notation notation = notation_of(values_.model().scene);
+    const bool matters = i == found_.coordinate;
+    if (matters) assumed_.push_back(name + "(0) = " + print(q, Form::text, notation));
+    assumed_.push_back(name + "_dot(0) = " + print(rate, Form::text, notation));
+  }
+
+  /// With what was put in for the initial state.
+  [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e, const Relations& relations,
+                                                  std::span<const Expression> allowed = {}) const {
+    auto form = closed_form(values_, e, relations, allowed);
+    if (form) form->assumes.insert(form->assumes.end(), assumed_.begin(), assumed_.end());
+    return form;
   }
 
   [[nodiscard]] Expression at_start(const Expression& e) const {
@@ -94,8 +116,8 @@ class TurningForms {
     const Relations& relations = values_.relations();
     const Expression general = to_expression(*graph_, rational_function(e));
     const Expression related = simplify(substitute(e, relations.replacements));
-    if (written_length(related) < written_length(general)) return closed_form(values_, related, relations);
-    return closed_form(values_, general, {});
+    if (written_length(related) < written_length(general)) return formula(related, relations);
+    return formula(general, {});
   }
 
   /// The model's expressions know nothing of parameters that are zero.
@@ -159,7 +181,7 @@ class TurningForms {
   [[nodiscard]] Found number(const Expression& root, const Finding& extremum,
                              const Relations& relations) const {
     if (!agrees(values_.value(root), *extremum.value, extremum.error)) return std::nullopt;
-    auto form = closed_form(values_, root, relations);
+    auto form = formula(root, relations);
     if (!form) return std::nullopt;
     return {{root, {*std::move(form), std::nullopt, std::nullopt}}};
   }
@@ -174,8 +196,8 @@ class TurningForms {
     for (const Expression& value : principal) {
       for (const Expression& x : {value, function == Function::cos ? -value : pi - value}) {
         if (!agrees(values_.value(x), *extremum.value, extremum.error)) continue;
-        auto form = closed_form(values_, x, relations);
-        auto of_function = closed_form(values_, root, relations);
+        auto form = formula(x, relations);
+        auto of_function = formula(root, relations);
         if (!form || !of_function) continue;
         ExactExtremum result{*std::move(form), std::nullopt, std::nullopt};
         (function == Function::cos ? result.cosine : result.sine) = std::move(of_function);
@@ -219,6 +241,7 @@ class TurningForms {
   Expression x_;
   bool is_angle_;
   std::vector<Replacement> start_;
+  std::vector<std::string> assumed_;  ///< "theta(0) = pi/6"
   std::vector<Replacement> momenta_;  ///< p_c, by the parameters
   Expression energy_;                 ///< h
 };

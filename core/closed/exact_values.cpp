@@ -1,6 +1,8 @@
 #include "core/closed/exact_values.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/base/error.hpp"
@@ -17,6 +19,15 @@ constexpr std::int64_t largest_factor = 100;
 bool is_simple(const Number& number) {
   const auto small = number.small();
   return small && std::abs(small->numerator) <= largest_factor && small->denominator <= largest_factor;
+}
+
+/// Near a small fraction.
+bool is_nearly_simple(double factor) {
+  for (int q = 1; q <= largest_factor; ++q) {
+    const double p = std::round(factor * q);
+    if (p >= 1 && p <= largest_factor && std::abs(factor * q - p) < 1e-9 * p) return true;
+  }
+  return false;
 }
 
 /// mass^a length^b time^c squared, so that the root in sqrt(l/g) goes.
@@ -48,6 +59,41 @@ ExactValues::ExactValues(const Model& model, std::shared_ptr<Graph> graph, const
   find_relations(unknown);
   by_scale_ = relations_;
   if (model.parsed.scales) find_scaled_relations();
+}
+
+ExactValues::ExactValues(const Model& model, const Reals& parameters)
+    : model_(model), graph_(model.parsed.graph), parameters_(parameters) {
+  symbols_ = model.parsed.symbols.parameters;
+  for (std::size_t i = 0; i < symbols_.size(); ++i) values_.emplace_back(symbols_[i], parameters.exact(i));
+}
+
+bool ExactValues::may_have_relations(const WrittenTexts& written) const {
+  const bool speaks = std::ranges::any_of(written, [](const auto& entry) {
+    return std::ranges::any_of(entry.second, [](unsigned char c) { return std::isalpha(c) != 0; });
+  });
+  if (written.empty() || speaks || !model_.parsed.scales) return speaks;
+  const ParsedScales& scales = *model_.parsed.scales;
+  const double mass = value(scales.mass).value, length = value(scales.length).value,
+               time = value(scales.time).value;
+  for (std::size_t i = 0; i < symbols_.size(); ++i) {
+    const Expression& p = symbols_[i];
+    const bool is_scale =
+        depends_on(scales.mass, p) || depends_on(scales.length, p) || depends_on(scales.time, p);
+    const bool is_relation = !written.contains(model_.scene.parameters[i].name) &&
+                             depends_on(model_.parsed.parameter_defaults[i], symbols_);
+    const auto unit = parse_unit(model_.scene.parameters[i].unit);
+    if (is_scale || is_relation || !unit || unit->dimension.is_dimensionless() || parameters_[i] == 0)
+      continue;
+    const auto& e = unit->dimension.exponents;
+    const auto exponent = [&](std::size_t k) {
+      return static_cast<double>(e[k].numerator) / e[k].denominator;
+    };
+    const double factor =
+        std::abs(parameters_[i]) /
+        (std::pow(mass, exponent(0)) * std::pow(length, exponent(1)) * std::pow(time, exponent(2)));
+    if (is_nearly_simple(factor)) return true;
+  }
+  return false;
 }
 
 std::optional<Expression> ExactValues::read(const std::string& name, const Expression& by_default) const {
@@ -125,10 +171,16 @@ std::optional<Expression> ExactValues::velocity(std::size_t i) const {
 
 Real ExactValues::value(const Expression& e) const { return evaluate_exactly(e, values_); }
 
-int ExactValues::sign(const Polynomial& a) const {
-  const Real x = value(to_expression(*graph_, a));
-  if (!x.is_finite() || !(std::abs(x.value) > std::abs(x.low) + x.error)) return 0;
-  return x.value > 0 ? 1 : -1;
+int ExactValues::sign(const Expression& e) const {
+  const Real x = value(e);
+  const bool known = x.is_finite() && std::abs(x.value) > std::abs(x.low) + x.error;
+  const int answer = !known ? 0 : x.value > 0 ? 1 : -1;
+  asked_.emplace_back(e, answer);
+  return answer;
+}
+
+bool ExactValues::gives(const Signs& answers) const {
+  return std::ranges::all_of(answers, [&](const auto& asked) { return sign(asked.first) == asked.second; });
 }
 
 }  // namespace qdot

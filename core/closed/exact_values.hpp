@@ -27,6 +27,12 @@ class ExactValues {
   ExactValues(const Model& model, std::shared_ptr<Graph> graph, const WrittenTexts& written,
               const Reals& parameters, std::optional<std::size_t> unknown = std::nullopt);
 
+  /// Values only, of expressions of any copy of the model's graph; nothing is read.
+  ExactValues(const Model& model, const Reals& parameters);
+
+  /// Whether what is written may give relations that the scene's defaults have not: an expression, or
+  /// decimals in small proportions.
+  [[nodiscard]] bool may_have_relations(const WrittenTexts& written) const;
   [[nodiscard]] const std::shared_ptr<Graph>& graph() const { return graph_; }
   /// As the request or the scene writes them.
   [[nodiscard]] const Relations& relations() const { return relations_; }
@@ -38,8 +44,13 @@ class ExactValues {
   /// Coordinate i or its velocity, by the parameters; no value where nothing exact is known.
   [[nodiscard]] std::optional<Expression> coordinate(std::size_t i) const;
   [[nodiscard]] std::optional<Expression> velocity(std::size_t i) const;
-  /// The sign where the parameters have their values.
-  [[nodiscard]] int sign(const Polynomial& a) const;
+  /// The sign where the symbols have their values: -1, 1, or 0 where it is not known. A formula made with it
+  /// holds for other values with the same answers to all that was asked.
+  [[nodiscard]] int sign(const Expression& e) const;
+  [[nodiscard]] int sign(const Polynomial& a) const { return sign(to_expression(*graph_, a)); }
+  using Signs = std::vector<std::pair<Expression, int>>;
+  [[nodiscard]] const Signs& asked() const { return asked_; }
+  [[nodiscard]] bool gives(const Signs& answers) const;
   [[nodiscard]] SignOf sign_of() const {
     return [this](const Polynomial& a) { return sign(a); };
   }
@@ -60,12 +71,13 @@ class ExactValues {
 
   const Model& model_;
   std::shared_ptr<Graph> graph_;
-  const WrittenTexts& written_;
+  WrittenTexts written_;
   Reals parameters_;
   std::vector<Expression> symbols_;
   std::vector<Replacement> numbers_;  ///< of the parameters that are written as such
   std::vector<RealAssignment> values_;
   Relations relations_, by_scale_;
+  mutable Signs asked_;
 };
 
 }  // namespace qdot

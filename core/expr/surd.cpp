@@ -31,10 +31,8 @@ Parts parts_of(const Surd& x) {
   return parts;
 }
 
-Expression root(Graph& graph, const Polynomial& n) { return sqrt(factored_form(graph, n)); }
-
-Expression bracket(Graph& graph, const Parts& parts, const Polynomial& n) {
-  return factored_form(graph, parts.u) + factored_form(graph, parts.v) * root(graph, n);
+Expression bracket(Graph& graph, const Parts& parts, const Expression& root) {
+  return factored_form(graph, parts.u) + factored_form(graph, parts.v) * root;
 }
 
 /// above/below with its numbers: what is left of f^(1/2) when outside is taken out.
@@ -96,26 +94,41 @@ std::vector<Surd> quadratic_roots(const RationalFunction& a, const RationalFunct
   return {Surd(half) - root, Surd(half) + root};
 }
 
+Expression root_form(Graph& graph, const Polynomial& n) { return sqrt(factored_form(graph, n)); }
+
 Expression to_expression(Graph& graph, const Surd& x) {
+  return to_expression(graph, x, x.is_rational() ? graph.number(0) : root_form(graph, x.n));
+}
+
+Expression to_expression(Graph& graph, const Surd& x, const Expression& root) {
   if (x.is_rational()) return to_expression(graph, x.p);
-  if (x.p.is_zero()) return to_expression(graph, x.q) * root(graph, x.n);
+  if (x.p.is_zero()) return to_expression(graph, x.q) * root;
   const Parts parts = parts_of(x);
-  const Expression product = to_expression(graph, parts.front) * bracket(graph, parts, x.n);
-  const Expression sum = to_expression(graph, x.p) + to_expression(graph, x.q) * root(graph, x.n);
+  const Expression product = to_expression(graph, parts.front) * bracket(graph, parts, root);
+  const Expression sum = to_expression(graph, x.p) + to_expression(graph, x.q) * root;
   return written_length(sum) < written_length(product) ? sum : product;
 }
 
-Expression positive_root(Graph& graph, const Surd& x, const SignOf& sign) {
+Expression plain_expression(Graph& graph, const Surd& x) {
+  const auto plain = [&](const RationalFunction& f) {
+    return to_expression(graph, f.above) / to_expression(graph, f.below);
+  };
+  return x.is_rational() ? plain(x.p) : plain(x.p) + plain(x.q) * sqrt(to_expression(graph, x.n));
+}
+
+Expression positive_root(Graph& graph, const RationalFunction& x, const SignOf& sign) {
   if (x.is_zero()) return graph.number(0);
-  if (x.is_rational()) {
-    const Rooted rooted = squares_taken_out(x.p, sign);
-    return to_expression(graph, rooted.outside) * root_of_quotient(graph, rooted.inside, graph.number(1));
-  }
-  if (x.p.is_zero()) return sqrt(to_expression(graph, x));
+  const Rooted rooted = squares_taken_out(x, sign);
+  return to_expression(graph, rooted.outside) * root_of_quotient(graph, rooted.inside, graph.number(1));
+}
+
+Expression positive_root(Graph& graph, const Surd& x, const Expression& root, const SignOf& sign) {
+  if (x.is_rational()) return positive_root(graph, x.p, sign);
+  if (x.p.is_zero()) return sqrt(to_expression(graph, x, root));
   const Parts parts = parts_of(x);
   const Rooted rooted = squares_taken_out(parts.front, sign);
   return to_expression(graph, rooted.outside) *
-         root_of_quotient(graph, rooted.inside, bracket(graph, parts, x.n));
+         root_of_quotient(graph, rooted.inside, bracket(graph, parts, root));
 }
 
 }  // namespace qdot

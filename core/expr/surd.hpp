@@ -36,14 +36,22 @@ struct Surd {
 [[nodiscard]] std::vector<Surd> quadratic_roots(const RationalFunction& a, const RationalFunction& b,
                                                 const RationalFunction& c);
 
-/// In short form: (17 - sqrt(217))*g/(4*l).
+/// sqrt(n) in short form, which is dear where n is long: made once for all surds with this n.
+[[nodiscard]] Expression root_form(Graph& graph, const Polynomial& n);
+
+/// In short form: (17 - sqrt(217))*g/(4*l). `root`: the form of sqrt(n).
+[[nodiscard]] Expression to_expression(Graph& graph, const Surd& x, const Expression& root);
 [[nodiscard]] Expression to_expression(Graph& graph, const Surd& x);
+/// For computing, not for reading.
+[[nodiscard]] Expression plain_expression(Graph& graph, const Surd& x);
 
 /// The sign of a polynomial where its symbols have their values: -1, 1, or 0 where it is not known.
 using SignOf = std::function<int(const Polynomial&)>;
 
 /// sqrt(x), x > 0, with squares taken out where their sign is known: 2*sqrt(g/l). The form holds where the
 /// signs are the same.
-[[nodiscard]] Expression positive_root(Graph& graph, const Surd& x, const SignOf& sign);
+[[nodiscard]] Expression positive_root(Graph& graph, const Surd& x, const Expression& root,
+                                       const SignOf& sign);
+[[nodiscard]] Expression positive_root(Graph& graph, const RationalFunction& x, const SignOf& sign);
 
 }  // namespace qdot

@@ -188,7 +188,7 @@ class ClosedForms(Service):
 
     def test_the_turning_points_of_the_seventh_problem(self):
         found = self.ask("turning_points", {"system": "orbiting_pendulum"})
-        self.assertEqual(found["exact"]["phi_max"]["text"], "pi/3")
+        self.assertEqual(found["exact"]["phi_max"]["text"], "1/3*pi")
         self.assertEqual(found["exact"]["phi_max"]["cos"]["text"], "1/2")
         found = self.ask("turning_points", {"system": "orbiting_pendulum", "parameters": {"r": 0.8}})
         self.assert_same(found["exact"]["phi_max"]["cos"], "1 - l/(2*r)")

@@ -23,7 +23,7 @@ TEST(SpecialAngles, HaveNumbersForSinesAndCosines) {
   EXPECT_EQ(folded("sin(pi/6)"), "1/2");
   EXPECT_EQ(folded("cos(2*pi/3)"), "-1/2");
   EXPECT_EQ(folded("cos(-7*pi)"), "-1");
-  EXPECT_EQ(folded("sin(pi/5)"), "sin(0.2*pi)");
+  EXPECT_EQ(folded("sin(pi/5)"), "sin(1/5*pi)");
   for (int i = -24; i <= 24; ++i) {
     for (const char* function : {"sin", "cos"}) {
       Graph graph;
