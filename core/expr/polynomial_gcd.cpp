@@ -53,7 +53,7 @@ std::map<int, Polynomial> by_powers(const Polynomial& a, NodeId x) {
   return parts;
 }
 
-Polynomial bounded(Polynomial a) {
+Polynomial within_bounds(Polynomial a) {
   if (a.size() > most_terms_of_remainders)
     throw Error(ErrorCode::too_large, "the remainders of polynomials grow too large");
   return a;
@@ -82,7 +82,7 @@ Polynomial remainder(Polynomial a, const Polynomial& b, NodeId x) {
     const Polynomial top = scaled(by_powers(a, x).at(power), times({}, x, power - n), Number(1));
     Polynomial next = leading * a;
     add(next, top * b, Number(-1));
-    a = next.empty() ? next : bounded(without_content(next));
+    a = next.empty() ? next : within_bounds(without_content(next));
   }
   return a;
 }

@@ -6,9 +6,9 @@
 namespace qdot {
 namespace {
 
-const Polynomial one{{Monomial{}, Number(1)}};
+const Polynomial constant_one{{Monomial{}, Number(1)}};
 
-RationalFunction whole(const Polynomial& a) { return in_lowest_terms(a, one); }
+RationalFunction whole(const Polynomial& a) { return in_lowest_terms(a, constant_one); }
 
 const Polynomial& radicand_of(const Surd& a, const Surd& b) { return a.is_rational() ? b.n : a.n; }
 
@@ -45,7 +45,7 @@ Rooted squares_taken_out(const RationalFunction& f, const SignOf& sign) {
   Polynomial outside = above.outside, outside_below = below.outside;
   RationalFunction inside = in_lowest_terms(above.inside, below.inside);
   const int signs = sign(outside) * sign(outside_below);
-  if (signs == 0) return {whole(one), f};
+  if (signs == 0) return {whole(constant_one), f};
   if (signs < 0) outside = scaled(outside, {}, Number(-1));
   if (sign(inside.below) < 0)
     inside = {scaled(inside.above, {}, Number(-1)), scaled(inside.below, {}, Number(-1))};
@@ -54,7 +54,8 @@ Rooted squares_taken_out(const RationalFunction& f, const SignOf& sign) {
 
 /// 1/sqrt(x) rather than sqrt(1/x).
 Expression root_of_quotient(Graph& graph, const RationalFunction& f, const Expression& factor) {
-  if (f.above == one && factor.is_one()) return pow(factored_form(graph, f.below), Number::ratio(-1, 2));
+  if (f.above == constant_one && factor.is_one())
+    return pow(factored_form(graph, f.below), Number::ratio(-1, 2));
   return sqrt(to_expression(graph, f) * factor);
 }
 
@@ -82,14 +83,14 @@ Surd square_root(const RationalFunction& f) {
   if (f.is_zero()) return {};
   const SquareFactors factors = square_factors(f.above * f.below);
   const RationalFunction front = in_lowest_terms(factors.outside, f.below);
-  if (factors.inside == one) return front;
+  if (factors.inside == constant_one) return front;
   return {{}, front, factors.inside};
 }
 
 std::vector<Surd> quadratic_roots(const RationalFunction& a, const RationalFunction& b,
                                   const RationalFunction& c) {
   if (a.is_zero()) return b.is_zero() ? std::vector<Surd>{} : std::vector<Surd>{-c / b};
-  const RationalFunction half = b / (whole(scaled(one, {}, Number(-2))) * a);
+  const RationalFunction half = b / (whole(scaled(constant_one, {}, Number(-2))) * a);
   const Surd root = square_root(half * half - c / a);
   return {Surd(half) - root, Surd(half) + root};
 }

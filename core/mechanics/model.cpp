@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/inertia_check.hpp"
 
 namespace qdot {
 namespace {
@@ -16,23 +17,20 @@ std::string summary(const std::vector<Diagnostic>& diagnostics) {
 
 /// An equation without any acceleration leaves its coordinate undetermined.
 void check_inertia(const Scene& scene, const EquationsOfMotion& equations) {
+  const auto fault = inertia_fault(equations.mass_matrix);
+  if (!fault) return;
   std::vector<Diagnostic> diagnostics;
-  for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
-    bool has_inertia = false;
-    for (const Expression& entry : equations.mass_matrix[i]) has_inertia = has_inertia || !entry.is_zero();
-    if (has_inertia) continue;
+  for (const std::size_t i : fault->coordinates) {
     diagnostics.push_back({"/coordinates/" + std::to_string(i), "no_inertia",
                            "Nothing that has mass moves with '" + scene.coordinates[i].name +
                                "', so its acceleration is undetermined."});
   }
-  const std::size_t n = scene.coordinates.size();
-  if (diagnostics.empty() && n > 1 && n <= largest_written_system &&
-      simplify(determinant(equations.mass_matrix)).is_zero()) {
+  if (diagnostics.empty()) {
     diagnostics.push_back(
         {"/coordinates", "no_inertia",
          "The kinetic energy does not determine all accelerations: the mass matrix is singular everywhere."});
   }
-  if (!diagnostics.empty()) throw SceneError(diagnostics);
+  throw SceneError(diagnostics);
 }
 
 Expression quantity_of(const Lagrangian& lagrangian, const ParsedCondition& condition) {

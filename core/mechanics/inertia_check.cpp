@@ -1,0 +1,110 @@
+#include "core/mechanics/inertia_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "core/expr/calculus.hpp"
+#include "core/numerics/ball.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr int states = 6;
+constexpr double sharp = 1e-18;  ///< of what it is the difference of: twice the digits leave some 1e-30
+
+using Rows = std::vector<std::vector<Ball>>;
+
+/// Between 0.3 and 1.3, always the same: fractional parts of multiples of the golden ratio.
+double value_of(int state, std::size_t symbol) {
+  const double x = (static_cast<double>(symbol) * 5 + state * 11 + 1) * 0.6180339887498949;
+  return 0.3 + (x - std::floor(x));
+}
+
+std::vector<RealAssignment> state_number(int state, const Matrix& matrix) {
+  std::vector<NodeId> roots;
+  for (const auto& row : matrix) {
+    for (const Expression& e : row) roots.push_back(e.id());
+  }
+  Graph& graph = matrix[0][0].graph();
+  std::vector<RealAssignment> values;
+  for (const NodeId id : reachable(graph, roots)) {
+    const auto* symbol = std::get_if<Symbol>(&graph.node(id));
+    if (symbol != nullptr && symbol->name != "pi")
+      values.emplace_back(Expression(graph, id), value_of(state, values.size()));
+  }
+  return values;
+}
+
+/// What the terms of e are like in size, so that a difference that vanishes shows.
+double size_of(const Expression& e, const std::vector<RealAssignment>& values) {
+  double size = std::abs(evaluate_exactly(e, values).value);
+  if (const auto* sum = std::get_if<Sum>(&e.node())) {
+    for (const NodeId id : sum->terms)
+      size = std::max(size, std::abs(evaluate_exactly({e.graph(), id}, values).value));
+  }
+  return size;
+}
+
+/// Rows divided by their sizes; what vanishes in its row is zero. None where an entry has no value.
+std::optional<Rows> scaled_rows(const Matrix& matrix, const std::vector<RealAssignment>& values) {
+  Rows rows;
+  for (const auto& row : matrix) {
+    double size = 0;
+    for (const Expression& e : row) size = std::max(size, size_of(e, values));
+    if (!std::isfinite(size)) return std::nullopt;
+    rows.emplace_back();
+    for (const Expression& e : row) {
+      const Real entry = evaluate_exactly(e, values);
+      if (!entry.is_finite() || entry.error > sharp * size) return std::nullopt;
+      const bool vanishes = std::abs(entry.value) <= sharp * size;
+      rows.back().push_back(vanishes ? Ball(0) : Ball::literal(entry) / Ball(size));
+    }
+  }
+  return rows;
+}
+
+/// By elimination with the largest pivots.
+bool is_singular(Rows rows) {
+  const std::size_t n = rows.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t row = k, column = k;
+    for (std::size_t i = k; i < n; ++i) {
+      for (std::size_t j = k; j < n; ++j) {
+        if (rows[i][j].magnitude() > rows[row][column].magnitude()) std::tie(row, column) = std::pair(i, j);
+      }
+    }
+    if (rows[row][column].magnitude() <= sharp) return true;
+    std::swap(rows[k], rows[row]);
+    for (auto& r : rows) std::swap(r[k], r[column]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const Ball factor = rows[i][k] / rows[k][k];
+      for (std::size_t j = k; j < n; ++j) rows[i][j] = rows[i][j] - factor * rows[k][j];
+    }
+  }
+  return false;
+}
+
+bool has_no_inertia(const std::vector<Ball>& row) {
+  return std::ranges::all_of(row, [](const Ball& entry) { return entry.is_zero(); });
+}
+
+}  // namespace
+
+std::optional<InertiaFault> inertia_fault(const Matrix& mass_matrix) {
+  std::optional<InertiaFault> fault;
+  for (int state = 0; state < states; ++state) {
+    const auto rows = scaled_rows(mass_matrix, state_number(state, mass_matrix));
+    if (!rows) continue;
+    if (!is_singular(*rows)) return std::nullopt;
+    if (fault) continue;
+    fault.emplace();
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+      if (has_no_inertia((*rows)[i])) fault->coordinates.push_back(i);
+    }
+  }
+  return fault;
+}
+
+}  // namespace qdot
