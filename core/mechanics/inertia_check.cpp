@@ -16,10 +16,12 @@ constexpr double sharp = 1e-18;  ///< of what it is the difference of: twice the
 
 using Rows = std::vector<std::vector<Ball>>;
 
-/// Between 0.3 and 1.3, always the same: fractional parts of multiples of the golden ratio.
+/// Between 0.3 and 1.3, in the later states of both signs; always the same: fractional parts of multiples of
+/// the golden ratio.
 double value_of(int state, std::size_t symbol) {
   const double x = (static_cast<double>(symbol) * 5 + state * 11 + 1) * 0.6180339887498949;
-  return 0.3 + (x - std::floor(x));
+  const double size = 0.3 + (x - std::floor(x));
+  return state >= states / 2 && (static_cast<int>(symbol) + state) % 2 == 0 ? -size : size;
 }
 
 std::vector<RealAssignment> state_number(int state, const Matrix& matrix) {
