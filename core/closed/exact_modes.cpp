@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/base/error.hpp"
+#include "core/base/work.hpp"
+#include "core/closed/algebra_budget.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/parse.hpp"
@@ -317,6 +319,7 @@ Prepared prepared(const Dynamics& dynamics, const Statics& statics, const Reals&
 Prepared prepared_or_nothing(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,
                              const WrittenTexts& written, const Modes& found) {
   try {
+    const WorkScope budget(most_algebra);
     return prepared(dynamics, statics, parameters, written, found);
   } catch (const Error&) {
     return {};

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/base/work.hpp"
+#include "core/closed/algebra_budget.hpp"
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/trial.hpp"
@@ -177,6 +179,7 @@ Forms exact_solutions(const Dynamics& dynamics, const Reals& parameters, const R
                       const std::string& unknown, const WrittenTexts& written, const Solution& found) {
   if (found.values.empty() || !found.polynomial) return Forms(found.values.size());
   try {
+    const WorkScope budget(most_algebra);
     return SolutionForms(dynamics, parameters, y, unknown, written, found).forms();
   } catch (const Error&) {  // the algebra grows too large, or divides by what vanishes
     return Forms(found.values.size());
@@ -191,6 +194,7 @@ Forms exact_critical_values(const Dynamics& dynamics, const Reals& parameters, c
     if (critical.value == 0) continue;
     const Reals there = with(parameters, index, critical.value);
     try {
+      const WorkScope budget(most_algebra);
       const auto statics = dynamics.statics(there);
       if (statics->reduction.degrees_of_freedom() > largest_written_system ||
           !momenta_vanish(dynamics, *statics, there, y))

@@ -1,8 +1,11 @@
 #include "core/closed/exact_turning.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/base/error.hpp"
+#include "core/base/work.hpp"
+#include "core/closed/algebra_budget.hpp"
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/print/print.hpp"
@@ -246,11 +249,32 @@ class TurningForms {
   Expression energy_;                 ///< h
 };
 
+/// A plain number other than 0.
+bool is_decimal(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  const auto number = Number::written(text);
+  return number && !number->is_zero();
+}
+
+/// Whether the initial state has a velocity or a length in decimals, which leaves no formula.
+bool starts_from_decimals(const Scene& scene, const WrittenTexts& written) {
+  const auto text_of = [&](const std::string& name, const std::string& by_default) -> const std::string& {
+    const auto found = written.find(name);
+    return found == written.end() ? by_default : found->second;
+  };
+  return std::ranges::any_of(scene.coordinates, [&](const Coordinate& q) {
+    return is_decimal(text_of(q.name + "_dot", q.initial_rate)) ||
+           (q.unit != "rad" && is_decimal(text_of(q.name, q.initial)));
+  });
+}
+
 }  // namespace
 
 ExactTurningPoints exact_turning_points(const Dynamics& dynamics, const Reals& parameters,
                                         const WrittenTexts& written, const TurningPoints& found) {
+  if (starts_from_decimals(dynamics.model().scene, written)) return {};
   try {
+    const WorkScope budget(most_algebra);
     return TurningForms(dynamics, parameters, written, found).forms();
   } catch (const Error&) {  // the algebra grows too large, or divides by what vanishes
     return {};
