@@ -1,5 +1,7 @@
 #include "api/answers/asking.hpp"
 
+#include <algorithm>
+
 #include "api/json/pointer.hpp"
 #include "api/json/writer.hpp"
 
@@ -23,6 +25,22 @@ void report_below(const Json& problem, const Place& place, Errors& errors) {
     report(errors, std::move(below));
   }
 }
+
+constexpr std::size_t most_known = 16;
+constexpr std::size_t small_answer = 2000;  // values
+
+/// Counts the values in `json`, and not many more than `most`.
+std::size_t values_in(const Json& json, std::size_t most) {
+  std::size_t count = 1;
+  if (!json.is_structured()) return count;
+  for (const Json& part : json) {
+    if (count > most) break;
+    count += values_in(part, most - count);
+  }
+  return count;
+}
+
+bool is_small(const Json& answer) { return values_in(answer, small_answer) <= small_answer; }
 
 }  // namespace
 
@@ -65,13 +83,15 @@ std::optional<Json> Asking::ask(const std::string& question, const Json& request
 
 const Json* AskedOnce::ask(const std::string& question, const Json& request, const Place& place,
                            Errors& errors) {
-  const bool is_known = answer_ && question_ == question && request_ == request;
-  if (!is_known) {
-    answer_ = asking_.ask(question, request, place, errors);
-    question_ = question;
-    request_ = request;
-  }
-  return answer_ ? &*answer_ : nullptr;
+  const auto known = std::ranges::find_if(
+      known_, [&](const Known& k) { return k.question == question && k.request == request; });
+  if (known != known_.end()) return &known->answer;
+  if (!known_.empty() && !is_small(known_.back().answer)) known_.pop_back();
+  if (known_.size() == most_known) known_.pop_front();
+  auto answer = asking_.ask(question, request, place, errors);
+  if (!answer) return nullptr;
+  known_.push_back({question, request, std::move(*answer)});
+  return &known_.back().answer;
 }
 
 }  // namespace qdot::api

@@ -2,6 +2,7 @@
 // Asking endpoints from inside: an item of a check holds a whole request of one of them, a line of a batch,
 // too.
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -32,20 +33,25 @@ class Asking {
   std::map<std::string, Handler> handlers_;
 };
 
-/// The same question several times in a row is asked once: items often point into one answer.
+/// The same question is asked once, as long as its answer is small and few others came between: items often
+/// point into one answer.
 class AskedOnce {
  public:
   explicit AskedOnce(const Asking& asking) : asking_(asking) {}
 
-  /// As Asking::ask; nullptr where there is no answer. It lasts until the next question.
+  /// As Asking::ask; nullptr where there is no answer. What it points to lasts until the next question.
   [[nodiscard]] const Json* ask(const std::string& question, const Json& request, const Place& place,
                                 Errors& errors);
 
  private:
+  struct Known {
+    std::string question;
+    Json request;
+    Json answer;
+  };
+
   const Asking& asking_;
-  std::string question_;
-  Json request_;
-  std::optional<Json> answer_;
+  std::deque<Known> known_;  ///< the latest last, which may be large
 };
 
 }  // namespace qdot::api

@@ -5,7 +5,7 @@
 namespace qdot::api {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view between_members = " \t\r\n";
 
 /// One past the string that begins at `at`.
 std::size_t string_end(std::string_view text, std::size_t at) {
@@ -42,12 +42,12 @@ std::vector<std::pair<std::string, std::string_view>> members_of(std::string_vie
     const std::size_t key = object.find('"', at);
     if (key == std::string_view::npos) break;
     const std::size_t end_of_key = string_end(object, key);
-    const std::size_t value = object.find_first_not_of(blanks, object.find(':', end_of_key) + 1);
+    const std::size_t value = object.find_first_not_of(between_members, object.find(':', end_of_key) + 1);
     const std::size_t end = value_end(object, value);
     std::string_view text = object.substr(value, end - value);
-    text = text.substr(0, text.find_last_not_of(blanks) + 1);
+    text = text.substr(0, text.find_last_not_of(between_members) + 1);
     members.emplace_back(Json::parse(object.substr(key, end_of_key - key)).get<std::string>(), text);
-    at = object.find_first_not_of(blanks, end);
+    at = object.find_first_not_of(between_members, end);
     if (at != std::string_view::npos && object[at] != ',') break;
   }
   return members;

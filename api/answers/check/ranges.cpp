@@ -13,7 +13,7 @@
 namespace qdot::api {
 namespace {
 
-constexpr std::size_t most_values = 1000;
+constexpr std::size_t most_values_of_range = 1000;
 constexpr int most_places = 12;
 constexpr std::int64_t largest_digits = 1'000'000'000'000;
 
@@ -54,7 +54,7 @@ std::optional<std::int64_t> digits_with(const PlainDecimal& decimal, int places)
   return decimal.digits * factor;
 }
 
-std::string text_of(std::int64_t digits, int places) {
+std::string decimal_text(std::int64_t digits, int places) {
   std::string text = std::to_string(std::abs(digits));
   if (places > 0) {
     const auto shown = static_cast<std::size_t>(places);
@@ -67,7 +67,7 @@ std::string text_of(std::int64_t digits, int places) {
 /// A number as students read it; nothing for what is none.
 std::string written_decimal(const Json& number) {
   const auto decimal = plain_decimal(number);
-  return decimal ? text_of(decimal->digits, decimal->places) : "";
+  return decimal ? decimal_text(decimal->digits, decimal->places) : "";
 }
 
 /// The largest power of ten that divides from..to into at least 20 steps.
@@ -81,7 +81,7 @@ std::optional<PlainDecimal> usual_step(const PlainDecimal& from, const PlainDeci
   return step;
 }
 
-std::optional<std::vector<std::string>> steps_of(const Json& range) {
+std::optional<std::vector<std::string>> stepped_values(const Json& range) {
   const auto from = plain_decimal(range.value("from", Json()));
   const auto to = plain_decimal(range.value("to", Json()));
   if (!from || !to) return std::nullopt;
@@ -91,15 +91,15 @@ std::optional<std::vector<std::string>> steps_of(const Json& range) {
   const auto first = digits_with(*from, places), last = digits_with(*to, places),
              width = digits_with(*step, places);
   if (!first || !last || !width || *last < *first) return std::nullopt;
-  if ((*last - *first) / *width >= static_cast<std::int64_t>(most_values)) return std::nullopt;
+  if ((*last - *first) / *width >= static_cast<std::int64_t>(most_values_of_range)) return std::nullopt;
   std::vector<std::string> values;
   for (std::int64_t digits = *first; digits <= *last; digits += *width)
-    values.push_back(text_of(digits, places));
+    values.push_back(decimal_text(digits, places));
   return values;
 }
 
 std::optional<std::vector<std::string>> listed_values(const Json& list) {
-  if (!list.is_array() || list.empty() || list.size() > most_values) return std::nullopt;
+  if (!list.is_array() || list.empty() || list.size() > most_values_of_range) return std::nullopt;
   std::vector<std::string> values;
   for (const Json& value : list) {
     values.push_back(written_decimal(value));
@@ -108,14 +108,14 @@ std::optional<std::vector<std::string>> listed_values(const Json& list) {
   return values;
 }
 
-bool is_name(const std::string& text) {
+bool is_range_name(const std::string& text) {
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
          std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
 }
 
-std::variant<Range, SheetError> range_of(const std::string& name, const Json& json) {
+std::variant<KeyRange, SheetError> range_of(const std::string& name, const Json& json) {
   const std::string place = "ranges/" + printable(name);
-  if (!is_name(name)) return SheetError{place + " needs a name of letters, digits and _"};
+  if (!is_range_name(name)) return SheetError{place + " needs a name of letters, digits and _"};
   if (!json.is_object()) return SheetError{place + " needs an object, such as {\"from\": 0.4, \"to\": 1.2}"};
   const std::vector<std::string> known{"from", "to", "step", "values", "unit", "default"};
   for (const auto& [key, value] : json.items()) {
@@ -125,14 +125,14 @@ std::variant<Range, SheetError> range_of(const std::string& name, const Json& js
   const bool is_list = json.contains("values");
   if (is_list && (json.contains("from") || json.contains("to") || json.contains("step")))
     return SheetError{place + " has either 'values' or 'from' and 'to'"};
-  auto values = is_list ? listed_values(json["values"]) : steps_of(json);
+  auto values = is_list ? listed_values(json["values"]) : stepped_values(json);
   if (!values) {
     return SheetError{place +
                       (is_list ? "/values needs 1 to 1000 plain decimals"
                                : " needs plain decimals 'from' and 'to', and a positive 'step' that gives "
                                  "1 to 1000 values")};
   }
-  Range range{.name = name, .values = std::move(*values)};
+  KeyRange range{.name = name, .values = std::move(*values)};
   if (json.contains("unit")) {
     if (!json["unit"].is_string() || !parse_unit(json["unit"].get_ref<const std::string&>()))
       return SheetError{place + "/unit needs a unit, such as \"m\" or \"deg\""};
@@ -148,7 +148,7 @@ std::variant<Range, SheetError> range_of(const std::string& name, const Json& js
 /// Texts in which $name stands for a value.
 class Filling {
  public:
-  Filling(const std::vector<Range>& ranges, const Choice& choice) : ranges_(ranges), choice_(choice) {}
+  Filling(const std::vector<KeyRange>& ranges, const Choice& choice) : ranges_(ranges), choice_(choice) {}
 
   void fill(Json& value) {
     if (value.is_string()) {
@@ -161,7 +161,7 @@ class Filling {
   /// The first thing that is wrong; empty where nothing is.
   [[nodiscard]] std::string wrong() const {
     if (!wrong_.empty()) return wrong_;
-    for (const Range& range : ranges_) {
+    for (const KeyRange& range : ranges_) {
       if (!used_.contains(range.name)) return "no item has $" + range.name + " in what it expects";
     }
     return "";
@@ -187,7 +187,7 @@ class Filling {
   }
 
   std::string value_of(const std::string& name, bool is_all) {
-    const auto range = std::ranges::find(ranges_, name, &Range::name);
+    const auto range = std::ranges::find(ranges_, name, &KeyRange::name);
     if (range == ranges_.end()) {
       complain("there is no range for $" + printable(name));
       return "";
@@ -203,7 +203,7 @@ class Filling {
     if (wrong_.empty()) wrong_ = std::move(why);
   }
 
-  const std::vector<Range>& ranges_;
+  const std::vector<KeyRange>& ranges_;
   const Choice& choice_;
   std::set<std::string> used_;
   std::string wrong_;
@@ -211,23 +211,23 @@ class Filling {
 
 }  // namespace
 
-std::string with_unit(const std::string& value, const Range& range) {
+std::string with_unit(const std::string& value, const KeyRange& range) {
   return range.unit.empty() ? value : value + " " + range.unit;
 }
 
-std::variant<std::vector<Range>, SheetError> ranges_of(const Json& key) {
-  std::vector<Range> ranges;
+std::variant<std::vector<KeyRange>, SheetError> ranges_of(const Json& key) {
+  std::vector<KeyRange> ranges;
   if (!key.contains("ranges")) return ranges;
   if (!key["ranges"].is_object()) return SheetError{"'ranges' needs an object: a range for each name"};
   for (const auto& [name, json] : key["ranges"].items()) {
     auto range = range_of(name, json);
     if (auto* error = std::get_if<SheetError>(&range)) return std::move(*error);
-    ranges.push_back(std::move(std::get<Range>(range)));
+    ranges.push_back(std::move(std::get<KeyRange>(range)));
   }
   return ranges;
 }
 
-std::variant<Json, SheetError> with_values(const Json& key, const std::vector<Range>& ranges,
+std::variant<Json, SheetError> with_values(const Json& key, const std::vector<KeyRange>& ranges,
                                            const Choice& choice) {
   Json filled = key;
   filled.erase("ranges");
@@ -246,14 +246,14 @@ std::variant<Json, SheetError> original_key(const Json& key) {
   const auto ranges = ranges_of(key);
   if (const auto* error = std::get_if<SheetError>(&ranges)) return *error;
   Choice choice;
-  for (const Range& range : std::get<std::vector<Range>>(ranges)) {
+  for (const KeyRange& range : std::get<std::vector<KeyRange>>(ranges)) {
     if (range.original.empty()) {
       return SheetError{"the range " + in_quotes(range.name) +
                         " has no default: draw a variant of the key first, qdot variant KEY --seed 1"};
     }
     choice[range.name] = range.original;
   }
-  return with_values(key, std::get<std::vector<Range>>(ranges), choice);
+  return with_values(key, std::get<std::vector<KeyRange>>(ranges), choice);
 }
 
 }  // namespace qdot::api

@@ -19,7 +19,7 @@
 
 namespace qdot::api {
 
-struct Range {
+struct KeyRange {
   std::string name{};
   std::vector<std::string> values{};  ///< decimals, at least one
   std::string unit{};                 ///< empty: a number without one
@@ -27,19 +27,19 @@ struct Range {
 };
 
 /// Those of a key, in its order; none where it has no `ranges`.
-[[nodiscard]] std::variant<std::vector<Range>, SheetError> ranges_of(const Json& key);
+[[nodiscard]] std::variant<std::vector<KeyRange>, SheetError> ranges_of(const Json& key);
 
 /// A chosen value of each range, by name.
 using Choice = std::map<std::string, std::string>;
 
 /// The key with the values put in, and without `ranges`: a request of check but for what was submitted.
-[[nodiscard]] std::variant<Json, SheetError> with_values(const Json& key, const std::vector<Range>& ranges,
+[[nodiscard]] std::variant<Json, SheetError> with_values(const Json& key, const std::vector<KeyRange>& ranges,
                                                          const Choice& choice);
 
 /// The key with the originals put in. A key without ranges is left as it is.
 [[nodiscard]] std::variant<Json, SheetError> original_key(const Json& key);
 
 /// "0.45 m"
-[[nodiscard]] std::string with_unit(const std::string& value, const Range& range);
+[[nodiscard]] std::string with_unit(const std::string& value, const KeyRange& range);
 
 }  // namespace qdot::api

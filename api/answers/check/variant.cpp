@@ -89,7 +89,7 @@ std::string why_degenerate(const CheckItem& item, const ExpectationScope& scope,
 }
 
 /// As why_degenerate; what core throws is a reason, too.
-std::string why_not(const CheckItem& item, const ExpectationScope& scope, const Place& place) {
+std::string why_item_refused(const CheckItem& item, const ExpectationScope& scope, const Place& place) {
   try {
     return why_degenerate(item, scope, place);
   } catch (const Error& error) {
@@ -113,22 +113,22 @@ std::string why_refused(const Json& request, const Asking& asking, const FindSys
   const Place whole(Road::body);
   const Place items = whole.below("items");
   for (std::size_t i = 0; i < check.items.size(); ++i) {
-    const std::string why = why_not(check.items[i], scope, items.below(i));
+    const std::string why = why_item_refused(check.items[i], scope, items.below(i));
     if (!why.empty()) return "of the item " + check.items[i].id + ", " + why;
   }
   return "";
 }
 
-Choice drawn(const std::vector<Range>& ranges, RandomBits& bits) {
+Choice drawn_choice(const std::vector<KeyRange>& ranges, RandomBits& bits) {
   Choice choice;
-  for (const Range& range : ranges) choice[range.name] = range.values[bits() % range.values.size()];
+  for (const KeyRange& range : ranges) choice[range.name] = range.values[bits() % range.values.size()];
   return choice;
 }
 
-Json variant_json(std::uint64_t seed, const std::vector<Range>& ranges, const Choice& choice,
+Json variant_json(std::uint64_t seed, const std::vector<KeyRange>& ranges, const Choice& choice,
                   const Json& request) {
   Json values = Json::object();
-  for (const Range& range : ranges) values[range.name] = with_unit(choice.at(range.name), range);
+  for (const KeyRange& range : ranges) values[range.name] = with_unit(choice.at(range.name), range);
   Json result{{"variant", {{"seed", seed}, {"values", std::move(values)}}}};
   for (const auto& [name, value] : request.items()) result[name] = value;
   return result;
@@ -142,13 +142,13 @@ std::variant<Json, SheetError> drawn_variant(std::string_view key, std::uint64_t
   if (const auto* error = std::get_if<SheetError>(&sheet)) return *error;
   const auto read = ranges_of(std::get<Json>(sheet));
   if (const auto* error = std::get_if<SheetError>(&read)) return *error;
-  const auto& ranges = std::get<std::vector<Range>>(read);
+  const auto& ranges = std::get<std::vector<KeyRange>>(read);
   if (ranges.empty()) return SheetError{"the key has no 'ranges' to draw from"};
   const Asking asking(questions(), find_system, models);
   RandomBits bits(seed);
   std::string why;
   for (int draw = 0; draw < most_draws; ++draw) {
-    const Choice choice = drawn(ranges, bits);
+    const Choice choice = drawn_choice(ranges, bits);
     const auto request = with_values(std::get<Json>(sheet), ranges, choice);
     if (const auto* error = std::get_if<SheetError>(&request)) return *error;
     why = why_refused(std::get<Json>(request), asking, find_system, models);
