@@ -13,6 +13,29 @@ from qdot import Qdot  # noqa: E402
 qdot = Qdot(command="qdot/qdot")
 
 
+def original(key):
+    """The items of a key, each range at its default; as `qdot check` takes a key that no variant was drawn of."""
+    ranges = key.get("ranges", {})
+
+    def value_of(match, alone):
+        name = match.group(1)
+        if "default" not in ranges[name]:
+            raise SystemExit(f"The range {name} has no default: draw a variant of the key first, qdot variant KEY --seed 1")
+        value, unit = str(ranges[name]["default"]), ranges[name].get("unit", "")
+        return f"{value} {unit}".strip() if alone else f"({value})"
+
+    def filled(value):
+        if isinstance(value, dict):
+            return {name: filled(part) for name, part in value.items()}
+        if isinstance(value, list):
+            return [filled(part) for part in value]
+        if not isinstance(value, str):
+            return value
+        return re.sub(r"\$(\w+)", lambda match: value_of(match, match.group() == value), value)
+
+    return [{**item, "expect": filled(item["expect"])} for item in key["items"]]
+
+
 def in_maxima(text):
     return re.sub(r"\bpi\b", "%pi", str(text))
 
@@ -22,7 +45,10 @@ def equations_of(request):
     others = set(request) - {"system", "parameters"}
     if others:
         raise SystemExit(f"STACK questions have no {', '.join(sorted(others))} in a system.")
-    fixed = ", ".join(f"{name} = {in_maxima(value)}" for name, value in request.get("parameters", {}).items())
+    given = request.get("parameters", {})
+    resolved = qdot.energy(request["system"], parameters=given)["request"]["parameters"] if given else {}
+    has_unit = {name for name, value in given.items() if re.fullmatch(r"[-+.\dE]+ ?[^-+*/^\d]\S*", str(value), re.IGNORECASE)}
+    fixed = ", ".join(f"{name} = {resolved[name] if name in has_unit else in_maxima(value)}" for name, value in given.items())
     return qdot.equations(request["system"], form="maxima"), f"[{fixed}]"
 
 
@@ -111,7 +137,7 @@ def question_test(number_of, parts, is_right):
 
 def main(name):
     with open("key.json", encoding="utf-8") as file:
-        items = json.load(file)["items"]
+        items = original(json.load(file))
     parts = {f"ans{i}": (item, part_of(item, f"ans{i}")) for i, item in enumerate(items, 1)}
     html = ' format="html"'
     text = "".join(f"<p>{escape(item['id'])}: [[input:{answer}]] [[validation:{answer}]] [[feedback:prt_{answer}]]</p>"

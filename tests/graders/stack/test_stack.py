@@ -86,6 +86,16 @@ class Stack(unittest.TestCase):
                 with self.subTest(problem=number, score=score):
                     self.assertEqual(self.scores(answers, question), [score] * len(answers))
 
+    def test_ranges_stand_at_their_defaults(self):
+        system = {"system": "rod_pendulum", "parameters": {"l": "$l", "g": "$g*2"}}
+        key = {"ranges": {"l": {"values": [40, 70], "unit": "cm", "default": 70}, "g": {"values": [4, 5], "default": 4}},
+               "items": [{"id": "V", "expect": {"expression": system, "of": "V"}}]}
+        (self.setup.directory / "key.json").write_text(json.dumps(key))
+        self.setup.carry_out("", "sh", "python3 make_question.py Rods > question.xml")
+        question = self.read(self.setup.directory)
+        self.assertEqual(self.scores({"ans1": "-8*m*7/10*(3/2*cos(theta) + cos(phi))"}, question), [1])
+        self.assertEqual(self.scores({"ans1": "-8*m*4/10*(3/2*cos(theta) + cos(phi))"}, question), [0])
+
     @staticmethod
     def fits(item):
         expect = item["expect"]
