@@ -29,9 +29,32 @@ std::string plain_text(const Json& value) {
   return text;
 }
 
+/// {"text": "g/(2*l)", "latex": ..., "assumes": [...]}
+bool is_formula(const Json& value) {
+  return value.is_object() && value.contains("text") && value.contains("latex");
+}
+
+/// "g/(2*l), shape x = 1, theta = 1/l, assumes l > 0": what a person reads, so without LaTeX.
+std::string formula_text(const Json& formula) {
+  std::string text = formula["text"].get<std::string>();
+  const auto append = [&](const std::string& words, const Json& part) {
+    text += ", " + words + " = " + part["text"].get<std::string>();
+  };
+  for (const char* name : {"cos", "sin"})
+    if (formula.contains(name)) append(name, formula[name]);
+  const Json shape = formula.value("shape", Json::object());
+  std::string word = "shape ";
+  for (const auto& [name, part] : shape.items()) append(std::exchange(word, "") + name, part);
+  const Json assumes = formula.value("assumes", Json::array());
+  word = "assumes ";
+  for (const Json& sentence : assumes) text += ", " + std::exchange(word, "") + sentence.get<std::string>();
+  return text;
+}
+
 /// In one cell: of lists and objects their parts, one behind the other.
 std::string cell_of(const Json& value) {
   if (is_plain(value)) return plain_text(value);
+  if (is_formula(value)) return formula_text(value);
   std::string text;
   for (const auto& [name, part] : value.items()) {
     const std::string label = value.is_object() ? name + "=" : "";
@@ -42,6 +65,9 @@ std::string cell_of(const Json& value) {
 }
 
 bool all_plain(const Json& list) { return std::ranges::all_of(list, is_plain); }
+
+/// What stands in a line with its name.
+bool is_short(const Json& value) { return is_plain(value) || (value.is_array() && all_plain(value)); }
 
 /// {"t": [0, 1], "x": [3, 4]}
 bool is_columns(const Json& value) {
@@ -70,14 +96,17 @@ class Page {
   void line(const std::string& text) { text_ += mark_ + text + "\n"; }
   void heading(const std::string& text, std::size_t depth) { line(indent(depth) + bold(text)); }
 
-  /// The members of an object: the plain ones aligned, then the others, each below its name.
+  /// The members of an object: the plain ones aligned, then formulas, then the others, each below its name.
   void members(const Json& object, std::size_t depth) {
-    std::vector<Cells> rows;
-    for (const auto& [name, value] : object.items())
-      if (is_plain(value) || (value.is_array() && all_plain(value))) rows.push_back(row_of(name, value));
+    std::vector<Cells> rows, formulas;
+    for (const auto& [name, value] : object.items()) {
+      if (is_short(value)) rows.push_back(row_of(name, value));
+      if (is_formula(value)) formulas.push_back({name, formula_text(value)});
+    }
     for (const std::string& row : aligned(rows)) line(indent(depth) + row);
+    for (const std::string& row : aligned(formulas)) line(indent(depth) + row);
     for (const auto& [name, value] : object.items())
-      if (!is_plain(value) && !(value.is_array() && all_plain(value))) member(name, value, depth);
+      if (!is_short(value) && !is_formula(value)) member(name, value, depth);
   }
 
   void member(const std::string& name, const Json& value, std::size_t depth) {
@@ -145,8 +174,25 @@ class Page {
     for (const std::string& row : aligned(rows)) line(indent(depth) + row);
   }
 
-  /// A list of objects of one kind is a table, as long as its cells are short.
+  /// A list of objects of one kind is a table, as long as its cells are short; closed forms stand below it.
   void entries(const Json& list, std::size_t depth) {
+    Json rows = list;
+    for (Json& row : rows) row.erase("exact");
+    table(rows, depth);
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (list[i].contains("exact")) closed_forms(std::to_string(i + 1) + ". ", list[i]["exact"], depth);
+  }
+
+  void closed_forms(const std::string& number, const Json& exact, std::size_t depth) {
+    if (is_formula(exact)) {
+      const std::string of = exact.contains("of") ? plain_text(exact["of"]) + " = " : "";
+      return line(indent(depth) + number + of + formula_text(exact));
+    }
+    for (const auto& [name, part] : exact.items())
+      line(indent(depth) + number + name + " = " + cell_of(part));
+  }
+
+  void table(const Json& list, std::size_t depth) {
     Cells names;
     bool short_cells = true;
     for (const Json& entry : list) {

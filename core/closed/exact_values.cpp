@@ -9,6 +9,7 @@
 #include "core/expr/parse.hpp"
 #include "core/expr/special_angles.hpp"
 #include "core/mechanics/units.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot {
 namespace {
@@ -88,9 +89,8 @@ bool ExactValues::may_have_relations(const WrittenTexts& written) const {
     const auto exponent = [&](std::size_t k) {
       return static_cast<double>(e[k].numerator) / e[k].denominator;
     };
-    const double factor =
-        std::abs(parameters_[i]) /
-        (std::pow(mass, exponent(0)) * std::pow(length, exponent(1)) * std::pow(time, exponent(2)));
+    const double factor = std::abs(parameters_[i]) /
+                          (power(mass, exponent(0)) * power(length, exponent(1)) * power(time, exponent(2)));
     if (is_nearly_simple(factor)) return true;
   }
   return false;

@@ -40,9 +40,15 @@ class Text(unittest.TestCase):
         plain = COLOUR.sub("", seen)
         self.assertRegex(plain, r"(?m)^cart_pendulum$")
         self.assertRegex(plain, r"(?m)^  kind +omega +")
-        self.assertIn("2.4525697", plain)
+        self.assertRegex(plain, r"(?m)^  oscillation +2\.4525697 ")
         self.assertNotIn("{", plain.split("modes")[0])
         self.assertEqual(json.loads(qdot("modes", "cart_pendulum", "k=10").stdout)["system"], "cart_pendulum")
+
+    def test_a_closed_form_is_one_line_below_the_table(self):
+        text = qdot("modes", "cart_pendulum", "--format", "table").stdout.decode()
+        self.assertRegex(text, r"(?m)^  1\. omega\^2 = g/\(2\*l\), shape x = 1, theta = 1/l, assumes l > 0, g > 0, ")
+        self.assertEqual(text.count("omega^2"), 2)
+        self.assertNotIn("frac", text)
 
     def test_json_on_a_terminal_when_it_is_wanted(self):
         for option in ("--json", "--pretty", "--format=json"):
@@ -92,10 +98,15 @@ class Text(unittest.TestCase):
         self.assertTrue(seen.split("\x1b[K")[-1].startswith("{"))
 
 
+def not_for_a_terminal(value):
+    """LaTeX, and of a mode's formulas those that follow from omega^2."""
+    return {"latex", "omega", "rate", "period", "lambda", "shape_scaled", "general"} if "of" in value else {"latex"}
+
+
 def leaves(value):
     """Numbers and texts of an answer, as text has them."""
     if isinstance(value, dict):
-        return [leaf for part in value.values() for leaf in leaves(part)]
+        return [leaf for name, part in value.items() if name not in not_for_a_terminal(value) for leaf in leaves(part)]
     if isinstance(value, list):
         return [leaf for part in value for leaf in leaves(part)]
     if value is None or isinstance(value, bool):
