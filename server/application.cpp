@@ -134,7 +134,12 @@ void Application::admit(Case& it) {
   Lanes::Work work{.cost = it.appraisal.milliseconds,
                    .bytes = lane == Lane::heavy ? it.appraisal.bytes : 0,
                    .task = [this, it]() mutable { compute(it); }};
-  if (parts_.unsent_bytes() <= options_.unsent_bytes && lanes_.submit(lane, std::move(work))) return;
+  if (!has_room() || !lanes_.submit(lane, std::move(work))) shed(it);
+}
+
+bool Application::has_room() const { return parts_.unsent_bytes() <= options_.unsent_bytes; }
+
+void Application::shed(Case& it) {
   metrics_.count_shed();
   finish(it, it.problem(ProblemKind::overloaded));
 }
@@ -150,6 +155,8 @@ void Application::compute(Case& it) {
   try {
     it.waited = Milliseconds(Clock::now() - it.exchange->arrived).count();
     if (over()) return finish(it, it.problem(ProblemKind::deadline));
+    // While it waited, answers before it may have piled up at clients who do not read.
+    if (!has_room()) return shed(it);
     it.request->interrupted = over;
     it.request->spread = spread_over(options_.lanes.threads, Help::beside_light_work);
     auto response = parts_.answer(*it.request);

@@ -25,7 +25,7 @@ struct ApplicationOptions {
   Clock::duration deadline{std::chrono::seconds(8)};  ///< from a request's last byte to its answer
   Clock::duration drain{std::chrono::seconds(10)};    ///< how long work may go on after the end was asked for
   std::size_t unsent_bytes{std::size_t{64}
-                           << 20};  ///< while more than this waits to be read, no work is taken on
+                           << 20};  ///< while more than this waits to be read, no work is taken on or begun
 };
 
 /// What it needs of the rest of the program; functions, so that tests can bring their own.
@@ -53,6 +53,8 @@ class Application {
   void receive(const std::shared_ptr<Exchange>& exchange);
   void admit(Case& it);
   void compute(Case& it);
+  void shed(Case& it);
+  [[nodiscard]] bool has_room() const;
   void finish(Case& it, api::Response response);
   void record(const Case& it, LogEntry& entry, std::uint64_t evaluations);
 

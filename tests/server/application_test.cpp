@@ -36,7 +36,11 @@ struct Running {
   explicit Running(std::function<api::Response(const api::Request&)> answer = ok,
                    ApplicationOptions options = {}, int log_descriptor = -1)
       : log(log_descriptor),
-        application(options, {.answer = std::move(answer), .appraise = light}, log, metrics) {}
+        application(options,
+                    {.answer = std::move(answer),
+                     .appraise = light,
+                     .unsent_bytes = [this] { return unsent_bytes.load(); }},
+                    log, metrics) {}
 
   /// What it answers, now or later.
   std::future<Answer> ask(Incoming incoming) {
@@ -48,6 +52,7 @@ struct Running {
   }
   Answer operator()(Incoming incoming) { return ask(std::move(incoming)).get(); }
 
+  std::atomic<std::size_t> unsent_bytes{0};
   RequestLog log;
   Metrics metrics;
   Application application;
@@ -203,6 +208,21 @@ TEST(Application, WorkIsInterruptedAtTheDeadlineAndWhenItsClientLeaves) {
   exchange->abandon();
   given_up.get_future().wait();
   EXPECT_EQ(late.get().status, 503);
+}
+
+TEST(Application, WhatWaitedIsTurnedAwayIfAnswersHavePiledUpMeanwhile) {
+  SlowService slow;
+  Running application(std::ref(slow), {.lanes = {.threads = 1}, .unsent_bytes = 100});
+  auto first = application.ask(get("/v1/slow"));
+  slow.begun.wait();
+  auto second = application.ask(get("/v1/energy"));
+  application.unsent_bytes = 101;
+  EXPECT_THAT(application(get("/v1/energy")).body, HasSubstr("/errors/overloaded"));
+  slow.released.count_down();
+  EXPECT_EQ(first.get().status, 200);
+  EXPECT_THAT(second.get().body, HasSubstr("/errors/overloaded"));
+  application.unsent_bytes = 100;
+  EXPECT_EQ(application(get("/v1/energy")).status, 200);
 }
 
 TEST(Application, WhoWaitedPastTheDeadlineIsNotComputed) {
