@@ -27,15 +27,21 @@ import json
 import math
 import os
 import subprocess
+import threading
+import time
 import urllib.error
 import urllib.parse
 import urllib.request
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Union
 
 Value = Union[float, int, str]
 Values = Mapping[str, Value]
 System = Union[str, Mapping[str, Any]]
 Answer = Dict[str, Any]
+
+# Lines of a batch that go over HTTP at a time: few enough for a service's limits and its deadline.
+LINES_AT_ONCE = 100
+BYTES_AT_ONCE = 500_000
 
 __all__ = ["Qdot", "Key", "Problem", "Unreachable"]
 
@@ -51,8 +57,9 @@ class Problem(Exception):
       #/kk: There is no field 'kk'. Did you mean 'parameters.k'?
     """
 
-    def __init__(self, document: Mapping[str, Any]):
+    def __init__(self, document: Mapping[str, Any], retry_after: Optional[float] = None):
         self.document = dict(document)  #: the whole problem, RFC 9457
+        self.retry_after = retry_after  #: seconds after which a service that is too busy may be asked again
         self.status: int = document.get("status", 0)
         self.title: str = document.get("title", "")
         self.detail: str = document.get("detail", "")
@@ -169,6 +176,33 @@ class Qdot:
         """
         return self._ask("check", locals())
 
+    def sweep(self, ask: Mapping[str, Any], *, vary: Union[str, Mapping[str, Any]],
+              collect: Union[str, Sequence[str], Mapping[str, str]], from_: Optional[Value] = None,
+              to: Optional[Value] = None, count: Optional[int] = None, spacing: Optional[str] = None,
+              values: Optional[Sequence[Value]] = None, uniform: Optional[Sequence[Value]] = None,
+              normal: Optional[Sequence[Value]] = None, seed: Optional[int] = None) -> Answer:
+        """One question over a grid or a sample of parameters and initial values: answer["columns"] has a list for each.
+
+        >>> swept = Qdot().sweep({"modes": {"system": "cart_pendulum"}}, vary="k", from_=10, to=30, count=3,
+        ...                      collect={"slow": "/modes/0/omega"})
+        >>> swept["columns"]
+        {'k': [10.0, 20.0, 30.0], 'slow': [2.4525697096160592, 3.2597023678301, 3.7303818285192216]}
+        """
+        return self._ask("sweep", locals())
+
+    def batch(self, lines: Iterable[Mapping[str, Any]]) -> Iterator[Answer]:
+        """Many requests, each {"id": 1, "modes": {...}}: their answers, {"id": 1, "status": 200, "answer": {...}}, in order.
+
+        Both are read one by one, so that a million of them take no memory. A wrong one is answered by its problem and
+        spoils no other. A service that is too busy is asked again when it says so, for as long as `timeout`.
+
+        >>> questions = ({"id": k, "modes": {"system": "cart_pendulum", "parameters": {"k": k}}} for k in (10, -1))
+        >>> [(line["id"], line["status"]) for line in Qdot().batch(questions)]
+        [(10, 200), (-1, 422)]
+        """
+        texts = (json.dumps(line, allow_nan=False).encode() + b"\n" for line in lines)
+        return self._run_batch(texts) if self.command else self._send_batch(texts)
+
     # What there is.
 
     def systems(self, name: Optional[str] = None) -> Answer:
@@ -235,15 +269,19 @@ class Qdot:
         return self._send(path, None)
 
     def _send(self, path: str, body: Optional[str]) -> Answer:
-        headers = {"Content-Type": "application/json"}
+        return json.loads(self._fetch(path, None if body is None else body.encode(), "application/json"))
+
+    def _fetch(self, path: str, body: Optional[bytes], content_type: str) -> bytes:
+        headers = {"Content-Type": content_type}
         if self.token:
             headers["Authorization"] = "Bearer " + self.token
-        request = urllib.request.Request(self.address + path, None if body is None else body.encode(), headers)
+        request = urllib.request.Request(self.address + path, body, headers)
         try:
             with urllib.request.urlopen(request, timeout=self.timeout) as response:
-                return json.load(response)
+                return response.read()
         except urllib.error.HTTPError as error:
-            raise Problem(self._document(error.read(), error.code)) from None
+            wait = error.headers.get("Retry-After")
+            raise Problem(self._document(error.read(), error.code), float(wait) if wait else None) from None
         except urllib.error.URLError as error:
             raise Unreachable(f"No qdot answers at {self.address} ({error.reason}); start one with: qdot serve") from None
 
@@ -254,6 +292,85 @@ class Qdot:
         if run.returncode == 0:
             return json.loads(run.stdout)
         raise Problem(self._document(run.stderr, 0))
+
+    # Many lines.
+
+    def _send_batch(self, lines: Iterable[bytes]) -> Iterator[Answer]:
+        portion: List[bytes] = []
+        size = 0
+        for line in lines:
+            if portion and (len(portion) == LINES_AT_ONCE or size + len(line) > BYTES_AT_ONCE):
+                yield from self._answers(portion)
+                portion, size = [], 0
+            portion.append(line)
+            size += len(line)
+        if portion:
+            yield from self._answers(portion)
+
+    def _answers(self, portion: List[bytes]) -> Iterator[Answer]:
+        """Of lines that go together. What is too much for the service at once is asked in two parts."""
+        try:
+            text = self._when_there_is_room(b"".join(portion))
+        except Problem as problem:
+            if problem.status not in (413, 422, 503):
+                raise
+            if len(portion) == 1:
+                yield {"id": json.loads(portion[0]).get("id"), "status": problem.status, "answer": problem.document}
+                return
+            half = len(portion) // 2
+            yield from self._answers(portion[:half])
+            yield from self._answers(portion[half:])
+            return
+        for number, line in enumerate(text.splitlines()):
+            answer = json.loads(line)
+            if number > 0 and answer["status"] == 422 and answer["answer"]["instance"] == "/v1/batch" \
+                    and answer["answer"]["type"] == "/errors/limit-exceeded":  # enough answers: the rest apart
+                yield from self._answers(portion[number:])
+                return
+            yield answer
+
+    def _when_there_is_room(self, lines: bytes) -> bytes:
+        last = time.monotonic() + self.timeout
+        while True:
+            try:
+                return self._fetch("/v1/batch", lines, "application/x-ndjson")
+            except Problem as problem:
+                took_too_long = problem.document.get("type") == "/errors/deadline"
+                if took_too_long or problem.retry_after is None or time.monotonic() + problem.retry_after > last:
+                    raise
+                time.sleep(problem.retry_after)
+
+    def _run_batch(self, lines: Iterable[bytes]) -> Iterator[Answer]:
+        assert self.command
+        failures: List[BaseException] = []
+
+        def feed(pipe: Any) -> None:
+            try:
+                with pipe:
+                    for line in lines:
+                        pipe.write(line)
+            except BrokenPipeError:
+                pass  # its exit code says why
+            except BaseException as failure:  # of the caller's own iterator
+                failures.append(failure)
+
+        with subprocess.Popen([self.command, "batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as process:
+            assert process.stdout and process.stderr
+            feeder = threading.Thread(target=feed, args=(process.stdin,), daemon=True)
+            process.stdin = None  # the thread's own from now on
+            feeder.start()
+            try:
+                for answer in process.stdout:
+                    yield json.loads(answer)
+                said = process.stderr.read()
+                if process.wait() != 0:
+                    raise Problem(self._document(said, 0))
+                feeder.join()
+            finally:
+                process.kill()  # of no effect when it has ended
+        if failures:
+            raise failures[0]
 
     @staticmethod
     def _document(text: bytes, status: int) -> Answer:

@@ -45,9 +45,13 @@ class PythonClient(unittest.TestCase):
             with self.subTest(path=path):
                 self.assertIsNotNone(method)
                 self.assertTrue(method.__doc__)
-                content = document["paths"][path]["post"]["requestBody"]["content"]["application/json"]
-                fields = set(document["components"]["schemas"][content["schema"]["$ref"].split("/")[-1]]["properties"])
+                content = document["paths"][path]["post"]["requestBody"]["content"]
                 words = {name.rstrip("_") for name in inspect.signature(method).parameters} - {"self", "symbols"}
+                if "application/json" not in content:
+                    self.assertEqual((set(content), words), ({"application/x-ndjson"}, {"lines"}))
+                    continue
+                schema = content["application/json"]["schema"]["$ref"].split("/")[-1]
+                fields = set(document["components"]["schemas"][schema]["properties"])
                 self.assertEqual(words, fields - {"format"})
 
     def test_symbols_find_their_places(self):
@@ -66,7 +70,9 @@ class PythonClient(unittest.TestCase):
     def test_http_and_command_line_are_the_same(self):
         by_command = Qdot(command=QDOT)
         for ask in (lambda q: q.modes("cart_pendulum", k=10), lambda q: q.systems("rod_pendulum"),
-                    lambda q: q.problems(8), lambda q: q.simulate("spring_pendulum", t_end=1, samples=3)):
+                    lambda q: q.problems(8), lambda q: q.simulate("spring_pendulum", t_end=1, samples=3),
+                    lambda q: q.sweep({"energy": {"system": "spring_pendulum"}}, vary="k", values=[30, "40"], collect=["/V"]),
+                    lambda q: list(q.batch([{"energy": {"system": "spring_pendulum"}}, {"modes": 1}, {}]))):
             self.assertEqual(ask(by_command), ask(self.qdot))
 
     def test_problems_say_what_to_write(self):
@@ -89,6 +95,60 @@ class PythonClient(unittest.TestCase):
             self.assertTrue(Qdot(address, token="a secret").systems()["systems"])
             with self.assertRaisesRegex(Problem, "token"):
                 Qdot(address).systems()
+
+
+def motions(count, **fields):
+    """Lines of a batch, none before it is asked for; how many have been is in `motions.read`."""
+    motions.read = 0
+    for number in range(count):
+        motions.read += 1
+        yield {"id": number, "simulate": {"system": "spring_pendulum", "t_end": 1, "samples": 3, "verify": False, **fields}}
+
+
+class Batches(unittest.TestCase):
+    def roads(self, *arguments):
+        """Over HTTP and by the command line."""
+        with RunningQdot(*arguments) as server:
+            yield Qdot(f"localhost:{server.port}")
+        yield Qdot(command=QDOT)
+
+    def test_answers_come_in_order_however_many_there_are(self):
+        for qdot in self.roads():
+            answers = list(qdot.batch(motions(1234)))
+            self.assertEqual([answer["id"] for answer in answers], list(range(1234)))
+            self.assertEqual({answer["status"] for answer in answers}, {200})
+            self.assertEqual(list(qdot.batch([])), [])
+
+    def test_lines_are_read_as_answers_are(self):
+        for qdot in self.roads():
+            answers = qdot.batch(motions(1_000_000))
+            self.assertEqual([next(answers)["id"] for _ in range(3)], [0, 1, 2])
+            self.assertLess(motions.read, 50_000)
+            answers.close()
+
+    def test_what_is_too_much_at_once_is_asked_in_parts(self):
+        with RunningQdot("--deadline", "0.3") as server:  # so many motions take a second
+            answers = list(Qdot(f"localhost:{server.port}").batch(motions(100, t_end=500)))
+        self.assertEqual([(answer["id"], answer["status"]) for answer in answers], [(i, 200) for i in range(100)])
+        with RunningQdot("--deadline", "60") as server:  # of 1 MB each: more than one answer may have
+            lengths = [len(answer["answer"]["trajectory"]["t"])
+                       for answer in Qdot(f"localhost:{server.port}").batch(motions(40, samples=10_000))]
+        self.assertEqual(lengths, [10_000] * 40)
+
+    def test_a_line_that_is_too_long_fails_alone(self):
+        good = {"id": "good", "energy": {"system": "spring_pendulum"}}
+        for qdot in self.roads():
+            answers = list(qdot.batch([good, {"id": "long", "energy": {"system": "x" * 2_000_000}}, good]))
+            self.assertEqual([answer["status"] for answer in answers], [200, 413, 200])
+
+    def test_what_the_callers_iterator_raises_reaches_the_caller(self):
+        def broken():
+            yield from motions(2)
+            raise ZeroDivisionError
+
+        for qdot in self.roads():
+            with self.assertRaises(ZeroDivisionError):
+                list(qdot.batch(broken()))
 
 
 if __name__ == "__main__":
