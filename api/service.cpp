@@ -1,6 +1,7 @@
 #include "api/service.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <new>
 #include <utility>
@@ -25,6 +26,7 @@
 #include "api/scenes/scene_table.hpp"
 #include "api/scenes/system_lookup.hpp"
 #include "core/base/work.hpp"
+#include "core/base/work_bounds.hpp"
 
 namespace qdot::api {
 namespace {
@@ -317,7 +319,10 @@ Service::~Service() = default;
 Response Service::handle(const Request& request) const noexcept {
   try {
     try {
-      const WorkScope scope(limits::algebra, request.interrupted);
+      const bool is_bounded = request.work == Work::bounded;
+      const WorkBoundsScope bounds(is_bounded ? WorkBounds::of_a_service : WorkBounds::none);
+      const WorkScope scope(is_bounded ? limits::algebra : std::numeric_limits<std::uint64_t>::max(),
+                            request.interrupted);
       return impl_->answer(request);
     } catch (const Interrupted&) {
       Response response = to_response(

@@ -68,14 +68,14 @@ std::optional<std::uint64_t> size_of(int descriptor) {
 
 const api::FieldSet& line_fields() { return *api::endpoint_at("/v1/batch")->question.fields; }
 
-std::string answer_to(const InputLine& line, const api::Service& service) {
+std::string answer_to(const InputLine& line, const api::Service& service, api::Work work) {
   if (line.is_overlong) return api::answer_to_overlong_line();
   return api::answered_line(line.text, line_fields(), [&](const std::string& endpoint, std::string body) {
     return service.handle({.method = "POST",
                            .target = "/v1/" + endpoint,
                            .headers = {{"content-type", "application/json"}},
                            .body = std::move(body),
-                           .work = api::Work::unbounded});
+                           .work = work});
   });
 }
 
@@ -113,8 +113,9 @@ ExitCode run_batch(const BatchOptions& options) {
   LineReader reader(input.get(), api::longest_batch_line());
   skip_answered(reader, output, progress);
   const api::Service service({.scenes_directory = options.scenes});
+  const api::Work bounds = options.bounded ? api::Work::bounded : api::Work::unbounded;
   OrderedWork work(
-      threads_of(options), [&](const InputLine& line) { return answer_to(line, service); },
+      threads_of(options), [&](const InputLine& line) { return answer_to(line, service, bounds); },
       [&](const OrderedWork::Piece& piece) {
         output.write(piece.text);
         progress.add(piece.lines, piece.input_bytes);

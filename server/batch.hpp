@@ -14,6 +14,7 @@ struct BatchOptions {
   bool resume{false};    ///< goes on behind the answers that `output` has already
   int jobs{0};           ///< lines that are answered at a time; 0 means the number of cores
   std::string scenes{};  ///< a directory of more scenes; may be empty
+  bool bounded{false};   ///< no more work for a line than a service would do
 };
 
 /// Every line is answered, a wrong one by its problem. SIGINT and SIGTERM end the process at once, behind a

@@ -3,9 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
-#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -20,14 +18,13 @@
 #include "api/scenes/catalogue.hpp"
 #include "api/service.hpp"
 #include "server/people.hpp"
+#include "server/progress.hpp"
 #include "server/spread.hpp"
 #include "server/usage.hpp"
 #include "server/words.hpp"
 
 namespace qdot::server {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int digits_for_people = 8;  ///< what they read; their errors have the rounding in them
 
@@ -110,32 +107,6 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
   if (!query.empty()) request.target += "?" + query.substr(0, query.size() - 1);
   return request;
 }
-
-/// On a terminal, says each second that the work goes on. It is asked often, by several threads, and never
-/// interrupts.
-class Progress {
- public:
-  Progress() : shows_(::isatty(STDERR_FILENO) != 0) {}
-  ~Progress() {
-    if (seconds_ > 0) std::cerr << "\r\x1b[K" << std::flush;
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  bool operator()() {
-    const auto passed = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begun_).count();
-    auto said = seconds_.load();
-    if (shows_ && passed > said && seconds_.compare_exchange_strong(said, passed)) {
-      std::cerr << "\r\x1b[Kcomputing, " << passed << " s" << std::flush;
-    }
-    return false;
-  }
-
- private:
-  bool shows_;
-  Clock::time_point begun_{Clock::now()};
-  std::atomic<std::chrono::seconds::rep> seconds_{0};
-};
 
 ExitCode meaning_of(const api::Response& response) {
   if (response.status < 400) return ExitCode::ok;
@@ -265,12 +236,13 @@ ExitCode run(const Command& command, const Arguments& arguments) {
     auto request = request_of(command, arguments);
     const api::Service service({.scenes_directory = arguments.scenes});
     api::Response response;
+    request.work = arguments.bounded ? api::Work::bounded : api::Work::unbounded;
     {
       Progress progress;
-      request.interrupted = [&progress] { return progress(); };
-      request.spread = spread_over(static_cast<int>(std::thread::hardware_concurrency()));
-      request.work = api::Work::unbounded;
+      request.interrupted = [&progress] { return progress.is_stopped(); };
+      request.spread = progress.counting(spread_over(static_cast<int>(std::thread::hardware_concurrency())));
       response = service.handle(request);
+      if (progress.is_stopped()) return ExitCode::stopped;
     }
     auto code = meaning_of(response);
     auto& stream = code == ExitCode::ok ? std::cout : std::cerr;

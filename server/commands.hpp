@@ -19,7 +19,8 @@ enum class ExitCode {
   invalid_request = 3,
   failed = 4,
   internal = 5,
-  unreachable = 6
+  unreachable = 6,
+  stopped = 130  ///< by Ctrl-C, as shells have it
 };
 
 /// What the words after a command are.
@@ -55,6 +56,7 @@ struct Arguments {
   std::string key, answers;  ///< files of a check
   bool strict{false};        ///< of a check: anything but right answers is a failure
   std::string scenes;        ///< a directory of more scenes
+  bool bounded{false};       ///< no more work than a service would do
 };
 
 /// A command line that is answered: "qdot turning_points free_spin_pendulum".

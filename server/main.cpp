@@ -54,6 +54,10 @@ std::string token_of_environment() {
   return token == nullptr ? "" : token;
 }
 
+void add_bounded(CLI::App& command, bool& bounded) {
+  command.add_flag("--bounded", bounded, "No more work and rows than a service would do (/v1/limits)");
+}
+
 void add_serve(CLI::App& app, ServeOptions& options, Action& action) {
   auto& command = *app.add_subcommand("serve", "Serve HTTP until SIGTERM; port 0 picks a free one");
   add_address(command, options.host, options.port, 0, options.unix_socket);
@@ -101,6 +105,7 @@ void add_commands(CLI::App& app, Arguments& arguments, Action& action) {
     command.add_flag("--json", arguments.json, "The answer as JSON, on a terminal too");
     command.add_flag("--pretty", arguments.pretty, "The answer as JSON with indents");
     add_scenes(command, arguments.scenes);
+    if (entry.endpoint != nullptr) add_bounded(command, arguments.bounded);
     command.callback([&, entry] { action = [&, entry] { return run(entry, arguments); }; });
   }
 }
@@ -113,6 +118,7 @@ void add_batch(CLI::App& app, BatchOptions& options, Action& action) {
   command.add_option("--output", options.output, "File for the answers instead of stdout");
   command.add_flag("--resume", options.resume, "Go on behind the answers that the output has already");
   add_scenes(command, options.scenes);
+  add_bounded(command, options.bounded);
   command.footer([] { return help_on_lines(); });
   command.callback([&] { action = [&] { return run_batch(options); }; });
 }

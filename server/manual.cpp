@@ -22,6 +22,7 @@ constexpr auto exit_codes = std::to_array<std::pair<int, std::string_view>>({
     {4, "the computation failed"},
     {5, "our own mistake"},
     {6, "no server answers"},
+    {130, "stopped by Ctrl-C"},
 });
 
 /// Text for roff: a point or a quotation mark at the start of a line would be a command.

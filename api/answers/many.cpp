@@ -2,10 +2,12 @@
 
 #include <atomic>
 #include <exception>
+#include <limits>
 #include <mutex>
 
 #include "api/json/limits.hpp"
 #include "core/base/work.hpp"
+#include "core/base/work_bounds.hpp"
 
 namespace qdot::api {
 
@@ -16,7 +18,10 @@ void for_each(const Request& request, std::size_t count, const std::function<voi
   const auto one = [&](std::size_t i) {
     if (ended) return;
     try {
-      const WorkScope scope(limits::algebra, request.interrupted);
+      const bool is_bounded = request.work == Work::bounded;
+      const WorkBoundsScope bounds(is_bounded ? WorkBounds::of_a_service : WorkBounds::none);
+      const WorkScope scope(is_bounded ? limits::algebra : std::numeric_limits<std::uint64_t>::max(),
+                            request.interrupted);
       check_interruption();
       task(i);
     } catch (...) {

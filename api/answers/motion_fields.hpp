@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "api/answers/bounds.hpp"
 #include "api/answers/time_grid.hpp"
 #include "api/contract/request_table.hpp"
 #include "api/json/limits.hpp"
@@ -26,7 +27,7 @@ void append_grid_fields(std::vector<RequestField<R>>& fields) {
       number("t_end", &R::t_end, {"s", instants}, "end of the motion; with `times` it may be left out",
              {.aliases = {"t", "time", "tmax", "t_max", "tend", "t_final", "tf", "end", "duration",
                           "stop_time", "t_span", "tspan", "t_stop", "until", "length_of_time"}}));
-  fields.push_back(integer("samples", &R::samples, {2, limits::rows},
+  fields.push_back(integer("samples", &R::samples, {2, limits::rows, UpperEnd::of_work},
                            "number of rows, the two ends of the motion included",
                            {.default_value = 101,
                             .aliases = {"n", "rows", "points", "num", "number_of_points", "n_points",
@@ -86,11 +87,11 @@ void read_grid(R& request, std::int64_t columns, Findings& findings) {
   if (!request.t_end) request.t_end = request.grid.back();
   findings.echo()["t_end"] = *request.t_end;
   const auto rows = static_cast<std::int64_t>(request.grid.size());
-  if (rows * columns > limits::numbers) {
+  if (rows * columns > most_numbers_of_answer()) {
     findings.report(findings.echo().contains("include") ? "include" : "samples", "too_many",
                     std::to_string(rows) + " rows of " + std::to_string(columns) + " columns are " +
                         std::to_string(rows * columns) + " numbers; an answer has at most " +
-                        std::to_string(limits::numbers) + ".");
+                        std::to_string(most_numbers_of_answer()) + ".");
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/json/limits.hpp"
+#include "api/answers/bounds.hpp"
 #include "api/json/writer.hpp"
 
 namespace qdot::api {
@@ -19,10 +19,10 @@ std::string seconds(double value) {
 
 /// t_end has been checked.
 Grid even_grid(double t_start, double t_end, std::int64_t rows, const std::string& field) {
-  if (rows > limits::rows) {
+  if (rows > most_rows_of_answer()) {
     return GridError{field, "too_many",
                      "That is " + std::to_string(rows) + " rows; an answer has at most " +
-                         std::to_string(limits::rows) + "."};
+                         std::to_string(most_rows_of_answer()) + "."};
   }
   std::vector<double> instants;
   instants.reserve(static_cast<std::size_t>(rows));

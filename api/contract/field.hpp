@@ -23,9 +23,14 @@ struct NumberKind {
   Domain range{};
 };
 
+/// What an upper end says: what makes sense, or how much work a service does for one request
+/// (core/base/work_bounds.hpp).
+enum class UpperEnd { of_sense, of_work };
+
 struct IntegerKind {
   std::int64_t least{};
   std::int64_t most{};
+  UpperEnd upper_end{UpperEnd::of_sense};
 };
 
 struct BooleanKind {};

@@ -11,6 +11,7 @@
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "api/json/writer.hpp"
+#include "core/base/work_bounds.hpp"
 #include "core/expr/number.hpp"
 
 namespace qdot::api {
@@ -158,7 +159,8 @@ std::optional<Json> read_value(const IntegerKind& kind, const std::string& name,
   }
   const std::optional<std::int64_t> number = whole_number(value, place.road());
   if (!number) return refuse(place, errors, "wrong_type", "'" + name + "' needs a whole number.");
-  if (*number < kind.least || *number > kind.most) {
+  const bool is_bounded = kind.upper_end == UpperEnd::of_sense || work_bounds() != WorkBounds::none;
+  if (*number < kind.least || (is_bounded && *number > kind.most)) {
     return refuse(place, errors, "out_of_range",
                   "'" + name + "' must be from " + std::to_string(kind.least) + " to " +
                       std::to_string(kind.most) + "; it is " + std::to_string(*number) + ".");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/simulate/extended_number.hpp"
 #include "api/answers/simulate/terms.hpp"
@@ -96,6 +97,7 @@ class ExtendedAnswer {
     extended.t_start = as_written(request_.t_start);
     extended.grid = grid_;
     extended.max_error = request_.max_error;
+    extended.limits = limits_of_run();
     result_ = extended_simulation(*system_.dynamics, extended);
   }
 

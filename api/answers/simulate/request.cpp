@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "api/answers/bounds.hpp"
 #include "api/answers/motion_fields.hpp"
 #include "api/answers/simulate/extended_number.hpp"
 #include "api/contract/text_checks.hpp"
@@ -48,11 +49,11 @@ void check_step(const SimulateRequest& request, Findings& findings) {
     findings.report("h", "not_applicable",
                     "'h' is the step of " + methods_of_fixed_step() + "; other methods choose their own.");
   }
-  const auto most = static_cast<double>(Limits{}.max_steps);
+  const auto most = static_cast<double>(limits_of_run().max_steps);
   if (is_fixed && request.t_end && (*request.t_end - request.t_start) / *request.h > most) {
-    findings.report(
-        "h", "too_many",
-        "Steps of this length are too many: a motion may take " + std::to_string(Limits{}.max_steps) + ".");
+    findings.report("h", "too_many",
+                    "Steps of this length are too many: a motion may take " +
+                        std::to_string(limits_of_run().max_steps) + ".");
   }
 }
 
@@ -159,7 +160,7 @@ RequestTable<SimulateRequest> make_simulate_table() {
       on_invalid_field<SimulateRequest>(
           "what to do where the model stops holding, such as at a slack string"),
       impacts_field<SimulateRequest>(),
-      integer("steps", &SimulateRequest::steps, {1, limits::strides},
+      integer("steps", &SimulateRequest::steps, {1, limits::strides, UpperEnd::of_work},
               "number of a walker's strides after which the motion is complete; given beside t_end or "
               "instead of it",
               {.aliases = {"strides", "n_steps", "impacts_count"}}),
@@ -185,7 +186,8 @@ RequestTable<SimulateRequest> make_simulate_table() {
              "the largest global error that you accept, in each column's own unit, for coordinates and "
              "velocities in all rows; below 1e-14 it needs precision=extended",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
-      integer("max_evaluations", &SimulateRequest::max_evaluations, {1, limits::evaluations},
+      integer("max_evaluations", &SimulateRequest::max_evaluations,
+              {1, limits::evaluations, UpperEnd::of_work},
               "the work allowed, as a number of evaluations of the accelerations, those that measure the "
               "error included",
               {.aliases = {"max_nfev", "budget", "max_rhs_evaluations"}}),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/time_grid.hpp"
 #include "api/json/limits.hpp"
@@ -104,6 +105,7 @@ SimulationRequest core_request(const SimulateRequest& request, const Dynamics& d
   core.events = request.events;
   core.on_invalid = request.on_invalid;
   core.impacts = request.impacts ? Impacts::apply : Impacts::ignore;
+  core.limits = limits_of_run();
   core.method = request.method;
   if (request.h) core.h = *request.h;
   if (request.rtol > 0) core.tolerances = {request.rtol, request.atol};  // else a goal decides
@@ -128,7 +130,7 @@ std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynami
     return std::holds_alternative<GridError>(grid) ? core.grid : std::get<std::vector<double>>(grid);
   }
   std::vector<double> grid;
-  for (std::int64_t i = 0; i < limits::rows; ++i) {
+  for (std::int64_t i = 0; i < most_rows_of_answer(); ++i) {
     const double t = core.t_start + static_cast<double>(i) * *request.dt;
     if (t > first.t) break;
     grid.push_back(t);

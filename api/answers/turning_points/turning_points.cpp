@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "api/answers/bounds.hpp"
 #include "api/answers/exact_json.hpp"
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/stated.hpp"
@@ -266,6 +267,7 @@ class TurningPointsAnswer {
     core.parameters = system_.state.parameters;
     core.y_start = system_.state.y;
     core.coordinate = coordinate_;
+    core.limits = limits_of_run();
     core.t_start = request_.t_start;
     core.t_end = *request_.t_end;
     core.on_invalid = request_.on_invalid;

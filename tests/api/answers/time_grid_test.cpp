@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "api/json/limits.hpp"
+#include "core/base/work_bounds.hpp"
 
 namespace qdot::api {
 namespace {
@@ -30,6 +31,18 @@ TEST(TimeGrid, OfSamplesHasBothEndsAndDecimalInstants) {
   EXPECT_EQ(instants.front(), 0);
   EXPECT_EQ(instants.back(), 10);
   EXPECT_EQ(grid({.t_start = 1.0 / 3, .t_end = 2.0 / 3, .samples = 2}), (std::vector{1.0 / 3, 2.0 / 3}));
+}
+
+TEST(TimeGrid, HasAServicesBoundUnlessThereIsNone) {
+  const GridRequest many{.t_end = 10, .samples = limits::rows + 1};
+  EXPECT_EQ(error(many).code, "too_many");
+  {
+    const WorkBoundsScope own_machine(WorkBounds::none);
+    EXPECT_EQ(grid(many).size(), static_cast<std::size_t>(limits::rows) + 1);
+    const WorkBoundsScope service(WorkBounds::of_a_service);
+    EXPECT_EQ(error(many).code, "too_many");
+  }
+  EXPECT_EQ(error(many).code, "too_many");
 }
 
 TEST(TimeGrid, OfStepsIsTheSameGrid) {

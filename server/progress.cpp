@@ -1,0 +1,69 @@
+#include "server/progress.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace qdot::server {
+namespace {
+
+std::atomic<bool> interrupt_came{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "A signal handler sets it.");
+
+void note_interrupt(int /*signal*/) { interrupt_came = true; }
+
+}  // namespace
+
+Progress::Progress() : shows_(::isatty(STDERR_FILENO) != 0) {
+  struct sigaction action {};
+  action.sa_handler = note_interrupt;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;
+  ::sigaction(SIGINT, &action, nullptr);
+}
+
+Progress::~Progress() {
+  std::signal(SIGINT, SIG_DFL);
+  if (shows_ && told_ > 0) std::cerr << "\r\x1b[K" << std::flush;
+  if (!interrupt_came) return;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun_;
+  std::cerr << "Stopped after " << std::llround(passed.count()) << " s";
+  if (of_ > 0) std::cerr << ", with " << done_ << " of " << of_ << " rows done";
+  std::cerr << "; there is no answer." << std::endl;
+}
+
+bool Progress::is_stopped() {
+  const auto passed =
+      std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - begun_);
+  auto told = told_.load();
+  if (shows_ && passed.count() > told && told_.compare_exchange_strong(told, passed.count()))
+    tell(passed.count());
+  return interrupt_came;
+}
+
+void Progress::tell(std::chrono::seconds::rep seconds) {
+  std::string text = "\r\x1b[Kcomputing, " + std::to_string(seconds) + " s";
+  const std::size_t done = done_, of = of_;
+  if (of > 0) text += ", " + std::to_string(done) + " of " + std::to_string(of) + " rows";
+  if (done > 0 && done < of) {
+    const double left =
+        static_cast<double>(seconds) * static_cast<double>(of - done) / static_cast<double>(done);
+    text += ", about " + std::to_string(std::llround(std::ceil(left))) + " s left";
+  }
+  std::cerr << text << std::flush;
+}
+
+api::Spread Progress::counting(api::Spread spread) {
+  return [this, spread = std::move(spread)](std::size_t count, const std::function<void(std::size_t)>& task) {
+    of_ += count;
+    spread(count, [&](std::size_t i) {
+      task(i);
+      ++done_;
+    });
+  };
+}
+
+}  // namespace qdot::server

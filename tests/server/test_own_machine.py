@@ -1,0 +1,77 @@
+"""The command line computes what a service would refuse, tells how far it is, and ends when it is told to."""
+
+import json
+import os
+import pty
+import select
+import signal
+import subprocess
+import time
+import unittest
+
+from running_qdot import ENVIRONMENT, QDOT, RunningQdot, qdot
+
+OK, INVALID, STOPPED = 0, 3, 130
+# Of each: the command, its words, and how --bounded refuses it.
+BEYOND = [("simulate", ["rolling_disk_platform", "method=gauss", "h=1e-4", "t_end=26", "samples=2", "verify=false"], INVALID),
+          ("simulate", ["rolling_disk_platform", "t_end=1", "samples=100001", "verify=false"], INVALID),
+          ("simulate", ["rolling_disk_platform", "t_end=1", "dt=1e-5", "verify=false"], INVALID),
+          ("sweep", ["spring_pendulum", "ask=energy", "vary=k", "from=1", "to=2", "count=10001", "collect=/V"], INVALID)]
+ENDLESS = ["spring_pendulum", "t_end=1e8", "samples=2"]
+
+
+class OwnMachine(unittest.TestCase):
+    def test_work_and_rows_have_no_bounds_of_a_service(self):
+        for command, words, refused in BEYOND:
+            with self.subTest(command=command, words=words):
+                self.assertEqual(qdot(command, *words).returncode, OK)
+                self.assertEqual(qdot(command, *words, "--bounded").returncode, refused)
+
+    def test_a_service_has_them(self):
+        with RunningQdot("--deadline", "60") as server:
+            for command, words, _ in BEYOND:
+                query = "&".join(["system=" + words[0], *words[1:]])
+                self.assertEqual(server.request("GET", f"/v1/{command}?{query}").status, 422)
+
+    def test_lines_of_a_batch_neither(self):
+        line = json.dumps({"simulate": {"system": "rolling_disk_platform", "t_end": 1, "samples": 100001, "verify": False,
+                                        "format": "csv"}})
+        self.assertEqual(json.loads(qdot("batch", stdin=line).stdout)["status"], 200)
+        self.assertEqual(json.loads(qdot("batch", "--bounded", stdin=line).stdout)["status"], 422)
+
+
+class Ending(unittest.TestCase):
+    def test_control_c_ends_with_a_sentence(self):
+        sweep = ["spring_pendulum", "ask=simulate", "t_end=1000", "samples=2", "vary=k", "from=10", "to=50", "count=100000",
+                 "collect=/trajectory/l/1"]
+        for command in (["simulate", *ENDLESS], ["sweep", *sweep], ["turning_points", "forced_spring_pendulum", "F=sin(t)", "coordinate=theta", "t_end=1e7"]):
+            with self.subTest(command=command[0]):
+                process = subprocess.Popen([QDOT, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT)
+                time.sleep(1)
+                process.send_signal(signal.SIGINT)
+                sent = time.monotonic()
+                answer, said = process.communicate(timeout=20)
+                self.assertLess(time.monotonic() - sent, 5)
+                self.assertEqual((process.returncode, answer), (STOPPED, b""), said)
+                self.assertRegex(said.decode(), r"^Stopped after \d+ s.*; there is no answer\.\n$")
+
+    def test_a_terminal_is_told_how_far_it_is(self):
+        words = ["spring_pendulum", "ask=simulate", "t_end=100", "samples=2", "vary=k", "from=10", "to=50", "count=100000",
+                 "collect=/trajectory/l/1"]
+        for command, told in ((["sweep", *words], rb"computing, \d+ s, \d+ of 100000 rows, about \d+ s left"),
+                              (["simulate", *ENDLESS], rb"computing, \d+ s")):
+            terminal, its_end = pty.openpty()
+            process = subprocess.Popen([QDOT, *command], stdout=subprocess.DEVNULL, stderr=its_end, env=ENVIRONMENT)
+            os.close(its_end)
+            text, deadline = b"", time.monotonic() + 20
+            while text.count(b"computing") < 2 and time.monotonic() < deadline:
+                if select.select([terminal], [], [], 1)[0]:
+                    text += os.read(terminal, 4096)
+            process.send_signal(signal.SIGINT)
+            process.wait(20)
+            os.close(terminal)
+            self.assertRegex(text, told)
+
+
+if __name__ == "__main__":
+    unittest.main()
