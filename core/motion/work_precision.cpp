@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/work_bounds.hpp"
+
 namespace qdot {
 namespace {
 
@@ -23,14 +25,17 @@ double tightest_rtol(Method method) {
   return method == Method::taylor ? rtols.back() : rtols[rtols.size() - 2];
 }
 
+std::uint64_t evaluations_of_trials(const Limits& limits) {
+  if (work_bounds() == WorkBounds::none) return limits.max_evaluations;
+  return std::min(limits.max_evaluations, most_evaluations);
+}
+
 bool succeeded(const TrialResult& trial) { return !trial.max_abs_error.empty(); }
 
 }  // namespace
 
 WorkPrecision::WorkPrecision(const Dynamics& dynamics, const SimulationRequest& request)
-    : dynamics_(dynamics),
-      request_(request),
-      left_(std::min(request.limits.max_evaluations, most_evaluations)) {
+    : dynamics_(dynamics), request_(request), left_(evaluations_of_trials(request.limits)) {
   request_.columns.clear();
   request_.events.clear();
   request_.taylor_order = 0;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "api/answers/accuracy/request.hpp"
+#include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/stated.hpp"
 #include "core/integrate/methods.hpp"
@@ -35,6 +36,7 @@ SimulationRequest motion(const AccuracyRequest& request, const ResolvedState& st
   core.t_start = request.t_start;
   core.t_end = *request.t_end;
   core.grid = request.grid;
+  core.limits = limits_of_run();
   core.impacts = request.impacts ? Impacts::apply : Impacts::ignore;
   return core;
 }
