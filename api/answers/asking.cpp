@@ -26,8 +26,9 @@ void report_below(const Json& problem, const Place& place, Errors& errors) {
   }
 }
 
-constexpr std::size_t most_known = 16;
-constexpr std::size_t small_answer = 2000;  // values
+constexpr std::size_t most_kept = 64;
+constexpr std::size_t small = 2000;  // values
+constexpr std::size_t longest_request = 20'000;
 
 /// Counts the values in `json`, and not many more than `most`.
 std::size_t values_in(const Json& json, std::size_t most) {
@@ -40,7 +41,7 @@ std::size_t values_in(const Json& json, std::size_t most) {
   return count;
 }
 
-bool is_small(const Json& answer) { return values_in(answer, small_answer) <= small_answer; }
+bool is_small(const Json& json) { return values_in(json, small) <= small; }
 
 }  // namespace
 
@@ -81,17 +82,31 @@ std::optional<Json> Asking::ask(const std::string& question, const Json& request
   return std::nullopt;
 }
 
-const Json* AskedOnce::ask(const std::string& question, const Json& request, const Place& place,
-                           Errors& errors) {
-  const auto known = std::ranges::find_if(
-      known_, [&](const Known& k) { return k.question == question && k.request == request; });
-  if (known != known_.end()) return &known->answer;
-  if (!known_.empty() && !is_small(known_.back().answer)) known_.pop_back();
-  if (known_.size() == most_known) known_.pop_front();
+std::shared_ptr<const Json> KeptAnswers::find(const std::string& question, const std::string& request) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::ranges::find_if(kept_, [&](const auto& k) { return k.is_of(question, request); });
+  if (found == kept_.end()) return nullptr;
+  std::rotate(kept_.begin(), found, found + 1);
+  return kept_.front().answer;
+}
+
+void KeptAnswers::keep(const KnownAnswer& known) {
+  if (known.request.size() > longest_request || !is_small(*known.answer)) return;
+  const std::scoped_lock lock(mutex_);
+  if (kept_.size() == most_kept) kept_.pop_back();
+  kept_.push_front(known);
+}
+
+std::shared_ptr<const Json> AskedOnce::ask(const std::string& question, const Json& request,
+                                           const Place& place, Errors& errors) {
+  const std::string body = to_text(request);
+  if (last_.is_of(question, body)) return last_.answer;
+  if (auto kept = kept_.find(question, body)) return kept;
   auto answer = asking_.ask(question, request, place, errors);
   if (!answer) return nullptr;
-  known_.push_back({question, request, std::move(*answer)});
-  return &known_.back().answer;
+  last_ = {question, body, std::make_shared<const Json>(std::move(*answer))};
+  kept_.keep(last_);
+  return last_.answer;
 }
 
 }  // namespace qdot::api

@@ -5,6 +5,8 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,25 +35,44 @@ class Asking {
   std::map<std::string, Handler> handlers_;
 };
 
-/// The same question is asked once, as long as its answer is small and few others came between: items often
-/// point into one answer.
-class AskedOnce {
- public:
-  explicit AskedOnce(const Asking& asking) : asking_(asking) {}
+/// A question with its request as it is asked, and the answer.
+struct KnownAnswer {
+  std::string question;
+  std::string request;
+  std::shared_ptr<const Json> answer;
 
-  /// As Asking::ask; nullptr where there is no answer. What it points to lasts until the next question.
-  [[nodiscard]] const Json* ask(const std::string& question, const Json& request, const Place& place,
-                                Errors& errors);
+  [[nodiscard]] bool is_of(const std::string& other, const std::string& body) const {
+    return question == other && request == body;
+  }
+};
+
+/// The last small answers, for all threads: the questions of a key are those of every student.
+class KeptAnswers {
+ public:
+  /// Null where it is not among them.
+  [[nodiscard]] std::shared_ptr<const Json> find(const std::string& question, const std::string& request);
+  /// Keeps it if it is small.
+  void keep(const KnownAnswer& known);
 
  private:
-  struct Known {
-    std::string question;
-    Json request;
-    Json answer;
-  };
+  std::mutex mutex_;
+  std::deque<KnownAnswer> kept_;  ///< the last that was asked for first
+};
 
+/// Asks what is not known yet. Of large answers the last one is known: items often point into one answer.
+class AskedOnce {
+ public:
+  /// Keeps references to both.
+  AskedOnce(const Asking& asking, KeptAnswers& kept) : asking_(asking), kept_(kept) {}
+
+  /// As Asking::ask; null where there is no answer.
+  [[nodiscard]] std::shared_ptr<const Json> ask(const std::string& question, const Json& request,
+                                                const Place& place, Errors& errors);
+
+ private:
   const Asking& asking_;
-  std::deque<Known> known_;  ///< the latest last, which may be large
+  KeptAnswers& kept_;
+  KnownAnswer last_;
 };
 
 }  // namespace qdot::api

@@ -110,7 +110,8 @@ Response answer_check(const CheckRequest& request, Call& call, const Expectation
 }
 
 Handler check_handler(const FindSystem& find_system, Models& models) {
-  return [asking = Asking(questions(), find_system, models), find_system, &models](Call& call) {
+  return [asking = Asking(questions(), find_system, models), kept = std::make_shared<KeptAnswers>(),
+          find_system, &models](Call& call) {
     const auto submission =
         submission_of(call, {.bytes = limits::large_body_bytes, .nodes = limits::large_json_nodes});
     if (const auto* problem = std::get_if<Problem>(&submission))
@@ -120,7 +121,7 @@ Handler check_handler(const FindSystem& find_system, Models& models) {
     if (const auto* problem = std::get_if<Problem>(&read))
       return to_response(*problem, call.target.path, call.layout);
     const CheckRequest& request = std::get<Resolved<CheckRequest>>(read).request;
-    AskedOnce once(asking);
+    AskedOnce once(asking, *kept);
     const ExpectationScope scope{
         asking, once, find_system, models, static_cast<std::uint64_t>(request.seed), request.reveal};
     return guarded(call, [&] { return answer_check(request, call, scope); });

@@ -107,7 +107,8 @@ std::string why_refused(const Json& request, const Asking& asking, const FindSys
   if (const auto* problem = std::get_if<Problem>(&read))
     return problem->errors.empty() ? problem->detail : first_of(problem->errors);
   const CheckRequest& check = std::get<Resolved<CheckRequest>>(read).request;
-  AskedOnce once(asking);
+  KeptAnswers kept;
+  AskedOnce once(asking, kept);
   const ExpectationScope scope{asking,      once, find_system, models, static_cast<std::uint64_t>(check.seed),
                                check.reveal};
   const Place whole(Road::body);
