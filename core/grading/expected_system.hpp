@@ -41,6 +41,8 @@ class ExpectedSystem {
 
   /// p_theta and the like.
   [[nodiscard]] std::vector<Expression> momenta() const;
+  /// e with p_theta = dL/dtheta' put in.
+  [[nodiscard]] Expression with_momenta(const Expression& e) const;
   /// Free parameters, coordinates, velocities, momenta, inputs with their rates, and the time.
   [[nodiscard]] std::vector<SymbolDomain> domains() const;
 

@@ -6,77 +6,15 @@
 
 #include "core/expr/linear.hpp"
 #include "core/grading/ball_system.hpp"
-#include "core/grading/changed_terms.hpp"
+#include "core/grading/equation_size.hpp"
 #include "core/grading/normal_form.hpp"
+#include "core/grading/other_solutions.hpp"
 #include "core/grading/right_motion.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr int states_for_slopes = 12;
-
-BallMatrix transposed(const BallMatrix& m) {
-  BallMatrix result(m.size());
-  for (const auto& row : m) {
-    for (std::size_t j = 0; j < row.size(); ++j) result[j].push_back(row[j]);
-  }
-  return result;
-}
-
-/// How large the terms of the right equations are at a state, as they stand in one that was submitted: with c
-/// M = dr/dq'', sum |c_i| (sum |terms of f_i| + sum |M_ij q_j''|). What vanishes identically has no part in
-/// it, so that nobody can make room for a mistake by adding some.
-class EquationSize {
- public:
-  EquationSize(const ExpectedSystem& system, RightMotion& right, const Expression& residual)
-      : right_(right),
-        degrees_(system.degrees_of_freedom()),
-        roots_(roots(system, residual)),
-        values_(roots_) {}
-
-  double operator()(const State& state) {
-    for (std::size_t i = 0; i < state.size(); ++i) values_.set(right_.symbols()[i].symbol, state[i]);
-    if (!right_.set(state, values_)) return 0;
-    values_.evaluate();
-    std::vector<Ball> slopes;
-    for (std::size_t j = 0; j < degrees_; ++j) slopes.push_back(values_.of(roots_[j]));
-    const BallMatrix mass = right_.mass();
-    const auto parts = qdot::solved(transposed(mass), slopes);
-    if (!parts) return 0;
-    double size = 0;
-    for (std::size_t i = 0; i < degrees_; ++i)
-      size += std::abs((*parts)[i].value()) * size_of_row(i, mass[i]);
-    return size;
-  }
-
- private:
-  /// Slopes, then the terms of each f_i.
-  std::vector<Expression> roots(const ExpectedSystem& system, const Expression& residual) {
-    std::vector<Expression> all;
-    for (const Expression& a : system.symbols().coordinates.second_rate)
-      all.push_back(differentiate(residual, a));
-    for (const Expression& forcing : system.forcing()) {
-      for (const Expression& term : terms_of(forcing)) all.push_back(term);
-      ends_.push_back(all.size());
-    }
-    return all;
-  }
-
-  [[nodiscard]] double size_of_row(std::size_t i, const std::vector<Ball>& mass) const {
-    double size = 0;
-    for (std::size_t k = i == 0 ? degrees_ : ends_[i - 1]; k < ends_[i]; ++k)
-      size += std::abs(values_.of(roots_[k]).value());
-    for (std::size_t j = 0; j < degrees_; ++j)
-      size += std::abs(mass[j].value() * right_.accelerations()[j].value());
-    return size;
-  }
-
-  RightMotion& right_;
-  std::size_t degrees_;
-  std::vector<std::size_t> ends_;
-  std::vector<Expression> roots_;
-  BallValues values_;
-};
 
 class MotionComparison {
  public:
@@ -102,9 +40,7 @@ class MotionComparison {
     }
     for (std::size_t k = 0; k < residuals_.size(); ++k) {
       verdict.equation = k;
-      if (make_linear(residuals_[k])) continue;
-      verdict.fault = MotionFault::not_linear;
-      return verdict;
+      if (!make_linear(residuals_[k])) return not_linear(verdict, coordinate);
     }
     verdict.decided_by = is_rounded_      ? Decision::rounded
                          : values_decide_ ? Decision::values
@@ -131,6 +67,23 @@ class MotionComparison {
     verdict.fault = MotionFault::not_true;
     verdict.counterexample = answer.counterexample;
     if (accelerations_.size() == 1) verdict.acceleration = submitted_acceleration(answer.counterexample);
+    return verdict;
+  }
+
+  /// One equation that may have other solutions.
+  MotionVerdict not_linear(MotionVerdict verdict, std::optional<std::size_t> coordinate) {
+    verdict.fault = MotionFault::not_linear;
+    if (accelerations_.size() == 1) coordinate = 0;
+    if (!coordinate || is_rounded_) return verdict;
+    OtherSolutionsAnswer others = other_solutions(system_, right_, residuals_[0], *coordinate, seed_ + 4);
+    if (others.found == OtherSolutions::unknown) return verdict;
+    verdict.decided_by = Decision::values;
+    if (others.found == OtherSolutions::none) verdict.fault = MotionFault::none;
+    if (others.found == OtherSolutions::everything) verdict.fault = MotionFault::other_coordinate;
+    if (others.found != OtherSolutions::some) return verdict;
+    verdict.fault = MotionFault::other_solutions;
+    verdict.decided_by = Decision::counterexample;
+    verdict.counterexample = std::move(others.state);
     return verdict;
   }
 
@@ -226,11 +179,14 @@ class MotionComparison {
   MotionFault fault_of_all() {
     if (has_no_slope()) return MotionFault::holds_always;
     bool is_determined = false;
+    int dependent = 0;
     at_states([&](const BallMatrix& rows) {
       is_determined = is_determined || qdot::solved(rows, std::vector<Ball>(rows.size()));
+      dependent += is_singular(rows) ? 1 : 0;
     });
     if (is_determined) return MotionFault::none;
-    return are_dependent() ? MotionFault::dependent : MotionFault::undecided;
+    return are_dependent() || dependent == states_for_slopes ? MotionFault::dependent
+                                                             : MotionFault::undecided;
   }
 
   /// Whether det dr/dq'' vanishes identically.

@@ -6,7 +6,8 @@
 // scaled, divided, rearranged, or have other equations put into it, and 0 = 0 is no equation. With a =
 // dr/dq'' the equation is c (M q'' - f) = 0, c M = a; it is that of coordinate i where it speaks of q_i'' and
 // c_i is not zero, because then it says the same as the right one together with those of the other
-// coordinates. As many equations as coordinates are right together where det dr/dq'' is not zero.
+// coordinates. As many equations as coordinates are right together where det dr/dq'' is not zero. What is not
+// linear in the accelerations must have no other solution (other_solutions.hpp).
 
 #include <optional>
 #include <span>
@@ -21,8 +22,9 @@ enum class MotionFault {
   not_true,          ///< the right motion does not obey it; see the counterexample
   holds_always,      ///< it says nothing of the accelerations, and every motion obeys it
   other_coordinate,  ///< it is true, but says nothing of this coordinate's equation
+  other_solutions,   ///< it holds for other motions, too; see the counterexample
   dependent,         ///< the equations follow from fewer of them
-  not_linear,        ///< in the accelerations; it may have solutions that are not the motion's
+  not_linear,        ///< in the accelerations, and what else it allows cannot be told
   undecided          ///< too few states where everything has a value
 };
 

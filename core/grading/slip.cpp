@@ -50,18 +50,34 @@ class SlipSearch {
   std::optional<FoundSlip> find() {
     if (!question_.accelerations.empty() && !acceleration_) return std::nullopt;
     look();
+    const auto multiple = first_multiple();
+    const bool is_odd = multiple && multiple->slip == Slip::factor && !is_plain(*multiple->factor);
+    if (multiple && !is_odd) return multiple;
+    const auto change = first_change();
+    // 1/12 for 1/3 is a factor of one term, too, and says less than where it comes from.
+    if (is_odd && !(change && change->slip == Slip::moment_of_inertia)) return multiple;
+    return change;
+  }
+
+ private:
+  /// A factor that is forgotten, or written once more.
+  static bool is_plain(const Number& factor) { return factor == Number(2) || factor == Number::ratio(1, 2); }
+
+  std::optional<FoundSlip> first_multiple() {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       if (auto found = as_multiple(i)) return found;
     }
-    if (auto found = as_whole_multiple()) return found;
+    return as_whole_multiple();
+  }
+
+  [[nodiscard]] std::optional<FoundSlip> first_change() const {
     for (std::size_t i = 0; i < changes_.size(); ++i) {
-      if (!explains(i)) continue;
-      if (confirms(changes_[i].change)) return FoundSlip{changes_[i].slip, changes_[i].term, {}};
+      if (explains(i) && confirms(changes_[i].change))
+        return FoundSlip{changes_[i].slip, changes_[i].term, {}};
     }
     return std::nullopt;
   }
 
- private:
   static Expression slope(const Expression& e, const Expression& a) { return differentiate(e, a); }
 
   [[nodiscard]] Part part(const Expression& e) const {
@@ -81,6 +97,12 @@ class SlipSearch {
       for (ChangedTerm& change : changes_of_term(term, in_arguments)) changes_.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes_, {}, &ChangedTerm::slip);
+    std::vector<ChangedTerm> inertia;
+    for (const Expression& d : question_.inertia) {
+      inertia.push_back({Slip::moment_of_inertia, d, std::nullopt});
+      inertia.push_back({Slip::moment_of_inertia, -d, std::nullopt});
+    }
+    changes_.insert(changes_.begin(), inertia.begin(), inertia.end());
     parts_ = {part(question_.submitted), part(question_.expected)};
     for (const Expression& term : terms_) parts_.push_back(part(term));
     for (const ChangedTerm& change : changes_) parts_.push_back(part(change.change));

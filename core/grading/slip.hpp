@@ -27,6 +27,7 @@ struct SlipQuestion {
   std::vector<Expression> accelerations{};  ///< of equations; none: they are formulas
   std::span<const SymbolDomain> symbols;
   std::optional<Expression> gravity{};  ///< the symbol of its strength
+  std::vector<Expression> inertia{};    ///< d of moments of inertia, to be added or taken away
   std::uint64_t seed{};
 };
 

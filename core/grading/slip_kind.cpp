@@ -24,6 +24,8 @@ const char* name_of(Slip slip) {
       return "small_angles";
     case Slip::gravity:
       return "gravity";
+    case Slip::moment_of_inertia:
+      return "moment_of_inertia";
   }
   return "";
 }

@@ -20,6 +20,7 @@ std::optional<Expression> StudentGrammar::derivative() {
   }
   if (const auto of_word = leibniz_of_word()) return of_word;
   if (word != "d") return std::nullopt;
+  if (at(Mark::open, 1)) return leibniz_of_bracket();
   if (at(Mark::over, 1) && at_word("dt", 2)) {  // d/dt (...)
     next_ += 3;
     return rate_of(nested([this] { return primary(); }));
@@ -57,6 +58,19 @@ std::optional<Expression> StudentGrammar::leibniz_of_word() {
   if (!symbol || !vocabulary_.varies(*symbol)) return std::nullopt;
   next_ += 3;
   return is_second ? rate_of(rate_of(*symbol)) : rate_of(*symbol);
+}
+
+std::optional<Expression> StudentGrammar::leibniz_of_bracket() {
+  std::size_t end = 1;
+  for (int open = 0; !at(Mark::end, end); ++end) {
+    if (at(Mark::open, end)) ++open;
+    if (at(Mark::close, end) && --open == 0) break;
+  }
+  if (!at(Mark::over, end + 1) || !at_word("dt", end + 2)) return std::nullopt;
+  ++next_;
+  const Expression inside = bracket();
+  next_ += 2;
+  return rate_of(inside);
 }
 
 Expression StudentGrammar::called_derivative() {

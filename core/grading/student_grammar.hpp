@@ -84,6 +84,8 @@ class StudentGrammar {
   [[nodiscard]] bool ends_with_dt(std::size_t ahead, bool is_second) const;
   /// dtheta/dt, d2theta/dt2
   std::optional<Expression> leibniz_of_word();
+  /// d(l^2 theta')/dt
+  std::optional<Expression> leibniz_of_bracket();
   /// diff(theta, t), diff(theta, t, t), diff(theta, t, 2), Derivative(theta(t), (t, 2))
   Expression called_derivative();
 
@@ -109,6 +111,7 @@ class StudentGrammar {
   std::size_t first_node_;
   std::size_t next_{0};
   int depth_{0};
+  int open_bars_{0};
 };
 
 }  // namespace qdot

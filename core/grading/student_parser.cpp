@@ -118,7 +118,7 @@ Expression StudentGrammar::signed_factor() {
 
 bool StudentGrammar::begins_factor() const {
   if (at(Mark::number)) refuse("two factors stand side by side: write * before the number", token().offset);
-  return at(Mark::name) || at(Mark::open);
+  return at(Mark::name) || at(Mark::open) || (at(Mark::bar) && open_bars_ == 0);
 }
 
 Expression StudentGrammar::factor() {

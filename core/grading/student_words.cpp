@@ -16,7 +16,7 @@ Expression StudentGrammar::primary() {
   spend_work(1);
   const StudentToken& first = token();
   if (accept(Mark::number)) return checked(graph_.number(first.value));
-  if (at(Mark::open)) return bracket();
+  if (at(Mark::open)) return primed(bracket());
   if (accept(Mark::bar)) return between_bars();
   if (at(Mark::name)) return named();
   refuse(at(Mark::end) ? "the formula ends where a number, a symbol or a bracket is needed"
@@ -38,7 +38,9 @@ void StudentGrammar::close() {
 }
 
 Expression StudentGrammar::between_bars() {
+  ++open_bars_;
   const Expression inside = nested([this] { return sum(); });
+  --open_bars_;
   if (!accept(Mark::bar)) refuse("a bar | is not closed", token().offset);
   return checked(graph_.call(Function::abs, inside));
 }

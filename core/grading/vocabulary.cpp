@@ -55,6 +55,7 @@ void Vocabulary::add_spellings(const std::string& name, const Expression& e) {
 void Vocabulary::add_rates(const std::string& name, const Expression& rate, const Expression& second_rate) {
   for (const char* ending : rate_endings) words_.emplace(name + ending, rate);
   for (const char* ending : second_rate_endings) words_.emplace(name + ending, second_rate);
+  words_.emplace("dd" + name, second_rate);
 }
 
 bool Vocabulary::add(const std::string& word, const std::string& meaning) {

@@ -23,13 +23,16 @@ SHAPE = {"modes": {"system": "cart_pendulum"}, "at": "/modes/1/shape"}
 class Check(Service):
     def check(self, items, **more):
         body = {"items": [{"id": str(i), **item} for i, item in enumerate(items)], **more}
-        answer = self.post("check", body)
-        return answer.status, json.loads(answer.data)
+        return self.ask_json("check", body)
 
     def get_json(self, target):
         response = self.raw("GET", target)
         self.assertEqual(response.status, 200, response.data[:300])
         return json.loads(response.data)
+
+    def ask_json(self, question, body):
+        answer = self.post(question, body)
+        return answer.status, json.loads(answer.data)
 
     def verdicts(self, expect, submissions, **more):
         status, answer = self.check([{"expect": expect, "submitted": s, **more} for s in submissions])
@@ -140,6 +143,48 @@ class Formulas(Check):
         self.assert_verdicts(expect, [("3 m x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", True),
                                       ("(M+m) x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", True),
                                       ("2 m x'' + m l (theta'' cos(theta) - theta'^2 sin(theta)) + k x = 0", False)])
+
+    def test_a_momentum_stands_for_what_it_is(self):
+        spring = {"expression": {"system": "spring_pendulum"}, "of": "T"}
+        self.assert_verdicts(spring, [("p_l^2/(2 m) + p_theta^2/(2 m l^2)", True), ("p_l l'/2 + p_theta theta'/2", True),
+                                      ("p_l^2/m + p_theta^2/(2 m l^2)", False)])
+        spin = {"equation": {"system": "free_spin_pendulum"}, "of": "theta"}
+        text = "theta'' = {}p_psi^2 cos(theta)/(m^2 l^4 (1/2 + sin(theta))^3) - g/l sin(theta)"
+        self.assert_verdicts(spin, [(text.format(""), True), (text.format("-"), False)])
+
+    def test_nothing_is_given_by_itself(self):
+        for of, circular, right in (("theta_ddot", "theta''", "-(g sin(theta) + 2 l' theta')/l"), ("p_l", "p_l", "m l'"),
+                                    ("theta_ddot", "2 theta'' + (g sin(theta) + 2 l' theta')/l", "-g/l sin(theta) - 2 l' theta'/l")):
+            self.assert_verdicts({"expression": {"system": "spring_pendulum"}, "of": of}, [(circular, None), (right, True)])
+
+    def test_a_moment_of_inertia_about_another_point_is_named(self):
+        rod = "l*({}*theta'' + phi''*cos(theta - phi) + phi'^2*sin(theta - phi)) + 3/2*g*sin(theta) = 0"
+        energy = "m*l^2*({}*theta'^2 + 1/2*phi'^2 + theta'*phi'*cos(theta - phi))"
+        disk = "{}*q'' - Omega^2*q + g*sin(Omega*t) = 0"
+        cases = [({"equation": {"system": "rod_pendulum"}, "of": "theta"}, rod, ("(1 + 1/12)", "(1 + 1/3 + 1/4)"), "(1 + 1/6)"),
+                 ({"expression": {"system": "rod_pendulum"}, "of": "T"}, energy, ("(1/2 + 1/24)", "(2/3 + 1/8)"), "(1/2 + 1/12)"),
+                 ({"equation": {"system": "rolling_disk_platform"}, "of": "q"}, disk, ("5/2",), "2")]
+        for expect, text, other_points, factor in cases:
+            slips = [item["diagnosis"]["slip"] for item in self.verdicts(expect, [text.format(p) for p in (*other_points, factor)])]
+            self.assertEqual(slips, ["moment_of_inertia"] * len(other_points) + ["factor"])
+
+    def test_four_coordinates(self):
+        ends = [", ".join(["l*({})".format(" + ".join(f"{f}({q})" for q in "abcd"[:n])) for f in ("sin", "-cos")]) for n in range(1, 5)]
+        scene = {"name": "chain", "gravity": ["0", "-g"],
+                 "parameters": [{"name": n, "unit": u, "default": 1, "meaning": n} for n, u in (("m", "kg"), ("l", "m"), ("g", "m/s^2"))],
+                 "coordinates": [{"name": q, "unit": "rad", "initial": 0.1, "initial_rate": 0, "meaning": q} for q in "abcd"],
+                 "bodies": [{"kind": "particle", "name": f"bob{i}", "mass": "m", "position": end.split(", ")} for i, end in enumerate(ends)]}
+        status, answer = self.ask_json("equations", {"system": scene})
+        self.assertEqual(status, 200, answer)
+        texts = [entry["equation"] for entry in answer["equations_of_motion"]]
+        sides = [f"({entry['left']})" for entry in answer["equations_of_motion"]]
+        self.assert_verdicts({"equation": {"system": scene}, "of": "b"}, [
+            (texts[1], True), (f"m*cos(a)*{sides[1]} + 3*{sides[2]} = 0", True), (f"{sides[1]}^2 = 0", True), (texts[0], False),
+            (f"{sides[1]} + l*a'*b'/10^6 = 0", False), (f"{sides[1]}*b'' = 0", False)])
+        self.assert_verdicts({"equation": {"system": scene}}, [
+            (texts, True), ([*texts[:3], f"{sides[3]} + {sides[0]} = 0"], True), ([*texts[:3], f"{sides[1]} + 2*{sides[0]} = 0"], False),
+            ([*texts[:3], "0 = 0"], False)])
+        self.assert_verdicts({"expression": {"system": scene}, "of": "a_ddot"}, [("a''", None), ("-g/l*sin(a)", False)])
 
     def test_systems_of_first_order_and_lagrangians(self):
         self.assert_verdicts({"equation": {"system": "whirling_pendulum"}}, [

@@ -1,4 +1,5 @@
-"""/v1/check gives no false verdict: right formulas and equations rewritten by SymPy, and wrong ones with one slip each.
+"""/v1/check gives no false verdict: right formulas and equations rewritten by SymPy, and wrong ones with one slip
+or two.
 
 The seed and the number of variants can be set, QDOT_SEED and QDOT_VARIANTS: by default a few hundred, and
 `QDOT_VARIANTS=2500` is the whole, a thousand of each kind and more.
@@ -210,6 +211,101 @@ class Variants(Service):
                     self.assertEqual(graded["diagnosis"]["slip"], slip, graded["diagnosis"])
         self.assertLessEqual(undecided, len(cases) // 100)
         self.assertGreaterEqual(told, 0.9 * len(cases))
+
+    # --- two slips -------------------------------------------------------------------------------------------------
+
+    def one_slip_each(self, formula, slip):
+        """The formula with one slip of that kind, in every way."""
+        right = sp.expand(formula.value)
+        terms = sp.Add.make_args(right)
+        if slip == "whole_sign":
+            return [-right]
+        if slip == "gravity":
+            return [right.subs(sp.Symbol("g", real=True), -sp.Symbol("g", real=True))]
+        if slip in ("small_angles", "sine_and_cosine"):
+            small = slip == "small_angles"
+            other = {w: (w.args[0] if isinstance(w, sp.sin) else 1) if small else (sp.cos if isinstance(w, sp.sin) else sp.sin)(w.args[0])
+                     for w in right.atoms(sp.sin, sp.cos)}
+            whole = [right.subs(other, simultaneous=True)]
+        else:
+            whole = []
+        return whole + [right - term + changed for term in terms for changed in self.ways(slip, term)]
+
+    @staticmethod
+    def ways(slip, term):
+        waves = sorted(term.atoms(sp.sin, sp.cos), key=str)
+        if slip in ("sign", "dropped_term"):
+            return [-term if slip == "sign" else sp.Integer(0)]
+        if slip == "exponent":
+            return [term * s ** n for s in [*sorted(term.free_symbols, key=str), *waves] for n in (-2, -1, 1, 2)]
+        if slip == "sine_and_cosine":
+            return [term.subs(w, (sp.cos if isinstance(w, sp.sin) else sp.sin)(w.args[0])) for w in waves]
+        return []
+
+    def explains(self, formula, slip, submitted):
+        """Whether the submission is the formula with one slip of that kind; None where that is not looked at."""
+        if slip in ("argument", "moment_of_inertia", "whole_factor"):
+            return None
+        if slip == "factor":  # S - E is a multiple of one term, or r - c E is
+            return self.is_multiple_of_a_term(formula, submitted)
+        return any(self.agree(formula, changed, submitted) for changed in self.one_slip_each(formula, slip))
+
+    def agree(self, formula, one, other):
+        if "coordinate" not in formula.expect:
+            return all(abs((one - other).subs(place).evalf(40)) < 1e-20 for place in self.places(one, other))
+        accelerations = [s for s in sorted(other.free_symbols, key=str) if str(s).endswith("_ddot")]
+        wronskian = [one * other.diff(a) - other * one.diff(a) for a in accelerations]
+        return bool(accelerations) and all(abs(w.subs(place).evalf(40)) < 1e-20 for w in wronskian for place in self.places(one, other))
+
+    def places(self, *values):
+        symbols = set().union(*(value.free_symbols for value in values))
+        return [{s: sp.Rational(self.random.randint(101, 999), 377) for s in sorted(symbols, key=str)} for _ in range(2)]
+
+    def is_multiple_of_a_term(self, formula, submitted):
+        right = sp.expand(formula.value)
+        for term in sp.Add.make_args(right):
+            mu = sp.Symbol("mu")
+            if "coordinate" not in formula.expect:
+                found = [((submitted - right) / term).subs(place).evalf(40) for place in self.places(submitted, right)]
+            else:
+                a = next((s for s in sorted(submitted.free_symbols, key=str) if str(s).endswith("_ddot")), None)
+                if a is None:
+                    return False
+                changed = right + mu * term
+                rest = submitted * changed.diff(a) - changed * submitted.diff(a)
+                found = []
+                for place in self.places(submitted, right):
+                    line = sp.Poly(rest.subs(place).evalf(40), mu)
+                    found.append(-line.coeff_monomial(1) / line.coeff_monomial(mu) if line.coeff_monomial(mu) != 0 else sp.nan)
+            if all(mu.is_finite for mu in found) and abs(found[0] - found[1]) < 1e-20:
+                return True
+        return False
+
+    def test_of_two_slips_none_is_told_that_does_not_explain_the_answer(self):
+        cases = []
+        while len(cases) < VARIANTS // 2:
+            formula = self.random.choice(self.formulas)
+            terms = list(sp.Add.make_args(sp.expand(formula.value)))
+            if not 2 <= len(terms) <= 12:
+                continue
+            for k in self.random.sample(range(len(terms)), 2):
+                slip = self.random.choice(["sign", "factor", "dropped_term", "exponent", "sine_and_cosine", "argument"])
+                terms[k] = self.changed_term(slip, terms[k])
+            if None in terms or not self.is_wrong(formula, sp.Add(*terms)):
+                continue
+            cases.append((formula, sp.Add(*terms), formula.item(sp.Add(*terms), "text")))
+        told = refuted = 0
+        for (formula, value, item), graded in zip(cases, self.graded([item for *_, item in cases])):
+            with self.subTest(system=formula.label, expect=formula.expect, submitted=item["submitted"]):
+                self.assertIsNot(graded["correct"], True)
+                if graded["diagnosis"] is not None:
+                    told += 1
+                    self.assertIsNot(self.explains(formula, graded["diagnosis"]["slip"], value), False, graded["diagnosis"])
+                elif refuted < 5:  # explains() can say no
+                    self.assertIs(self.explains(formula, "sign", value) or self.explains(formula, "factor", value), False)
+                    refuted += 1
+        self.assertEqual(refuted, 5)
+        self.assertLess(told, 0.4 * len(cases))
 
     def graded(self, items):
         """The results of any number of items."""

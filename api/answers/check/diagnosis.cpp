@@ -37,6 +37,8 @@ SlipSentence sentence(Slip slip) {
       return {"", "It holds for small angles only."};
     case Slip::gravity:
       return {"", "Gravity points the other way in it."};
+    case Slip::moment_of_inertia:
+      return {"", "The moment of inertia of a body is that about another point."};
   }
   return {"", ""};
 }
@@ -92,6 +94,7 @@ Json diagnosis_json(const FormulaSystem& formula, const Compared& compared, std:
                         .accelerations = {},
                         .symbols = symbols,
                         .gravity = gravity_of(formula),
+                        .inertia = compared.inertia,
                         .seed = seed};
   if (compared.are_equations) question.accelerations = formula.system.symbols().coordinates.second_rate;
   const auto found = find_slip(question);

@@ -12,6 +12,7 @@ struct Compared {
   Expression submitted;  ///< as it was read
   Expression expected;   ///< fixed parameters put in
   bool are_equations{};
+  std::vector<Expression> inertia{};  ///< core/grading/inertia_changes.hpp
 };
 
 /// {"slip": "sign", "text": ...}; null where no single slip explains the submission.

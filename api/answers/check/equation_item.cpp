@@ -6,6 +6,7 @@
 #include "api/json/text.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/grading/definitions.hpp"
+#include "core/grading/inertia_changes.hpp"
 #include "core/grading/same_motion.hpp"
 
 namespace qdot::api {
@@ -60,10 +61,12 @@ const char* sentence(MotionFault fault) {
       return "It holds whatever the motion is, so it says nothing about it.";
     case MotionFault::other_coordinate:
       return "It is true, but it is not the equation of this coordinate.";
+    case MotionFault::other_solutions:
+      return "The motion obeys it, but another acceleration would, too.";
     case MotionFault::dependent:
       return "One of the equations follows from the others.";
     case MotionFault::not_linear:
-      return "It is not linear in the accelerations, so it may have other solutions, too; solve it for them.";
+      return "It is not linear in the accelerations, so that it may have other solutions, too: solve it for them.";
     case MotionFault::undecided:
       return "It has a value at too few states, or in too small a part of them, to be compared.";
   }
@@ -76,7 +79,7 @@ bool has_no_verdict(MotionFault fault) {
 
 /// An equation that cannot be told wrong by a state is wrong by its form.
 std::string decided_by(const MotionVerdict& found) {
-  if (found.fault == MotionFault::not_true) return "counterexample";
+  if (!found.counterexample.empty()) return "counterexample";
   if (found.decided_by == Decision::rounded) return "rule";
   return found.decided_by == Decision::values ? "values" : "identity";
 }
@@ -99,7 +102,11 @@ Json diagnosis_of(const EquationItem& item, const ReadEquation& submitted) {
     const Equation& equation = model.equations.equations[i];
     const Expression right =
         item.formula->system.with_fixed(graph.adopt(equation.left) - graph.adopt(equation.right));
-    Json found = diagnosis_json(*item.formula, {submitted.residual(), right, true}, item.seed, item.reveal);
+    const Compared compared{.submitted = item.formula->system.with_momenta(submitted.residual()),
+                            .expected = right,
+                            .are_equations = true,
+                            .inertia = inertia_changes(model, item.formula->system, i)};
+    Json found = diagnosis_json(*item.formula, compared, item.seed, item.reveal);
     if (!found.is_null()) return found;
   }
   return nullptr;
@@ -110,7 +117,7 @@ void decide_equations(const EquationItem& item, std::span<const ReadEquation> eq
   std::vector<Expression> residuals;
   bool speaks_of_fixed = false;
   for (const ReadEquation& equation : equations) {
-    const Expression residual = equation.residual();
+    const Expression residual = system.with_momenta(equation.residual());
     speaks_of_fixed = speaks_of_fixed || system.speaks_of_fixed(residual);
     residuals.push_back(system.with_fixed(residual));
   }
@@ -124,8 +131,8 @@ void decide_equations(const EquationItem& item, std::span<const ReadEquation> eq
   if (has_no_verdict(found.fault)) return;
   verdict.correct = found.fault == MotionFault::none;
   verdict.decided_by = decided_by(found);
+  if (!found.counterexample.empty()) verdict.counterexample = counterexample_of(item, found, speaks_of_fixed);
   if (found.fault != MotionFault::not_true) return;
-  verdict.counterexample = counterexample_of(item, found, speaks_of_fixed);
   verdict.diagnosis = diagnosis_of(item, equations[found.equation]);
 }
 

@@ -5,6 +5,7 @@
 #include "api/answers/check/diagnosis.hpp"
 #include "api/json/text.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/grading/inertia_changes.hpp"
 #include "core/grading/same_formula.hpp"
 
 namespace qdot::api {
@@ -56,6 +57,31 @@ Json counterexample_json(const FormulaItem& item, const Expression& submitted, c
   return json;
 }
 
+Compared compared(const FormulaItem& item, const Expression& submitted) {
+  const Model& model = item.formula->dynamics->model();
+  return {.submitted = submitted,
+          .expected = item.expected,
+          .inertia = inertia_changes(model, item.formula->system, item.name)};
+}
+
+/// What the submission says of momenta, in velocities, unless the expected formula is one of momenta.
+Expression in_velocities(const FormulaItem& item, const Expression& submitted) {
+  const ExpectedSystem& system = item.formula->system;
+  const bool is_of_momenta = depends_on(item.expected, system.momenta());
+  return is_of_momenta ? submitted : system.with_momenta(submitted);
+}
+
+/// Whether an acceleration or a momentum is given by itself.
+bool speaks_of_itself(const FormulaItem& item, const Expression& submitted) {
+  const ExpectedSystem& system = item.formula->system;
+  std::vector<Expression> asked = system.momenta();
+  const std::vector<Expression>& accelerations = system.symbols().coordinates.second_rate;
+  asked.insert(asked.end(), accelerations.begin(), accelerations.end());
+  return std::ranges::any_of(asked, [&](const Expression& symbol) {
+    return std::get<qdot::Symbol>(symbol.node()).name == item.name && depends_on(submitted, symbol);
+  });
+}
+
 void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdict) {
   const ExpectedSystem& system = item.formula->system;
   const Expression formula = system.with_fixed(submitted);
@@ -78,7 +104,7 @@ void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdi
       verdict.correct = false;
       verdict.decided_by = "counterexample";
       verdict.counterexample = counterexample_json(item, submitted, found.counterexample);
-      verdict.diagnosis = diagnosis_json(*item.formula, {submitted, item.expected}, item.seed, item.reveal);
+      verdict.diagnosis = diagnosis_json(*item.formula, compared(item, submitted), item.seed, item.reveal);
       break;
     case Decision::unknown:
       verdict.feedback.emplace_back(
@@ -99,7 +125,11 @@ Verdict grade_formula(const FormulaItem& item, const Json& submitted) {
   if (!formula) return verdict;
   verdict.understood = written(*item.formula, *formula);
   verdict.expected = written(*item.formula, {item.expected, std::nullopt});
-  decide(item, formula->left, verdict);
+  if (speaks_of_itself(item, formula->left)) {
+    verdict.format_errors.push_back("it has " + item.name + " in it, which it is to give");
+    return verdict;
+  }
+  decide(item, in_velocities(item, formula->left), verdict);
   return verdict;
 }
 

@@ -63,9 +63,31 @@ TEST(SameMotion, WhatHoldsAlwaysIsNoEquation) {
   }
 }
 
-TEST(SameMotion, SquaresAreNotDecided) {
-  EXPECT_EQ(fault("whirling_pendulum", "(theta'' - sin(theta) (Omega^2 cos(theta) - g/l))^2 = 0"),
-            not_linear);
+TEST(SameMotion, WhatIsNotLinearHasToHaveNoOtherSolution) {
+  const std::string right = "(theta'' - sin(theta) (Omega^2 cos(theta) - g/l))";
+  for (const char* factor :
+       {"^2", "^3", "*(theta''^2 + 1)", "*(1 + theta'^2)", "^2*(2 + theta'' + theta''^2)"})
+    EXPECT_EQ(fault("whirling_pendulum", right + factor + " = 0"), none) << factor;
+  for (const char* factor : {"*theta''", "*(theta'' - theta')", "*(theta''^2 - 1)", "^2*(theta''^2 - 3)"}) {
+    const MotionVerdict found = verdict("whirling_pendulum", right + factor + " = 0");
+    EXPECT_EQ(found.fault, other_solutions) << factor;
+    EXPECT_FALSE(found.counterexample.empty());
+  }
+  EXPECT_EQ(fault("whirling_pendulum", "theta''^2 = sin(theta)^2 (Omega^2 cos(theta) - g/l)^2"),
+            other_solutions);
+  EXPECT_EQ(fault("whirling_pendulum", "exp" + right + " = 1"), not_linear);
+  EXPECT_EQ(fault("whirling_pendulum", right + "*(theta'' - 1)^2 = 0"), not_linear);
+}
+
+TEST(SameMotion, WhatIsNotLinearIsLookedAtWhereTheOtherEquationsHold) {
+  const std::string l = "(m (l'' - l theta'^2 - g cos(theta)) + k (l - l0))";
+  const std::string theta = "(l theta'' + 2 l' theta' + g sin(theta))";
+  EXPECT_EQ(fault("spring_pendulum", theta + "^2 = 0", 1), none);
+  EXPECT_EQ(fault("spring_pendulum", theta + "*(1 + l''^2) = 0", 1), none);
+  EXPECT_EQ(fault("spring_pendulum", theta + "*(1 + " + l + "^2) = 0", 1), none);
+  EXPECT_EQ(fault("spring_pendulum", theta + "*theta'' = 0", 1), other_solutions);
+  EXPECT_EQ(fault("spring_pendulum", theta + "^2 = 0", 0), other_coordinate);
+  EXPECT_EQ(fault("spring_pendulum", l + "*" + theta + " = 0", 1), other_coordinate);
 }
 
 TEST(SameMotion, OtherEquationsMayBePutIntoOne) {
