@@ -1,0 +1,82 @@
+"""Dask spreads a file of requests over its workers, one of which is killed: the answers have one machine's bytes."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "server"))
+
+from ports import free_ports  # noqa: E402
+from running_qdot import ENVIRONMENT, QDOT  # noqa: E402
+
+PROGRAM = pathlib.Path(__file__).with_name("dask_batch.py")
+LINES, SLICE = 200, 10
+
+
+def requests():
+    for number in range(LINES):
+        motion = {"system": "spring_pendulum", "parameters": {"k": 20 + number / 10}, "t_end": 300, "samples": 3}
+        yield json.dumps({"id": number, "simulate": motion}) + "\n"
+
+
+@unittest.skipIf(shutil.which("dask-scheduler") is None, "dask not installed: run server/install scale")
+class Dask(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.directory = tempfile.TemporaryDirectory()
+        cls.home = pathlib.Path(cls.directory.name)
+        (cls.home / "requests.ndjson").write_text("".join(requests()))
+        cls.expected = subprocess.run([QDOT, "batch", cls.home / "requests.ndjson"], capture_output=True, check=True,
+                                      env=ENVIRONMENT).stdout
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.directory.cleanup()
+
+    def start(self, *command, **options):
+        process = subprocess.Popen(command, cwd=self.home, stderr=subprocess.DEVNULL, **options)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def program(self, *words):
+        return self.start("/usr/bin/python3", PROGRAM, "requests.ndjson", "answers.ndjson", "--program", QDOT, "--slice",
+                          str(SLICE), *words)
+
+    def assert_all_answered(self):
+        self.assertEqual((self.home / "answers.ndjson").read_bytes(), self.expected)
+
+    def test_workers_of_this_machine(self):
+        self.assertEqual(self.program().wait(120), 0)
+        self.assert_all_answered()
+
+    def test_a_worker_is_killed_and_nothing_lost(self):
+        port, = free_ports(1)
+        address = f"tcp://127.0.0.1:{port}"
+        self.start("dask-scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
+        workers = [self.start("dask-worker", address, "--no-nanny", "--nthreads", "1", "--no-dashboard",
+                              "--local-directory", str(self.home / name)) for name in ("one", "two")]
+        program = self.program("--scheduler", address)
+        self.assertTrue(self.has_children(workers[0]), "no task came to the first worker")
+        workers[0].kill()
+        self.assertIsNone(program.poll())
+        self.assertEqual(program.wait(120), 0)
+        self.assert_all_answered()
+
+    def has_children(self, process):
+        """A task is a process of the program below the worker."""
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            if subprocess.run(["pgrep", "-P", str(process.pid), "qdot"], stdout=subprocess.DEVNULL, check=False).returncode == 0:
+                return True
+            time.sleep(0.01)
+        return False
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,127 @@
+"""Three replicas behind HAProxy are restarted and killed one by one while requests come: each gets its answer."""
+
+import http.client
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "server"))
+
+from ports import free_ports  # noqa: E402
+from running_qdot import RunningQdot, qdot  # noqa: E402
+
+CONFIGURATION = pathlib.Path(__file__).with_name("haproxy.cfg").read_text()
+LIGHT = [("modes", {"system": "cart_pendulum", "parameters": {"k": k}}) for k in range(10, 30)]
+LONG = [("simulate", {"system": "spring_pendulum", "parameters": {"k": k}, "t_end": 3000, "samples": 5}) for k in range(20, 24)]
+
+
+class Asking(threading.Thread):
+    """Asks questions by turns, at a pace, on one connection, until it is told to stop."""
+
+    def __init__(self, port, questions, gap):
+        super().__init__()
+        self.port, self.questions, self.gap = port, questions, gap
+        self.expected = [qdot(name, stdin=json.dumps(request)).stdout for name, request in questions]
+        self.sent, self.lost = 0, []
+        self.stopped = threading.Event()
+
+    def run(self):
+        connection = http.client.HTTPConnection("localhost", self.port, timeout=30)
+        while not self.stopped.wait(self.gap):
+            which = self.sent % len(self.questions)
+            name, request = self.questions[which]
+            self.sent += 1
+            try:
+                connection.request("POST", f"/v1/{name}", json.dumps(request), {"Content-Type": "application/json"})
+                response = connection.getresponse()
+                body = response.read()
+                if (response.status, body) != (200, self.expected[which]):
+                    self.lost.append((response.status, body[:200]))
+            except (OSError, http.client.HTTPException) as error:
+                self.lost.append(repr(error))
+                connection.close()
+        connection.close()
+
+    def stop(self):
+        self.stopped.set()
+        self.join()
+
+
+@unittest.skipIf(shutil.which("haproxy") is None, "haproxy not installed: run server/install scale")
+class HaProxy(unittest.TestCase):
+    def setUp(self):
+        self.front, *self.ports = free_ports(4)
+        self.replicas = [self.replica(port) for port in self.ports]
+        self.addCleanup(lambda: [replica.__exit__() for replica in self.replicas])
+        ports = dict(zip(("18080", "18081", "18082", "18083"), map(str, [self.front, *self.ports])))
+        file = tempfile.NamedTemporaryFile("w", suffix=".cfg")
+        self.addCleanup(file.close)
+        file.write(re.sub(r"\b1808\d\b", lambda port: ports[port.group()], CONFIGURATION))
+        file.flush()
+        process = subprocess.Popen(["haproxy", "-f", file.name], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.terminate)
+        self.wait_until_it_answers(self.front)
+
+    def replica(self, port):
+        """Where one was killed, the port may be taken for a moment still."""
+        for _ in range(100):
+            server = RunningQdot("--allowed-hosts", f"localhost:{self.front}", port=port)
+            if server.port is not None:
+                return server
+            server.__exit__()
+            time.sleep(0.1)
+        self.fail(f"no replica could take port {port}")
+
+    def wait_until_it_answers(self, port):
+        for _ in range(100):
+            try:
+                connection = http.client.HTTPConnection("localhost", port, timeout=5)
+                connection.request("GET", "/readyz")
+                if connection.getresponse().status == 200:
+                    return
+            except OSError:
+                pass
+            finally:
+                connection.close()
+            time.sleep(0.1)
+        self.fail(f"nothing answers at port {port}")
+
+    def restart(self, which, end):
+        end(self.replicas[which].process)
+        self.replicas[which].__exit__()
+        self.replicas[which] = self.replica(self.ports[which])
+        time.sleep(0.5)  # HAProxy looks five times a second
+
+    def lost_while(self, work):
+        # There are always long ones on their way, so that a replica that ends has something to finish or to lose.
+        asking = [Asking(self.front, questions, gap) for questions, gap in ((LIGHT, 0.02), (LIGHT, 0.02), (LONG, 0), (LONG, 0))]
+        for each in asking:
+            each.start()
+        try:
+            work()
+        finally:
+            for each in asking:
+                each.stop()
+        sent = sum(each.sent for each in asking)
+        self.assertGreater(sent, 50)
+        return [lost for each in asking for lost in each.lost]
+
+    def test_a_rolling_restart_loses_nothing(self):
+        lost = self.lost_while(lambda: [self.restart(which, lambda process: process.terminate()) for which in (0, 1, 2, 0)])
+        self.assertEqual(lost, [])
+
+    def test_replicas_that_die_lose_nothing(self):
+        lost = self.lost_while(lambda: [self.restart(which, lambda process: process.kill()) for which in (0, 1, 2, 0)])
+        self.assertEqual(lost, [])
+
+
+if __name__ == "__main__":
+    unittest.main()

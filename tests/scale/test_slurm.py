@@ -1,0 +1,66 @@
+"""Slurm spreads a file of requests over three nodes, one of which is lost in the middle: each answer is there, once."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "server"))
+
+import slurm_cluster  # noqa: E402
+from running_qdot import ENVIRONMENT, QDOT  # noqa: E402
+
+JOB = pathlib.Path(__file__).with_name("slurm_array.sh")
+SLICES, LINES = 6, 240
+
+
+def requests():
+    for number in range(LINES):
+        motion = {"system": "spring_pendulum", "parameters": {"k": 20 + number / 10}, "t_end": 600, "samples": 3}
+        yield json.dumps({"id": number, "simulate": motion}) + "\n"
+
+
+@unittest.skipIf(slurm_cluster.why_not(), slurm_cluster.why_not())
+class Slurm(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.home = pathlib.Path(temporary.name)
+        self.home.chmod(0o755)  # munge's user looks into it
+        self.work = self.home / "work"
+        self.work.mkdir()
+        (self.work / "requests.ndjson").write_text("".join(requests()))
+        subprocess.run(["split", "-d", "-a", "3", "-n", f"l/{SLICES}", "requests.ndjson", "in."], cwd=self.work, check=True)
+
+    def answers_of_one_machine(self):
+        return subprocess.run([QDOT, "batch", self.work / "requests.ndjson"], capture_output=True, check=True,
+                              env=ENVIRONMENT).stdout
+
+    def slice_in_the_middle(self, cluster, job, node):
+        """A file that a task on the node has begun to write."""
+        running = cluster.ask("squeue", "-h", "-r", "-j", job, "-t", "running", "-w", node, "-o", "%K") or ""
+        for task in running.split():
+            for part in self.work.glob(f"part.{int(task):03d}.*"):
+                if part.stat().st_size > 0:
+                    return part
+        return None
+
+    def test_a_node_is_lost_and_nothing_else(self):
+        found = []
+        with slurm_cluster.Cluster(self.home) as cluster:
+            job = cluster.submit(self.work, f"--array=0-{SLICES - 1}", str(JOB), QDOT=QDOT)
+            cluster.wait_for(lambda: found or found.extend(filter(None, [self.slice_in_the_middle(cluster, job, "n2")])),
+                             60, "slice in the middle on n2")
+            cluster.lose("n2")
+            self.assertFalse((self.work / ("out." + found[0].name.split(".")[1])).exists(), "it was done already")
+            cluster.wait_for(lambda: cluster.ask("squeue", "-h", "-j", job) == "", 240, "end of the job")
+        outputs = sorted(self.work.glob("out.???"))
+        self.assertEqual(len(outputs), SLICES)
+        self.assertEqual(b"".join(output.read_bytes() for output in outputs), self.answers_of_one_machine())
+        self.assertTrue(found[0].exists(), "what the lost node had begun was taken for whole")
+
+
+if __name__ == "__main__":
+    unittest.main()
