@@ -1,8 +1,10 @@
 #include "api/answers/answers.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "api/contract/version.hpp"
+#include "core/dynamics/consistent_state.hpp"
 
 namespace qdot::api {
 
@@ -29,6 +31,20 @@ ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
   return state;
 }
 
+namespace {
+
+/// Which of (q, q') a request gives.
+std::vector<bool> given_values(const Scene& scene, const SystemChoice& choice) {
+  std::vector<bool> given;
+  for (const Symbol& symbol : symbols(scene, SymbolRole::initial)) {
+    given.push_back(
+        std::ranges::any_of(choice.initial, [&](const auto& value) { return value.first == symbol.name; }));
+  }
+  return given;
+}
+
+}  // namespace
+
 WrittenTexts written_texts(const SystemChoice& choice) {
   WrittenTexts texts;
   for (const auto& [name, text] : choice.written) {
@@ -41,9 +57,11 @@ WrittenTexts written_texts(const SystemChoice& choice) {
   return texts;
 }
 
-ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models) {
+ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models, double t) {
   ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};
   system.state = resolved_state(system.model(), choice);
+  system.state.y = consistent_state(*system.dynamics, system.state.parameters, t, system.state.y,
+                                    given_values(system.scene(), choice));
   Json& parameters = system.echo["parameters"] = Json::object();
   for (std::size_t i = 0; i < system.state.parameters.size(); ++i)
     parameters[system.scene().parameters[i].name] = system.state.parameters[i];

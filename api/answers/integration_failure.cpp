@@ -9,6 +9,10 @@ struct Failure {
   const char* detail;
 };
 
+constexpr const char* no_forces =
+    "The motion came to where the constraints depend on each other, or determine no forces: the accelerations "
+    "are undetermined there.";
+
 Failure failure_of(Ending ending) {
   switch (ending) {
     case Ending::step_limit:
@@ -47,7 +51,8 @@ bool has_failed(Ending ending) { return ending != Ending::reached_end && ending 
 
 Response integration_failure(Call& call, const Scene& scene, Ending ending, double t,
                              std::span<const double> y, const std::string& detail) {
-  const Failure why = failure_of(ending);
+  Failure why = failure_of(ending);
+  if (ending == Ending::singular_mass && !scene.constraints.empty()) why.detail = no_forces;
   Json members{{"reason", why.reason}, {"t_reached", t}, {"last_state", state_json(scene, y)}};
   return to_response({.kind = ProblemKind::integration_failed,
                       .detail = detail.empty() ? why.detail : detail,

@@ -1,6 +1,7 @@
 #include "api/answers/models.hpp"
 
 #include "api/json/suggest.hpp"
+#include "core/dynamics/consistent_state.hpp"
 
 namespace qdot::api {
 namespace {
@@ -15,6 +16,19 @@ Problem wrong_scene(const SceneError& error, const Place& whole) {
     errors.push_back(std::move(found));
   }
   return invalid_request(std::move(errors));
+}
+
+/// The nearest state stands in the problem as a request would give it.
+Problem inconsistent(const InconsistentState& error, const Place& whole) {
+  const bool is_found = !error.nearest().empty();
+  const std::string advice =
+      is_found ? " The nearest state that does is in 'nearest'." : " No state near it was found that does.";
+  Problem problem =
+      invalid_request({whole.below("initial").error("inconsistent_state", error.what() + advice)});
+  if (!is_found) return problem;
+  Json& nearest = problem.members["nearest"] = Json::object();
+  for (const auto& [name, value] : error.nearest()) nearest[name] = value;
+  return problem;
 }
 
 std::vector<std::string> inputs_in_order(const SystemChoice& choice) {
@@ -52,6 +66,8 @@ Problem problem_of(const Error& error, const Place& whole) {
     case ErrorCode::unknown_symbol:
       return invalid_request({whole.error("unknown_symbol", error.what())});
     case ErrorCode::invalid_state:
+      if (const auto* state = dynamic_cast<const InconsistentState*>(&error))
+        return inconsistent(*state, whole);
       return invalid_request({whole.below("initial").error("invalid_state", error.what())});
     case ErrorCode::too_large:
       return {.kind = ProblemKind::limit_exceeded, .detail = error.what()};

@@ -18,6 +18,7 @@ std::vector<std::string> input_symbols(const Scene& scene) {
 std::vector<std::string> event_symbols(const Scene& scene) {
   std::vector<std::string> allowed = input_symbols(scene);
   for (const Symbol& symbol : symbols(scene, SymbolRole::initial)) allowed.push_back(symbol.name);
+  for (const Constraint& constraint : scene.constraints) allowed.push_back(multiplier_name(constraint));
   return allowed;
 }
 

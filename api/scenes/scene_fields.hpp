@@ -27,6 +27,7 @@ inline constexpr std::size_t parameters = 32;
 inline constexpr std::size_t coordinates = 8;
 inline constexpr std::size_t inputs = 8;
 inline constexpr std::size_t held_lengths = 8;
+inline constexpr std::size_t constraints = 8;
 inline constexpr std::size_t points = 64;
 inline constexpr std::size_t bodies = 16;
 inline constexpr std::size_t springs = 16;

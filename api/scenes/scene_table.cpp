@@ -104,6 +104,17 @@ const Table<Force> forces("force", "A force applied at a point.",
                            value("vector", &Force::vector, VectorKind{}, "its components", required),
                            value("point", &Force::point, PositionKind{}, "where it is applied", required)});
 
+const Table<Constraint> constraints(
+    "constraint",
+    "What every motion obeys: an expression that stays 0, either without velocities, such as x^2 + y^2 - l^2, "
+    "or linear in them, such as x_dot - r*theta_dot. Its force has a multiplier, which conditions, reports and "
+    "events may use.",
+    {name_field<Constraint>("what answers call it"),
+     value("expression", &Constraint::expression, ExpressionKind{}, "what stays 0", required),
+     value("multiplier", &Constraint::multiplier, NameKind{},
+           "what expressions call its multiplier; without it, lambda_<name>"),
+     meaning_field<Constraint>()});
+
 const Table<Reaction> reactions(
     "reaction", "The force that keeps a held length, derived from the Lagrangian.",
     {value("length", &Reaction::length, NameKind{}, "the name of the held length", required),
@@ -226,6 +237,8 @@ Table<Scene> make_table() {
        records("springs", &Scene::springs, springs, 0, most::springs, "the springs"),
        value("potential", &Scene::potential, ExpressionKind{}, "potential energy beside gravity and springs"),
        records("forces", &Scene::forces, forces, 0, most::forces, "the forces that no energy gives"),
+       records("constraints", &Scene::constraints, constraints, 0, most::constraints,
+               "what the motion obeys beside its coordinates"),
        value(
            "dissipation", &Scene::dissipation, ExpressionKind{},
            "Rayleigh's function D, a power: the generalized force on q is -dD/dq_dot, so D = b*x_dot^2/2 is "

@@ -42,6 +42,15 @@ std::vector<Column> acceleration_columns(const Model& model) {
   return columns;
 }
 
+std::vector<Column> multiplier_columns(const Model& model) {
+  std::vector<Column> columns;
+  for (std::size_t j = 0; j < model.scene.constraints.size(); ++j) {
+    columns.push_back({multiplier_name(model.scene.constraints[j]),
+                       model.parsed.constraints[j].multiplier_unit, model.parsed.symbols.multipliers[j]});
+  }
+  return columns;
+}
+
 std::vector<Column> validity_columns(const Model& model) {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < model.validity.size(); ++i) {

@@ -21,6 +21,7 @@ struct Column {
                                                    const std::vector<std::size_t>& coordinates);
 [[nodiscard]] std::vector<Column> position_columns(const Model& model);      ///< of the scene's named points
 [[nodiscard]] std::vector<Column> acceleration_columns(const Model& model);  ///< q''
+[[nodiscard]] std::vector<Column> multiplier_columns(const Model& model);    ///< of the constraints
 [[nodiscard]] std::vector<Column> validity_columns(const Model& model);      ///< the scene's `valid_while`
 [[nodiscard]] std::vector<Column> report_columns(const Model& model);  ///< what the scene reports beside
 

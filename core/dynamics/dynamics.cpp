@@ -3,6 +3,18 @@
 #include <cmath>
 
 namespace qdot {
+namespace {
+
+[[noreturn]] void no_statics(const Model& model) {
+  std::string names;
+  for (const Constraint& c : model.scene.constraints) names += (names.empty() ? "'" : ", '") + c.name + "'";
+  throw Error(ErrorCode::not_applicable,
+              "This is undetermined, as the scene has constraints (" + names +
+                  "): what rests or turns under constraints is not computed yet. Ask simulate, energy or "
+                  "equations, or write the scene in coordinates that need none.");
+}
+
+}  // namespace
 
 Dynamics::Dynamics(std::shared_ptr<const Model> model, InputTexts inputs)
     : model_(std::move(model)), inputs_(std::move(inputs)) {
@@ -18,7 +30,15 @@ const CompiledFunction& Dynamics::jacobian() const {
 }
 
 const CanonicalFunctions* Dynamics::canonical() const {
+  if (model_->has_constraints()) return nullptr;
   return canonical_.get({}, [&] { return canonical_functions(specialized(*model_, inputs_, {})); }).get();
+}
+
+const ConstraintSurface* Dynamics::constraint_surface() const {
+  if (!model_->has_constraints()) return nullptr;
+  return constraint_surface_
+      .get({}, [&] { return std::make_unique<const ConstraintSurface>(*model_, inputs_); })
+      .get();
 }
 
 const Kinks* Dynamics::kinks() const {
@@ -56,6 +76,7 @@ std::shared_ptr<const Conserved> Dynamics::conserved(std::span<const double> par
 }
 
 std::shared_ptr<const Statics> Dynamics::statics(std::span<const double> parameters) const {
+  if (model_->has_constraints()) no_statics(*model_);
   const Vanishing vanishing = vanishing_among(parameters);
   return statics_.get(vanishing, [&] {
     return std::make_shared<const Statics>(derive_statics(*model_, inputs_, vanishing));

@@ -17,6 +17,7 @@
 #include "core/base/made_once.hpp"
 #include "core/dynamics/canonical_functions.hpp"
 #include "core/dynamics/columns.hpp"
+#include "core/dynamics/constraint_surface.hpp"
 #include "core/dynamics/kink_functions.hpp"
 #include "core/dynamics/motion_functions.hpp"
 #include "core/dynamics/specialization.hpp"
@@ -41,8 +42,11 @@ class Dynamics {
   [[nodiscard]] std::shared_ptr<const KinkedMotion> kinked(const Staying& staying) const;
   /// The same as jacobian().
   [[nodiscard]] const CompiledFunction& kinked_jacobian(const Staying& staying) const;
-  /// The equations of first order in (q, p); null where L is not quadratic in the velocities.
+  /// The equations of first order in (q, p); null where L is not quadratic in the velocities, and
+  /// with constraints.
   [[nodiscard]] const CanonicalFunctions* canonical() const;
+  /// What states have to obey; null without constraints.
+  [[nodiscard]] const ConstraintSurface* constraint_surface() const;
   /// The values of columns, which belong to the model's graph; `staying` as in motion_functions.hpp.
   [[nodiscard]] std::shared_ptr<const CompiledFunction> columns(const std::vector<Column>& columns,
                                                                 const Staying* staying = nullptr) const;
@@ -50,7 +54,7 @@ class Dynamics {
   /// The conserved quantities; which there are depends on the parameters that are 0.
   [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
   /// Functions for questions that need no motion; they depend on the parameters that are 0. Throws
-  /// Error(not_applicable) where the time enters the equations.
+  /// Error(not_applicable) where the time enters the equations, and with constraints.
   [[nodiscard]] std::shared_ptr<const Statics> statics(std::span<const double> parameters) const;
   /// What `make` derives from the statics for one purpose,
   /// made once for each key and each set of vanishing parameters.
@@ -75,6 +79,7 @@ class Dynamics {
   mutable MadeOnce<Only, CompiledFunction> accelerations_, jacobian_;
   mutable MadeOnce<Only, std::unique_ptr<const CanonicalFunctions>> canonical_;
   mutable MadeOnce<Only, std::unique_ptr<const Kinks>> kinks_;
+  mutable MadeOnce<Only, std::unique_ptr<const ConstraintSurface>> constraint_surface_;
   mutable MadeOnce<Staying, std::shared_ptr<const KinkedMotion>> kinked_;
   mutable MadeOnce<Staying, CompiledFunction> kinked_jacobian_;
   using ColumnsKey = std::pair<std::vector<NodeId>, std::optional<Staying>>;

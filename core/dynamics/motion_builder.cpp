@@ -28,7 +28,7 @@ MotionBuilder::MotionBuilder(const Model& model, const InputTexts& inputs, const
   for (const Replacement& replacement : input_replacements(model, inputs, graph_)) {
     replacements_.push_back(replacement);
   }
-  unknowns_ = accelerations_;
+  unknowns_ = adopted(model.system.unknowns);
   std::vector<Expression> variables = q_;
   variables.insert(variables.end(), rates_.begin(), rates_.end());
   tape_.emplace(graph_, parameters_, t_, variables);
@@ -70,7 +70,8 @@ Expression MotionBuilder::expression(const Expression& of_model) const {
 
 ParsedEvent MotionBuilder::parsed_event(const std::string& text) {
   std::vector<std::string> allowed{"t"};
-  for (const auto* symbols : {&parameters_, &q_, &rates_}) {
+  std::vector<Expression> multipliers = adopted(model_.parsed.symbols.multipliers);
+  for (auto* symbols : {&parameters_, &q_, &rates_, &multipliers}) {
     for (const Expression& symbol : *symbols) allowed.push_back(std::get<Symbol>(symbol.node()).name);
   }
   return parse_event(text, graph_, allowed);
@@ -78,12 +79,13 @@ ParsedEvent MotionBuilder::parsed_event(const std::string& text) {
 
 void MotionBuilder::take_equations() {
   if (!right_.empty()) return;
-  for (const Expression& e : model_.equations.forcing) right_.push_back(expression(e));
-  for (const auto& row : model_.equations.mass_matrix) {
+  for (const Expression& e : model_.system.right) right_.push_back(expression(e));
+  for (const auto& row : model_.system.matrix) {
     matrix_.emplace_back();
     for (const Expression& entry : row) matrix_.back().push_back(expression(entry));
   }
-  if (model_.equations.determinant) determinant_ = expression(*model_.equations.determinant);
+  if (model_.equations.determinant && !model_.has_constraints())
+    determinant_ = expression(*model_.equations.determinant);
 }
 
 /// Kinks of the equations are found in the same order in every copy of the graph.

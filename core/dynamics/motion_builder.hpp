@@ -3,6 +3,7 @@
 //
 //   M(q,t) q'' = f(q,q',t)
 //
+// or, with constraints, [M, -C; A, 0] (q'', lambda) = (f, -rest) (core/mechanics/equations_of_motion.hpp).
 // Where f has kinks (core/expr/unfold.hpp) their sides s_k are parameters that follow the model's own. On a
 // kink where both sides push the motion to u_k = 0 it stays there: s_k is unknown, too, and there is one more
 // equation, u_k'' = 0, or u_k' = 0 where velocities stand in u_k. What acts is then the mean of the two sides

@@ -59,7 +59,7 @@ CompiledEvent compiled_event(const Model& model, const InputTexts& inputs, const
   }
   const auto builder = builder_on(model, inputs, *model.parsed.graph, staying);
   const ParsedEvent parsed = builder->parsed_event(text);
-  builder->tape().output(parsed.expression);
+  builder->output(parsed.expression);
   return {builder->tape().finish(), parsed.crossing, {}};
 }
 

@@ -20,6 +20,12 @@ Expression required(const std::optional<Expression>& e, std::string_view what) {
 }  // namespace
 
 ExpectedSystem::ExpectedSystem(const Model& model) : model_(model), own_(copied(model.lagrangian)) {
+  if (model.has_constraints()) {
+    throw Error(
+        ErrorCode::not_applicable,
+        "Formulas and equations of a scene with constraints are not graded yet: their multipliers may be "
+        "eliminated in many ways.");
+  }
   for (const auto& row : model.equations.mass_matrix) {
     mass_.emplace_back();
     for (const Expression& entry : row) mass_.back().push_back(graph().adopt(entry));

@@ -30,6 +30,9 @@ struct RightHandSide {
   /// Bounds over 0 <= s <= h of the defect |p_i'(s) - f_i(t + s, p(s))| of the polynomials p that `expansion`
   /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Optional.
   std::function<double(double h, std::span<const double> allowed, std::span<double> defect)> defect{};
+  /// Moves a state that is near to it onto what all states obey: constraints, from which steps drift away by
+  /// their errors. Returns whether it could. Optional; used by Method::taylor.
+  std::function<bool(double t, std::span<double> y)> project{};
   /// The same motion in canonical variables z = (q, p), of the size of y = (q, q'): z at (t, y), and z' and
   /// dz'/dz (row-major) at (t, z). Method::gauss steps in them;
   /// without them in y, where it is not symplectic.

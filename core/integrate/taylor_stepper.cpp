@@ -250,6 +250,7 @@ class TaylorStepper final : public Stepper {
     y.resize(y_.size());
     attempt_carried_.resize(y.size());
     sum_all_series<SeriesSum::value>(next_.data(), order_, h, rise_);
+    if (system_.project && !add_projection(t)) return false;
     for (std::size_t i = 0; i < y.size(); ++i) {
       const double rise = rise_[i] + carried_[i];
       y[i] = y_[i] + rise;
@@ -262,6 +263,17 @@ class TaylorStepper final : public Stepper {
     bounded_ = bounded_ && bound.found;
     last_step_ = h;
     accept(t);
+    return true;
+  }
+
+  /// Back to what all states obey. The polynomials of the step stay as they are: they end off it by the error
+  /// that this takes away.
+  bool add_projection(double t) {
+    for (std::size_t i = 0; i < y_.size(); ++i) attempt_[i] = y_[i] + (rise_[i] + carried_[i]);
+    std::vector<double>& before = slope_;
+    std::ranges::copy(attempt_, before.begin());
+    if (!system_.project(t, attempt_)) return false;
+    for (std::size_t i = 0; i < y_.size(); ++i) rise_[i] += attempt_[i] - before[i];
     return true;
   }
 

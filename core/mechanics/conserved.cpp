@@ -16,9 +16,16 @@ bool depends_on_time(const Expression& e, const Symbols& symbols) {
          depends_on(e, symbols.inputs.rate);
 }
 
+/// But those of constraints that do no work.
 bool has_forces(const Lagrangian& lagrangian) {
-  return std::any_of(lagrangian.generalized_forces.begin(), lagrangian.generalized_forces.end(),
-                     [](const Expression& force) { return !force.is_zero(); });
+  std::vector<Replacement> workless;
+  for (std::size_t j = 0; j < lagrangian.constraints.size(); ++j) {
+    if (is_workless(lagrangian.constraints[j], lagrangian.symbols))
+      workless.emplace_back(lagrangian.symbols.multipliers[j], lagrangian.graph->number(0));
+  }
+  return std::ranges::any_of(lagrangian.generalized_forces, [&](const Expression& force) {
+    return !(workless.empty() ? force : simplify(substitute(force, workless))).is_zero();
+  });
 }
 
 /// h = T + V holds when T is purely quadratic in the velocities and V has none.
@@ -58,7 +65,11 @@ std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian
 }
 
 std::string why_energy_changes(const Lagrangian& lagrangian) {
-  if (has_forces(lagrangian)) return "Forces outside the Lagrangian do work.";
+  if (has_forces(lagrangian)) {
+    return lagrangian.constraints.empty()
+               ? "Forces outside the Lagrangian do work."
+               : "Forces outside the Lagrangian, or a constraint that moves, do work.";
+  }
   if (depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
     return "The Lagrangian contains the time explicitly: what moves the system from outside does work.";
   }

@@ -39,14 +39,16 @@ Monomial common_monomial(const RawEquation& equation) {
   return both.empty() ? Monomial{} : common_monomial(both);
 }
 
-/// Divides both sides by everything they share but velocities and accelerations; returns what it was.
+/// Divides both sides by everything they share but velocities, accelerations and multipliers; returns what it
+/// was.
 Expression divide(const Lagrangian& lagrangian, RawEquation& equation, const Expression& diagonal) {
   Graph& graph = *lagrangian.graph;
   const Symbols::Varying& q = lagrangian.symbols.coordinates;
   Monomial common = common_monomial(equation);
   std::erase_if(common, [&](const Atom& atom) {
     const Expression base(graph, atom.base);
-    return atom.q != 1 || depends_on(base, q.rate) || depends_on(base, q.second_rate);
+    return atom.q != 1 || depends_on(base, q.rate) || depends_on(base, q.second_rate) ||
+           depends_on(base, lagrangian.symbols.multipliers);
   });
   equation.left = scaled(equation.left, inverse(common), 1);
   equation.right = scaled(equation.right, inverse(common), 1);
@@ -90,6 +92,19 @@ Expression forcing_as_written(const Lagrangian& lagrangian, std::size_t i, const
          force.kept / divisor;
 }
 
+/// f + C lambda in its two parts.
+void split_reactions(const Lagrangian& lagrangian, EquationsOfMotion& equations) {
+  const std::vector<Expression>& multipliers = lagrangian.symbols.multipliers;
+  std::vector<Replacement> none;
+  for (const Expression& lambda : multipliers) none.emplace_back(lambda, lagrangian.graph->number(0));
+  for (Expression& force : equations.forcing) {
+    equations.reactions.emplace_back();
+    for (const Expression& lambda : multipliers)
+      equations.reactions.back().push_back(simplify(differentiate(force, lambda)));
+    if (!multipliers.empty()) force = substitute(force, none);
+  }
+}
+
 }  // namespace
 
 EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
@@ -116,6 +131,7 @@ EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
     result.forcing.push_back(has_kept_terms(lagrangian, i) ? forcing_as_written(lagrangian, i, divisor)
                                                            : simplify(right - substitute(left, at_rest)));
   }
+  split_reactions(lagrangian, result);
   if (q.value.size() == 2) result.determinant = simplify(determinant(result.mass_matrix));
   return result;
 }
@@ -131,9 +147,26 @@ Matrix mass_matrix(const Lagrangian& lagrangian) {
   return result;
 }
 
-std::vector<Expression> solved(const EquationsOfMotion& equations) {
-  if (equations.mass_matrix.size() > largest_written_system) return {};
-  return cramer(equations.mass_matrix, equations.forcing);
+AugmentedSystem augmented(const EquationsOfMotion& equations, const Lagrangian& lagrangian) {
+  const std::vector<ConstraintEquation>& constraints = lagrangian.constraints;
+  AugmentedSystem system{equations.mass_matrix, equations.forcing,
+                         lagrangian.symbols.coordinates.second_rate};
+  for (std::size_t i = 0; i < equations.reactions.size(); ++i) {
+    for (const Expression& reaction : equations.reactions[i]) system.matrix[i].push_back(-reaction);
+  }
+  for (const ConstraintEquation& constraint : constraints) {
+    system.matrix.push_back(constraint.slope);
+    system.matrix.back().resize(system.matrix.front().size(), lagrangian.graph->number(0));
+    system.right.push_back(-constraint.rest);
+  }
+  const std::vector<Expression>& multipliers = lagrangian.symbols.multipliers;
+  system.unknowns.insert(system.unknowns.end(), multipliers.begin(), multipliers.end());
+  return system;
+}
+
+std::vector<Expression> solved(const AugmentedSystem& system) {
+  if (system.matrix.size() > largest_written_system) return {};
+  return cramer(system.matrix, system.right);
 }
 
 }  // namespace qdot

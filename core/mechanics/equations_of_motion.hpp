@@ -24,6 +24,7 @@ struct EquationsOfMotion {
   std::vector<Equation> equations;  ///< in order of the coordinates
   Matrix mass_matrix;               ///< M, n x n, rows divided
   std::vector<Expression> forcing;  ///< f
+  Matrix reactions;                 ///< C, n x m: M q'' = f + C lambda; rows empty without constraints
   /// det M in short form for n = 2: 1 + mu sin^2(phi) without the cancellation of M11 M22 - M12 M21.
   std::optional<Expression> determinant;
 };
@@ -33,7 +34,15 @@ struct EquationsOfMotion {
 /// M_ij = d2L/dq_i'dq_j' as it is, symmetric, undivided.
 [[nodiscard]] Matrix mass_matrix(const Lagrangian& lagrangian);
 
-/// q'' = M^-1 f written out by Cramer's rule; empty for more than three degrees of freedom.
-[[nodiscard]] std::vector<Expression> solved(const EquationsOfMotion& equations);
+/// The equations with those of the constraints, linear in the accelerations and the multipliers.
+struct AugmentedSystem {
+  Matrix matrix;                     ///< [M, -C; A, 0]
+  std::vector<Expression> right;     ///< f, then -rest
+  std::vector<Expression> unknowns;  ///< q'', then lambda
+};
+[[nodiscard]] AugmentedSystem augmented(const EquationsOfMotion& equations, const Lagrangian& lagrangian);
+
+/// q'', then lambda, written out by Cramer's rule; empty for more than three unknowns.
+[[nodiscard]] std::vector<Expression> solved(const AugmentedSystem& system);
 
 }  // namespace qdot

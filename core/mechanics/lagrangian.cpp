@@ -102,7 +102,7 @@ std::vector<Replacement> holding(const ParsedScene& scene) {
   return result;
 }
 
-/// Q_x = sum of F . dr/dx - dD/dx'.
+/// Q_x = sum of F . dr/dx - dD/dx' + sum of lambda_j d(phi_j)/dx.
 Expression generalized_force(const ParsedScene& scene, const Expression& x, const Expression& rate) {
   std::vector<Expression> terms;
   for (const ParsedForce& force : scene.forces) {
@@ -111,6 +111,8 @@ Expression generalized_force(const ParsedScene& scene, const Expression& x, cons
     }
   }
   if (scene.dissipation) terms.push_back(-differentiate(*scene.dissipation, rate));
+  for (std::size_t j = 0; j < scene.constraints.size(); ++j)
+    terms.push_back(scene.symbols.multipliers[j] * slope_of(scene.constraints[j], x, rate));
   return shortened(substitute(scene.graph->sum(terms), holding(scene)));
 }
 
@@ -137,6 +139,7 @@ Lagrangian derive_lagrangian(const ParsedScene& scene) {
   result.holding = holding(scene);
   result.generalized_forces = generalized_forces(scene, scene.symbols.coordinates);
   result.held_forces = generalized_forces(scene, scene.symbols.held);
+  result.constraints = constraint_equations(scene, result.holding);
   if (scene.lagrangian) {
     result.varied = *scene.lagrangian;
     result.lagrangian = shortened_by_degree(substitute(result.varied, result.holding), scene.symbols);
@@ -166,12 +169,19 @@ Lagrangian copied(const Lagrangian& lagrangian) {
   }
   move(copy.symbols.t);
   move_all(copy.symbols.parameters);
+  move_all(copy.symbols.multipliers);
   move(copy.lagrangian);
   if (copy.kinetic_energy) move(*copy.kinetic_energy);
   if (copy.potential_energy) move(*copy.potential_energy);
   move_all(copy.generalized_forces);
   move(copy.varied);
   move_all(copy.held_forces);
+  for (ConstraintEquation& constraint : copy.constraints) {
+    if (constraint.position) move(*constraint.position);
+    move(constraint.rate);
+    move_all(constraint.slope);
+    move(constraint.rest);
+  }
   for (auto& [held, value] : copy.holding) {
     move(held);
     move(value);
@@ -190,6 +200,13 @@ Lagrangian replaced(const Lagrangian& lagrangian, std::span<const Replacement> r
   result.lagrangian =
       shortened_by_degree(substitute(lagrangian.lagrangian, replacements), lagrangian.symbols);
   for (Expression& force : result.generalized_forces) force = shortened(substitute(force, replacements));
+  const auto put_in = [&](Expression& e) { e = substitute(e, replacements); };
+  for (ConstraintEquation& constraint : result.constraints) {
+    if (constraint.position) put_in(*constraint.position);
+    put_in(constraint.rate);
+    std::ranges::for_each(constraint.slope, put_in);
+    put_in(constraint.rest);
+  }
   return result;
 }
 

@@ -5,12 +5,14 @@
 //       + m/2 v.v + m r^2/4 angle'^2 (disks),  v = dr/dt by the chain rule
 //   V = - sum of m g.r + sum of k/2 (length - rest_length)^2 + extra potential
 //   Q_i = sum of F . dr/dq_i - dD/dq_i'  (virtual work of forces, Rayleigh dissipation D)
+//         + sum of lambda_j A_ji         (constraints.hpp)
 //   L = T - V
 // Sources: Goldstein, Classical Mechanics, 3rd ed., 1.4 (Q_i), 1.5 (D); the rod's T integrates a velocity
 // that is linear along it.
 
 #include <optional>
 
+#include "core/mechanics/constraints.hpp"
 #include "core/mechanics/parsed_scene.hpp"
 
 namespace qdot {
@@ -27,6 +29,7 @@ struct Lagrangian {
   Expression varied;
   /// The generalized force along each held length, of what is not in L.
   std::vector<Expression> held_forces;
+  std::vector<ConstraintEquation> constraints;
   std::vector<Replacement> holding;  ///< held length, its value; its rates, zero
 };
 

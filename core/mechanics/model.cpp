@@ -16,11 +16,12 @@ std::string summary(const std::vector<Diagnostic>& diagnostics) {
 }
 
 /// An equation without any acceleration leaves its coordinate undetermined.
-void check_inertia(const Scene& scene, const EquationsOfMotion& equations) {
-  const auto fault = inertia_fault(equations.mass_matrix);
+void check_inertia(const Scene& scene, const AugmentedSystem& system) {
+  const auto fault = inertia_fault(system.matrix);
   if (!fault) return;
   std::vector<Diagnostic> diagnostics;
   for (const std::size_t i : fault->coordinates) {
+    if (i >= scene.coordinates.size()) continue;
     diagnostics.push_back({"/coordinates/" + std::to_string(i), "no_inertia",
                            "Nothing that has mass moves with '" + scene.coordinates[i].name +
                                "', so its acceleration is undetermined."});
@@ -31,6 +32,19 @@ void check_inertia(const Scene& scene, const EquationsOfMotion& equations) {
          "The kinetic energy does not determine all accelerations: the mass matrix is singular everywhere."});
   }
   throw SceneError(diagnostics);
+}
+
+/// A constraint that follows from others, or speaks against them, leaves its force undetermined.
+void check_constraints(const Scene& scene, const Lagrangian& lagrangian) {
+  const auto found = redundant_constraint(lagrangian.constraints);
+  if (!found) return;
+  const std::string& name = scene.constraints[found->constraint].name;
+  const std::string others =
+      found->repeats ? "'" + scene.constraints[*found->repeats].name + "'" : "those before it";
+  throw SceneError({{"/constraints/" + std::to_string(found->constraint), "redundant",
+                     "The constraint '" + name + "' repeats or contradicts " + others +
+                         ": what it says of the velocities follows from them, so its force is undetermined. "
+                         "Leave one of them out."}});
 }
 
 Expression quantity_of(const Lagrangian& lagrangian, const ParsedCondition& condition) {
@@ -52,7 +66,9 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   model->parsed = std::move(parsed);
   model->lagrangian = derive_lagrangian(model->parsed);
   model->equations = derive_equations(model->lagrangian);
-  check_inertia(scene, model->equations);
+  check_constraints(scene, model->lagrangian);
+  model->system = augmented(model->equations, model->lagrangian);
+  check_inertia(scene, model->system);
   if (const auto& kinetic = model->lagrangian.kinetic_energy) {
     for (const int degree : {2, 1, 0}) {
       model->kinetic_parts.push_back(simplify(velocity_degree(*kinetic, model->parsed.symbols, degree)));

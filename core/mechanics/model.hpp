@@ -32,6 +32,7 @@ struct Model {
   ParsedScene parsed;
   Lagrangian lagrangian;
   EquationsOfMotion equations;
+  AugmentedSystem system;  ///< what determines the accelerations and the multipliers
   /// T by degree in the velocities [J]; absent when the scene gives only L.
   std::vector<Expression> kinetic_parts;  ///< T2, T1, T0
   std::optional<Expression> energy;       ///< T + V [J]
@@ -41,6 +42,7 @@ struct Model {
   std::vector<Expression> reports;        ///< those of Scene::reports
 
   [[nodiscard]] std::size_t degrees_of_freedom() const { return scene.coordinates.size(); }
+  [[nodiscard]] bool has_constraints() const { return !scene.constraints.empty(); }
 };
 
 /// Throws SceneError with every mistake in the scene.

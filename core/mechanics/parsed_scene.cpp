@@ -18,6 +18,7 @@ class SceneParser {
     read_declarations();
     read_bodies();
     read_forces();
+    read_constraints();
     read_conditions();
     check_whole();
     return std::move(parsed_);
@@ -149,6 +150,48 @@ class SceneParser {
     });
   }
 
+  void read_constraints() {
+    each(scene_.constraints, "/constraints", [&](const Constraint& constraint, const std::string& place) {
+      parsed_.constraints.push_back(read_constraint(constraint, place + "/expression"));
+    });
+    const Dimension work = *dimension_of_unit("J");
+    for (std::size_t i = 0; i < scene_.constraints.size(); ++i) {
+      ParsedConstraint& constraint = parsed_.constraints[i];
+      const auto unit = text_.dimension(constraint.expression);
+      const Dimension by = constraint.holonomic ? work : work / *dimension_of_unit("s");
+      if (unit) constraint.multiplier_unit = to_text(by / *unit);
+      parsed_.symbols.multipliers.push_back(
+          text_.declare(multiplier_name(scene_.constraints[i]), unit ? std::optional(by / *unit) : unit,
+                        Context::motion, "/constraints/" + std::to_string(i) + "/name"));
+    }
+  }
+
+  ParsedConstraint read_constraint(const Constraint& constraint, const std::string& place) {
+    const Expression e = text_.read(constraint.expression, Context::state, place, std::nullopt);
+    const std::vector<Expression>& rates = parsed_.symbols.coordinates.rate;
+    const bool holonomic = !depends_on(e, rates);
+    const bool linear = std::ranges::none_of(
+        rates, [&](const Expression& rate) { return depends_on(differentiate(e, rate), rates); });
+    if (!linear) {
+      text_.complain(place, "not_linear",
+                     "A constraint is linear in the velocities, a(q,t)*q_dot + b(q,t), or has none.");
+    } else if (holonomic && !depends_on(e, parsed_.symbols.coordinates.value)) {
+      text_.complain(place, "no_coordinate", "This constraint speaks of no coordinate and no velocity.");
+    }
+    if (has_kinks(e)) {
+      text_.complain(place, "not_applicable",
+                     "A constraint has a slope everywhere: abs and sign cannot stand in it.");
+    }
+    return {e, holonomic, {}};
+  }
+
+  [[nodiscard]] bool has_kinks(const Expression& e) const {
+    return std::ranges::any_of(reachable(*parsed_.graph, std::vector{e.id()}), [&](NodeId id) {
+      const auto* call = std::get_if<Call>(&parsed_.graph->node(id));
+      return call != nullptr && (call->function == Function::abs || call->function == Function::sign);
+    });
+  }
+
   void read_conditions() {
     each(scene_.valid_while, "/valid_while",
          [&](const ValidityCondition& condition, const std::string& place) {
@@ -164,8 +207,8 @@ class SceneParser {
          });
     each(scene_.events, "/events", [&](const SceneEvent& event, const std::string& place) {
       parsed_.events.push_back(
-          {text_.read(event.expression, Context::state, place + "/expression", std::nullopt),
-           text_.read_optional(event.when, Context::state, place + "/when", std::nullopt)});
+          {text_.read(event.expression, Context::motion, place + "/expression", std::nullopt),
+           text_.read_optional(event.when, Context::motion, place + "/when", std::nullopt)});
     });
     if (scene_.impact) read_impact(*scene_.impact);
   }
@@ -174,7 +217,7 @@ class SceneParser {
                                 const std::string& place) {
     const std::optional<Dimension> d = text_.unit(unit, place);
     if (const auto* reaction = std::get_if<Reaction>(&quantity)) return read_reaction(*reaction, place);
-    return text_.read(std::get<std::string>(quantity), Context::state, place + "/expression", d);
+    return text_.read(std::get<std::string>(quantity), Context::motion, place + "/expression", d);
   }
 
   ParsedReaction read_reaction(const Reaction& reaction, const std::string& place) {
@@ -216,7 +259,22 @@ class SceneParser {
       text_.complain("/lagrangian", "exclusive",
                      "A lagrangian contains gravity, springs and potential already.");
     }
+    check_constraints();
     check_default_cycles();
+  }
+
+  void check_constraints() {
+    const std::size_t n = scene_.coordinates.size();
+    if (scene_.constraints.size() > n) {
+      text_.complain("/constraints", "redundant",
+                     std::to_string(scene_.constraints.size()) + " constraints are too many for " +
+                         std::to_string(n) + " coordinates.");
+    }
+    if (scene_.impact && !scene_.constraints.empty()) {
+      text_.complain(
+          "/impact", "not_applicable",
+          "The state after an impact would have to obey the constraints: a scene has one of the two.");
+    }
   }
 
   /// A default may use other parameters as long as no chain of them comes back.

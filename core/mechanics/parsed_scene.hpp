@@ -32,6 +32,11 @@ struct ParsedSpring {
 struct ParsedForce {
   Vector vector, point;
 };
+struct ParsedConstraint {
+  Expression expression;
+  bool holonomic{};             ///< no velocity stands in it
+  std::string multiplier_unit;  ///< J over the expression's, or W where it has velocities
+};
 /// A reaction of the held length number `held`, or a plain quantity.
 struct ParsedReaction {
   std::size_t held{};
@@ -60,6 +65,7 @@ struct ParsedScene {
   std::vector<ParsedSpring> springs;
   std::optional<Expression> potential, dissipation, lagrangian;
   std::vector<ParsedForce> forces;
+  std::vector<ParsedConstraint> constraints;
   std::vector<ParsedCondition> valid_while;
   std::vector<ParsedCondition> reports;
   std::vector<Expression> singular_where;

@@ -116,6 +116,21 @@ struct Force {
   Position point;
 };
 
+/// What every motion obeys: `expression` stays 0. Holonomic where no velocity stands in it, x^2 + y^2 - l^2;
+/// else linear in the velocities, such as rolling x_dot - r*theta_dot or a knife edge. Both may contain t.
+/// Its force on q_i is multiplier * d(expression)/dq_i, or * d(expression)/dq_i_dot where it has velocities:
+/// it does no work on any displacement that the constraint allows.
+struct Constraint {
+  std::string name;
+  std::string expression;
+  std::string multiplier;  ///< what expressions call it; empty: lambda_<name>
+  std::string meaning;
+};
+
+[[nodiscard]] inline std::string multiplier_name(const Constraint& constraint) {
+  return constraint.multiplier.empty() ? "lambda_" + constraint.name : constraint.multiplier;
+}
+
 /// The generalized force that keeps `length`: sign (d/dt dL/dlength' - dL/dlength) with length held.
 /// A string pulls inwards, so its tension has sign -1; a normal force pushes outwards, sign +1.
 struct Reaction {
@@ -177,6 +192,8 @@ struct Scene {
   std::string problem;  ///< number on the practice sheet, or empty
   std::string model_version;
   std::string description;
+  /// Everything is a number, t included, as textbooks print Lagrangians: no dimension is asked for.
+  bool without_units{false};
   std::vector<Parameter> parameters;
   std::vector<Coordinate> coordinates;
   std::vector<Input> inputs;
@@ -188,6 +205,7 @@ struct Scene {
   std::vector<Spring> springs;
   std::string potential;  ///< extra potential energy, or empty
   std::vector<Force> forces;
+  std::vector<Constraint> constraints;
   std::string dissipation;  ///< Rayleigh function D: Q_i = -dD/dq_i_dot, or empty
   std::string lagrangian;   ///< instead of bodies, gravity, springs and potential
   std::vector<ValidityCondition> valid_while;

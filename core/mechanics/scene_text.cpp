@@ -37,7 +37,7 @@ Expression SceneText::declare(const std::string& name, const std::optional<Dimen
     complain(place, "duplicate_name", "The name '" + name + "' is used twice.");
   }
   if (dimension) dimensions_[symbol.id()] = *dimension;
-  for (int c = static_cast<int>(context); c <= static_cast<int>(Context::state); ++c)
+  for (int c = static_cast<int>(context); c <= static_cast<int>(Context::motion); ++c)
     allowed_[c].push_back(name);
   return symbol;
 }

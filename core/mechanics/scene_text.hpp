@@ -17,7 +17,8 @@ enum class Context {
   parameters,     ///< the parameters
   time,           ///< and t
   configuration,  ///< and coordinates, inputs, held lengths
-  state           ///< and velocities
+  state,          ///< and velocities
+  motion          ///< and multipliers of constraints
 };
 
 /// Reads texts into one graph and collects what is wrong with them.
@@ -51,6 +52,11 @@ class SceneText {
                      const std::optional<Dimension>& dimension);
   [[nodiscard]] Vector zero_vector() const;
 
+  /// No value: any fits, or there is a mistake.
+  [[nodiscard]] std::optional<Dimension> dimension(const Expression& e) const {
+    return dimension_of(e, dimensions_).dimension;
+  }
+
   [[nodiscard]] std::optional<Dimension> dimension_of_symbol(const Expression& symbol) const {
     const auto found = dimensions_.find(symbol.id());
     return found == dimensions_.end() ? std::nullopt : std::optional(found->second);
@@ -63,7 +69,7 @@ class SceneText {
   Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
   std::set<std::string> declared_;
-  std::vector<std::string> allowed_[4];
+  std::vector<std::string> allowed_[5];
   SymbolDimensions dimensions_;
   std::size_t space_{0};
 };

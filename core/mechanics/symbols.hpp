@@ -22,6 +22,7 @@ struct Symbols {
   Varying inputs;
   Varying held;
   std::vector<Expression> parameters;
+  std::vector<Expression> multipliers;  ///< of the constraints, in their order
 
   /// (x, x') for everything that varies along a motion, the time with rate 1: the chain rule's d/dt.
   [[nodiscard]] std::vector<Replacement> rates() const;

@@ -64,6 +64,14 @@ RightHandSide system_of(const CompiledFunction& accelerations, const CompiledFun
   return system;
 }
 
+void add_projection(const Dynamics& dynamics, std::span<const double> parameters, RightHandSide& system) {
+  const ConstraintSurface* surface = dynamics.constraint_surface();
+  if (surface == nullptr) return;
+  system.project = [states = ConstrainedStates(*surface, parameters)](double t, std::span<double> y) mutable {
+    return states.project(t, y);
+  };
+}
+
 }  // namespace
 
 RightHandSide motion_system(const Dynamics& dynamics, const SimulationRequest& request) {
@@ -73,6 +81,7 @@ RightHandSide motion_system(const Dynamics& dynamics, const SimulationRequest& r
   RightHandSide system = system_of(dynamics.accelerations(), by_jacobian ? &dynamics.jacobian() : nullptr,
                                    request.parameters, request.method);
   system.canonical = std::move(canonical);
+  add_projection(dynamics, request.parameters, system);
   return system;
 }
 
@@ -80,7 +89,9 @@ RightHandSide motion_system(const Dynamics& dynamics, const Sides& sides, std::s
                             Method method) {
   const Staying staying = staying_on(sides);
   const CompiledFunction* jacobian = method == Method::bdf ? &dynamics.kinked_jacobian(staying) : nullptr;
-  return system_of(dynamics.kinked(staying)->accelerations, jacobian, parameters, method);
+  RightHandSide system = system_of(dynamics.kinked(staying)->accelerations, jacobian, parameters, method);
+  add_projection(dynamics, parameters.first(dynamics.model().parsed.symbols.parameters.size()), system);
+  return system;
 }
 
 }  // namespace qdot

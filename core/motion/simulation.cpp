@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/work.hpp"
+#include "core/dynamics/constraint_surface.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/integrate.hpp"
@@ -46,6 +47,7 @@ class Simulator {
     result_.stays = std::move(sections_.stays());
     fill_columns();
     fill_conserved();
+    fill_constraints();
     return std::move(result_);
   }
 
@@ -261,6 +263,26 @@ class Simulator {
       const double relative = drift[k] / std::abs(initial[k]);
       if (std::isfinite(relative)) record.max_rel_drift = relative;
       result_.conserved.push_back(std::move(record));
+    }
+  }
+
+  void fill_constraints() {
+    const ConstraintSurface* surface = dynamics_.constraint_surface();
+    if (surface == nullptr) return;
+    ConstrainedStates states(*surface, request_.parameters);
+    for (const Constraint& constraint : dynamics_.model().scene.constraints)
+      result_.constraints.push_back({constraint.name, {}, 0});
+    for (const std::size_t j : surface->position_of()) result_.constraints[j].max_abs_value = 0;
+    for (std::size_t i = 0; i < result_.rows; ++i) {
+      if (!states.evaluate(request_.grid[i], row(i))) continue;
+      const std::span<const double> residuals = states.residuals();
+      std::size_t k = 0;
+      for (const std::size_t j : surface->position_of()) {
+        double& value = *result_.constraints[j].max_abs_value;
+        value = std::max(value, std::abs(residuals[k++]));
+      }
+      for (ConstraintRecord& record : result_.constraints)
+        record.max_abs_rate = std::max(record.max_abs_rate, std::abs(residuals[k++]));
     }
   }
 

@@ -37,6 +37,13 @@ struct ConservedRecord {
   std::optional<double> max_rel_drift;  ///< over |initial|; no value where that is 0
 };
 
+/// How far the returned rows are from a constraint.
+struct ConstraintRecord {
+  std::string name;
+  std::optional<double> max_abs_value;  ///< of phi; none of a constraint in the velocities
+  double max_abs_rate{};                ///< of w
+};
+
 struct Simulation {
   std::size_t rows{};           ///< instants of the grid that were reached
   std::vector<double> states;   ///< rows x 2n, row-major
@@ -50,6 +57,7 @@ struct Simulation {
   double t{};             ///< how far it came
   std::vector<double> y;  ///< the state there, before an impact that ends the motion
   std::vector<ConservedRecord> conserved;
+  std::vector<ConstraintRecord> constraints;
   Method method{};
   /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an
   /// L that is not quadratic in q', and where a coordinate has no inertia

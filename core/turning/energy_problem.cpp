@@ -58,7 +58,8 @@ std::string why_not_by_energy(const Dynamics& dynamics, std::span<const double> 
     statics = dynamics.statics(parameters);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::not_applicable) throw;
-    return "the time enters the equations of motion";
+    return dynamics.model().has_constraints() ? "the system has constraints"
+                                              : "the time enters the equations of motion";
   }
   const Reduction& reduction = statics->reduction;
   if (reduction.degrees_of_freedom() != 1) return "more than one coordinate is left after the ignorable ones";

@@ -185,7 +185,7 @@ class AccuracyAnswer {
 
 Response answer_accuracy(const Resolved<AccuracyRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
-  const ResolvedSystem system = resolved_system(request.system, echo, models);
+  const ResolvedSystem system = resolved_system(request.system, echo, models, request.t_start);
   WorkPrecision study(*system.dynamics, motion(request, system.state));
   const Simulation& reference = study.reference().simulation;
   if (has_failed(reference.ending)) {

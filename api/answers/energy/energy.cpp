@@ -32,6 +32,7 @@ class EnergyAnswer {
     body_.update(values(energies(model)));
     body_.update(values(momentum_columns(model)));
     body_["accelerations"] = values(acceleration_columns(model));
+    if (model.has_constraints()) body_["multipliers"] = values(multiplier_columns(model));
     if (!model.scene.valid_while.empty()) body_["validity"] = values(validity_columns(model));
     if (!model.scene.reports.empty()) body_["reports"] = values(report_columns(model));
     body_["conserved"] = conserved();
@@ -79,7 +80,7 @@ class EnergyAnswer {
 
 Response answer_energy(const Resolved<EnergyRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
-  const ResolvedSystem system = resolved_system(request.system, echo, models);
+  const ResolvedSystem system = resolved_system(request.system, echo, models, request.t);
   const Json body = EnergyAnswer(*system.dynamics, system.state, request.t).body();
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, request.digits);

@@ -9,6 +9,9 @@ namespace qdot::api {
 namespace {
 
 constexpr const char* too_long = "It would be too long to write out; compute with M q_ddot = f instead.";
+constexpr const char* too_long_with_constraints =
+    "It would be too long to write out; solve the equations of motion together with the constraints, each "
+    "differentiated until accelerations stand in it.";
 
 class EquationsAnswer {
  public:
@@ -20,6 +23,7 @@ class EquationsAnswer {
     write_energies();
     body_["generalized_forces"] = by_coordinate("", own_.generalized_forces);
     body_["equations_of_motion"] = implicit(equations);
+    if (model_.has_constraints()) body_["constraints"] = constraints();
     attempt("accelerations", [&] { return accelerations(equations); });
     body_["mass_matrix"] = matrix(mass_matrix(own_));
     body_["momenta"] = by_coordinate("p_", conjugate_momenta(own_));
@@ -92,11 +96,31 @@ class EquationsAnswer {
   }
 
   [[nodiscard]] Json accelerations(const EquationsOfMotion& equations) const {
-    const std::vector<Expression> solution = solved(equations);
-    if (solution.empty()) throw Error(ErrorCode::not_applicable, too_long);
+    const std::vector<Expression> solution = solved(augmented(equations, own_));
+    if (solution.empty())
+      throw Error(ErrorCode::not_applicable, model_.has_constraints() ? too_long_with_constraints : too_long);
     Json json = Json::object();
-    for (std::size_t i = 0; i < solution.size(); ++i) json[coordinate(i) + "_ddot"] = written(solution[i]);
+    const std::size_t n = model_.degrees_of_freedom();
+    for (std::size_t i = 0; i < n; ++i) json[coordinate(i) + "_ddot"] = written(solution[i]);
+    for (std::size_t i = n; i < solution.size(); ++i)
+      json[multiplier_name(model_.scene.constraints[i - n])] = written(solution[i]);
     return json;
+  }
+
+  /// What the equations of motion are to be solved with.
+  [[nodiscard]] Json constraints() const {
+    const Expression zero = own_.graph->number(0);
+    Json array = Json::array();
+    for (std::size_t j = 0; j < own_.constraints.size(); ++j) {
+      const ConstraintEquation& constraint = own_.constraints[j];
+      array.push_back({{"name", model_.scene.constraints[j].name},
+                       {"kind", constraint.position ? "holonomic" : "velocities"},
+                       {"equation", print_equation(constraint.position.value_or(constraint.rate), zero, form_,
+                                                   notation_)},
+                       {"multiplier", written(own_.symbols.multipliers[j])},
+                       {"unit", model_.parsed.constraints[j].multiplier_unit}});
+    }
+    return array;
   }
 
   [[nodiscard]] Json matrix(const Matrix& entries) const {
@@ -141,6 +165,8 @@ class EquationsAnswer {
   }
 
   [[nodiscard]] Json dimensionless() const {
+    if (model_.has_constraints())
+      throw Error(ErrorCode::not_applicable, "It is not written for scenes with constraints.");
     const auto form = dimensionless_form(model_.scene, model_.parsed, own_);
     if (!form)
       throw Error(ErrorCode::not_applicable, "The parameters do not span the dimensions of the scene.");

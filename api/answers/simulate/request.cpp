@@ -116,6 +116,10 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
              *request.t_end <= request.t_start) {
     findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
   }
+  if (std::ranges::find(request.include, Extra::multipliers) != request.include.end() &&
+      scene->constraints.empty()) {
+    findings.report("include", "not_applicable", scene->name + " has no constraints, and so no multipliers.");
+  }
   if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
   check_inputs(request.system, findings);
   check_step(request, findings);
@@ -151,6 +155,7 @@ RequestTable<SimulateRequest> make_simulate_table() {
                {"momenta", Extra::momenta},
                {"positions", Extra::positions},
                {"accelerations", Extra::accelerations},
+               {"multipliers", Extra::multipliers},
                {"validity", Extra::validity}},
               "columns beside t, the coordinates and the velocities",
               {.default_value = Json::array(), .aliases = {"columns", "outputs", "extra"}}),
@@ -230,6 +235,9 @@ std::int64_t column_count(const Scene& scene, const std::vector<Extra>& include)
         break;
       case Extra::accelerations:
         count += coordinates;
+        break;
+      case Extra::multipliers:
+        count += scene.constraints.size();
         break;
       case Extra::validity:
         count += scene.valid_while.size() + scene.reports.size();

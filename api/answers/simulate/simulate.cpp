@@ -15,7 +15,7 @@ class SimulationAnswer {
   SimulationAnswer(const Resolved<SimulateRequest>& resolved, Call& call, Models& models)
       : request_(resolved.request),
         call_(call),
-        system_(resolved_system(request_.system, resolved.echo, models)) {}
+        system_(resolved_system(request_.system, resolved.echo, models, request_.t_start)) {}
 
   Response response() {
     run();
@@ -242,10 +242,23 @@ class SimulationAnswer {
       }
       conserved.push_back(std::move(entry));
     }
-    return {{"conserved", std::move(conserved)},
-            {"steps", result_.steps},
-            {"rhs_evaluations", result_.evaluations},
-            {"total_evaluations", measured_.evaluations}};
+    Json json{{"conserved", std::move(conserved)}};
+    if (!result_.constraints.empty()) json["constraints"] = constraints_json();
+    json["steps"] = result_.steps;
+    json["rhs_evaluations"] = result_.evaluations;
+    json["total_evaluations"] = measured_.evaluations;
+    return json;
+  }
+
+  [[nodiscard]] Json constraints_json() const {
+    Json array = Json::array();
+    for (const ConstraintRecord& record : result_.constraints) {
+      Json entry{{"name", record.name}};
+      if (record.max_abs_value) entry["max_abs_value"] = *record.max_abs_value;
+      entry["max_abs_rate"] = record.max_abs_rate;
+      array.push_back(std::move(entry));
+    }
+    return array;
   }
 
   const SimulateRequest& request_;
@@ -262,7 +275,8 @@ class SimulationAnswer {
 
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
   if (resolved.request.is_extended()) {
-    return extended_answer(resolved.request, resolved_system(resolved.request.system, resolved.echo, models),
+    const SimulateRequest& request = resolved.request;
+    return extended_answer(request, resolved_system(request.system, resolved.echo, models, request.t_start),
                            call);
   }
   return SimulationAnswer(resolved, call, models).response();

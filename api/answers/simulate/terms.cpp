@@ -42,6 +42,9 @@ std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra
       case Extra::accelerations:
         append(acceleration_columns(model));
         break;
+      case Extra::multipliers:
+        append(multiplier_columns(model));
+        break;
       case Extra::validity:
         append(validity_columns(model));
         append(report_columns(model));

@@ -75,7 +75,7 @@ class TurningPointsAnswer {
       : request_(resolved.request),
         call_(call),
         models_(models),
-        system_(resolved_system(request_.system, resolved.echo, models)) {}
+        system_(resolved_system(request_.system, resolved.echo, models, request_.t_start)) {}
 
   Response response() {
     const std::vector<std::size_t> candidates = candidate_coordinates();

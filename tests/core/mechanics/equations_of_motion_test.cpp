@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Systems, SolvedEquations,
 
 TEST_P(SolvedEquations, ByCramersRuleGiveTheAccelerationsWrittenByHand) {
   const Lagrangian copy = copied(model().lagrangian);
-  const std::vector<Expression> accelerations = solved(derive_equations(copy));
+  const std::vector<Expression> accelerations = solved(augmented(derive_equations(copy), copy));
   each_state([&](const Values& state) {
     const test::Mechanics paper = mechanics_of(GetParam(), state);
     ASSERT_EQ(accelerations.size(), paper.accelerations.size());

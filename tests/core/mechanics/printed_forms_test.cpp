@@ -121,7 +121,7 @@ std::string printed(const Model& model, Quantity quantity, std::size_t index) {
     }
     case Quantity::acceleration: {
       const Lagrangian copy = copied(model.lagrangian);
-      return text_of(solved(derive_equations(copy))[index], model);
+      return text_of(solved(augmented(derive_equations(copy), copy))[index], model);
     }
   }
   return "";
