@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/answers/units_of.hpp"
 #include "api/contract/version.hpp"
 #include "core/dynamics/consistent_state.hpp"
 
@@ -92,8 +93,10 @@ void write_head(JsonWriter& writer, const Scene& scene, const Json& echo,
   if (!notes.empty()) writer.member("notes", notes);
 }
 
-Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body,
+Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& of_units,
                         std::optional<int> digits) {
+  const Json without = scene.without_units ? with_units_of(scene, of_units) : Json();
+  const Json& body = scene.without_units ? without : of_units;
   JsonWriter writer(call.layout);
   writer.begin_object();
   std::vector<std::string> notes = call.notes;

@@ -22,7 +22,7 @@ Problem wrong_scene(const SceneError& error, const Place& whole) {
 Problem inconsistent(const InconsistentState& error, const Place& whole) {
   const bool is_found = !error.nearest().empty();
   const std::string advice =
-      is_found ? " The nearest state that does is in 'nearest'." : " No state near it was found that does.";
+      is_found ? " A state near it that does is in 'nearest'." : " No state near it was found that does.";
   Problem problem =
       invalid_request({whole.below("initial").error("inconsistent_state", error.what() + advice)});
   if (!is_found) return problem;

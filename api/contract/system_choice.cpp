@@ -102,7 +102,7 @@ std::vector<Symbol> symbols(const Scene& scene, SymbolRole role) {
     case SymbolRole::initial:
       for (const Coordinate& q : scene.coordinates) result.push_back({q.name, q.unit, q.domain, q.meaning});
       for (const Coordinate& q : scene.coordinates)
-        result.push_back({q.name + "_dot", per_second(q.unit), {}});
+        result.push_back({q.name + "_dot", scene.without_units ? "1" : per_second(q.unit), {}});
       break;
     case SymbolRole::input:
       for (const Input& input : scene.inputs) result.push_back({input.name, input.unit, {}, input.meaning});

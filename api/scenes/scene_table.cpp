@@ -24,8 +24,10 @@ BoundField<Struct> name_field(std::string description) {
 
 template <class Struct>
 BoundField<Struct> unit_field() {
-  return value("unit", &Struct::unit, short_text,
-               "an SI unit, such as kg, N/m, rad/s or m/s^2; 1 where there is none", required);
+  return value(
+      "unit", &Struct::unit, short_text,
+      "an SI unit, such as kg, N/m, rad/s or m/s^2; 1 where there is none. Only a scene without units "
+      "leaves it out, or has rad for an angle");
 }
 
 template <class Struct>
@@ -221,6 +223,8 @@ Table<Scene> make_table() {
        value("problem", &Scene::problem, short_text, "number of the problem on the practice sheet"),
        value("model_version", &Scene::model_version, short_text,
              "changes when the system's answers change, such as 1.0.0"),
+       choice("units", &Scene::without_units, {{"SI", false}, {"none", true}},
+              "none: everything is a number, t included, as textbooks print Lagrangians; without it, SI"),
        value("description", &Scene::description, prose, "one or two sentences for students"),
        records("parameters", &Scene::parameters, parameters, 0, most::parameters,
                "the numbers that a request may set"),
@@ -265,8 +269,23 @@ const Table<Scene>& scene_table() {
   return table;
 }
 
+const std::vector<std::string>& lists_with_units() {
+  static const std::vector<std::string> lists{"parameters",   "coordinates", "inputs",
+                                              "held_lengths", "valid_while", "reports"};
+  return lists;
+}
+
 const Json& scene_schema() {
-  static const Json schema = document_schema(scene_table().set(), "/v1/scene-schema");
+  static const Json schema = [] {
+    Json document = document_schema(scene_table().set(), "/v1/scene-schema");
+    Json with_units = Json::object();
+    for (const std::string& list : lists_with_units())
+      with_units["properties"][list] = {{"items", {{"required", Json::array({"unit"})}}}};
+    document["allOf"].push_back(
+        {{"if", {{"properties", {{"units", {{"const", "none"}}}}}, {"required", Json::array({"units"})}}},
+         {"else", std::move(with_units)}});
+    return document;
+  }();
   return schema;
 }
 

@@ -11,7 +11,8 @@ namespace {
 class SceneParser {
  public:
   SceneParser(const Scene& scene, std::vector<Diagnostic>& diagnostics)
-      : scene_(scene), text_(*parsed_.graph, diagnostics) {}
+      : scene_(scene),
+        text_(*parsed_.graph, diagnostics, scene.without_units ? Dimensions::none : Dimensions::checked) {}
 
   ParsedScene parse() {
     declare_symbols();
@@ -160,6 +161,7 @@ class SceneParser {
       const auto unit = text_.dimension(constraint.expression);
       const Dimension by = constraint.holonomic ? work : work / *dimension_of_unit("s");
       if (unit) constraint.multiplier_unit = to_text(by / *unit);
+      if (scene_.without_units) constraint.multiplier_unit = "1";
       parsed_.symbols.multipliers.push_back(
           text_.declare(multiplier_name(scene_.constraints[i]), unit ? std::optional(by / *unit) : unit,
                         Context::motion, "/constraints/" + std::to_string(i) + "/name"));

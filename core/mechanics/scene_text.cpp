@@ -56,6 +56,17 @@ void SceneText::declare_varying(Symbols::Varying& varying, const std::string& na
 }
 
 std::optional<Dimension> SceneText::unit(const std::string& text, const std::string& place) {
+  if (dimensions_kind_ == Dimensions::none) {
+    if (text.empty() || text == "1" || text == "rad") return Dimension{};
+    complain(place + "/unit", "exclusive",
+             "The scene has no units: leave '" + text + "' out, or write rad where it is an angle.");
+    return std::nullopt;
+  }
+  if (text.empty()) {
+    complain(place + "/unit", "missing",
+             "'unit' is missing: write 1 where there is none, or \"units\": \"none\" for the whole scene.");
+    return std::nullopt;
+  }
   const std::optional<Unit> unit = parse_unit(text);
   if (unit && unit->is_coherent()) return unit->dimension;
   complain(place + "/unit", "unknown_unit",
@@ -88,6 +99,7 @@ std::optional<Expression> SceneText::read_optional(const std::string& text, Cont
 
 void SceneText::check_dimension(const Expression& e, const std::string& place,
                                 const std::optional<Dimension>& expected) {
+  if (dimensions_kind_ == Dimensions::none) return;
   const DimensionResult found = dimension_of(e, dimensions_);
   if (!found.mistake.empty()) {
     complain(place, "wrong_dimension", "The expression's dimensions do not fit: " + found.mistake + ".");

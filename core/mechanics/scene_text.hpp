@@ -21,10 +21,14 @@ enum class Context {
   motion          ///< and multipliers of constraints
 };
 
+/// Whether texts have dimensions, or are numbers all of them.
+enum class Dimensions { checked, none };
+
 /// Reads texts into one graph and collects what is wrong with them.
 class SceneText {
  public:
-  SceneText(Graph& graph, std::vector<Diagnostic>& diagnostics) : graph_(graph), diagnostics_(diagnostics) {}
+  SceneText(Graph& graph, std::vector<Diagnostic>& diagnostics, Dimensions dimensions)
+      : graph_(graph), diagnostics_(diagnostics), dimensions_kind_(dimensions) {}
 
   void complain(const std::string& place, const std::string& code, const std::string& message);
 
@@ -37,7 +41,8 @@ class SceneText {
                        const std::optional<Dimension>& dimension, Context value, Context rate,
                        const std::string& place);
 
-  /// The dimension of a coherent SI unit; complains about any other.
+  /// The dimension of a coherent SI unit; complains about any other. Of a scene without units, none: rad may
+  /// still say that a coordinate is an angle.
   std::optional<Dimension> unit(const std::string& text, const std::string& place);
 
   /// The expression, or 0 with a complaint. Nothing expected: any dimension that is consistent in itself. A
@@ -68,6 +73,7 @@ class SceneText {
 
   Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
+  Dimensions dimensions_kind_;
   std::set<std::string> declared_;
   std::vector<std::string> allowed_[5];
   SymbolDimensions dimensions_;

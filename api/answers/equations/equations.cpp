@@ -165,6 +165,8 @@ class EquationsAnswer {
   }
 
   [[nodiscard]] Json dimensionless() const {
+    if (model_.scene.without_units)
+      throw Error(ErrorCode::not_applicable, "The scene has no units: it is dimensionless as it is.");
     if (model_.has_constraints())
       throw Error(ErrorCode::not_applicable, "It is not written for scenes with constraints.");
     const auto form = dimensionless_form(model_.scene, model_.parsed, own_);

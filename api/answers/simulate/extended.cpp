@@ -7,6 +7,7 @@
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/simulate/extended_number.hpp"
 #include "api/answers/simulate/terms.hpp"
+#include "api/answers/units_of.hpp"
 #include "core/base/work.hpp"
 #include "core/compile/extended/expansion.hpp"
 #include "core/compile/extended/tape.hpp"
@@ -230,7 +231,7 @@ class ExtendedAnswer {
       writer.number_texts(column.values);
     }
     writer.end_object();
-    writer.member("units", units_);
+    writer.member("units", with_units_of(system_.scene(), Json{{"units", units_}})["units"]);
     writer.member("events", Json::array());
     writer.member("accuracy", accuracy_json());
     writer.member("diagnostics", {{"conserved", Json::array()},

@@ -6,6 +6,7 @@
 #include "api/answers/simulate/request.hpp"
 #include "api/answers/simulate/terms.hpp"
 #include "api/answers/stated.hpp"
+#include "api/answers/units_of.hpp"
 
 namespace qdot::api {
 namespace {
@@ -102,12 +103,12 @@ class SimulationAnswer {
     writer.member("t_reached", result_.t, digits());
     writer.key("trajectory");
     writer.columns(table_, digits());
-    writer.member("units", units_);
+    writer.member("units", with_units_of(scene(), Json{{"units", units_}})["units"]);
     write_events(writer);
     if (!result_.stays.empty()) writer.member("sticking", sticking_json(), digits());
     if (scene().impact && request_.impacts) writer.member("strides", strides_json(), digits());
     writer.member("accuracy", accuracy_json());
-    writer.member("diagnostics", diagnostics_json());
+    writer.member("diagnostics", with_units_of(scene(), diagnostics_json()));
     writer.end_object();
     return {
         .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};

@@ -1,0 +1,31 @@
+#include "api/answers/units_of.hpp"
+
+namespace qdot::api {
+namespace {
+
+/// `json` is a unit, or all that stands in it are.
+void drop_unit(Json& json) {
+  if (json.is_structured()) {
+    for (auto& part : json) drop_unit(part);
+  } else if (json.is_string() && json != "rad" && json != "deg") {
+    json = "1";
+  }
+}
+
+void drop_units(Json& json) {
+  if (json.is_object()) {
+    for (auto& [name, part] : json.items())
+      name == "units" || name == "unit" ? drop_unit(part) : drop_units(part);
+  } else if (json.is_array()) {
+    for (Json& part : json) drop_units(part);
+  }
+}
+
+}  // namespace
+
+Json with_units_of(const Scene& scene, Json answer) {
+  if (scene.without_units) drop_units(answer);
+  return answer;
+}
+
+}  // namespace qdot::api
