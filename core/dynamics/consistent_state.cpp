@@ -12,6 +12,7 @@ namespace {
 
 constexpr double as_typed = 1e-12;     ///< of the terms: what decimals may leave
 constexpr double found = 1e-14;        ///< of a nearest state
+constexpr double flat = 1e-9;          ///< of the terms: less is no slope
 constexpr int most_steps = 50;         ///< of Newton's method
 constexpr int most_refinements = 4;    ///< in twice the digits
 constexpr double rounding = 0x1p-100;  ///< of such a refinement, relative
@@ -29,6 +30,7 @@ class Consistency {
     if (!states_.evaluate(t_, y))
       throw Error(ErrorCode::invalid_state, "The constraints have no finite value in this state.");
     if (!holds(y, as_typed)) refuse(y, given);
+    if (is_flat(y)) undetermined();
     return refined(y);
   }
 
@@ -44,6 +46,25 @@ class Consistency {
     std::size_t k = 0;
     while (k < residuals.size() && std::abs(residuals[k]) <= share * states_.size_of_terms(k, y)) ++k;
     return k;
+  }
+
+  /// Whether a phi has no slope where it is 0, as (x - l)^2 there: nothing tells how far it is from 0 then.
+  [[nodiscard]] bool is_flat(std::span<const double> y) const {
+    const CompiledFunction& function = surface_.values();
+    Workspace workspace = function.bind(parameters_);
+    std::vector<double> values(function.outputs());
+    if (function.evaluate(t_, y, workspace, values) != Evaluation::ok) return true;
+    std::size_t term = surface_.first_residual() + surface_.positions() + surface_.constraints();
+    for (std::size_t k = 0; k < surface_.positions(); ++k) {
+      double slope = 0, size = 0;
+      for (std::size_t i = 0; i < n(); ++i) {
+        const double reach = std::max(std::abs(y[i]), scene_.coordinates[i].unit == "rad" ? 1.0 : 0.0);
+        slope += reach * std::abs(values[surface_.first_slope() + surface_.position_of()[k] * n() + i]);
+      }
+      for (; term < surface_.ends_of_terms()[k]; ++term) size = std::max(size, std::abs(values[term]));
+      if (slope < flat * size) return true;
+    }
+    return false;
   }
 
   [[noreturn]] void refuse(const Reals& y, const std::vector<bool>& given) {

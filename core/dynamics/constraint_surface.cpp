@@ -5,19 +5,21 @@
 #include <numeric>
 
 #include "core/dynamics/motion_functions.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/numerics/linear_system.hpp"
 
 namespace qdot {
 namespace {
 
-/// The summands of e, or e itself.
+/// The summands of e, multiplied out.
 std::vector<Expression> terms_of(const Expression& e) {
   std::vector<Expression> terms;
-  if (const auto* sum = std::get_if<Sum>(&e.node())) {
-    for (const NodeId id : sum->terms) terms.emplace_back(e.graph(), id);
-    return terms;
+  for (const auto& [monomial, coefficient] : multiplied_out(e)) {
+    Polynomial one;
+    add(one, monomial, coefficient);
+    terms.push_back(to_expression(e.graph(), one));
   }
-  return {e};
+  return terms;
 }
 
 }  // namespace

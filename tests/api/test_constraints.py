@@ -214,6 +214,12 @@ class Refusals(Service):
                            "invalid_state")
         self.assertIn("'line', 'curve'", error["detail"])
 
+    def test_a_constraint_without_a_slope_where_it_holds_has_no_force(self):
+        for near in (0, 1e-13):
+            scene = {**scenes.PENDULUM_BY_CONSTRAINT, "coordinates": scenes.coordinates(
+                x=("m", f"{0.7 * (1 + near)!r}", "0"), y=("m", "0", "0"))}
+            self.wrong(scene, [{"name": "c", "expression": "(x^2 + y^2 - l^2)^2"}], "invalid_state")
+
     def test_what_is_no_constraint(self):
         pendulum = scenes.PENDULUM_BY_CONSTRAINT
         for expression, code in (("x_dot^2 + y_dot^2 - g*l", "not_linear"), ("abs(x) - l", "not_applicable"),
