@@ -32,7 +32,8 @@ constexpr int digits_for_people = 8;  ///< what they read; their errors have the
 std::string graded_body(const Arguments& arguments) {
   if (arguments.key.empty() || arguments.answers.empty() || !arguments.request_file.empty())
     throw UsageError("give --key and --answers together, and no other request");
-  const auto request = api::graded_request(request_body(arguments.key), request_body(arguments.answers));
+  const auto request = api::graded_request(request_body(arguments.key),
+                                           request_body(arguments.answers, api::limits::answers_bytes));
   if (const auto* error = std::get_if<api::SheetError>(&request)) throw UsageError(error->text);
   return std::get<api::Json>(request).dump();
 }

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iostream>
 
-#include "api/json/limits.hpp"
 #include "api/json/text.hpp"
 #include "server/usage.hpp"
 
@@ -14,12 +13,12 @@ namespace qdot::server {
 namespace {
 
 /// At most one byte more than is allowed, so that an overlong text shows: /dev/zero has no end.
-std::string all_of(std::istream& stream, const std::string& name) {
-  std::string text(api::limits::large_body_bytes + 1, '\0');
+std::string all_of(std::istream& stream, const std::string& name, std::size_t most) {
+  std::string text(most + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > api::limits::large_body_bytes)
-    throw UsageError(name + " is longer than " + std::to_string(api::limits::large_body_bytes) +
+  if (text.size() > most)
+    throw UsageError(name + " is longer than " + std::to_string(most) +
                      " bytes, the most that a request may have");
   text.shrink_to_fit();
   return text;
@@ -85,17 +84,17 @@ bool is_body(const std::vector<std::string>& words) {
          words[0][words[0].find_first_not_of(" \t\r\n")] == '{';
 }
 
-std::string request_body(const std::string& file) {
+std::string request_body(const std::string& file, std::size_t most) {
   if (!file.empty() && file != "-") {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw UsageError("cannot read " + file);
-    return all_of(stream, file);
+    return all_of(stream, file, most);
   }
   if (file.empty() && ::isatty(STDIN_FILENO)) {
     throw UsageError(
         "name a system, such as cart_pendulum, or give the request with --request FILE or on stdin");
   }
-  return all_of(std::cin, "the request on stdin");
+  return all_of(std::cin, "the request on stdin", most);
 }
 
 }  // namespace qdot::server

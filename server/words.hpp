@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "api/json/limits.hpp"
+
 namespace qdot::server {
 
 /// Encoded for a place in a path or in a query (RFC 3986, 2.3: the rest is a % and two digits).
@@ -19,7 +21,8 @@ namespace qdot::server {
 [[nodiscard]] bool is_body(const std::vector<std::string>& words);
 
 /// The request in a file; stdin where `file` is empty or "-". Throws UsageError where there is none, and for
-/// one that is longer than any body may be.
-[[nodiscard]] std::string request_body(const std::string& file);
+/// one that is longer than `most` bytes, by default the most that a body may have.
+[[nodiscard]] std::string request_body(const std::string& file,
+                                       std::size_t most = api::limits::large_body_bytes);
 
 }  // namespace qdot::server

@@ -84,7 +84,7 @@ class Numbers(Check):
     def test_sets_and_angles_modulo_a_turn(self):
         right = "0, 180deg, 38.298deg, -38.298deg"
         cases = [(right, True), ([0, math.pi, 0.668423, -0.668423], True), ("(180deg, 38.298deg, -38.298deg, 360deg)", True),
-                 ("0, 180deg, 38.298deg", False), ("0, 0, 38.298deg, -38.298deg", False), ("0, 180deg, 38.298deg, -38.5deg", False)]
+                 ("0, 180deg, 38.298deg", False), ("", None), (" \n", None), ([], False), ("0, 0, 38.298deg, -38.298deg", False), ("0, 180deg, 38.298deg, -38.5deg", False)]
         self.assert_verdicts(ANGLES, cases, rule={"any_order": True, "modulo": "2pi", "rtol": 1e-4})
         turned = "360deg, 180deg, 38.298deg, -38.298deg"
         self.assert_verdicts(ANGLES, [(right, True), (turned, False)], rule={"any_order": True, "rtol": 1e-4})
@@ -285,6 +285,7 @@ class Trajectories(Check):
         self.assert_verdicts(self.EXPECT, [
             (self.csv(), True), (self.csv(23), True), (self.csv(digits=4), True), (columns, True), (self.csv().replace(",", ";"), True),
             (self.csv(g=9.7), False), (shifted, False), (self.csv().replace("t,l", "t,r"), None), ("t,l\n0,0.55\n", None),
+            ("\ufeff" + self.csv(), True), (self.csv().replace("t,l", "t,t"), None), (self.csv().replace("t,l", "time,t"), None),
             (self.csv(5), None), ("", None), ("t,l\n0,x\n", None), ({"t": [0, 1], "l": [0]}, None), (3, None),
             (self.csv().replace("\n0.05,", "\n-0.05,"), None)], rule={"rtol": 1e-3})
 

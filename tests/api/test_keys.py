@@ -110,6 +110,18 @@ class Keys(unittest.TestCase):
         verdicts = {item["id"]: item["correct"] for item in json.loads(run.stdout)["items"]}
         self.assertEqual(verdicts, {"T": None, "phi": True, "h": None, "phi_max": True})
 
+    def test_an_answer_that_is_too_long_leaves_the_others_graded(self):
+        rows = "t,l\n" + "0.12345678901,0.5512345678901\n" * 1_000_000
+        for name, content in (("json", json.dumps({"phi": rows, "phi_max": "60deg"})), ("csv", f'id,submitted\nphi,"{rows}"\nphi_max,60deg\n'),
+                              ("csv", f'\ufeffid,submitted\nphi,"{rows}"\nphi_max,60deg\n')):
+            with self.subTest(name=name), tempfile.NamedTemporaryFile("w", suffix="." + name) as file:
+                file.write(content)
+                file.flush()
+                run = qdot("check", "--key", str(KEYS / "problem_7.json"), "--answers", file.name)
+                items = {item["id"]: item for item in json.loads(run.stdout)["items"]}
+                self.assertEqual(items["phi"]["format_errors"], [f"It is too long, of {len(rows)} bytes."])
+                self.assertIs(items["phi_max"]["correct"], True)
+
     def test_files_that_do_not_go_together(self):
         key = str(KEYS / "problem_7.json")
         for content in ("phi_max\n60deg\n", '{"none_such": 1}', "{", '{"a": 1, "a": 2}', "id,submitted\nphi_max,1,2\n"):

@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "api/answers/check/ranges.hpp"
+#include "api/answers/check/request.hpp"
 #include "api/contract/json_reader.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
 namespace {
+
+constexpr std::size_t short_text = 4000;
+constexpr std::size_t room_for_texts = 800'000;  // bytes of those that are longer, together
 
 /// The cells of one row of CSV (RFC 4180), which may have line ends inside quotation marks.
 std::vector<std::string> next_row(std::string_view& rest) {
@@ -52,7 +56,20 @@ std::variant<Json, SheetError> answers_of_csv(std::string_view text) {
 }
 
 std::variant<Json, SheetError> answers_of(std::string_view text) {
-  return trimmed(text).starts_with('{') ? sheet_object(text, "the answers") : answers_of_csv(text);
+  if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark))
+    text.remove_prefix(mark.size());  // spreadsheets write it
+  return trimmed(text).starts_with('{') ? sheet_object(text, "the answers", limits::answers_bytes)
+                                        : answers_of_csv(text);
+}
+
+/// A long text for which there is no room in the request is left out, so that the other answers are graded.
+Json left_out_where_too_long(const Json& submitted, std::size_t& room) {
+  if (!submitted.is_string()) return submitted;
+  const std::size_t bytes = submitted.get_ref<const std::string&>().size();
+  if (bytes <= short_text) return submitted;
+  if (bytes > room) return {{too_long, bytes}};
+  room -= bytes;
+  return submitted;
 }
 
 /// The item of a key with that id; null where there is none.
@@ -64,8 +81,9 @@ Json* item_of(Json& items, const std::string& id) {
 
 }  // namespace
 
-std::variant<Json, SheetError> sheet_object(std::string_view text, const std::string& name) {
-  auto read = read_json(text, {.bytes = limits::large_body_bytes, .nodes = limits::large_json_nodes});
+std::variant<Json, SheetError> sheet_object(std::string_view text, const std::string& name,
+                                            std::size_t most_bytes) {
+  auto read = read_json(text, {.bytes = most_bytes, .nodes = limits::large_json_nodes});
   auto* document = std::get_if<JsonDocument>(&read);
   if (document == nullptr) return SheetError{name + ": " + std::get<Problem>(read).detail};
   if (!document->value.is_object() || !document->duplicates.empty())
@@ -74,7 +92,7 @@ std::variant<Json, SheetError> sheet_object(std::string_view text, const std::st
 }
 
 std::variant<Json, SheetError> graded_request(std::string_view key, std::string_view answers) {
-  auto request = sheet_object(key, "the key");
+  auto request = sheet_object(key, "the key", limits::large_body_bytes);
   if (std::holds_alternative<SheetError>(request)) return request;
   std::get<Json>(request).erase("variant");  // what was drawn is in the items
   request = original_key(std::get<Json>(request));
@@ -83,10 +101,11 @@ std::variant<Json, SheetError> graded_request(std::string_view key, std::string_
   if (std::holds_alternative<SheetError>(sheet)) return sheet;
   Json& body = std::get<Json>(request);
   if (!body.contains("items") || !body["items"].is_array()) return SheetError{"the key has no array 'items'"};
+  std::size_t room = room_for_texts;
   for (const auto& [id, submitted] : std::get<Json>(sheet).items()) {
     Json* item = item_of(body["items"], id);
     if (item == nullptr) return SheetError{"the key has no item " + in_quotes(id)};
-    (*item)["submitted"] = submitted;
+    (*item)["submitted"] = left_out_where_too_long(submitted, room);
   }
   return request;
 }

@@ -13,10 +13,12 @@
 
 namespace qdot::api {
 
-/// The request, as a body. An item that has no answer stays without one.
+/// The request, as a body. An item that has no answer stays without one; a text for which a body has no room
+/// is left out as `too_long` (request.hpp) says.
 [[nodiscard]] std::variant<Json, SheetError> graded_request(std::string_view key, std::string_view answers);
 
 /// A JSON object, each key once; `name` is what messages call it.
-[[nodiscard]] std::variant<Json, SheetError> sheet_object(std::string_view text, const std::string& name);
+[[nodiscard]] std::variant<Json, SheetError> sheet_object(std::string_view text, const std::string& name,
+                                                          std::size_t most_bytes);
 
 }  // namespace qdot::api

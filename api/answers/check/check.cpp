@@ -12,6 +12,8 @@ namespace {
 /// One submission has its own share of work, so that none can take the others'.
 Verdict verdict_on(const Grader& grader, const Json& submitted, const std::function<bool()>& interrupted) {
   if (submitted.is_discarded()) return unreadable("There is no answer.");
+  if (submitted.is_object() && submitted.size() == 1 && submitted.contains(too_long))
+    return unreadable("It is too long, of " + submitted[too_long].dump() + " bytes.");
   try {
     const WorkScope scope(limits::check_algebra, interrupted);
     return grader(submitted);

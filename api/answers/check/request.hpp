@@ -30,6 +30,9 @@ struct RuleRequest {
   UnitRule unit{UnitRule::optional};
 };
 
+/// {"too_long": 5000000} stands for a text of so many bytes that was left out of a request.
+inline constexpr const char* too_long = "too_long";
+
 struct CheckItem {
   std::string id{};
   double points{1};

@@ -133,6 +133,10 @@ std::optional<Json> elements_of(const Json& submitted, const Pointed& expected, 
   if (submitted.is_number()) return Json::array({submitted});
   if (!submitted.is_string()) return Json::array({submitted});
   const auto& text = submitted.get_ref<const std::string&>();
+  if (trimmed(text).empty()) {
+    reader.fail("There is no number.");
+    return std::nullopt;
+  }
   if (text.size() <= longest_list) return Json(list_of(text));
   reader.fail("The list is too long.");
   return std::nullopt;

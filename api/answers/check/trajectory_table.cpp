@@ -56,6 +56,7 @@ TrajectoryTable named(const std::vector<std::string>& names, std::vector<std::ve
   bool has_time = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == "t" || names[i] == "time") {
+      if (has_time) return no_table("There are two columns of instants.");
       table.t = std::move(columns[i]);
       has_time = true;
     } else if (!table.columns.emplace(names[i], std::move(columns[i])).second) {
@@ -66,6 +67,8 @@ TrajectoryTable named(const std::vector<std::string>& names, std::vector<std::ve
 }
 
 TrajectoryTable from_csv(std::string_view text) {
+  if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark))
+    text.remove_prefix(mark.size());  // spreadsheets write it
   const std::string_view header = next_line(text);
   const char separator = separator_of(header);
   std::vector<std::string> names;

@@ -139,7 +139,7 @@ Json variant_json(std::uint64_t seed, const std::vector<KeyRange>& ranges, const
 
 std::variant<Json, SheetError> drawn_variant(std::string_view key, std::uint64_t seed,
                                              const FindSystem& find_system, Models& models) {
-  const auto sheet = sheet_object(key, "the key");
+  const auto sheet = sheet_object(key, "the key", limits::large_body_bytes);
   if (const auto* error = std::get_if<SheetError>(&sheet)) return *error;
   const auto read = ranges_of(std::get<Json>(sheet));
   if (const auto* error = std::get_if<SheetError>(&read)) return *error;
