@@ -43,12 +43,42 @@ export function forces(figure, values) {
   return [...weights, ...springs, ...applied];
 }
 
-/** The longest arrow of a motion. @param {(figure: Figure, values: Values) => Arrow[]} arrows @param {Figure} figure @param {Moving} motion */
+/** Where a held length ends in a body or a string, and the way it grows there. @param {Figure} figure @param {Values} values @param {string} length */
+function endOf(figure, values, length) {
+  const h = 1e-6;
+  const longer = { ...values, [length]: values[length] + h };
+  const strings = figure.segments.filter(({ kind }) => kind === "string").flatMap(({ from, to }) => [to, from]);
+  const places = [...strings, ...figure.masses.map(({ at }) => at), ...figure.disks.map(({ centre }) => centre)];
+  for (const place of places) {
+    const [here, there] = [place(values), place(longer)];
+    const way = there.map((x, i) => (x - here[i]) / h);
+    if (Math.hypot(...way) > 0.5) return { here, way };
+  }
+  return null;
+}
+
+/** The forces that keep lengths: a string pulls its end back along itself, a platform pushes what lies on it. @param {Figure} figure @param {Values} values @param {Moving} motion @returns {Arrow[]} */
+export function reactions(figure, values, motion) {
+  const conditions = [...(figure.scene.valid_while ?? []), ...(figure.scene.reports ?? [])];
+  return conditions.flatMap((/** @type {any} */ { name, reaction }) => {
+    const size = reaction && motion.columns?.[name] ? motion.column?.(name, values.t) : undefined;
+    const end = size === undefined ? null : endOf(figure, values, reaction.length);
+    if (size === undefined || !end) return [];
+    return [
+      { at: end.here, vector: end.way.map((x) => (reaction.sign ?? 1) * size * x), label: symbol(name).replaceAll("_", " ") },
+    ];
+  });
+}
+
+/** All forces of a moment. @param {Figure} figure @param {Values} values @param {Moving} motion */
+export const allForces = (figure, values, motion) => [...forces(figure, values), ...reactions(figure, values, motion)];
+
+/** The longest arrow of a motion. @param {(figure: Figure, values: Values, motion: Moving) => Arrow[]} arrows @param {Figure} figure @param {Moving} motion */
 export function longest(arrows, figure, motion) {
   let most = 0;
   for (let i = 0; i <= 60; ++i) {
     const values = figure.known(motion.at(motion.start + ((motion.end - motion.start) * i) / 60));
-    for (const { vector } of arrows(figure, values)) most = Math.max(most, Math.hypot(...vector));
+    for (const { vector } of arrows(figure, values, motion)) most = Math.max(most, Math.hypot(...vector));
   }
   return most || 1;
 }

@@ -2,7 +2,7 @@
 
 /** @typedef {import("./figure.js").Figure} Figure */
 /** @typedef {import("./motion.js").Values} Values */
-/** @typedef {{ start: number, end: number, jumps: any[], at: (t: number) => Values, section: (t: number) => number }} Moving */
+/** @typedef {{ start: number, end: number, jumps: any[], at: (t: number) => Values, section: (t: number) => number, columns?: Record<string, number[]>, column?: (name: string, t: number) => number }} Moving */
 
 /** How far each jump moves the frame of a scene: the centre of mass stays. @param {Figure} figure @param {Moving} motion @returns {number[][]} */
 export function frameOffsets(figure, motion) {

@@ -1,5 +1,5 @@
 // One instant of a motion: the figure of a scene through a camera.
-import { forces, longest, velocities } from "./arrows.js";
+import { allForces, longest, velocities } from "./arrows.js";
 import { Camera, frameOffsets } from "./camera.js";
 import { distance } from "./figure.js";
 import { symbol } from "./numbers.js";
@@ -221,9 +221,9 @@ export class Picture {
   drawArrows(values, offset, shown) {
     const { figure, motion } = this;
     if (!motion) return;
-    this.largest ??= { velocity: longest(velocities, figure, motion), force: longest(forces, figure, motion) };
+    this.largest ??= { velocity: longest(velocities, figure, motion), force: longest(allForces, figure, motion) };
     if (shown.velocities) this.showArrows(velocities(figure, values), this.largest.velocity, offset, this.painter.colours.green);
-    if (shown.forces) this.showArrows(forces(figure, values), this.largest.force, offset, this.painter.colours.purple);
+    if (shown.forces) this.showArrows(allForces(figure, values, motion), this.largest.force, offset, this.painter.colours.purple);
   }
 
   /** @param {import("./arrows.js").Arrow[]} arrows @param {number} most @param {number[]} offset @param {string} colour */

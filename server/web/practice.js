@@ -3,6 +3,7 @@ import { ask, read } from "./api.js";
 import { element, fill, mathematics, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot } from "./foot.js";
+import { closedForm } from "./formula.js";
 import { Motion } from "./motion.js";
 import { prose, quantity, short } from "./numbers.js";
 import { Stage } from "./stage.js";
@@ -48,14 +49,22 @@ function rows(name, value, typeset, unit = "") {
             : element("code", {}, value),
       ),
     ];
-  if (Array.isArray(value) && value.length && value.every((one) => "from_included" in one))
+  if (Array.isArray(value) && value.length && value.every((one) => typeof one === "string"))
+    return [row(name, prose(value.join(", ")))];
+  if (
+    Array.isArray(value) &&
+    value.length &&
+    value.every((one) => one !== null && typeof one === "object" && "from_included" in one)
+  )
     return [row(name, value.map((one) => `${short(one.from, 8)} to ${short(one.to, 8)}`).join("; "))];
   if (typeof value === "boolean") return [row(name, value ? "yes" : "no")];
+  if (typeof value.text === "string" && typeof value.latex === "string")
+    return [row(name, closedForm(value)), ...(value.assumes?.length ? rows(`${name} for`, value.assumes, null) : [])];
   return Object.entries(value)
-    .filter(([key]) => key !== "latex" && !/error$/.test(key))
+    .filter(([key]) => !/error$/.test(key))
     .flatMap(([key, one]) => {
       const word = /^\d+$/.test(key) ? String(Number(key) + 1) : key.replaceAll("_", " ");
-      return rows(key === "text" ? name : `${name} ${word}`, one, typeset?.[key]);
+      return rows(`${name} ${word}`, one, typeset?.[key]);
     });
 }
 

@@ -90,6 +90,11 @@ export class Stage {
     this.clock.onChange(() => this.draw());
     this.canvas.addEventListener("keydown", (event) => this.key(event));
     this.canvas.addEventListener("pointerdown", (event) => this.grab(event));
+    // A finger on a body takes the body; elsewhere it moves the page.
+    const hold = (/** @type {TouchEvent} */ event) => {
+      if (this.onDrag && this.figure?.dimension === 2 && this.bodyAt(event.touches[0]) >= 0) event.preventDefault();
+    };
+    this.canvas.addEventListener("touchstart", hold, { passive: false });
     new ResizeObserver(() => {
       this.picture?.resize();
       this.draw();
@@ -150,13 +155,13 @@ export class Stage {
     this.canvas.addEventListener("pointercancel", end, { once: true });
   }
 
-  /** @param {PointerEvent} event @returns {[number, number]} */
+  /** @param {{ clientX: number, clientY: number }} event @returns {[number, number]} */
   pixelOf(event) {
     const box = this.canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
   }
 
-  /** The mass under the pointer, or -1. @param {PointerEvent} event */
+  /** The mass under the pointer, or -1. @param {{ clientX: number, clientY: number }} event */
   bodyAt(event) {
     const { picture, figure } = this;
     if (!picture || !figure || !this.motion) return -1;

@@ -2,6 +2,7 @@
 import { ask } from "./api.js";
 import { pieces, tellingColumns } from "./branches.js";
 import { element, fill, table } from "./dom.js";
+import { assumptions, formula } from "./formula.js";
 import { foot, problemNote } from "./foot.js";
 import { quantity, short, symbol, symbolNode, unitText } from "./numbers.js";
 import { Plot } from "./plot.js";
@@ -186,7 +187,7 @@ export class BifurcationsView {
   /** @param {any} answer */
   table(answer) {
     if (!answer.critical.length) return "";
-    return table(
+    const rows = table(
       {},
       ...answer.critical.map((/** @type {any} */ one) =>
         element(
@@ -199,9 +200,11 @@ export class BifurcationsView {
             " = ",
             quantity(one.value, { unit: answer.units[this.parameter], error: one.error }),
           ),
+          element("td", {}, one.exact ? formula(one.exact) : ""),
           element("td", {}, one.kind.replaceAll("_", " ")),
         ),
       ),
     );
+    return element("div", {}, rows, assumptions(answer.critical.map((/** @type {any} */ one) => one.exact)));
   }
 }

@@ -3,6 +3,7 @@ import { ask } from "./api.js";
 import { element, fill, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot, problemNote } from "./foot.js";
+import { assumptions, formula } from "./formula.js";
 import { quantity, short, symbol, symbolNode } from "./numbers.js";
 import { typed } from "./subject.js";
 
@@ -226,6 +227,8 @@ export class EquilibriaView {
         }),
         value === null || value === undefined ? ` ${reason}` : `, ${answer.stability}`,
       ),
+      answer.exact ? element("p", { class: "result" }, symbolNode(name), " = ", formula(answer.exact)) : "",
+      assumptions([answer.exact]),
       foot({ endpoint: "equilibria", body }),
     );
   }

@@ -3,6 +3,7 @@ import { ask } from "./api.js";
 import { element, fill, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot } from "./foot.js";
+import { assumptions, closedForm, formula } from "./formula.js";
 import { ModeMotion } from "./motion.js";
 import { quantity, short, symbol, symbolNode } from "./numbers.js";
 
@@ -36,6 +37,7 @@ export class ModesView {
       this.node,
       element("p", {}, ...this.words(answer)),
       this.table(answer, scaled),
+      assumptions(answer.modes.map((/** @type {any} */ mode) => mode.exact)),
       ...this.matrices(answer),
       foot({ endpoint: "modes", body }),
     );
@@ -101,6 +103,7 @@ export class ModesView {
             "–",
             "–",
           ];
+    if (mode.exact) cells[0] = element("span", {}, cells[0], this.exactly(mode));
     return element(
       "tr",
       {},
@@ -115,6 +118,12 @@ export class ModesView {
           )
         : "",
     );
+  }
+
+  /** The frequency as a formula, or its square where that is what has one. @param {any} mode */
+  exactly({ exact }) {
+    const itself = exact.omega ?? exact.rate;
+    return element("div", {}, ...(itself ? ["= ", formula(itself)] : [closedForm(exact)]));
   }
 
   /** @param {number} i */

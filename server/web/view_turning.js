@@ -3,6 +3,7 @@ import { Problem, ask } from "./api.js";
 import { element, fill, table } from "./dom.js";
 import { compiled } from "./expression.js";
 import { foot, notes } from "./foot.js";
+import { assumptions, formula } from "./formula.js";
 import { quantity, short, symbol, symbolNode, unitText } from "./numbers.js";
 import { Plot } from "./plot.js";
 
@@ -58,6 +59,7 @@ export class TurningView {
       this.words(answer),
       ...notes(answer),
       this.numbers(answer),
+      this.exactly(answer.exact ?? {}),
       plot?.node,
       this.reasons(answer),
       foot({ endpoint: "turning_points", body }),
@@ -129,6 +131,25 @@ export class TurningView {
         ),
       );
     return table({}, ...rows);
+  }
+
+  /** What has a formula: the turning points, or the equation that they are roots of. @param {Record<string, any>} exact */
+  exactly(exact) {
+    const entries = Object.entries(exact);
+    if (!entries.length) return "";
+    return element(
+      "section",
+      { class: "exact" },
+      element(
+        "dl",
+        { class: "terms" },
+        ...entries.flatMap(([name, form]) => [
+          element("dt", {}, name === "equation" ? "equation" : symbolNode(name)),
+          element("dd", { tabindex: "0" }, formula(form)),
+        ]),
+      ),
+      assumptions(Object.values(exact)),
+    );
   }
 
   /** @param {any} answer */

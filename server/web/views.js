@@ -6,6 +6,8 @@ import { EquilibriaView } from "./view_equilibria.js";
 import { GaitView } from "./view_gait.js";
 import { ModesView } from "./view_modes.js";
 import { MotionView } from "./view_motion.js";
+import { PracticeView } from "./view_practice.js";
+import { SweepView } from "./view_sweep.js";
 import { TurningView } from "./view_turning.js";
 
 /**
@@ -23,4 +25,6 @@ export const views = [
   { name: "bifurcations", title: "Bifurcations", needs: "bifurcations", make: (page) => new BifurcationsView(page) },
   { name: "gait", title: "Gait", needs: "gait", make: (page) => new GaitView(page) },
   { name: "accuracy", title: "Accuracy", needs: "accuracy", make: (page) => new AccuracyView(page) },
+  { name: "sweep", title: "Sweep", needs: "energy", make: (page) => new SweepView(page) },
+  { name: "practice", title: "Practice", needs: "equations", make: (page) => new PracticeView(page) },
 ];

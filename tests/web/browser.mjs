@@ -19,12 +19,16 @@ export async function launch() {
 }
 
 /** A page with the list of what went wrong on it. */
-export async function newPage(browser, { width = 1280, height = 900, theme = "light", motion = "no-preference" } = {}) {
+export async function newPage(
+  browser,
+  { width = 1280, height = 900, theme = "light", motion = "no-preference", touch = false } = {},
+) {
   const context = await browser.newContext({
     viewport: { width, height },
     colorScheme: theme,
     reducedMotion: motion,
     bypassCSP: false,
+    hasTouch: touch,
   });
   const page = await context.newPage();
   const complaints = [];

@@ -50,6 +50,9 @@ class Page(unittest.TestCase):
     def test_scene(self):
         self.run_file("scene.test.mjs")
 
+    def test_study(self):
+        self.run_file("study.test.mjs")
+
     def test_task(self):
         self.run_file("task.test.mjs")
 
