@@ -4,7 +4,7 @@ import { copyButton, element, fill } from "./dom.js";
 import { field, fieldList, membersOf, resolved, rich } from "./schema_text.js";
 
 /** @typedef {Record<string, any>} Operation */
-/** @typedef {{ target: string, method: string, body?: string }} Request */
+/** @typedef {{ target: string, method: string, body?: string, type?: string }} Request */
 
 /** What stands in the place of a name in an address, to begin with. @type {Record<string, string>} */
 const captures = {
@@ -16,8 +16,10 @@ const captures = {
 };
 
 /** @param {Request} request */
-function curlOf({ target, method, body }) {
-  return `curl ${quoted(location.origin + target)}${method === "POST" ? ` -d ${quoted(body ?? "")}` : ""}`;
+function curlOf({ target, method, body, type }) {
+  // Line ends stay only with --data-binary.
+  const data = type ? ` -H ${quoted(`Content-Type: ${type}`)} --data-binary` : " -d";
+  return `curl ${quoted(location.origin + target)}${method === "POST" ? `${data} ${quoted(body ?? "")}` : ""}`;
 }
 
 /** A body as the query of the GET twin, where it has one: names flat, lists with commas. @param {any} body */
@@ -54,7 +56,7 @@ async function send(request, output) {
   fill(output, element("p", {}, "Waiting …"));
   let [status, text] = ["No answer", ""];
   try {
-    const headers = request.body === undefined ? undefined : { "Content-Type": "application/json" };
+    const headers = request.body === undefined ? undefined : { "Content-Type": request.type ?? "application/json" };
     const response = await fetch(request.target, { method: request.method, headers, body: request.body });
     const type = response.headers.get("Content-Type") ?? "";
     status = `${response.status} ${type}`;
@@ -100,9 +102,23 @@ function form(parts, request, label) {
 /** @param {string} label @param {HTMLElement} control */
 const labelled = (label, control) => element("label", { class: "stacked" }, label, control);
 
-/** @param {string} path @param {Operation} operation */
-function bodyForm(path, operation) {
+/** Lines of a batch: some of the questions that the document has examples of. @param {any} api @param {string} path @param {string} type */
+function linesForm(api, path, type) {
+  const lines = ["modes", "turning_points", "energy"].flatMap((name, id) => {
+    const { examples = {} } = api.paths[`/v1/${name}`]?.post?.requestBody.content["application/json"] ?? {};
+    const example = /** @type {any} */ (Object.values(examples)[0])?.value;
+    return example ? [JSON.stringify({ id: id + 1, [name]: example })] : [];
+  });
+  const text = element("textarea", { class: "code-box", spellcheck: "false", rows: "5" });
+  text.value = lines.join("\n");
+  const request = () => ({ target: path, method: "POST", body: `${text.value.trim()}\n`, type });
+  return form([labelled("Lines", text)], request, "Send as POST");
+}
+
+/** @param {any} api @param {string} path @param {Operation} operation */
+function bodyForm(api, path, operation) {
   const content = operation.requestBody.content["application/json"];
+  if (!content) return linesForm(api, path, Object.keys(operation.requestBody.content)[0]);
   const examples = /** @type {{ summary: string, value: any }[]} */ (Object.values(content.examples ?? {}));
   const text = element("textarea", { class: "code-box", spellcheck: "false", rows: "8" });
   const show = (/** @type {number} */ i) => {
@@ -140,14 +156,15 @@ function queryForm(api, path, operation, query) {
 
 /** @param {any} api @param {string} path @param {Record<string, Operation>} methods */
 function details(api, path, { get, post }) {
-  const content = post?.requestBody?.content["application/json"];
+  const content = /** @type {any} */ (Object.values(post?.requestBody?.content ?? {})[0]);
   const example = /** @type {any} */ (Object.values(content?.examples ?? {})[0])?.value;
   const query = example ? queryOf(example) : "";
   const operation = post ?? get;
-  const json = (operation.responses["200"].content ?? {})["application/json"];
+  const answers = operation.responses["200"].content ?? {};
+  const json = answers["application/json"] ?? answers["application/x-ndjson"];
   const parameters = (get?.parameters ?? []).map((/** @type {any} */ one) => resolved(api, one));
   const asked = content
-    ? membersOf(api, content.schema)
+    ? membersOf(api, content.schema.contentSchema ?? content.schema)
     : parameters.length
       ? [
           fieldList(
@@ -160,12 +177,12 @@ function details(api, path, { get, post }) {
       : [];
   return [
     element("p", {}, ...rich(operation.description)),
-    ...(post ? [bodyForm(path, post)] : []),
+    ...(post ? [bodyForm(api, path, post)] : []),
     ...(get && query !== null ? [queryForm(api, path, get, query)] : []),
     asked.length ? element("h3", {}, "Request") : "",
     ...asked,
     element("h3", {}, "Answer"),
-    ...(json ? membersOf(api, json.schema) : []),
+    ...(json ? membersOf(api, json.schema.contentSchema ?? json.schema) : []),
     element("ul", { class: "statuses" }, ...statuses(api, operation)),
   ];
 }
