@@ -26,7 +26,8 @@ class Line {
       direction_.push_back(graph.symbol("direction of " + std::get<Symbol>(a.node()).name));
       moved.emplace_back(a, a + along_ * direction_.back());
     }
-    coefficients_ = coefficients_of(substitute(residual, moved));
+    if (!has_kink_in(residual, system.symbols().coordinates.second_rate))
+      coefficients_ = coefficients_of(substitute(residual, moved));
     if (is_polynomial()) values_.emplace(coefficients_);
   }
 
@@ -107,6 +108,12 @@ OtherSolutionsAnswer at_seeded_states(Line& line, RightMotion& right, std::size_
 }
 
 }  // namespace
+
+bool has_kink_in(const Expression& e, std::span<const Expression> symbols) {
+  const std::array roots{e};
+  return std::ranges::any_of(BallValues(roots).kinks(),
+                             [&](const Expression& argument) { return depends_on(argument, symbols); });
+}
 
 OtherSolutionsAnswer other_solutions(const ExpectedSystem& system, RightMotion& right,
                                      const Expression& residual, std::size_t coordinate, std::uint64_t seed) {

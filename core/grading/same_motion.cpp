@@ -109,6 +109,7 @@ class MotionComparison {
   }
 
   [[nodiscard]] bool is_linear(const Expression& residual) const {
+    if (has_kink_in(residual, accelerations_)) return false;
     for (const Expression& a : accelerations_) {
       const Expression slope = differentiate(residual, a);
       for (const Expression& b : accelerations_) {

@@ -62,6 +62,8 @@ class StudentGrammar {
   /// Rational(3, 4), as SymPy prints it.
   Expression rational();
   Expression primed(Expression e);
+  /// e without the "(t)" behind it: theta(t), theta''(t).
+  Expression of_time(const Expression& e);
   Expression rate_of(const Expression& e);
   /// Puts the words that the token is made of in its place.
   void cut_word();

@@ -46,16 +46,22 @@ Expression StudentGrammar::between_bars() {
 }
 
 Expression StudentGrammar::named() {
-  if (const auto found = derivative()) return primed(*found);
+  if (const auto found = derivative()) return of_time(primed(*found));
   if (at_word("Rational") && at(Mark::open, 1)) return rational();
   cut_word();
   const std::string_view word = token().text;
   if (!vocabulary_.find(word)) return application();
   const Expression e = *vocabulary_.find(word);
   ++next_;
+  return of_time(primed(of_time(e)));
+}
+
+Expression StudentGrammar::of_time(const Expression& e) {
+  const bool is_acceleration =
+      std::ranges::find(vocabulary_.rates(), e, &Replacement::second) != vocabulary_.rates().end();
   const bool is_of_time = at(Mark::open) && at_word("t", 1) && at(Mark::close, 2);
-  if (is_of_time && vocabulary_.varies(e)) next_ += 3;  // theta(t)
-  return primed(e);
+  if (is_of_time && (is_acceleration || vocabulary_.varies(e))) next_ += 3;
+  return e;
 }
 
 Expression StudentGrammar::rational() {

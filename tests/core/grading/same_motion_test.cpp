@@ -76,6 +76,8 @@ TEST(SameMotion, WhatIsNotLinearHasToHaveNoOtherSolution) {
   EXPECT_EQ(fault("whirling_pendulum", "theta''^2 = sin(theta)^2 (Omega^2 cos(theta) - g/l)^2"),
             other_solutions);
   EXPECT_EQ(fault("whirling_pendulum", "exp" + right + " = 1"), not_linear);
+  EXPECT_EQ(fault("whirling_pendulum", "abs(theta'') = abs(sin(theta) (Omega^2 cos(theta) - g/l))"),
+            not_linear);
   EXPECT_EQ(fault("whirling_pendulum", right + "*(theta'' - 1)^2 = 0"), not_linear);
 }
 

@@ -69,6 +69,11 @@ TEST(StudentParser, KnowsAccelerationsInEverySpelling) {
                            "Derivative(theta(t), (t, 2))",
                            "d/dt(theta')",
                            "theta(t)''",
+                           "theta''(t)",
+                           "ddtheta",
+                           "d(theta')/dt",
+                           "(theta)''",
+                           "\\ddot{\\theta}(t)",
                            "ddot(theta)",
                            "\\frac{d}{dt}\\dot\\theta",
                            "dot(theta_dot)"});
