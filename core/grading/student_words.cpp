@@ -148,7 +148,7 @@ Expression StudentGrammar::bare_argument(const StudentToken& function) {
   const auto word = vocabulary_.find(token().text);
   if (!word) refuse("write brackets around the argument of " + name, token().offset);
   ++next_;
-  const Expression last = primed(*word);
+  const Expression last = of_time(primed(of_time(*word)));
   factors.push_back(last);
   const bool is_parameter = !vocabulary_.varies(last) && !(last == vocabulary_.time());
   if (is_parameter && at(Mark::name)) {

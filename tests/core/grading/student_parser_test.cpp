@@ -98,6 +98,7 @@ TEST(StudentParser, ReadsFractionsFromLeftToRight) {
 
 TEST(StudentParser, ReadsArgumentsWithoutBrackets) {
   expect_same(pendulum(), {"sin(2*theta)", "sin 2theta", "\\sin 2\\theta", "sin(2θ)", "\\sin{2\\theta}"});
+  expect_same(pendulum(), {"g*sin(theta)", "g sin(theta(t))", "g sin theta(t)", "g\\sin\\theta(t)"});
   expect_same(pendulum(), {"sin(theta)^2*cos(theta)", "sin^2 theta cos theta", "\\sin^2\\theta\\cos\\theta",
                            "sin²θ cosθ", "sin(theta)**2cos(theta)", "\\sin^{2}(\\theta)\\cos\\theta"});
   expect_same(pendulum(), {"cos(theta)*theta_ddot", "\\cos\\theta\\,\\ddot\\theta", "cos theta theta''"});
