@@ -8,10 +8,11 @@ namespace {
 [[noreturn]] void no_statics(const Model& model) {
   std::string names;
   for (const Constraint& c : model.scene.constraints) names += (names.empty() ? "'" : ", '") + c.name + "'";
-  throw Error(ErrorCode::not_applicable,
-              "This is undetermined, as the scene has constraints (" + names +
-                  "): what rests or turns under constraints is not computed yet. Ask simulate, energy or "
-                  "equations, or write the scene in coordinates that need none.");
+  throw Error(
+      ErrorCode::not_applicable,
+      "This is undetermined, as the scene has constraints (" + names +
+          "): all that rests or turns under constraints is not searched for yet. Ask simulate, energy, "
+          "modes or equations, or write the scene in coordinates that need none.");
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 import copy
 import math
 import pathlib
+import random
 import sys
 import unittest
+
+import mpmath
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import constrained_scenes as scenes  # noqa: E402
@@ -152,6 +155,39 @@ class Motions(Service):
         self.assertIn("has constraints", problem["errors"][0]["detail"])
 
 
+class SmallMotions(Service):
+    def test_a_pendulum_swings_with_the_root_of_g_over_l(self):
+        rng = random.Random(7)
+        for _ in range(20):
+            l, g, m = (float(f"{10 ** rng.uniform(-2, 2):.4g}") for _ in range(3))
+            found = self.ask("modes", {"system": scenes.PENDULUM_BY_CONSTRAINT, "parameters": {"m": m, "l": l, "g": g}})
+            mode, = found["modes"]
+            with mpmath.workdps(40):
+                true = mpmath.sqrt(mpmath.mpf(str(g)) / mpmath.mpf(str(l)))
+                self.assertLessEqual(abs(mode["omega"] - true), mode["error"])
+            self.assertLess(mode["error"], 1e-15 * true)
+            self.assertEqual((mode["kind"], mode["shape"]), ("oscillation", {"x": 1, "y": 0}))
+            self.assertEqual(found["equilibrium"]["stability"], "stable")
+
+    def test_upright_it_falls(self):
+        found = self.ask("modes", {"system": scenes.PENDULUM_BY_CONSTRAINT, "equilibrium": {"x": 0, "y": 0.7}})
+        self.assertEqual((found["equilibrium"]["stability"], found["modes"][0]["kind"]), ("unstable", "growth"))
+        self.assertAlmostEqual(found["modes"][0]["rate"], math.sqrt(9.81 / 0.7), 14)
+
+    def test_two_pendulums_have_the_modes_of_their_angles(self):
+        found = self.ask("modes", {"system": scenes.DOUBLE_PENDULUM})
+        true = self.ask("modes", {"system": scenes.DOUBLE_PENDULUM_BY_ANGLES})
+        for mode, other in zip(found["modes"], true["modes"], strict=True):
+            self.assertLessEqual(abs(mode["omega"] - other["omega"]), mode["error"] + other["error"])
+            self.assertAlmostEqual(mode["shape"]["x2"], 1 + other["shape"]["b"], 14)
+            self.assertEqual((mode["shape"]["y1"], mode["shape"]["y2"]), (0, 0))
+
+    def test_what_has_no_small_motions_says_why(self):
+        for scene, why in ((scenes.ROLLING_DISK, "holds velocities"), (scenes.ROTATING_WIRE, "moves"),
+                           (scenes.ATWOOD, "no equilibrium"), (scenes.BLOCK_WITH_FRICTION, "sign()")):
+            self.assertIn(why, self.refused("modes", {"system": scene})["detail"])
+
+
 class InitialStates(Service):
     def problem(self, scene, initial):
         problem = self.refused("simulate", {"system": scene, "initial": initial, "t_end": 1})
@@ -235,7 +271,7 @@ class Refusals(Service):
         self.wrong(scenes.PENDULUM_BY_CONSTRAINT, scenes.PENDULUM_BY_CONSTRAINT["constraints"], "unknown_symbol", forces=[force])
 
     def test_questions_that_are_not_answered_under_constraints_say_so(self):
-        questions = {"modes": {}, "equilibria": {}, "bifurcations": {"parameter": "l", "from": 1, "to": 2},
+        questions = {"equilibria": {}, "bifurcations": {"parameter": "l", "from": 1, "to": 2},
                      "turning_points": {"coordinate": "x"}, "gait": {}}
         for scene in (scenes.PENDULUM_BY_CONSTRAINT, scenes.DOUBLE_PENDULUM):
             for endpoint, more in questions.items():
@@ -244,7 +280,7 @@ class Refusals(Service):
                     if endpoint == "turning_points" and "x" not in [q["name"] for q in scene["coordinates"]]:
                         request["coordinate"] = "x1"
                     self.refused(endpoint, request)
-        detail = self.refused("modes", {"system": scenes.DOUBLE_PENDULUM})["detail"]
+        detail = self.refused("equilibria", {"system": scenes.DOUBLE_PENDULUM})["detail"]
         self.assertIn("'upper', 'lower'", detail)
 
     def test_formulas_of_such_a_scene_are_not_graded(self):

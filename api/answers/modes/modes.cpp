@@ -10,7 +10,7 @@
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/mechanics/units.hpp"
-#include "core/steady/modes.hpp"
+#include "core/steady/constrained_modes.hpp"
 
 namespace qdot::api {
 namespace {
@@ -231,13 +231,24 @@ class ModesAnswer {
   std::optional<double> unit_of_time_;
 };
 
+ExactModes no_formulas(const Modes& modes) {
+  ExactModes none;
+  none.modes.resize(modes.modes.size());
+  none.state.resize(modes.y.size() / 2);
+  return none;
+}
+
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models);
   const auto& [parameters, y] = system.state;
-  const Modes modes =
-      normal_modes(*system.dynamics, parameters, y, guess_of(system.scene(), request.system, y));
-  const ExactModes exact = exact_modes(*system.dynamics, parameters, written_texts(request.system), modes);
+  const auto guess = guess_of(system.scene(), request.system, y);
+  const bool is_constrained = system.model().has_constraints();
+  const Modes modes = is_constrained ? constrained_modes(*system.dynamics, parameters, y, guess)
+                                     : normal_modes(*system.dynamics, parameters, y, guess);
+  const ExactModes exact =
+      is_constrained ? no_formulas(modes)
+                     : exact_modes(*system.dynamics, parameters, written_texts(request.system), modes);
   const int digits = request.digits.value_or(shortest_digits);
   const Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
   call.timing.lap("solve");
