@@ -1,6 +1,7 @@
 """Motions under constraints: against the same system in coordinates that need none, and against closed forms."""
 
 import copy
+import json
 import math
 import pathlib
 import random
@@ -289,8 +290,11 @@ class Refusals(Service):
         self.assertIn(b"constraints", problem.data)
         self.assertNotIn(b'"correct": true', problem.data)
 
-    def test_no_multipliers_without_constraints(self):
-        self.refused_at("simulate", {"system": "cart_pendulum", "t_end": 1, "include": ["multipliers"]}, "#/include")
+    def test_a_scene_without_constraints_has_no_multipliers(self):
+        answer = self.ask("simulate", {"system": "cart_pendulum", "t_end": 1, "include": ["multipliers"]})
+        self.assertEqual(list(answer["trajectory"]), ["t", "x", "theta", "x_dot", "theta_dot"])
+        outputs = json.loads(self.raw("GET", "/v1/systems/cart_pendulum").data)["outputs"]
+        self.assertIn("theta_ddot", [output["name"] for output in outputs])
 
     def test_a_massless_part_that_a_constraint_carries_is_answered(self):
         scene = copy.deepcopy(scenes.PENDULUM_BY_CONSTRAINT)

@@ -116,10 +116,6 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
              *request.t_end <= request.t_start) {
     findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
   }
-  if (std::ranges::find(request.include, Extra::multipliers) != request.include.end() &&
-      scene->constraints.empty()) {
-    findings.report("include", "not_applicable", scene->name + " has no constraints, and so no multipliers.");
-  }
   if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
   check_inputs(request.system, findings);
   check_step(request, findings);
