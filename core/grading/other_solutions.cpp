@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t highest_degree = 8;
 constexpr std::uint64_t work_on_line = 100'000;
+constexpr std::uint64_t work_on_derivative = 12'000;  // of each
 constexpr int states_of_lines = 12;
 
 /// The coefficients of phi, which are seen at one state after another.
@@ -74,7 +75,7 @@ class Line {
     for (std::int64_t k = 1; found.size() <= highest_degree; ++k) {
       found.push_back(substitute(phi, start));
       phi = Number::ratio(1, k) * differentiate(phi, along_);
-      if (phi.is_zero() || zeroness(phi) == Zeroness::zero) return found;
+      if (phi.is_zero() || zeroness(phi, work_on_derivative) == Zeroness::zero) return found;
     }
     return {};
   }

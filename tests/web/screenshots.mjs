@@ -16,6 +16,8 @@ const views = {
   bifurcations: "#/systems/whirling_pendulum/bifurcations",
   gait: "#/systems/compass_walker/gait",
   accuracy: "#/systems/spring_pendulum/accuracy",
+  sweep: "#/systems/cart_pendulum/sweep?_vary=k&_from=1&_to=60",
+  practice: "#/systems/spring_pendulum/practice",
   problem: "#/problems/10",
   scene: "#/scene",
   docs: "docs",
