@@ -1,6 +1,7 @@
 #include "core/mechanics/kept_terms.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,33 @@ std::vector<NodeId> insides(const Expression& e) {
   return result;
 }
 
+bool is_symbol_or_number(const Expression& factor) {
+  const Expression base = split_power(factor).base;
+  return base.number() != nullptr || std::holds_alternative<Symbol>(base.node());
+}
+
+void add_terms(const Expression& e, const Expression& factor, std::vector<Expression>& terms) {
+  if (const auto* sum = std::get_if<Sum>(&e.node())) {
+    for (const NodeId id : sum->terms) add_terms({e.graph(), id}, factor, terms);
+    return;
+  }
+  const auto* product = std::get_if<Product>(&e.node());
+  std::optional<Expression> sum;
+  Expression others = factor;
+  bool is_scaled_sum = product != nullptr;
+  for (std::size_t i = 0; is_scaled_sum && i < product->factors.size(); ++i) {
+    const Expression part(e.graph(), product->factors[i]);
+    const bool is_sum = std::holds_alternative<Sum>(part.node());
+    is_scaled_sum = is_sum ? !sum : is_symbol_or_number(part);
+    if (is_sum)
+      sum = part;
+    else
+      others = others * part;
+  }
+  if (is_scaled_sum && sum) return add_terms(*sum, split_coefficient(e).coefficient * others, terms);
+  terms.push_back(factor * e);
+}
+
 }  // namespace
 
 bool loses_digits_multiplied_out(const Expression& e) {
@@ -51,14 +79,16 @@ bool loses_digits_multiplied_out(const Expression& e) {
   return multiplies(root, 2) || multiplies(insides(e), 1);
 }
 
+std::vector<Expression> summands(const Expression& e) {
+  std::vector<Expression> terms;
+  add_terms(e, e.graph().number(1), terms);
+  return terms;
+}
+
 Terms split_kept_terms(const Expression& e) {
-  std::vector<NodeId> ids{e.id()};
-  if (const auto* sum = std::get_if<Sum>(&e.node())) ids = sum->terms;
   std::vector<Expression> plain, kept;
-  for (const NodeId id : ids) {
-    const Expression term(e.graph(), id);
+  for (const Expression& term : summands(e))
     (loses_digits_multiplied_out(term) ? kept : plain).push_back(term);
-  }
   return {e.graph().sum(plain), e.graph().sum(kept)};
 }
 

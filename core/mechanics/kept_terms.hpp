@@ -4,12 +4,17 @@
 // of terms (c/w)^8. So a term in which a power of a sum stands inside a function or below a bar, or has the
 // exponent 3 or more, keeps its form wherever numbers are computed.
 
+#include <vector>
+
 #include "core/expr/expression.hpp"
 
 namespace qdot {
 
 /// Whether e loses digits when it is multiplied out.
 [[nodiscard]] bool loses_digits_multiplied_out(const Expression& e);
+
+/// The terms of a sum, also of one that stands behind a factor such as m/2, each with that factor.
+[[nodiscard]] std::vector<Expression> summands(const Expression& e);
 
 /// A sum in two parts: terms to be written short, and those to be kept as they are.
 struct Terms {

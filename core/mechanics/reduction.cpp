@@ -4,6 +4,7 @@
 
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
+#include "core/mechanics/kept_terms.hpp"
 
 namespace qdot {
 namespace {
@@ -34,6 +35,14 @@ Expression lagrange(const Reduction& reduction, const Symbols& symbols, std::siz
   }
   const Expression momentum = differentiate(reduction.routhian, reduction.x_dot[i]);
   return total_derivative(momentum, rates) - differentiate(reduction.routhian, reduction.x[i]);
+}
+
+Expression force_at_rest(const Reduction& reduction, std::size_t i, const Expression& force) {
+  const Expression short_form = simplify(at_rest(reduction, reduction.equations[i]));
+  const Expression written =
+      at_rest(reduction, Number(-1) * differentiate(reduction.routhian, reduction.x[i]) - force);
+  const bool is_same = loses_digits_multiplied_out(written) && simplify(written) == short_form;
+  return is_same ? written : short_form;
 }
 
 }  // namespace
@@ -74,6 +83,7 @@ Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expre
       equation = simplify(substitute(own.graph->adopt(divided[result.kept[k]]), replacements));
     }
     result.equations.push_back(equation);
+    result.forces_at_rest.push_back(force_at_rest(result, k, force));
     result.conservative = result.conservative && force.is_zero();
     result.autonomous = result.autonomous && !depends_on(equation, own.symbols.t);
   }

@@ -20,8 +20,10 @@ struct Reduction {
   std::vector<Expression> x, x_dot, x_ddot;  ///< symbols of the kept ones
   /// The scene's parameters, then p_c of each ignored coordinate.
   std::vector<Expression> constants;
-  Expression routhian;                    ///< R [J]; L where nothing is ignorable
-  std::vector<Expression> equations;      ///< E_i(x, x', x''), undivided unless it vanishes
+  Expression routhian;                ///< R [J]; L where nothing is ignorable
+  std::vector<Expression> equations;  ///< E_i(x, x', x''), undivided unless it vanishes
+  /// E_i(x, 0, 0) as -dR/dx_i - Q_i gives it, where it loses digits multiplied out (kept_terms.hpp).
+  std::vector<Expression> forces_at_rest;
   std::vector<Expression> ignored_rates;  ///< q_c'(x, x'; p)
   bool autonomous{};                      ///< no E_i contains the time
   /// Every Q_i is zero and R does not contain the time, so that h = sum x_i' dR/dx_i' - R stays constant.

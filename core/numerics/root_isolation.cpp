@@ -14,6 +14,7 @@ constexpr double golden_cut = 0.4876;  ///< not a half: zeros like to lie at the
 constexpr double small_box = 1e-2;     ///< below it a box is looked at with Newton's method
 constexpr double least_box = 1e-14;
 constexpr double wide_enclosure = 1e-4;  ///< of a zero: Newton's iteration is quicker than contraction
+constexpr std::size_t most_starts = 500;
 constexpr double widest_cluster = 0.05;  ///< wider ones are no place but a region
 
 class Isolator {
@@ -24,16 +25,15 @@ class Isolator {
   }
 
   Isolation run(const Box& region, std::size_t most_boxes) {
-    std::vector<Box> stack{region};
+    push(region);
     Isolation result;
-    for (std::size_t boxes = 0; !stack.empty(); ++boxes) {
+    for (std::size_t boxes = 0; !waiting_.empty(); ++boxes) {
       if (boxes == most_boxes) {
         result.complete = false;
+        look_for_zeros_in_what_is_left();
         break;
       }
-      Box box = std::move(stack.back());
-      stack.pop_back();
-      examine(std::move(box), stack);
+      examine(pop());
     }
     result.zeros = std::move(zeros_);
     for (Box& cluster : clusters(unresolved_)) {
@@ -54,7 +54,7 @@ class Isolator {
 
  private:
   /// Throws the box away, settles it, or pushes what is left of it.
-  void examine(Box box, std::vector<Box>& stack) {
+  void examine(Box box) {
     if (is_settled(box)) return;
     const Box here = values(box);
     if (!may_vanish(here) || (system_.excluded && system_.excluded(box, here))) return;
@@ -65,9 +65,34 @@ class Isolator {
       contracted[i] = intersection(contracted[i], box[i]);
       if (is_empty(contracted[i])) return;
     }
-    if (width(contracted) < 0.6 * before) return stack.push_back(std::move(contracted));
+    if (width(contracted) < 0.6 * before) return push(std::move(contracted));
     if (before < small_box && (settled_near(contracted) || is_below_resolution(contracted))) return;
-    bisect(contracted, stack);
+    bisect(contracted);
+  }
+
+  /// The widest box comes next, so that a place where none can be thrown away does not keep the others
+  /// waiting; and what is nearer to 0 before what is far away: of infinitely many zeros, these are found.
+  void push(Box box) {
+    const double size = width(box) / (1 + distance(box));
+    waiting_.push_back({size, std::move(box)});
+    std::push_heap(waiting_.begin(), waiting_.end());
+  }
+  Box pop() {
+    std::pop_heap(waiting_.begin(), waiting_.end());
+    Box box = std::move(waiting_.back().box);
+    waiting_.pop_back();
+    return box;
+  }
+
+  /// What was not finished may still show zeros: those to which Newton's iteration leads from some middles.
+  void look_for_zeros_in_what_is_left() {
+    for (std::size_t i = 0; i < most_starts && !waiting_.empty(); ++i) {
+      const std::optional<Box> start = newton(middle(pop()));
+      if (!start) continue;
+      const Box around = around_point(*start, 1e-6);
+      Box contracted = krawczyk(around);
+      if (!is_settled(contracted) && inside(contracted, around)) settle(around, std::move(contracted));
+    }
   }
 
   [[nodiscard]] Box values(const Box& x) const {
@@ -200,17 +225,24 @@ class Isolator {
   /// A smaller box of the zero that `enclosure` holds, where it is so wide that K(X) hardly contracts: around
   /// where Newton's iteration ends.
   [[nodiscard]] std::optional<Box> narrowed(const Box& enclosure) const {
-    std::optional<Box> box = newton(middle(enclosure));
-    if (!box) return std::nullopt;
-    for (std::size_t i = 0; i < box->size(); ++i) {
-      const double x = (*box)[i].middle();
-      const double reach = 1e-9 * (scales_[i] + std::abs(x));
-      (*box)[i] = Interval(x - reach, x + reach);
-      if (!enclosure[i].contains((*box)[i])) return std::nullopt;
-    }
-    Box contracted = krawczyk(*box);
-    if (!inside(contracted, *box)) return std::nullopt;
+    const std::optional<Box> end = newton(middle(enclosure));
+    if (!end) return std::nullopt;
+    const Box box = around_point(*end, 1e-9);
+    if (!holds(enclosure, box)) return std::nullopt;
+    Box contracted = krawczyk(box);
+    if (!inside(contracted, box)) return std::nullopt;
     return contracted;
+  }
+
+  /// `reach`: relative, of a size that matters at least.
+  [[nodiscard]] Box around_point(const Box& point, double reach) const {
+    Box box;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const double x = point[i].middle();
+      const double width = reach * (scales_[i] + std::abs(x));
+      box.emplace_back(x - width, x + width);
+    }
+    return box;
   }
 
   /// A zero near a small box's edge: proves that it is alone in a larger box around it. True when that holds
@@ -261,7 +293,15 @@ class Isolator {
     return inverse_sinh(box[i].upper / scales_[i]) - inverse_sinh(box[i].lower / scales_[i]);
   }
 
-  void bisect(const Box& box, std::vector<Box>& stack) const {
+  /// From 0, in those units.
+  [[nodiscard]] double distance(const Box& box) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < box.size(); ++i)
+      largest = std::max(largest, inverse_sinh(box[i].least_magnitude() / scales_[i]));
+    return largest;
+  }
+
+  void bisect(const Box& box) {
     std::size_t widest = 0;
     for (std::size_t i = 1; i < box.size(); ++i) {
       if (width(box, i) > width(box, widest)) widest = i;
@@ -277,10 +317,8 @@ class Isolator {
     Box left = box;
     Box right = box;
     left[widest].upper = right[widest].lower = cut;
-    if (left[widest].least_magnitude() > right[widest].least_magnitude()) std::swap(left, right);
-    stack.push_back(
-        std::move(right));  // what is nearer to 0 comes first: of infinitely many, these are found
-    stack.push_back(std::move(left));
+    push(std::move(left));
+    push(std::move(right));
   }
 
   /// Boxes that touch, as one; without those in which a zero was proven to be alone since.
@@ -306,8 +344,15 @@ class Isolator {
     return found;
   }
 
+  struct Waiting {
+    double size;
+    Box box;
+    bool operator<(const Waiting& other) const { return size < other.size; }
+  };
+
   const SquareSystem& system_;
   std::vector<double> scales_;
+  std::vector<Waiting> waiting_;  ///< a heap
   std::vector<IsolatedZero> zeros_;
   std::vector<Box> regions_;  ///< each holds exactly one zero
   std::vector<Box> unresolved_, poles_;

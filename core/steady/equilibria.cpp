@@ -14,7 +14,7 @@ namespace qdot {
 namespace {
 
 /// Some hundred do for most scenes; past this number the answer says that it is not complete.
-constexpr std::size_t most_boxes = 20'000;
+constexpr std::size_t most_boxes(std::size_t unknowns) { return unknowns < 3 ? 20'000 : 60'000; }
 constexpr std::size_t most_kinks = 5;  ///< each multiplies the work by three
 
 std::string short_number(double x) {
@@ -92,7 +92,7 @@ class RegionSearch {
     // A little more than the sides' values: what lies at the ends counts.
     region.resize(region.size() + static_cast<std::size_t>(std::ranges::count(sides, 0)), {-1.001, 1.001});
     scales.resize(region.size(), 1.0);
-    const Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes);
+    const Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
     if (!isolation.complete) {
       incomplete(
           "The search was given up before it was finished, so equilibria may be missing: their number is not "
@@ -101,14 +101,14 @@ class RegionSearch {
     for (const Box& box : isolation.undecided) {
       if (system_.holds(sides, box).value_or(true)) incomplete(undecided(box));
     }
-    if (!isolation.poles.empty()) give_up_at_pole();
+    for (const Box& box : isolation.poles) give_up_at_pole(box);
     for (const IsolatedZero& zero : isolation.zeros) take(sides, zero);
   }
 
   void take(const Sides& sides, const IsolatedZero& zero) {
     const std::optional<bool> holds = system_.holds(sides, zero.enclosure);
     if (holds && !*holds) return;
-    if (!zero.simple && system_.is_pole(sides, zero.enclosure)) return give_up_at_pole();
+    if (!zero.simple && system_.is_pole(sides, zero.enclosure)) return give_up_at_pole(zero.enclosure);
     FoundPlace place{system_.place_of(zero.enclosure), {}, {}, zero.simple && holds};
     if (place.simple) place.alone = system_.place_of(zero.alone);
     std::size_t next = forces().unknowns.size();
@@ -139,10 +139,15 @@ class RegionSearch {
                    : "The forces leave a whole family of positions in equilibrium, which is not listed.");
   }
 
-  void give_up_at_pole() {
+  void give_up_at_pole(const Box& box) {
+    std::string where;
+    for (std::size_t k = 0; k < forces().unknowns.size(); ++k) {
+      where += (where.empty() ? "Near " : " and ") + coordinate(forces().unknowns[k]).name + " = " +
+               short_number(box[k].contains(0.0) ? 0.0 : box[k].middle());
+    }
     incomplete(
-        "Forces and their distance from a singularity of the coordinates are both too small to tell whether "
-        "they vanish there.");
+        where +
+        " is a singularity: forces have no value there, and next to it none that tells whether they vanish.");
   }
 
   /// No value where the enclosure reaches across an end of the domain.

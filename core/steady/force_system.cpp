@@ -24,6 +24,7 @@ ForceSystem::ForceSystem(const SteadyForces& forces, std::span<const Interval> c
       values_(forces.smooth.forces, constants),
       stiffness_(forces.smooth.stiffness, constants),
       numerators_(forces.smooth.numerators, constants),
+      combinations_(forces.smooth.combinations, constants),
       arguments_(forces.smooth.arguments, constants),
       slopes_(forces.smooth.slopes, constants),
       log_values_(forces.smooth.forces, by_logarithms(constants)),
@@ -31,6 +32,7 @@ ForceSystem::ForceSystem(const SteadyForces& forces, std::span<const Interval> c
       variables_(std::move(place)),
       g_(n_),
       k_(n_ * (n_ + kinks_)),
+      c_(forces.smooth.combinations.outputs()),
       u_(kinks_),
       du_(kinks_ * (n_ + kinks_)) {
   variables_.resize(n_ + kinks_);
@@ -127,8 +129,15 @@ bool ForceSystem::excludes(const Sides& sides, std::span<const Interval> unknown
       if (sides[k] > 0 ? u_[k].upper < 0 : sides[k] < 0 && u_[k].lower > 0) return true;
     }
   }
+  if (combination_excludes(v)) return true;
   const auto forces = values.first(forces_.equations.size());
   return std::ranges::any_of(forces, out_of_range) && never_vanishes(v);
+}
+
+bool ForceSystem::combination_excludes(std::span<const Interval> variables) {
+  if (c_.empty()) return false;
+  combinations_(variables, c_);
+  return std::ranges::any_of(c_, [](const Interval& c) { return !c.contains(0.0); });
 }
 
 bool ForceSystem::never_vanishes(std::span<const Interval> variables) {

@@ -46,13 +46,14 @@ class ForceSystem {
   void write_jacobian(const Sides& sides, std::span<const Interval> unknowns, std::span<Interval> out);
   bool excludes(const Sides& sides, std::span<const Interval> unknowns, std::span<const Interval> values);
   [[nodiscard]] bool never_vanishes(std::span<const Interval> variables);
+  [[nodiscard]] bool combination_excludes(std::span<const Interval> variables);
 
   const SteadyForces& forces_;
   std::size_t n_, kinks_;
-  TapeEvaluator<Interval> values_, stiffness_, numerators_, arguments_, slopes_;
+  TapeEvaluator<Interval> values_, stiffness_, numerators_, combinations_, arguments_, slopes_;
   TapeEvaluator<LogInterval> log_values_, log_numerators_;
   Box variables_;  ///< (x, s)
-  Box g_, k_, u_, du_;
+  Box g_, k_, c_, u_, du_;
 };
 
 }  // namespace qdot

@@ -5,6 +5,8 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/kept_terms.hpp"
+#include "core/steady/combined_forces.hpp"
 #include "core/steady/numerator.hpp"
 
 namespace qdot {
@@ -89,6 +91,9 @@ SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std:
   for (const Expression& c : reduction.constants) constants.push_back(graph.adopt(c));
   for (const Expression& symbol : reduction.x) x.push_back(graph.adopt(symbol));
   Unfolded pieces = unfolded(rest, x);
+  std::vector<Expression> forces;
+  std::ranges::copy_if(pieces.smooth, std::back_inserter(forces),
+                       [](const Expression& g) { return !g.is_zero(); });
   for (Expression& g : pieces.smooth) g = without_nonzero_factors(without_tanh_squares(g), nonzero);
   std::vector<Expression> variables = x;
   variables.insert(variables.end(), pieces.sides.begin(), pieces.sides.end());
@@ -100,7 +105,7 @@ SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std:
   const auto derivatives = [&](const std::vector<Expression>& functions) {
     std::vector<Expression> result;
     for (const Expression& f : functions) {
-      for (const Expression& v : variables) result.push_back(simplify(differentiate(f, v)));
+      for (const Expression& v : variables) result.push_back(shortened(differentiate(f, v)));
     }
     return result;
   };
@@ -112,6 +117,7 @@ SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std:
           compiled(pieces.smooth),
           compiled(derivatives(pieces.smooth)),
           compiled(numerators),
+          compiled(combinations(forces)),
           compiled(pieces.arguments),
           compiled(derivatives(pieces.arguments))};
 }

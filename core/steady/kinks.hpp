@@ -18,6 +18,7 @@ struct SmoothForces {
   CompiledFunction forces;             ///< g
   CompiledFunction stiffness;          ///< dg_i
   CompiledFunction numerators;         ///< of g
+  CompiledFunction combinations;       ///< of g (combined_forces.hpp)
   CompiledFunction arguments, slopes;  ///< u_k and du_k
 
   [[nodiscard]] std::size_t kinks() const { return jumps.size(); }

@@ -6,6 +6,7 @@
 #include "core/compile/tape_evaluator.hpp"
 #include "core/expr/full_turn.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/kept_terms.hpp"
 #include "core/steady/numerator.hpp"
 
 namespace qdot {
@@ -60,15 +61,17 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
   std::vector<Replacement> zeros;
   for (const Expression& symbol : absent) zeros.emplace_back(graph.adopt(symbol), graph.number(0));
   const auto without_absent = [&](const Expression& e) {
-    return zeros.empty() ? graph.adopt(e) : simplify(substitute(graph.adopt(e), zeros));
+    return zeros.empty() ? graph.adopt(e) : shortened(substitute(graph.adopt(e), zeros));
   };
-  std::vector<Expression> x, stiffness, rates;
+  std::vector<Expression> x, written, stiffness, rates;
   for (const Expression& symbol : reduction.x) x.push_back(graph.adopt(symbol));
   for (std::size_t i = 0; i < statics.rest.size(); ++i) {
     result.rest.push_back(without_absent(statics.rest[i]));
+    written.push_back(result.rest[i].is_zero() ? result.rest[i]
+                                               : without_absent(reduction.forces_at_rest[i]));
     result.has_poles = result.has_poles || !(numerator_of(result.rest[i], x) == result.rest[i]);
     if (!result.rest[i].is_zero()) result.equations.push_back(i);
-    for (const Expression& xj : x) stiffness.push_back(simplify(differentiate(result.rest[i], xj)));
+    for (const Expression& xj : x) stiffness.push_back(shortened(differentiate(written[i], xj)));
   }
   std::vector<Expression> nonzero;
   for (std::size_t j = 0; j < x.size(); ++j) {
@@ -84,10 +87,10 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
   for (const Expression& rate : rates_at_rest(reduction, graph)) rates.push_back(without_absent(rate));
   result.symmetric = is_gradient(stiffness, x.size());
   result.has_potential = result.symmetric && !has_velocities(model, reduction);
-  result.forces = compiled_at_rest(reduction, graph, result.rest);
+  result.forces = compiled_at_rest(reduction, graph, written);
   result.stiffness = compiled_at_rest(reduction, graph, stiffness);
   result.ignored_rates = compiled_at_rest(reduction, graph, rates);
-  result.smooth = derive_smooth_forces(reduction, graph, result.rest, nonzero);
+  result.smooth = derive_smooth_forces(reduction, graph, written, nonzero);
   return result;
 }
 

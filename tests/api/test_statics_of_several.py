@@ -1,0 +1,118 @@
+"""Equilibria of two and three coordinates that the forces couple. The second road: a potential that is a sum of
+functions of one variable each, u = M x, has its equilibria where each of them is stationary; mpmath at 40 digits finds
+them one by one, and turns them back by M^-1."""
+
+import itertools
+import pathlib
+import random
+import sys
+import unittest
+
+import mpmath as mp
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+
+mp.mp.dps = 40
+EXACT = mp.mpf(10) ** -30
+NAMES = "xyz"
+
+
+def coupled(potential, names):
+    """Coordinates without dimension, of unit mass each."""
+    kinetic = " + ".join(f"(T*{name}_dot)^2/2" for name in names)
+    return {"name": "coupled",
+            "parameters": [{"name": "J", "unit": "J", "default": "1"}, {"name": "T", "unit": "s", "default": "1"}],
+            "coordinates": [{"name": name, "unit": "1"} for name in names],
+            "lagrangian": f"J*({kinetic} - ({potential}))"}
+
+
+def decimal(rng, low, high):
+    return f"{rng.uniform(low, high):.2f}"
+
+
+class Well:
+    """f(u) = u^4/4 + b u^2/2 + c u"""
+
+    def __init__(self, rng):
+        self.b, self.c = decimal(rng, -2, 2), decimal(rng, 0.1, 1)
+
+    def text(self, u):
+        return f"{u}^4/4 + ({self.b})*{u}^2/2 + {self.c}*{u}"
+
+    def places(self):
+        roots = mp.polyroots([1, 0, mp.mpf(self.b), mp.mpf(self.c)], maxsteps=200, extraprec=200)
+        return [(mp.re(u), 3 * mp.re(u) ** 2 + mp.mpf(self.b) > 0) for u in roots if abs(mp.im(u)) < EXACT]
+
+
+class StaticsOfSeveral(Service):
+    def slanting(self, rng, n):
+        """A scene and its equilibria, (place, whether it is stable)."""
+        slant = {2: 1.5, 3: 0.6}[n]
+        while True:
+            matrix = [[decimal(rng, 1, 2) if i == j else decimal(rng, -slant, slant) for j in range(n)]
+                      for i in range(n)]
+            if abs(mp.det(mp.matrix(matrix))) > 0.3:
+                break
+        wells = [Well(rng) for _ in range(n)]
+        combined = ["(" + " + ".join(f"({c})*{name}" for c, name in zip(row, NAMES)) + ")" for row in matrix]
+        potential = " + ".join(well.text(u) for well, u in zip(wells, combined))
+        expected = [(mp.lu_solve(mp.matrix(matrix), mp.matrix([u for u, _ in places])), all(s for _, s in places))
+                    for places in itertools.product(*(well.places() for well in wells))]
+        return coupled(potential, NAMES[:n]), expected
+
+    def assert_lists(self, found, expected):
+        """All of them; only true ones where the answer says that some may be missing."""
+        places = set()
+        for entry in found["equilibria"]:
+            hits = [k for k, (place, _) in enumerate(expected)
+                    if all(abs(mp.mpf(repr(entry["state"][name])) - x) <= mp.mpf(entry["error"][name]) + EXACT
+                           for name, x in zip(NAMES, place))]
+            self.assertEqual(len(hits), 1, (entry, expected))
+            self.assertEqual(entry["stability"], "stable" if expected[hits[0]][1] else "unstable")
+            places.add(hits[0])
+        self.assertEqual(len(places), len(found["equilibria"]))
+        if found["complete"]:
+            self.assertEqual(len(places), len(expected))
+        else:
+            self.assertTrue(found["reason"])
+
+    def complete_of(self, rng, n, cases):
+        """How many answers of so many are complete."""
+        complete = 0
+        for _ in range(cases):
+            scene, expected = self.slanting(rng, n)
+            with self.subTest(scene=scene["lagrangian"]):
+                found = self.ask("equilibria", {"system": scene})
+                self.assert_lists(found, expected)
+                complete += found["complete"]
+        return complete
+
+    def test_wells_along_slanting_axes(self):
+        rng = random.Random(1)
+        self.assertEqual(self.complete_of(rng, 2, 40), 40)
+        self.assertGreaterEqual(self.complete_of(rng, 3, 6), 4)
+
+    def test_a_chain_of_masses_on_hardening_springs_rests_in_one_place(self):
+        springs = [f"({a})^2/2 + ({a})^4/4" for a in ("x", "y-x", "z-y", "z")]
+        found = self.ask("equilibria", {"system": coupled(" + ".join(springs), NAMES)})
+        self.assertTrue(found["complete"])
+        self.assert_lists(found, [(mp.matrix([0, 0, 0]), True)])
+
+    def test_where_a_spring_has_no_length_is_named(self):
+        spring = "10*(sqrt(x^2 + y^2) - 1)^2/2 + 0.3*y"
+        found = self.ask("equilibria", {"system": coupled(spring, "xy")})
+        self.assertFalse(found["complete"])
+        self.assertIn("x = 0 and y = 0", found["reason"])
+        self.assertEqual(len(found["equilibria"]), 2)
+
+    def test_a_search_that_is_given_up_lists_what_it_has_found(self):
+        ring = "(x^2 + y^2 - 1)^2/4"
+        found = self.ask("equilibria", {"system": coupled(ring, "xy")})
+        self.assertFalse(found["complete"])
+        origin = [e for e in found["equilibria"] if abs(e["state"]["x"]) + abs(e["state"]["y"]) < 1e-9]
+        self.assertEqual([e["stability"] for e in origin], ["unstable"])
+
+
+if __name__ == "__main__":
+    unittest.main()
