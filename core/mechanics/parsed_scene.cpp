@@ -170,6 +170,7 @@ class SceneParser {
 
   ParsedConstraint read_constraint(const Constraint& constraint, const std::string& place) {
     const Expression e = text_.read(constraint.expression, Context::state, place, std::nullopt);
+    if (text_.has_complaint(place)) return {e, true, {}};
     const std::vector<Expression>& rates = parsed_.symbols.coordinates.rate;
     const bool holonomic = !depends_on(e, rates);
     const bool linear = std::ranges::none_of(

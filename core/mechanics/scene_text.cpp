@@ -30,6 +30,10 @@ void SceneText::complain(const std::string& place, const std::string& code, cons
   diagnostics_.push_back({.place = place, .code = code, .message = message});
 }
 
+bool SceneText::has_complaint(const std::string& place) const {
+  return std::ranges::find(diagnostics_, place, &Diagnostic::place) != diagnostics_.end();
+}
+
 Expression SceneText::declare(const std::string& name, const std::optional<Dimension>& dimension,
                               Context context, const std::string& place) {
   const Expression symbol = graph_.symbol(name);

@@ -31,6 +31,7 @@ class SceneText {
       : graph_(graph), diagnostics_(diagnostics), dimensions_kind_(dimensions) {}
 
   void complain(const std::string& place, const std::string& code, const std::string& message);
+  [[nodiscard]] bool has_complaint(const std::string& place) const;
 
   /// A new symbol that expressions of `context` and later ones may use. No dimension: it is unknown.
   Expression declare(const std::string& name, const std::optional<Dimension>& dimension, Context context,

@@ -231,7 +231,7 @@ class Refusals(Service):
     def wrong(self, scene, constraints, code, **more):
         problem = self.refused("simulate", {"system": {**scene, "constraints": constraints, "valid_while": [], **more},
                                             "t_end": 1})
-        self.assertIn(code, [error["code"] for error in problem["errors"]], problem)
+        self.assertEqual({code}, {error["code"] for error in problem["errors"]}, problem)
         return problem["errors"][0]
 
     def test_redundant_and_contradictory_constraints_are_named(self):
@@ -264,7 +264,7 @@ class Refusals(Service):
                                  ("x +", "syntax"), ("lambda_c + x", "unknown_symbol")):
             with self.subTest(expression=expression):
                 self.wrong(pendulum, [{"name": "c", "expression": expression}], code)
-        self.wrong(pendulum, [{"name": "c", "expression": f"x - {i}*y"} for i in range(3)], "redundant")
+        self.wrong(pendulum, [{"name": f"c{i}", "expression": f"x - {i}*y"} for i in range(3)], "redundant")
         self.wrong(pendulum, [{"name": "c", "expression": "x - l", "multiplier": "g"}], "duplicate_name")
 
     def test_a_force_cannot_depend_on_a_multiplier(self):
