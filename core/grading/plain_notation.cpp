@@ -142,14 +142,15 @@ class UnicodeReader {
     }
   }
 
+  /// Brackets only around what needs them: d²θ/dt² is d^2 theta/dt^2.
   void power(char32_t code) {
-    out_ += "^(";
-    out_ += find(superscripts, code);
+    std::string exponent(find(superscripts, code));
     for (auto more = find(superscripts, next()); !more.empty(); more = find(superscripts, next())) {
-      out_ += more;
+      exponent += more;
       at_ += decoded(text_.substr(at_), at_).second;
     }
-    out_ += ")";
+    const bool is_digit = exponent.size() == 1 && exponent != "-" && exponent != "1";
+    out_ += is_digit ? "^" + exponent + " " : "^(" + exponent + ")";
   }
 
   std::string_view text_;

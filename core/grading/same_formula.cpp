@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/grading/changed_terms.hpp"
-#include "core/grading/normal_form.hpp"
 #include "core/grading/right_motion.hpp"
 
 namespace qdot {
@@ -53,8 +52,9 @@ VanishingAnswer compare_on_motion(const ExpectedSystem& system, const Expression
   return vanishing(question);
 }
 
-/// Whether e is the same at every state.
-bool is_constant(const ExpectedSystem& system, const Expression& e) {
+/// How it is known that e is the same at every state; unknown: it is not, or that cannot be seen.
+Decision constancy(const ExpectedSystem& system, const Expression& e, std::uint64_t seed) {
+  const std::vector<SymbolDomain> symbols = system.domains();
   const Symbols::Varying& q = system.symbols().coordinates;
   std::vector<Expression> varying = q.value;
   varying.insert(varying.end(), q.rate.begin(), q.rate.end());
@@ -63,17 +63,21 @@ bool is_constant(const ExpectedSystem& system, const Expression& e) {
   varying.insert(varying.end(), inputs.value.begin(), inputs.value.end());
   varying.push_back(system.symbols().t);
   for (const Expression& p : system.momenta()) varying.push_back(p);
-  return std::ranges::all_of(varying, [&](const Expression& x) {
+  Decision weakest = Decision::identity;
+  for (const Expression& x : varying) {
     const Expression slope = differentiate(e, x);
-    return slope.is_zero() || zeroness(slope) == Zeroness::zero;
-  });
+    const Decision found = vanishing({.value = slope, .symbols = symbols, .seed = seed}).decision;
+    if (found != Decision::identity && found != Decision::values) return Decision::unknown;
+    if (found == Decision::values) weakest = found;
+  }
+  return weakest;
 }
 
-/// Whether the difference of two energies comes from the choice of the zero of V: a constant, for other
-/// energies than V with a parameter that T does not have.
-bool is_free_constant(const ExpectedSystem& system, std::string_view name, const Expression& difference) {
+/// Whether a difference of two energies that is constant comes from the choice of the zero of V: for other
+/// energies than V only with a parameter that T does not have.
+bool is_free(const ExpectedSystem& system, std::string_view name, const Expression& difference) {
   constexpr std::array<std::string_view, 5> energies{"V", "L", "E", "h", "H"};
-  if (std::ranges::find(energies, name) == energies.end() || !is_constant(system, difference)) return false;
+  if (std::ranges::find(energies, name) == energies.end()) return false;
   if (name == "V") return true;
   try {
     const auto kinetic = system.quantity("T");
@@ -94,8 +98,10 @@ FormulaVerdict compare_formulas(const ExpectedSystem& system, std::string_view n
                                 double tolerance) {
   const Expression difference = submitted - expected;
   const VanishingAnswer answer = compare_on_motion(system, difference, expected, seed, tolerance);
-  if (answer.decision == Decision::counterexample && is_free_constant(system, name, difference))
-    return {.decision = Decision::identity, .differs_by_constant = true};
+  if (answer.decision == Decision::counterexample && is_free(system, name, difference)) {
+    const Decision constant = constancy(system, difference, seed + 5);
+    if (constant != Decision::unknown) return {.decision = constant, .differs_by_constant = true};
+  }
   return {.decision = answer.decision, .counterexample = answer.counterexample};
 }
 

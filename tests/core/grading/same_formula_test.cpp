@@ -53,6 +53,10 @@ TEST(SameFormula, EnergiesAreFreeUpToAConstant) {
   const FormulaVerdict cart = verdict("cart_pendulum", "V", "m g l (1 - cos(theta)) + k x^2/2");
   EXPECT_EQ(cart.decision, identity);
   EXPECT_TRUE(cart.differs_by_constant);
+  const FormulaVerdict half = verdict("cart_pendulum", "V", "2 m g l sin(theta/2)^2 + k x^2/2");
+  EXPECT_EQ(half.decision, values);
+  EXPECT_TRUE(half.differs_by_constant);
+  EXPECT_EQ(verdict("cart_pendulum", "V", "2 m g l sin(theta/2)^2 + k x^2").decision, wrong);
   EXPECT_EQ(
       verdict("cart_pendulum", "T", "(M+m)/2 x'^2 + m l x' theta' cos(theta) + m l^2 theta'^2/2 + m g l")
           .decision,

@@ -70,6 +70,7 @@ TEST(StudentParser, KnowsAccelerationsInEverySpelling) {
                            "d/dt(theta')",
                            "theta(t)''",
                            "theta''(t)",
+                           "d²θ/dt²",
                            "ddtheta",
                            "d(theta')/dt",
                            "(theta)''",
