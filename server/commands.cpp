@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -237,22 +238,30 @@ ExitCode run(const Command& command, const Arguments& arguments) {
     auto request = request_of(command, arguments);
     const api::Service service({.scenes_directory = arguments.scenes});
     api::Response response;
+    bool is_stopped = false;
+    double seconds = 0;
     request.work = arguments.bounded ? api::Work::bounded : api::Work::unbounded;
     {
       Progress progress;
       request.interrupted = [&progress] { return progress.is_stopped(); };
       request.spread = progress.counting(spread_over(static_cast<int>(std::thread::hardware_concurrency())));
       response = service.handle(request);
-      if (progress.is_stopped()) return ExitCode::stopped;
+      is_stopped = progress.is_stopped();
+      seconds = progress.passed().count();
     }
     auto code = meaning_of(response);
+    if (is_stopped) {
+      std::cerr << "Stopped after " << std::llround(seconds) << " s"
+                << (code == ExitCode::ok ? "." : "; there is no answer.") << std::endl;
+      if (code != ExitCode::ok) return ExitCode::stopped;
+    }
     auto& stream = code == ExitCode::ok ? std::cout : std::cerr;
     const std::string text = printed(response, code, arguments);
     if (code == ExitCode::ok && arguments.strict && !is_all_right(response.body))
       code = ExitCode::not_all_right;
     stream << text << std::flush;
     if (!stream) throw std::runtime_error("cannot write the answer");
-    return code;
+    return is_stopped ? ExitCode::stopped : code;
   } catch (const UsageError& error) {
     std::cerr << "qdot " << command.name << ": " << error.what() << "\n";
     return ExitCode::usage;

@@ -28,12 +28,9 @@ Progress::Progress() : shows_(::isatty(STDERR_FILENO) != 0) {
 Progress::~Progress() {
   std::signal(SIGINT, SIG_DFL);
   if (shows_ && told_ > 0) std::cerr << "\r\x1b[K" << std::flush;
-  if (!interrupt_came) return;
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun_;
-  std::cerr << "Stopped after " << std::llround(passed.count()) << " s";
-  if (of_ > 0) std::cerr << ", with " << done_ << " of " << of_ << " rows done";
-  std::cerr << "; there is no answer." << std::endl;
 }
+
+std::chrono::duration<double> Progress::passed() const { return std::chrono::steady_clock::now() - begun_; }
 
 bool Progress::is_stopped() {
   const auto passed =

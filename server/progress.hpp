@@ -10,7 +10,7 @@
 namespace qdot::server {
 
 /// While it lives, Ctrl-C asks the computation to end, a second Ctrl-C ends the process. Says each second
-/// that the work goes on, if stderr is a terminal, and at its end whether it was stopped.
+/// that the work goes on, if stderr is a terminal.
 class Progress {
  public:
   Progress();
@@ -20,6 +20,8 @@ class Progress {
 
   /// Whether the computation is to end. It is asked often, by several threads.
   [[nodiscard]] bool is_stopped();
+
+  [[nodiscard]] std::chrono::duration<double> passed() const;
 
   /// The same threads, their tasks counted: they are what the progress is told by. Must not outlive this.
   [[nodiscard]] api::Spread counting(api::Spread spread);

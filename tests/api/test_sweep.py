@@ -249,6 +249,8 @@ class Refused(Service):
             "#/ask": {"ask": {}},
             "#/ask/modes": {"ask": {"modes": 3}},
             "#/ask/check": {"ask": {"check": {}}},
+            "#/ask/simulate/format": {"ask": {"simulate": {"system": "cart_pendulum", "t_end": 1, "format": "csv"}},
+                                      "collect": ["/trajectory/x/0"]},
             "#/vary/kk": {"vary": {"kk": {"values": [1]}}},
             "#/vary/k/too": {"vary": {"k": {"from": 1, "to": 2, "too": 3, "count": 2}}},
             "#/vary/k": {"vary": {"k": {}}},

@@ -6,6 +6,7 @@ import pty
 import select
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -41,19 +42,39 @@ class OwnMachine(unittest.TestCase):
 
 
 class Ending(unittest.TestCase):
+    def stopped(self, *command):
+        """What is said on stdout and stderr by a command that is interrupted after a second."""
+        process = subprocess.Popen([QDOT, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        sent = time.monotonic()
+        answer, said = process.communicate(timeout=20)
+        self.assertLess(time.monotonic() - sent, 5)
+        self.assertEqual(process.returncode, STOPPED, said)
+        return answer, said.decode()
+
     def test_control_c_ends_with_a_sentence(self):
-        sweep = ["spring_pendulum", "ask=simulate", "t_end=1000", "samples=2", "vary=k", "from=10", "to=50", "count=100000",
-                 "collect=/trajectory/l/1"]
-        for command in (["simulate", *ENDLESS], ["sweep", *sweep], ["turning_points", "forced_spring_pendulum", "F=sin(t)", "coordinate=theta", "t_end=1e7"]):
+        for command in (["simulate", *ENDLESS], ["turning_points", "forced_spring_pendulum", "F=sin(t)", "coordinate=theta", "t_end=1e7"]):
             with self.subTest(command=command[0]):
-                process = subprocess.Popen([QDOT, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT)
-                time.sleep(1)
-                process.send_signal(signal.SIGINT)
-                sent = time.monotonic()
-                answer, said = process.communicate(timeout=20)
-                self.assertLess(time.monotonic() - sent, 5)
-                self.assertEqual((process.returncode, answer), (STOPPED, b""), said)
-                self.assertRegex(said.decode(), r"^Stopped after \d+ s.*; there is no answer\.\n$")
+                answer, said = self.stopped(*command)
+                self.assertEqual(answer, b"")
+                self.assertRegex(said, r"^Stopped after \d+ s; there is no answer\.\n$")
+
+    def test_control_c_leaves_the_rows_of_a_sweep_that_were_asked(self):
+        """They are those of the same sweep, asked for so many."""
+        ask = {"ask": {"simulate": {"system": "spring_pendulum", "t_end": 1000, "samples": 2}},
+               "collect": {"l": "/trajectory/l/1"}}
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump({**ask, "vary": {"k": {"from": 10, "to": 50, "count": 100_000}}}, file)
+            file.flush()
+            answer, said = self.stopped("sweep", "--request", file.name)
+        self.assertRegex(said, r"^Stopped after \d+ s\.\n$")
+        answer = json.loads(answer)
+        rows = answer["rows"]
+        self.assertTrue(0 < rows < 100_000)
+        self.assertIn(f"first {rows} of 100000 rows", answer["notes"][-1])
+        asked = json.loads(qdot("sweep", stdin=json.dumps({**ask, "vary": {"k": {"values": answer["columns"]["k"]}}})).stdout)
+        self.assertEqual((answer["columns"], answer["failed"]), (asked["columns"], []))
 
     def test_a_terminal_is_told_how_far_it_is(self):
         words = ["spring_pendulum", "ask=simulate", "t_end=100", "samples=2", "vary=k", "from=10", "to=50", "count=100000",

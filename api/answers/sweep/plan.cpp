@@ -61,6 +61,7 @@ class Planner {
     find_question(rest);
     if (!errors_.empty()) return invalid_request(std::move(errors_));
     if (auto problem = read_asked()) return std::move(*problem);
+    refuse_other_formats();
     if (plan_.scene != nullptr) read_rest();
     if (!errors_.empty()) return invalid_request(std::move(errors_));
     return std::move(plan_);
@@ -121,6 +122,19 @@ class Planner {
     }
     plan_.echo["ask"] = Json{{std::string(plan_.question->name), std::get<Json>(std::move(read))}};
     return std::nullopt;
+  }
+
+  /// What is collected by pointers is JSON.
+  void refuse_other_formats() {
+    const auto format = plan_.asked.fields.find("format");
+    if (format == plan_.asked.fields.end() || *format == "json") return;
+    report(errors_,
+           Place(whole_)
+               .below("ask")
+               .below(plan_.question->name)
+               .below("format")
+               .error("not_applicable",
+                      "The answers of the rows are read as JSON; the sweep has a 'format' of its own."));
   }
 
   void read_rest() {

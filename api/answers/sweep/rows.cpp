@@ -1,8 +1,10 @@
 #include "api/answers/sweep/rows.hpp"
 
+#include <algorithm>
 #include <mutex>
 
 #include "api/answers/many.hpp"
+#include "core/base/work.hpp"
 
 namespace qdot::api {
 namespace {
@@ -48,6 +50,12 @@ Response asked_row(const SweepPlan& plan, std::size_t row, const Call& call, con
   return handler(one);
 }
 
+/// Nobody waits at a service any more; but who ends a sweep on a machine of their own wants what there is.
+void keep_what_was_asked(const Call& call, std::vector<SweptRow>& rows) {
+  rows.erase(std::ranges::find(rows, 0, &SweptRow::status), rows.end());
+  if (call.request.work == Work::bounded || rows.empty()) throw Interrupted();
+}
+
 }  // namespace
 
 SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSystem& find_system,
@@ -61,7 +69,7 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
   std::vector<std::string> units(plan.columns.size());
   std::vector<std::size_t> first(plan.columns.size(), plan.swept.rows);  // row that the unit is of
   std::mutex mutex;
-  for_each(call.request, plan.swept.rows, [&](std::size_t i) {
+  const auto ask = [&](std::size_t i) {
     std::vector<std::string> own_units;
     answered.rows[i] = read_row(asked_row(plan, i, call, handler), plan.columns, own_units);
     const std::lock_guard lock(mutex);
@@ -70,7 +78,12 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
       first[column] = i;
       units[column] = own_units[column];
     }
-  });
+  };
+  try {
+    for_each(call.request, plan.swept.rows, ask);
+  } catch (const Interrupted&) {
+    keep_what_was_asked(call, answered.rows);
+  }
   for (const std::string& unit : units) answered.units.push_back(unit.empty() ? "1" : unit);
   return answered;
 }

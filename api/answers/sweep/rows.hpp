@@ -9,7 +9,7 @@
 namespace qdot::api {
 
 struct SweptRow {
-  int status{200};
+  int status{0};               ///< 0: not asked
   std::string reason{};        ///< why something is missing; empty: the row is whole
   std::vector<Json> values{};  ///< one for each column, null where it is missing
 };
@@ -20,7 +20,8 @@ struct SweptRows {
 };
 
 /// Asks every row, in the threads that the call's request may use. `find_system` and `models` are those of
-/// the service; a scene that the request brings is compiled once for all rows.
+/// the service; a scene that the request brings is compiled once for all rows. Where the work has no
+/// service's bounds and is interrupted, the rows are those before the first that was not asked.
 [[nodiscard]] SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSystem& find_system,
                                       Models& models);
 

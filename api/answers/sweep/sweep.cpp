@@ -24,7 +24,7 @@ class SweepAnswer {
     JsonWriter writer(call_.layout);
     writer.begin_object();
     write_head(writer, *plan_.scene, plan_.echo, call_.notes);
-    writer.member("rows", plan_.swept.rows);
+    writer.member("rows", swept_.rows.size());
     writer.key("columns");
     write_columns(writer);
     writer.member("failed", failed());
@@ -36,7 +36,7 @@ class SweepAnswer {
   /// A row that is not whole says so at its end.
   [[nodiscard]] Response ndjson() const {
     std::string text;
-    for (std::size_t row = 0; row < plan_.swept.rows; ++row) {
+    for (std::size_t row = 0; row < swept_.rows.size(); ++row) {
       JsonWriter writer(Layout::compact);
       writer.begin_object();
       for (std::size_t i = 0; i < plan_.swept.variables.size(); ++i)
@@ -60,7 +60,7 @@ class SweepAnswer {
     for (const SweepVariable& variable : plan_.swept.variables) text += variable.name + ",";
     for (const CollectedColumn& column : plan_.columns) text += column.name + ",";
     text += "status,reason\n";
-    for (std::size_t row = 0; row < plan_.swept.rows; ++row) {
+    for (std::size_t row = 0; row < swept_.rows.size(); ++row) {
       for (std::size_t i = 0; i < plan_.swept.variables.size(); ++i) {
         append_number(text, plan_.swept.value(row, i));
         text += ',';
@@ -76,7 +76,7 @@ class SweepAnswer {
  private:
   void write_columns(JsonWriter& writer) const {
     writer.begin_object();
-    std::vector<double> column(plan_.swept.rows);
+    std::vector<double> column(swept_.rows.size());
     for (std::size_t i = 0; i < plan_.swept.variables.size(); ++i) {
       for (std::size_t row = 0; row < column.size(); ++row) column[row] = plan_.swept.value(row, i);
       writer.key(plan_.swept.variables[i].name);
@@ -152,6 +152,9 @@ Response answer_sweep(Call& call, const FindSystem& find_system, Models& models)
   const auto& plan = std::get<SweepPlan>(read);
   const SweptRows rows = answered_rows(plan, call, find_system, models);
   call.timing.lap("solve");
+  if (rows.rows.size() < plan.swept.rows)
+    call.notes.push_back("Stopped: these are the first " + std::to_string(rows.rows.size()) + " of " +
+                         std::to_string(plan.swept.rows) + " rows.");
   const SweepAnswer answer(plan, rows, call);
   const SweepFormat format = format_of_sweep(request, call);
   Response response = format == SweepFormat::json  ? answer.json()
