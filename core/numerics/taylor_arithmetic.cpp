@@ -1,3 +1,5 @@
+// Sums, products, quotients, squares and roots (core/numerics/taylor_enclosure.hpp).
+
 #include "core/numerics/taylor_enclosure.hpp"
 
 #include "core/numerics/taylor_rows.hpp"
