@@ -31,6 +31,9 @@
 namespace qdot::api {
 namespace {
 
+constexpr std::string_view beyond_memory =
+    "The memory of this machine does not hold the answer. Ask for fewer rows at once, or by lines of a batch.";
+
 /// Takes `pretty` out of the query, because every address knows it. "?pretty" and "?pretty=true" ask for it.
 Layout take_layout(Target& target) {
   Layout layout = Layout::compact;
@@ -330,6 +333,8 @@ Response Service::handle(const Request& request) const noexcept {
       response.headers["Retry-After"] = "1";
       return response;
     } catch (const std::bad_alloc&) {
+      if (request.work != Work::bounded)
+        return to_response({.kind = ProblemKind::limit_exceeded, .detail = std::string(beyond_memory)}, "");
       Response response =
           to_response({.kind = ProblemKind::overloaded, .detail = "There is no memory left."}, "");
       response.headers["Retry-After"] = "1";

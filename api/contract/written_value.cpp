@@ -143,11 +143,23 @@ std::string with_products(std::string_view text, const std::vector<std::string>&
 }  // namespace
 
 ParameterScope::ParameterScope(const Scene& scene, const Json& given, const Place& place)
-    : scene_(&scene), given_(&given), place_(&place), is_open_(scene.parameters.size()) {
+    : scene_(&scene),
+      given_(&given),
+      place_(&place),
+      is_open_(scene.parameters.size()),
+      varies_(scene.parameters.size()) {
   for (const Parameter& parameter : scene.parameters) names_.push_back(parameter.name);
 }
 
+void ParameterScope::leave_open(const std::string& name) {
+  const auto found = std::ranges::find(names_, name);
+  if (found != names_.end()) varies_[static_cast<std::size_t>(found - names_.begin())] = true;
+}
+
 std::variant<Real, QuantityError> ParameterScope::value_of(std::size_t i) {
+  if (varies_[i])
+    return QuantityError{
+        "varies", "It speaks of " + in_quotes(names_[i]) + ", which has many values in this sweep.", {}};
   if (is_open_[i]) {
     return QuantityError{"circular", "The value of " + in_quotes(names_[i]) + " depends on itself.", {}};
   }

@@ -24,6 +24,9 @@ class ParameterScope {
   /// `given` is the request's object of parameters, `place` where it is. All three have to live as long.
   ParameterScope(const Scene& scene, const Json& given, const Place& place);
 
+  /// Has no value here, for it has many: what speaks of it is refused.
+  void leave_open(const std::string& name);
+
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const Parameter& parameter(std::size_t i) const { return scene_->parameters[i]; }
   /// In SI. An error where its own text has one, or where it speaks of itself, by others too (circular).
@@ -37,6 +40,7 @@ class ParameterScope {
   const Place* place_{};
   std::vector<std::string> names_;
   std::vector<bool> is_open_;  ///< being read
+  std::vector<bool> varies_;
 };
 
 /// The SI value of `text` for a symbol declared in `expected_unit`, rounded once. A quantity is read first:

@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import resource
 import select
 import signal
 import subprocess
@@ -39,6 +40,18 @@ class OwnMachine(unittest.TestCase):
                                         "format": "csv"}})
         self.assertEqual(json.loads(qdot("batch", stdin=line).stdout)["status"], 200)
         self.assertEqual(json.loads(qdot("batch", "--bounded", stdin=line).stdout)["status"], 422)
+
+    @unittest.skipIf(SANITIZED, "a sanitizer's own memory is beyond any bound")
+    def test_what_no_memory_holds_is_refused_as_that(self):
+        gibibyte = 2**30
+        for command, words in (("sweep", ["spring_pendulum", "ask=energy", "vary=k", "from=1", "to=2", "count=100000000", "collect=/V"]),
+                               ("simulate", ["rolling_disk_platform", "t_end=1", "samples=100000000", "verify=false"])):
+            with self.subTest(command=command):
+                ended = subprocess.run([QDOT, command, *words], capture_output=True, timeout=60, check=False, env=ENVIRONMENT,
+                                       preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (gibibyte, gibibyte)))
+                problem = json.loads(ended.stderr)
+                self.assertEqual((ended.returncode, problem["status"]), (INVALID, 422))
+                self.assertIn("memory of this machine", problem["detail"])
 
 
 class Ending(unittest.TestCase):

@@ -137,9 +137,26 @@ class Planner {
                       "The answers of the rows are read as JSON; the sweep has a 'format' of its own."));
   }
 
+  /// The question's own parameters, of which the values of what varies may speak.
+  [[nodiscard]] Json asked_parameters() const {
+    const Json& fields = plan_.asked.fields;
+    const std::string group = field_name(SymbolRole::parameter);
+    if (plan_.asked.road == Road::body) return fields.value(group, Json::object());
+    Json given = Json::object();
+    for (const Parameter& parameter : plan_.scene->parameters)
+      for (const std::string& name : {parameter.name, group + "." + parameter.name})
+        if (fields.contains(name)) given[parameter.name] = fields[name];
+    return given;
+  }
+
   void read_rest() {
-    auto swept =
-        read_variables(request_, *plan_.scene, *plan_.question->question.fields, whole_, most_rows_, errors_);
+    const Json parameters = asked_parameters();
+    const std::string group = field_name(SymbolRole::parameter);
+    const Place asked(plan_.asked);
+    const Place of_parameters = asked.below(group);
+    ParameterScope scope(*plan_.scene, parameters, of_parameters);
+    auto swept = read_variables(request_, *plan_.scene, *plan_.question->question.fields, whole_, scope,
+                                most_rows_, errors_);
     std::vector<std::string> taken{"status", "reason"};
     if (swept) {
       refuse_given(*swept);

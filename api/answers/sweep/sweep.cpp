@@ -150,6 +150,7 @@ Response answer_sweep(Call& call, const FindSystem& find_system, Models& models)
   if (const auto* problem = std::get_if<Problem>(&read))
     return to_response(*problem, call.target.path, call.layout);
   const auto& plan = std::get<SweepPlan>(read);
+  call.notes.insert(call.notes.end(), plan.swept.notes.begin(), plan.swept.notes.end());
   const SweptRows rows = answered_rows(plan, call, find_system, models);
   call.timing.lap("solve");
   if (rows.rows.size() < plan.swept.rows)

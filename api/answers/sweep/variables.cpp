@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "api/contract/notes.hpp"
 #include "api/contract/record_reader.hpp"
 #include "api/contract/system_choice.hpp"
 #include "api/json/limits.hpp"
@@ -67,8 +68,14 @@ const FieldSet& parts_of_variable() {
 
 class VariableReader {
  public:
-  VariableReader(const Scene& scene, const FieldSet& asked, const Place& whole, Errors& errors)
-      : scene_(scene), asked_(asked), whole_(whole), vary_(whole.below("vary")), errors_(errors) {}
+  VariableReader(const Scene& scene, const FieldSet& asked, const Place& whole, ParameterScope& scope,
+                 Errors& errors)
+      : scene_(scene),
+        asked_(asked),
+        whole_(whole),
+        vary_(whole.below("vary")),
+        scope_(scope),
+        errors_(errors) {}
 
   std::optional<SweptRange> read(const GivenVariable& given) {
     const Place place = given.is_flat ? vary_ : vary_.below(given.name);
@@ -120,8 +127,14 @@ class VariableReader {
   }
 
   double number(const Json& value, const SweepVariable& variable, const Place& place) {
-    const auto read = read_value(NumberKind{.unit = variable.unit}, variable.name, value, place, errors_);
-    return read ? read->get<double>() : 0;
+    const auto read =
+        read_number(NumberKind{.unit = variable.unit}, variable.name, value, place, scope_, errors_);
+    if (!read) return 0;
+    // One sentence is enough, however many values are meant so.
+    if (notes_.empty())
+      if (std::string note = note_on({variable.name, variable.unit, {}}, value, read->value); !note.empty())
+        notes_.push_back(std::move(note));
+    return read->value;
   }
 
   void fill(const Json& parts, const Place& place, SweptRange& range) {
@@ -182,13 +195,16 @@ class VariableReader {
                                                 " rows, the most that are answered at once."));
   }
   void allow(std::int64_t most_rows) { most_ = most_rows; }
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   const Scene& scene_;
   const FieldSet& asked_;
   const Place& whole_;
   Place vary_;
+  ParameterScope& scope_;
   Errors& errors_;
+  std::vector<std::string> notes_;
   std::int64_t most_{};
 };
 
@@ -261,13 +277,15 @@ void check_sample(const SweepRequest& request, const std::vector<SweptRange>& ra
 }  // namespace
 
 std::optional<SweptValues> read_variables(const SweepRequest& request, const Scene& scene,
-                                          const FieldSet& asked, const Place& whole, std::int64_t most_rows,
-                                          Errors& errors) {
+                                          const FieldSet& asked, const Place& whole, ParameterScope& scope,
+                                          std::int64_t most_rows, Errors& errors) {
   const std::size_t errors_before = errors.size();
-  VariableReader reader(scene, asked, whole, errors);
+  VariableReader reader(scene, asked, whole, scope, errors);
   reader.allow(most_rows);
+  const std::vector<GivenVariable> all = given_variables(request, whole, errors);
+  for (const GivenVariable& given : all) scope.leave_open(given.name);
   std::vector<SweptRange> ranges;
-  for (const GivenVariable& given : given_variables(request, whole, errors)) {
+  for (const GivenVariable& given : all) {
     if (auto range = reader.read(given)) ranges.push_back(std::move(*range));
   }
   if (errors.size() == errors_before) check_sample(request, ranges, whole, errors);
@@ -279,7 +297,10 @@ std::optional<SweptValues> read_variables(const SweepRequest& request, const Sce
     reader.refuse_rows(is_sample ? whole.below("count") : whole.below("vary"));
     return std::nullopt;
   }
-  SweptValues swept{.rows = static_cast<std::size_t>(rows), .is_sample = is_sample, .echo = Json::object()};
+  SweptValues swept{.rows = static_cast<std::size_t>(rows),
+                    .is_sample = is_sample,
+                    .echo = Json::object(),
+                    .notes = reader.notes()};
   for (const SweptRange& range : ranges) {
     swept.variables.push_back(range.variable);
     swept.echo[range.variable.name] = range.echo;

@@ -29,7 +29,8 @@ struct SweptValues {
   std::size_t rows{};
   std::vector<double> values{};  ///< row-major, SI
   bool is_sample{};
-  Json echo{};  ///< what the variables run over, in SI
+  Json echo{};                       ///< what the variables run over, in SI
+  std::vector<std::string> notes{};  ///< how a value was understood that could be meant otherwise
 
   [[nodiscard]] double value(std::size_t row, std::size_t variable) const {
     return values[row * variables.size() + variable];
@@ -37,9 +38,11 @@ struct SweptValues {
 };
 
 /// None after errors were reported. `whole` is the place of the request, `asked` the fields of the question
-/// that is asked: what varies must be among what they take. `most_rows` may be exceeded by none.
+/// that is asked: what varies must be among what they take. Values are numbers, texts with a unit, or
+/// expressions of what is in `scope`, where what varies is left open. `most_rows` may be exceeded by none.
 [[nodiscard]] std::optional<SweptValues> read_variables(const SweepRequest& request, const Scene& scene,
                                                         const FieldSet& asked, const Place& whole,
-                                                        std::int64_t most_rows, Errors& errors);
+                                                        ParameterScope& scope, std::int64_t most_rows,
+                                                        Errors& errors);
 
 }  // namespace qdot::api

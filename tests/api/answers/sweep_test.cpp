@@ -35,8 +35,12 @@ TEST(PlaceInSchema, IsNotWhereTheyNeverHaveAny) {
 std::optional<SweptValues> read(const SweepRequest& request, Errors& errors) {
   static const Catalogue catalogue = Catalogue::built_in();
   const Place whole(Road::body);
-  return read_variables(request, catalogue.find("spring_pendulum")->scene,
-                        *endpoint_at("/v1/energy")->question.fields, whole, 1000, errors);
+  const Scene& scene = catalogue.find("spring_pendulum")->scene;
+  const Json parameters{{"m", 2}, {"l0", "20 cm"}};
+  const Place of_parameters = whole.below("parameters");
+  ParameterScope scope(scene, parameters, of_parameters);
+  return read_variables(request, scene, *endpoint_at("/v1/energy")->question.fields, whole, scope, 1000,
+                        errors);
 }
 
 TEST(SweptValues, OfAGridAreEveryCombinationInOrder) {
@@ -46,6 +50,33 @@ TEST(SweptValues, OfAGridAreEveryCombinationInOrder) {
   ASSERT_TRUE(swept);
   EXPECT_EQ(swept->rows, 6U);
   EXPECT_EQ(swept->values, (std::vector<double>{1, 0, 1, 0.5, 1, 1, 2, 0, 2, 0.5, 2, 1}));
+}
+
+TEST(SweptValues, AreQuantitiesAndExpressionsOfTheQuestionsParameters) {
+  Errors errors;
+  const auto swept = read({.vary = {{"k", {{"values", {"m*g/l0", "5 N/cm", 3}}}},
+                                    {"theta", {{"from", "-30deg"}, {"to", "pi/6"}, {"count", 2}}}}},
+                          errors);
+  ASSERT_TRUE(swept);
+  const double angle = 0.52359877559829887;
+  EXPECT_EQ(swept->values,
+            (std::vector<double>{98.1, -angle, 98.1, angle, 500, -angle, 500, angle, 3, -angle, 3, angle}));
+}
+
+TEST(SweptValues, SpeakOfNothingThatVaries) {
+  Errors errors;
+  EXPECT_FALSE(read({.vary = {{"g", {{"values", {1}}}}, {"k", {{"values", {"m*g/l0"}}}}}}, errors));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].code, "varies");
+  EXPECT_EQ(errors[0].pointer, "#/vary/k/values/0");
+}
+
+TEST(SweptValues, SayHowTurnsAreRead) {
+  Errors errors;
+  const auto swept = read({.vary = {{"theta_dot", {{"values", {"1 Hz", "2 Hz"}}}}}}, errors);
+  ASSERT_TRUE(swept);
+  ASSERT_EQ(swept->notes.size(), 1U);
+  EXPECT_NE(swept->notes[0].find("\"1 Hz\" counts turns"), std::string::npos) << swept->notes[0];
 }
 
 TEST(SweptValues, AreNeverMoreThanAllowed) {
