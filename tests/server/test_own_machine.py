@@ -45,7 +45,7 @@ class OwnMachine(unittest.TestCase):
     def test_what_no_memory_holds_is_refused_as_that(self):
         gibibyte = 2**30
         for command, words in (("sweep", ["spring_pendulum", "ask=energy", "vary=k", "from=1", "to=2", "count=100000000", "collect=/V"]),
-                               ("simulate", ["rolling_disk_platform", "t_end=1", "samples=100000000", "verify=false"])):
+                               ("simulate", ["rolling_disk_platform", "t_end=1", "samples=33000000", "verify=false"])):
             with self.subTest(command=command):
                 ended = subprocess.run([QDOT, command, *words], capture_output=True, timeout=60, check=False, env=ENVIRONMENT,
                                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (gibibyte, gibibyte)))

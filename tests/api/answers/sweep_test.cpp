@@ -58,7 +58,7 @@ TEST(SweptValues, AreQuantitiesAndExpressionsOfTheQuestionsParameters) {
                                     {"theta", {{"from", "-30deg"}, {"to", "pi/6"}, {"count", 2}}}}},
                           errors);
   ASSERT_TRUE(swept);
-  const double angle = 0.52359877559829887;
+  const double angle = 0.5235987755982989;  // rounded from pi/6, once
   EXPECT_EQ(swept->values,
             (std::vector<double>{98.1, -angle, 98.1, angle, 500, -angle, 500, angle, 3, -angle, 3, angle}));
 }
@@ -76,7 +76,7 @@ TEST(SweptValues, SayHowTurnsAreRead) {
   const auto swept = read({.vary = {{"theta_dot", {{"values", {"1 Hz", "2 Hz"}}}}}}, errors);
   ASSERT_TRUE(swept);
   ASSERT_EQ(swept->notes.size(), 1U);
-  EXPECT_NE(swept->notes[0].find("\"1 Hz\" counts turns"), std::string::npos) << swept->notes[0];
+  EXPECT_NE(swept->notes[0].find("1 Hz' counts turns"), std::string::npos) << swept->notes[0];
 }
 
 TEST(SweptValues, AreNeverMoreThanAllowed) {
