@@ -21,13 +21,11 @@ ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
                 "The default of " + p.name + " has no valid value here: give " + p.name + ".");
   }
   state.y = initial_state(model, state.parameters, initial);
-  const Json names = state_json(model.scene, state.y);
-  std::size_t i = 0;
-  for (const auto& [name, value] : names.items()) {
-    if (!std::isfinite(state.y[i++])) {
-      throw Error(ErrorCode::invalid_state,
-                  "The default of " + name + " has no finite value here: give " + name + ".");
-    }
+  for (std::size_t i = 0; i < state.y.size(); ++i) {
+    if (std::isfinite(state.y[i])) continue;
+    const std::string name = symbols(model.scene, SymbolRole::initial)[i].name;
+    throw Error(ErrorCode::invalid_state,
+                "The default of " + name + " has no finite value here: give " + name + ".");
   }
   return state;
 }
@@ -97,7 +95,7 @@ Response written_answer(Call& call, const Scene& scene, const Json& echo, const 
                         std::optional<int> digits) {
   const Json without = scene.without_units ? with_units_of(scene, of_units) : Json();
   const Json& body = scene.without_units ? without : of_units;
-  JsonWriter writer(call.layout);
+  JsonWriter writer(call.layout, call.wanted);
   writer.begin_object();
   std::vector<std::string> notes = call.notes;
   if (const auto own = body.find("notes"); own != body.end())

@@ -47,6 +47,10 @@ std::vector<std::string> inputs_in_order(const SystemChoice& choice) {
 std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
   const Scene& scene = *choice.scene;
   const std::vector<std::string> inputs = inputs_in_order(choice);
+  if (shared_ != nullptr) {
+    if (inputs.empty()) return shared_->of(choice);
+    return driven_.get({&scene, inputs}, [&] { return shared_->of(choice); });
+  }
   if (!catalogue_.contains(&scene)) return std::make_shared<const Dynamics>(build_model(scene), inputs);
   const std::shared_ptr<const Dynamics>& plain =
       systems_.get(&scene, [&] { return std::make_shared<const Dynamics>(build_model(scene)); });
@@ -55,6 +59,7 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
 }
 
 Json Models::remembered(const Scene& scene, const std::string& name, const std::function<Json()>& make) {
+  if (shared_ != nullptr) return shared_->remembered(scene, name, make);
   return catalogue_.contains(&scene) ? documents_.get({&scene, name}, make) : make();
 }
 

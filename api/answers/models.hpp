@@ -18,6 +18,11 @@ namespace qdot::api {
 
 class Models {
  public:
+  Models() = default;
+  /// Those of `shared`, which has to live as long, for one request that asks the same scenes and inputs many
+  /// times: what is driven by inputs is kept too.
+  explicit Models(Models& shared) : shared_(&shared) {}
+
   /// `scene` belongs to the catalogue and stays where it is.
   void add(const Scene& scene) { catalogue_.insert(&scene); }
 
@@ -29,8 +34,10 @@ class Models {
                                 const std::function<Json()>& make);
 
  private:
+  Models* shared_{};
   std::set<const Scene*> catalogue_;
   MadeOnce<const Scene*, std::shared_ptr<const Dynamics>> systems_;
+  MadeOnce<std::pair<const Scene*, std::vector<std::string>>, std::shared_ptr<const Dynamics>> driven_;
   MadeOnce<std::pair<const Scene*, std::string>, Json> documents_;
 };
 

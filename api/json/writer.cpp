@@ -101,6 +101,14 @@ void append_number(std::string& out, double value, int digits) {
 }
 
 void append_string(std::string& out, std::string_view text) {
+  const bool is_plain = std::ranges::all_of(
+      text, [](unsigned char c) { return c >= ' ' && c < 0x7f && c != '"' && c != '\\'; });
+  if (is_plain) {
+    out += '"';
+    out += text;
+    out += '"';
+    return;
+  }
   out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -208,7 +216,13 @@ void JsonWriter::value(const Json& json, int digits) {
   }
 }
 
+bool JsonWriter::wants(std::string_view name) const {
+  return wanted_ == nullptr || has_members_.size() != 1 ||
+         std::ranges::find(*wanted_, name) != wanted_->end();
+}
+
 void JsonWriter::member(std::string_view name, const Json& json, int digits) {
+  if (!wants(name)) return;
   key(name);
   value(json, digits);
 }

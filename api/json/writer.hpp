@@ -40,7 +40,9 @@ struct Column {
 /// each object of an array on its own line; an array of numbers stays on one.
 class JsonWriter {
  public:
-  explicit JsonWriter(Layout layout) : layout_(layout) {}
+  /// With `wanted`, which has to live as long, of the document's own members only those are written.
+  explicit JsonWriter(Layout layout, const std::vector<std::string>* wanted = nullptr)
+      : layout_(layout), wanted_(wanted) {}
 
   void begin_object() { open('{'); }
   void end_object() { close('}'); }
@@ -59,7 +61,10 @@ class JsonWriter {
   /// Any value; `digits` holds for every floating-point number in it.
   void value(const Json& json, int digits = shortest_digits);
 
-  /// Key and value in one.
+  /// Whether a member that would come next is written.
+  [[nodiscard]] bool wants(std::string_view name) const;
+
+  /// Key and value in one, if it is wanted.
   void member(std::string_view name, const Json& json, int digits = shortest_digits);
 
   /// The document, ended by a newline.
@@ -72,6 +77,7 @@ class JsonWriter {
   void new_line();
 
   Layout layout_;
+  const std::vector<std::string>* wanted_;
   std::string out_;
   std::vector<bool> has_members_;  ///< for each open bracket
   bool after_key_{false};

@@ -34,7 +34,7 @@ bool is_pole(const SignChange& begin, const SignChange& end) {
 }  // namespace
 
 bool EventSearch::UnitSeries::is_finite() const {
-  return std::isfinite(off) && std::ranges::all_of(coefficients, [](double c) { return std::isfinite(c); });
+  return std::isfinite(off) && std::ranges::all_of(coefficients(), [](double c) { return std::isfinite(c); });
 }
 
 EventSearch::EventSearch(const RunRequest& request)
@@ -73,13 +73,14 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
 bool EventSearch::is_quiet(std::size_t event) {
   if (signs_[event] == 0) return false;
   const MotionPiece& piece = polynomial_.whole();
-  const auto [c, off, is_divided] = unit_series(event, piece, low_order);
+  const UnitSeries series = unit_series(event, piece, low_order);
+  const std::span<const double> c = series.coefficients();
   double lower = c[0], upper = c[0];
   for (std::size_t k = 1; k < c.size(); ++k) {
     lower += std::min(0.0, c[k]);
     upper += std::max(0.0, c[k]);
   }
-  const double doubt = polynomial_.is_exact() ? off : off + rough * (upper - lower);
+  const double doubt = polynomial_.is_exact() ? series.off : series.off + rough * (upper - lower);
   const bool keeps = signs_[event] > 0 ? lower - doubt > 0 : upper + doubt < 0;
   if (keeps) definite_[event] = piece.t + piece.h;
   return keeps;
@@ -87,8 +88,9 @@ bool EventSearch::is_quiet(std::size_t event) {
 
 EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const MotionPiece& piece,
                                                  unsigned order) const {
-  UnitSeries result{std::vector<double>(order + 1), 0, false};
-  std::vector<double>& c = result.coefficients;
+  UnitSeries result;
+  result.end = order + 1;
+  const std::span<double> c = std::span(result.c).first(result.end);
   result.off = request_.events[event].series(piece, order, c);
   double power = 1, size = 0;
   for (double& coefficient : c) {
@@ -102,7 +104,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time &&
                       std::abs(c[0]) <= doubt_at_start(event, piece) + rounding + of_time;
-  if (result.is_divided) c.erase(c.begin());
+  if (result.is_divided) result.first = 1;
   return result;
 }
 
@@ -137,7 +139,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
 /// g is zero but for the round-off of its values, all along: looking closer shows no more.
 bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
-  for (const double c : series.coefficients) size += std::abs(c);
+  for (const double c : series.coefficients()) size += std::abs(c);
   if (series.is_divided || size > of_doubt * series.off) return false;
   return series.off <= 2 * (doubt_at_start(event, piece) + of_values * size);
 }
@@ -157,7 +159,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const UnitSeries series = finite_series(event, whole);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
   if (is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
-  const std::vector<SignPiece> found = signs_of(series.coefficients, series.off);
+  const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;
     const double middle = 0.5 * (begin + end);

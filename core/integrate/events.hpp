@@ -15,8 +15,10 @@
 //
 // Where a method's dense output is no polynomial, it is looked at through nine places of each step.
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,10 +61,14 @@ class EventSearch {
   void explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces);
   /// g over a piece, in the unit of its length.
   struct UnitSeries {
-    std::vector<double> coefficients;
-    double off{};            ///< what g may be away from it
-    bool is_divided{false};  ///< by that unit: g is zero at t_start
+    std::array<double, largest_degree + 1> c{};
+    std::size_t first{}, end{};  ///< the coefficients that count
+    double off{};                ///< what g may be away from it
+    bool is_divided{false};      ///< by that unit: g is zero at t_start
 
+    [[nodiscard]] std::span<const double> coefficients() const {
+      return std::span(c).subspan(first, end - first);
+    }
     [[nodiscard]] bool is_finite() const;
   };
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;

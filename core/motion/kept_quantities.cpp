@@ -33,6 +33,17 @@ class Quantities {
     return values;
   }
 
+  /// Whether the errors of a state explain a change: no more is computed than it takes to know that they do.
+  [[nodiscard]] bool explain(std::size_t quantity, double change, double t, std::vector<double> y,
+                             std::span<const double> errors) {
+    double of_errors = 0;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      of_errors += slope(quantity, t, y, errors, k) * errors[k];
+      if (!(change - of_second_order * of_errors > 0)) return true;
+    }
+    return false;
+  }
+
   struct Effect {
     double of_errors{};
     double size{};  ///< of the terms that it is the sum of, roughly
@@ -43,20 +54,27 @@ class Quantities {
     const double dt = least_difference * std::abs(t);
     if (dt > 0) effect.size += std::abs(at(t + dt, y)[quantity] - at(t, y)[quantity]) / least_difference;
     for (std::size_t k = 0; k < y.size(); ++k) {
-      const double place = y[k], h = std::max(errors[k], least_difference * std::abs(place));
-      if (h == 0) continue;
-      y[k] = place + h;
-      const double beyond = at(t, y)[quantity];
-      y[k] = place - h;
-      const double slope = std::abs(beyond - at(t, y)[quantity]) / (2 * h);
-      y[k] = place;
-      effect.of_errors += slope * errors[k];
-      effect.size += slope * std::abs(place);
+      const double by = slope(quantity, t, y, errors, k);
+      effect.of_errors += by * errors[k];
+      effect.size += by * std::abs(y[k]);
     }
     return effect;
   }
 
  private:
+  /// |dQ/dy_k|; 0 where it is of no account.
+  [[nodiscard]] double slope(std::size_t quantity, double t, std::vector<double>& y,
+                             std::span<const double> errors, std::size_t k) {
+    const double place = y[k], h = std::max(errors[k], least_difference * std::abs(place));
+    if (h == 0) return 0;
+    y[k] = place + h;
+    const double beyond = at(t, y)[quantity];
+    y[k] = place - h;
+    const double slope = std::abs(beyond - at(t, y)[quantity]) / (2 * h);
+    y[k] = place;
+    return slope;
+  }
+
   std::shared_ptr<const Conserved> conserved_;
   Workspace workspace_;
 };
@@ -81,10 +99,13 @@ class Comparison {
   }
 
   [[nodiscard]] bool has_changed(std::size_t quantity) {
+    const std::vector<std::size_t> places = most_changed(quantity);
+    const auto is_explained = [&](std::size_t i) {
+      return quantities_.explain(quantity, change(quantity, i), rows_.t[i], copy(state(i)), errors(i));
+    };
+    if (std::ranges::all_of(places, is_explained)) return false;
     double unexplained = 0, size = 0;
-    const std::size_t count = rows_.t.size(), parts = std::min(count, most_looked_at);
-    for (std::size_t part = 0; part < parts; ++part) {
-      const std::size_t i = most_changed(quantity, part * count / parts, (part + 1) * count / parts);
+    for (const std::size_t i : places) {
       const auto here = quantities_.effect(quantity, rows_.t[i], copy(state(i)), errors(i));
       const auto there = quantities_.effect(quantity, begins_[i].t, copy(begins_[i].y), errors(i));
       const double explained = of_second_order * (here.of_errors + there.of_errors);
@@ -109,6 +130,15 @@ class Comparison {
   }
   [[nodiscard]] double change(std::size_t quantity, std::size_t i) const {
     return changes_[i * quantities_.count() + quantity];
+  }
+
+  /// Of each part of the motion one row.
+  [[nodiscard]] std::vector<std::size_t> most_changed(std::size_t quantity) const {
+    std::vector<std::size_t> places;
+    const std::size_t count = rows_.t.size(), parts = std::min(count, most_looked_at);
+    for (std::size_t part = 0; part < parts; ++part)
+      places.push_back(most_changed(quantity, part * count / parts, (part + 1) * count / parts));
+    return places;
   }
 
   [[nodiscard]] std::size_t most_changed(std::size_t quantity, std::size_t from, std::size_t to) const {

@@ -104,6 +104,18 @@ class Rows(Service):
                                       {"theta": {"uniform": [-1, 1]}, "k": {"normal": [40, 2]}},
                                       {"end": "/trajectory/theta/2"}, count=12, seed=5)
 
+    def test_collect_from_every_member_of_an_answer(self):
+        """Only what is collected of an answer is written; it is what the whole answer has."""
+        request = {"system": "spring_pendulum", "t_end": 2, "samples": 3, "max_error": 1e-6, "events": ["theta=0"]}
+        collect = {"k0": "/request/parameters/m", "bound": "/accuracy/max_abs_error/l", "steps": "/diagnostics/steps",
+                   "crossing": "/events/0/t", "status": "/status", "unit": "/units/l_dot", "version": "/service_version",
+                   "drift": "/diagnostics/conserved/0/max_abs_drift", "end": "/trajectory/theta/2", "reached": "/t_reached"}
+        for some in (collect, *({name: pointer} for name, pointer in collect.items())):
+            answer = self.assert_rows_are_requests("simulate", request, {"theta": {"values": [0.3, -0.8]}}, some)
+            self.assertEqual(answer["failed"], [])
+        energy = {"system": "spring_pendulum"}
+        self.assert_rows_are_requests("energy", energy, {"theta": {"values": [0.3]}}, {"p": "/p_theta", "l": "/request/initial/l"})
+
     def test_of_a_scene_and_of_an_input(self):
         scene = textbook_scene("plane_pendulum")
         self.assert_rows_are_requests("turning_points", {"system": scene},

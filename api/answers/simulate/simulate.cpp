@@ -95,20 +95,22 @@ class SimulationAnswer {
   }
 
   Response json() {
-    JsonWriter writer(call_.layout);
+    JsonWriter writer(call_.layout, call_.wanted);
     writer.begin_object();
     write_head(writer, scene(), system_.echo, call_.notes);
     writer.member("status", status());
     if (result_.stop) writer.member("stop", stop_json(), digits());
     writer.member("t_reached", result_.t, digits());
-    writer.key("trajectory");
-    writer.columns(table_, digits());
+    if (writer.wants("trajectory")) {
+      writer.key("trajectory");
+      writer.columns(table_, digits());
+    }
     writer.member("units", with_units_of(scene(), Json{{"units", units_}})["units"]);
-    write_events(writer);
+    if (writer.wants("events")) write_events(writer);
     if (!result_.stays.empty()) writer.member("sticking", sticking_json(), digits());
     if (scene().impact && request_.impacts) writer.member("strides", strides_json(), digits());
-    writer.member("accuracy", accuracy_json());
-    writer.member("diagnostics", with_units_of(scene(), diagnostics_json()));
+    if (writer.wants("accuracy")) writer.member("accuracy", accuracy_json());
+    if (writer.wants("diagnostics")) writer.member("diagnostics", with_units_of(scene(), diagnostics_json()));
     writer.end_object();
     return {
         .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};

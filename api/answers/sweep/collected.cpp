@@ -103,6 +103,16 @@ std::optional<std::vector<CollectedColumn>> read_columns(const Json& collect,
   return errors.size() == before ? std::optional(reader.take()) : std::nullopt;
 }
 
+std::vector<std::string> members_read(const std::vector<CollectedColumn>& columns) {
+  std::vector<std::string> members{"units", "reason"};
+  for (const CollectedColumn& column : columns) {
+    const std::string first = column.pointer.substr(1, column.pointer.find('/', 1) - 1);
+    if (first.find('~') != std::string::npos) return {};  // escaped
+    members.push_back(first);
+  }
+  return members;
+}
+
 CollectedValue collected(const Json& answer, const CollectedColumn& column) {
   Errors errors;
   const auto found = pointed(answer, column.pointer, Place(Road::body), errors);

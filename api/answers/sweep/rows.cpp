@@ -36,7 +36,8 @@ SweptRow read_row(const Response& response, const std::vector<CollectedColumn>& 
 }
 
 /// Asks one row as a client would ask it alone.
-Response asked_row(const SweepPlan& plan, std::size_t row, const Call& call, const Handler& handler) {
+Response asked_row(const SweepPlan& plan, std::size_t row, const std::vector<std::string>& wanted,
+                   const Call& call, const Handler& handler) {
   const Submission submission = row_request(plan, row);
   const Request inner{.method = submission.road == Road::query ? "GET" : "POST",
                       .target = "/v1/" + std::string(plan.question->name),
@@ -47,6 +48,7 @@ Response asked_row(const SweepPlan& plan, std::size_t row, const Call& call, con
   Call one{.request = inner, .target = {.path = inner.target, .query = {}}};
   one.accepted = "application/json";
   one.submission = &submission;
+  if (!wanted.empty()) one.wanted = &wanted;
   return handler(one);
 }
 
@@ -60,18 +62,19 @@ void keep_what_was_asked(const Call& call, std::vector<SweptRow>& rows) {
 
 SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSystem& find_system,
                         Models& models) {
-  Models own;
-  if (plan.is_carried) own.add(*plan.scene);
+  Models carried;
+  if (plan.is_carried) carried.add(*plan.scene);
+  Models own(plan.is_carried ? carried : models);
   const FindSystem same = [&plan](const Json&, const Place&, Errors&) { return plan.scene; };
-  const Handler handler = plan.is_carried ? plan.question->question.handler(same, own)
-                                          : plan.question->question.handler(find_system, models);
+  const Handler handler = plan.question->question.handler(plan.is_carried ? same : find_system, own);
+  const std::vector<std::string> wanted = members_read(plan.columns);
   SweptRows answered{.rows = std::vector<SweptRow>(plan.swept.rows)};
   std::vector<std::string> units(plan.columns.size());
   std::vector<std::size_t> first(plan.columns.size(), plan.swept.rows);  // row that the unit is of
   std::mutex mutex;
   const auto ask = [&](std::size_t i) {
     std::vector<std::string> own_units;
-    answered.rows[i] = read_row(asked_row(plan, i, call, handler), plan.columns, own_units);
+    answered.rows[i] = read_row(asked_row(plan, i, wanted, call, handler), plan.columns, own_units);
     const std::lock_guard lock(mutex);
     for (std::size_t column = 0; column < own_units.size(); ++column) {
       if (own_units[column].empty() || first[column] < i) continue;

@@ -18,6 +18,23 @@ Kind sum_kind(std::size_t terms, std::size_t products) {
   return products < 3 && terms < 4 ? kinds[products][terms] : Kind::sum;
 }
 
+/// That are no slots.
+std::size_t most_rows_of_its_own(Operation operation) {
+  switch (operation) {
+    case Operation::sum_of_products:
+    case Operation::power:
+      return 0;
+    case Operation::quotient:
+    case Operation::square_root:
+    case Operation::sine_cosine:
+    case Operation::solve:
+      return 1;
+    case Operation::call:
+      break;
+  }
+  return 6;
+}
+
 }  // namespace
 
 TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspace& constants)
@@ -27,8 +44,8 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
       forms_(tape.slots_),
       is_sum_(tape.slots_),
       uses_(tape.slots_) {
-  constexpr std::size_t most_rows_of_its_own = 6;  // of one instruction
-  const std::size_t rows = tape.slots_ + 1 + most_rows_of_its_own * tape.body_.size();
+  std::size_t rows = tape.slots_ + 1;
+  for (const Instruction& instruction : tape.body_) rows += most_rows_of_its_own(instruction.operation);
   rows_.assign((rows + 1) * taylor::stride, 0.0);
   const auto place = reinterpret_cast<std::uintptr_t>(rows_.data()) / sizeof(double);
   first_ = taylor::before_row + (3 - place % 4) % 4;

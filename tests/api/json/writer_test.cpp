@@ -101,6 +101,18 @@ TEST(JsonWriter, WritesColumnsInOrder) {
             "\"steps\":12}\n");
 }
 
+TEST(JsonWriter, WritesOnlyTheMembersOfTheDocumentThatAreWanted) {
+  const std::vector<std::string> wanted{"b"};
+  JsonWriter writer(Layout::compact, &wanted);
+  writer.begin_object();
+  writer.member("a", 1);
+  EXPECT_FALSE(writer.wants("c"));
+  writer.member("b", Json{{"a", 2}, {"c", 3}});
+  writer.member("c", 4);
+  writer.end_object();
+  EXPECT_EQ(std::move(writer).finish(), "{\"b\":{\"a\":2,\"c\":3}}\n");
+}
+
 TEST(JsonWriter, PrettyKeepsArraysOfNumbersOnOneLine) {
   const Json json{
       {"t", {0.5, 1}}, {"empty", Json::object()}, {"modes", Json::array({{{"omega", 2.0}}, {{"f", 1}}})}};
