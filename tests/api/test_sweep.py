@@ -108,7 +108,7 @@ class Rows(Service):
         """Only what is collected of an answer is written; it is what the whole answer has."""
         request = {"system": "spring_pendulum", "t_end": 2, "samples": 3, "max_error": 1e-6, "events": ["theta=0"]}
         collect = {"k0": "/request/parameters/m", "bound": "/accuracy/max_abs_error/l", "steps": "/diagnostics/steps",
-                   "crossing": "/events/0/t", "status": "/status", "unit": "/units/l_dot", "version": "/service_version",
+                   "crossing": "/events/0/t", "ended": "/status", "unit": "/units/l_dot", "version": "/service_version",
                    "drift": "/diagnostics/conserved/0/max_abs_drift", "end": "/trajectory/theta/2", "reached": "/t_reached"}
         for some in (collect, *({name: pointer} for name, pointer in collect.items())):
             answer = self.assert_rows_are_requests("simulate", request, {"theta": {"values": [0.3, -0.8]}}, some)
