@@ -1,6 +1,8 @@
 #include "core/expr/expression.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -254,13 +256,19 @@ std::vector<NodeId> children(const Node& node) {
 
 std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots) {
   if (roots.empty()) return {};
-  std::vector<bool> seen(*std::max_element(roots.begin(), roots.end()) + 1, false);
-  for (const NodeId root : roots) seen[root] = true;
+  constexpr std::size_t bits = 64;
+  std::vector<std::uint64_t> seen(*std::max_element(roots.begin(), roots.end()) / bits + 1);
+  const auto mark = [&](NodeId id) { seen[id / bits] |= std::uint64_t{1} << (id % bits); };
+  for (const NodeId root : roots) mark(root);
   std::vector<NodeId> found;
-  for (std::size_t id = seen.size(); id-- > 0;) {  // parents before children: the marks spread downwards
-    if (!seen[id]) continue;
-    found.push_back(static_cast<NodeId>(id));
-    for (const NodeId child : children(graph.node(static_cast<NodeId>(id)))) seen[child] = true;
+  for (std::size_t word = seen.size(); word-- > 0;) {  // parents before children: the marks spread downwards
+    while (seen[word] != 0) {
+      const auto top = static_cast<std::size_t>(std::bit_width(seen[word])) - 1;
+      seen[word] ^= std::uint64_t{1} << top;
+      const auto id = static_cast<NodeId>(word * bits + top);
+      found.push_back(id);
+      for (const NodeId child : children(graph.node(id))) mark(child);
+    }
   }
   std::reverse(found.begin(), found.end());
   return found;

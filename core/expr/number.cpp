@@ -106,6 +106,19 @@ Real rounded_rational(const mpq_class& x) {
   return result;
 }
 
+/// The same of p/q for integers below 2^53, which doubles hold: what a quotient's rounding leaves of p is a
+/// double as well.
+Real rounded_fraction(const Fraction& x) {
+  const auto p = static_cast<double>(x.numerator), q = static_cast<double>(x.denominator);
+  const auto left_over = [q](double dividend, double quotient) {
+    const DoubleDouble product = two_product(quotient, q);
+    return (dividend - product.high) - product.low;
+  };
+  const double value = p / q, rest = left_over(p, value);
+  const double low = rest / q, last = left_over(rest, low);
+  return {value, low, last == 0 ? 0 : std::nextafter(std::abs(last / q), infinity)};
+}
+
 std::size_t past_digits(std::string_view text, std::size_t at) {
   while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
   return at;
@@ -286,7 +299,7 @@ double Number::value() const {
 
 Real Number::rounded() const {
   if (large_ == nullptr && small_.denominator == 1) return static_cast<double>(small_.numerator);
-  return rounded_rational(Arithmetic::rational_of(*this));
+  return large_ == nullptr ? rounded_fraction(small_) : rounded_rational(large_->value);
 }
 
 Number operator+(const Number& a, const Number& b) {

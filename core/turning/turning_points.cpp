@@ -129,8 +129,10 @@ const Interval turn = Interval(2) * Interval(std::nextafter(pi, 0), std::nextaft
 
 class Question {
  public:
-  Question(const Dynamics& dynamics, const EnergyProblem& problem, const Reals& parameters, const Reals& y0)
-      : dynamics_(dynamics),
+  Question(const Dynamics& dynamics, const EnergyProblem& problem, const Reals& parameters, const Reals& y0,
+           const BesideExtrema& beside)
+      : beside_(beside),
+        dynamics_(dynamics),
         problem_(problem),
         parameters_(parameters),
         y0_(y0),
@@ -174,6 +176,7 @@ class Question {
       answer_.notes.push_back("The equilibrium is unstable, and " + name +
                               " is the nearest number to it: the least push carries the system away.");
     }
+    if (!beside_.along) return;
     const PeriodicWay here{energy_.start(), energy_.start(), true};
     answer_.validity = minima_along([this](double) { return std::pair(x0_, 0.0); }, here);
   }
@@ -190,7 +193,8 @@ class Question {
     if (answer_.initial == InitialPlace::maximum) answer_.maximum = {x0_, energy_.distance_from_start(), ""};
     answer_.motion = kind_of(bounds);
     if (!answer_.motion) answer_.motion_reason = why_kind_is_open(bounds, answer_);
-    answer_.period = period_of(energy_, answer_, bounds);
+    if (beside_.period) answer_.period = period_of(energy_, answer_, bounds);
+    if (!beside_.along) return;
     if (answer_.motion == MotionKind::libration) {
       const PeriodicWay way{bounds.down.place, bounds.up.place, true};
       answer_.validity = minima_along(libration_path(energy_, way.from, way.to), way);
@@ -233,6 +237,7 @@ class Question {
     for (std::string& note : singular_places(scene, motion)) answer_.notes.push_back(std::move(note));
   }
 
+  BesideExtrema beside_;
   const Dynamics& dynamics_;
   const EnergyProblem& problem_;
   const Reals &parameters_, &y0_;
@@ -243,9 +248,10 @@ class Question {
 
 }  // namespace
 
-TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters, const Reals& y0) {
+TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters, const Reals& y0,
+                             const BesideExtrema& beside) {
   const EnergyProblem problem = energy_problem(dynamics, parameters, y0);
-  return Question(dynamics, problem, parameters, y0).answer();
+  return Question(dynamics, problem, parameters, y0, beside).answer();
 }
 
 }  // namespace qdot

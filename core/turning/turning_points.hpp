@@ -36,10 +36,16 @@ struct TurningPoints {
   std::vector<std::string> notes;
 };
 
+/// What is found beside the extrema; it costs several times as much.
+struct BesideExtrema {
+  bool period{true};
+  bool along{true};  ///< what happens on the way: validity, and notes on singular places
+};
+
 /// By the energy integral, for the one coordinate that is left. y0 = (q, q'). Throws Error(not_applicable)
 /// where the energy integral does not answer (why_not_by_energy says so beforehand), and Error(invalid_state)
 /// where the initial state has no energy.
-[[nodiscard]] TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters,
-                                           const Reals& y0);
+[[nodiscard]] TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters, const Reals& y0,
+                                           const BesideExtrema& beside = {});
 
 }  // namespace qdot

@@ -113,6 +113,13 @@ class Rows(Service):
         for some in (collect, *({name: pointer} for name, pointer in collect.items())):
             answer = self.assert_rows_are_requests("simulate", request, {"theta": {"values": [0.3, -0.8]}}, some)
             self.assertEqual(answer["failed"], [])
+        # What an answer would have beside what is collected is not computed.
+        for some in ({"max": "/theta_max"}, {"period": "/period"}, {"of": "/error/period"}, {"at": "/exact/theta_max/text"},
+                     {"unit": "/units/period"}, {"motion": "/motion", "E": "/constants/E"}):
+            self.assert_rows_are_requests("turning_points", {"system": "free_spin_pendulum"},
+                                          {"psi_dot": {"values": [1, "2*sqrt(g/l)", 9]}}, some)
+        for some in ({"least": "/validity/tension/min"}, {"holds": "/validity/tension/holds"}, {"why": "/reason/period"}):
+            self.assert_rows_are_requests("turning_points", {"system": "orbiting_pendulum"}, {"phi_dot": {"values": [0.1, 3, 40]}}, some)
         energy = {"system": "spring_pendulum"}
         self.assert_rows_are_requests("energy", energy, {"theta": {"values": [0.3]}}, {"p": "/p_theta", "l": "/request/initial/l"})
 

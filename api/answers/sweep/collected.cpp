@@ -107,7 +107,8 @@ std::vector<std::string> members_read(const std::vector<CollectedColumn>& column
   std::vector<std::string> members{"units", "reason"};
   for (const CollectedColumn& column : columns) {
     const std::string first = column.pointer.substr(1, column.pointer.find('/', 1) - 1);
-    if (first.find('~') != std::string::npos) return {};  // escaped
+    // Escaped; or what an answer says about its other members.
+    if (first.find('~') != std::string::npos || first == "units" || first == "reason") return {};
     members.push_back(first);
   }
   return members;

@@ -122,6 +122,11 @@ class TurningPointsAnswer {
     return all;
   }
 
+  /// Whether a member of the answer is read.
+  [[nodiscard]] bool wants(const std::string& member) const {
+    return call_.wanted == nullptr || std::ranges::find(*call_.wanted, member) != call_.wanted->end();
+  }
+
   void put(const std::string& name, const std::optional<double>& value, const std::string& unit) {
     body_[name] = value ? Json(*value) : Json(nullptr);
     units_[name] = unit;
@@ -166,16 +171,18 @@ class TurningPointsAnswer {
   }
 
   void answer_by_energy() {
-    const TurningPoints found = turning_points(dynamics(), system_.state.parameters, system_.state.y);
+    const BesideExtrema beside{.period = wants("period") || wants("error"),
+                               .along = wants("validity") || wants("notes")};
+    const TurningPoints found = turning_points(dynamics(), system_.state.parameters, system_.state.y, beside);
     body_["coordinate"] = coordinate().name;
     put_motion(found.motion, found.motion_reason);
     body_["method"] = "energy";
     put_extrema(found.maximum, found.minimum, found.initial);
     if (!found.stability.empty()) body_["stability"] = found.stability;
-    put("period", stated(found.period), "s");
+    if (beside.period) put("period", stated(found.period), "s");
     if (!found.period.reason.empty()) reasons_["period"] = found.period.reason;
     put_constants(found);
-    put_exact(found);
+    if (wants("exact")) put_exact(found);
     put_validity(found);
     if (!found.notes.empty()) body_["notes"] = found.notes;
   }

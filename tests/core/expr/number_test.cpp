@@ -108,7 +108,9 @@ TEST(Number, IsRoundedToTheNearestDoubleWithWhatItLeavesOut) {
     const double gap = std::nextafter(std::abs(real.value), INFINITY) - std::abs(real.value);
     const Number size = left.is_negative() ? -left : left;
     ASSERT_FALSE(Number::real(gap / 2) < size && gap / 2 > 0) << real.value;
+    ASSERT_EQ(real.low, left.value());
     const Number rest = left - Number::real(real.low);
+    ASSERT_EQ(rest.is_zero(), real.error == 0);
     ASSERT_TRUE(between(-real.error, rest, real.error)) << real.value;
     ASSERT_LE(real.error, 0x1.1p-106 * std::abs(real.value) + 5e-324) << real.value;
   }
