@@ -80,7 +80,10 @@ std::vector<ChangedTerm> changes_of_term(const Expression& term, std::span<const
   for (const Expression& wave : waves_in(term)) {
     const Call call = std::get<Call>(wave.node());
     const Expression argument(term.graph(), call.argument);
-    add(Slip::sine_and_cosine, with(term, wave, term.graph().call(other(call.function), argument)));
+    const Expression swapped = with(term, wave, term.graph().call(other(call.function), argument));
+    add(Slip::sine_and_cosine, swapped);
+    // cos(a - b) is cos(b - a), whose sine is another.
+    if (std::holds_alternative<Sum>(argument.node())) add(Slip::sine_and_cosine, -swapped);
     add(Slip::exponent, term * wave);
     add(Slip::exponent, term / wave);
     for (const Expression& u : other_arguments(argument, symbols))

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/grading/ball_system.hpp"
+#include "core/grading/linear_in.hpp"
 #include "core/grading/normal_form.hpp"
 
 namespace qdot {
@@ -109,12 +110,6 @@ OtherSolutionsAnswer at_seeded_states(Line& line, RightMotion& right, std::size_
 }
 
 }  // namespace
-
-bool has_kink_in(const Expression& e, std::span<const Expression> symbols) {
-  const std::array roots{e};
-  return std::ranges::any_of(BallValues(roots).kinks(),
-                             [&](const Expression& argument) { return depends_on(argument, symbols); });
-}
 
 OtherSolutionsAnswer other_solutions(const ExpectedSystem& system, RightMotion& right,
                                      const Expression& residual, std::size_t coordinate, std::uint64_t seed) {

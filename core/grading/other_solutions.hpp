@@ -25,10 +25,6 @@ struct OtherSolutionsAnswer {
   State state{};
 };
 
-/// Whether |x| or sign(x) of what changes with the symbols stands in e: its derivatives do not tell all of
-/// it.
-[[nodiscard]] bool has_kink_in(const Expression& e, std::span<const Expression> symbols);
-
 /// `residual` vanishes on the right motion.
 [[nodiscard]] OtherSolutionsAnswer other_solutions(const ExpectedSystem& system, RightMotion& right,
                                                    const Expression& residual, std::size_t coordinate,

@@ -7,8 +7,11 @@
 #include "core/expr/linear.hpp"
 #include "core/grading/ball_system.hpp"
 #include "core/grading/equation_size.hpp"
+#include "core/grading/factored_equations.hpp"
+#include "core/grading/linear_in.hpp"
 #include "core/grading/normal_form.hpp"
 #include "core/grading/other_solutions.hpp"
+#include "core/grading/proven_root.hpp"
 #include "core/grading/right_motion.hpp"
 
 namespace qdot {
@@ -45,6 +48,12 @@ class MotionComparison {
     verdict.decided_by = is_rounded_      ? Decision::rounded
                          : values_decide_ ? Decision::values
                                           : Decision::identity;
+    for (std::size_t k = 0; k < residuals_.size(); ++k) {
+      if (!has_no_slope(residuals_[k])) continue;
+      verdict.equation = k;
+      verdict.fault = MotionFault::holds_always;
+      return verdict;
+    }
     verdict.fault = coordinate ? fault_of_one(*coordinate) : fault_of_all();
     return verdict;
   }
@@ -70,21 +79,45 @@ class MotionComparison {
     return verdict;
   }
 
-  /// One equation that may have other solutions.
+  /// Equations that may have other solutions.
   MotionVerdict not_linear(MotionVerdict verdict, std::optional<std::size_t> coordinate) {
     verdict.fault = MotionFault::not_linear;
     if (accelerations_.size() == 1) coordinate = 0;
-    if (!coordinate || is_rounded_) return verdict;
-    OtherSolutionsAnswer others = other_solutions(system_, right_, residuals_[0], *coordinate, seed_ + 4);
+    if (is_rounded_) return verdict;
+    OtherSolutionsAnswer others = others_of(coordinate);
     if (others.found == OtherSolutions::unknown) return verdict;
     verdict.decided_by = Decision::values;
     if (others.found == OtherSolutions::none) verdict.fault = MotionFault::none;
-    if (others.found == OtherSolutions::everything) verdict.fault = MotionFault::other_coordinate;
+    if (others.found == OtherSolutions::everything)
+      verdict.fault = coordinate ? MotionFault::other_coordinate : MotionFault::dependent;
     if (others.found != OtherSolutions::some) return verdict;
     verdict.fault = MotionFault::other_solutions;
     verdict.decided_by = Decision::counterexample;
     verdict.counterexample = std::move(others.state);
     return verdict;
+  }
+
+  /// By the line along which one coordinate is free, by factors, or by a root that is proven. The right
+  /// equations of the other coordinates stand beside that of one.
+  OtherSolutionsAnswer others_of(std::optional<std::size_t> coordinate) {
+    std::vector<Expression> all = residuals_;
+    if (coordinate) {
+      const auto found = other_solutions(system_, right_, residuals_[0], *coordinate, seed_ + 4);
+      if (found.found != OtherSolutions::unknown) return found;
+      for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+        if (i != *coordinate) all.push_back(right_equation(i));
+      }
+    }
+    const auto found = other_solutions_of_factors(system_, right_, all, seed_ + 5);
+    if (found.found != OtherSolutions::unknown) return found;
+    return proven_other_root(system_, right_, all, seed_ + 6);
+  }
+
+  [[nodiscard]] Expression right_equation(std::size_t i) const {
+    Expression residual = -system_.forcing()[i];
+    for (std::size_t j = 0; j < accelerations_.size(); ++j)
+      residual = residual + system_.mass_matrix()[i][j] * accelerations_[j];
+    return residual;
   }
 
   /// -B/A of an equation A q'' + B = 0.
@@ -101,23 +134,9 @@ class MotionComparison {
 
   /// Makes r linear in the accelerations, by what stands below its bars if need be.
   bool make_linear(Expression& residual) const {
-    if (is_linear(residual)) return true;
-    const auto above = numerator(residual);
-    if (!above || !is_linear(*above)) return false;
-    residual = *above;
-    return true;
-  }
-
-  [[nodiscard]] bool is_linear(const Expression& residual) const {
-    if (has_kink_in(residual, accelerations_)) return false;
-    for (const Expression& a : accelerations_) {
-      const Expression slope = differentiate(residual, a);
-      for (const Expression& b : accelerations_) {
-        const Expression second = differentiate(slope, b);
-        if (!second.is_zero() && zeroness(second) != Zeroness::zero) return false;
-      }
-    }
-    return true;
+    const auto linear = made_linear_in(residual, accelerations_);
+    if (linear) residual = *linear;
+    return linear.has_value();
   }
 
   /// dr/dq'' of every equation at several states of the right motion.
@@ -141,12 +160,10 @@ class MotionComparison {
     }
   }
 
-  [[nodiscard]] bool has_no_slope() const {
-    return std::ranges::all_of(residuals_, [&](const Expression& r) {
-      return std::ranges::all_of(accelerations_, [&](const Expression& a) {
-        const Expression slope = differentiate(r, a);
-        return slope.is_zero() || zeroness(slope) == Zeroness::zero;
-      });
+  [[nodiscard]] bool has_no_slope(const Expression& residual) const {
+    return std::ranges::all_of(accelerations_, [&](const Expression& a) {
+      const Expression slope = differentiate(residual, a);
+      return slope.is_zero() || zeroness(slope) == Zeroness::zero;
     });
   }
 
@@ -157,7 +174,6 @@ class MotionComparison {
   }
 
   MotionFault fault_of_one(std::size_t coordinate) {
-    if (has_no_slope()) return MotionFault::holds_always;
     if (!has_slope_in(accelerations_[coordinate])) return MotionFault::other_coordinate;
     bool is_determined = false, is_unclear = false;
     int seen = 0;
@@ -178,7 +194,6 @@ class MotionComparison {
   }
 
   MotionFault fault_of_all() {
-    if (has_no_slope()) return MotionFault::holds_always;
     bool is_determined = false;
     int dependent = 0;
     at_states([&](const BallMatrix& rows) {

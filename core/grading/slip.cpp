@@ -40,15 +40,12 @@ class SlipSearch {
   explicit SlipSearch(const SlipQuestion& question)
       : question_(question), symbols_(question.symbols.begin(), question.symbols.end()) {
     for (const Expression& a : question.accelerations) symbols_.push_back({a, {}});
-    for (const Expression& a : question.accelerations) {
-      const bool has_both = !slope(question.submitted, a).is_zero() && !slope(question.expected, a).is_zero();
-      if (has_both && !acceleration_) acceleration_ = a;
-    }
+    compare_by_slopes();
     gather();
   }
 
   std::optional<FoundSlip> find() {
-    if (!question_.accelerations.empty() && !acceleration_) return std::nullopt;
+    if (!question_.accelerations.empty() && slopes_in_.empty()) return std::nullopt;
     look();
     const auto multiple = first_multiple();
     const bool is_odd = multiple && multiple->slip == Slip::factor && !is_plain(*multiple->factor);
@@ -78,10 +75,28 @@ class SlipSearch {
     return std::nullopt;
   }
 
-  static Expression slope(const Expression& e, const Expression& a) { return differentiate(e, a); }
+  static Expression slope(const Expression& e, const Expression& x) { return differentiate(e, x); }
+
+  /// An acceleration that both equations speak of, else everything that changes, one they speak of first.
+  void compare_by_slopes() {
+    const auto is_in_both = [&](const Expression& x) {
+      return !slope(question_.submitted, x).is_zero() && !slope(question_.expected, x).is_zero();
+    };
+    const auto common = std::ranges::find_if(question_.accelerations, is_in_both);
+    if (common != question_.accelerations.end()) {
+      slopes_in_ = {*common};
+      return;
+    }
+    slopes_in_ = question_.changing;
+    if (std::ranges::stable_partition(slopes_in_, is_in_both).begin() == slopes_in_.begin())
+      slopes_in_.clear();
+    else
+      slopes_in_.insert(slopes_in_.end(), question_.accelerations.begin(), question_.accelerations.end());
+  }
+  [[nodiscard]] bool are_equations() const { return !slopes_in_.empty(); }
 
   [[nodiscard]] Part part(const Expression& e) const {
-    return {e, acceleration_ ? std::optional(slope(e, *acceleration_)) : std::nullopt};
+    return {e, are_equations() ? std::optional(slope(e, slopes_in_.front())) : std::nullopt};
   }
 
   /// Everything that is evaluated at the states.
@@ -137,7 +152,7 @@ class SlipSearch {
   /// mu with S = E + mu d, or r ~ rho + mu d, at one state.
   [[nodiscard]] Ball multiple_of(const Sight& sight, std::size_t d) const {
     const auto& [value, slope] = sight;
-    if (!acceleration_) return (value[0] - value[1]) / value[d];
+    if (!are_equations()) return (value[0] - value[1]) / value[d];
     return (value[1] * slope[0] - value[0] * slope[1]) / (value[0] * slope[d] - value[d] * slope[0]);
   }
 
@@ -162,7 +177,7 @@ class SlipSearch {
   }
 
   [[nodiscard]] std::optional<FoundSlip> as_whole_multiple() {
-    if (acceleration_) return std::nullopt;  // an equation may be multiplied
+    if (are_equations()) return std::nullopt;  // an equation may be multiplied
     const auto mu = multiple_of(1);
     if (!mu || mu->is_zero() || !confirms(*mu * question_.expected)) return std::nullopt;
     const Number factor = Number(1) + *mu;
@@ -174,7 +189,7 @@ class SlipSearch {
     const std::size_t d = 2 + terms_.size() + change;
     return sights_.size() == states_to_see && std::ranges::all_of(sights_, [&](const Sight& sight) {
              const auto& [value, slope] = sight;
-             const Ball rest = acceleration_
+             const Ball rest = are_equations()
                                    ? value[0] * (slope[1] + slope[d]) - (value[1] + value[d]) * slope[0]
                                    : value[0] - value[1] - value[d];
              return rest.is_finite() && rest.contains_zero();
@@ -184,19 +199,22 @@ class SlipSearch {
   /// Whether the change makes the submission of the right formula, everywhere.
   [[nodiscard]] bool confirms(const Expression& change) const {
     const Expression changed = question_.expected + change;
-    Expression rest = question_.submitted - changed;
-    if (acceleration_) {
-      rest = question_.submitted * slope(changed, *acceleration_) -
-             changed * slope(question_.submitted, *acceleration_);
-    }
+    if (!are_equations()) return vanishes(question_.submitted - changed);
+    if (vanishes(changed)) return false;  // 0 = 0 is a multiple of everything
+    return std::ranges::all_of(slopes_in_, [&](const Expression& x) {
+      return vanishes(question_.submitted * slope(changed, x) - changed * slope(question_.submitted, x));
+    });
+  }
+
+  [[nodiscard]] bool vanishes(const Expression& e) const {
     const Decision decision =
-        vanishing({.value = rest, .symbols = symbols_, .seed = question_.seed + 3}).decision;
+        vanishing({.value = e, .symbols = symbols_, .seed = question_.seed + 3}).decision;
     return decision == Decision::identity || decision == Decision::values;
   }
 
   const SlipQuestion& question_;
   std::vector<SymbolDomain> symbols_;
-  std::optional<Expression> acceleration_;
+  std::vector<Expression> slopes_in_;  ///< by which equations are compared; none: they are formulas
   std::vector<Expression> terms_;
   std::vector<ChangedTerm> changes_;
   std::vector<Part> parts_;  ///< the submission, the right formula, its terms, their changes

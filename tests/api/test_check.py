@@ -197,6 +197,28 @@ class Formulas(Check):
             ("L = (M+m)/2 x'^2 + m l x' theta' cos(theta) + m l^2 theta'^2/2 - k x^2/2 + m g l cos(theta) + 7 x'", True),
             ("L = (M+m)/2 x'^2 + m l x' theta' cos(theta) + m l^2 theta'^2/2 - k x^2/2 + m g l cos(theta) + 7 x' theta", False)])
 
+    def test_a_slip_that_takes_the_acceleration_away_is_told(self):
+        for system, of, submitted, slip in (
+                ("spring_pendulum", "theta", "2 l' theta' + g sin(theta) = 0", "dropped_term"),
+                ("spring_pendulum", "theta", "m*(2 l' theta' + g sin(theta))/7 = 0", "dropped_term"),
+                ("spring_pendulum", "l", "m l theta'^2 + m g cos(theta) - k (l - l0) = 0", "dropped_term"),
+                ("cart_pendulum", "theta", "g sin(theta) + l = -x'' cos(theta)", "exponent"),
+                ("spring_pendulum", "theta", "l + 2 l' theta' + g sin(theta) = 0", "exponent"),
+                ("spring_pendulum", "theta", "2 l' theta' - g sin(theta) = 0", None), ("spring_pendulum", "theta", "theta' = 0", None)):
+            item, = self.verdicts({"equation": {"system": system}, "of": of}, [submitted])
+            with self.subTest(submitted=submitted):
+                self.assertIs(item["correct"], False)
+                self.assertEqual(item["diagnosis"] and item["diagnosis"]["slip"], slip)
+        item, = self.verdicts({"equation": {"system": "spring_pendulum"}}, ["k l - k l0 - m g cos(theta) = m l theta'^2; l theta'' + 2 l' theta' + g sin(theta) = 0"])
+        self.assertEqual((item["feedback"], item["diagnosis"]["slip"]), (["Equation 1: The motion does not obey it."], "dropped_term"))
+
+    def test_a_line_that_is_missing_or_says_nothing_is_told(self):
+        first, second = "(M + m) x'' + m l theta'' cos(theta) - m l theta'^2 sin(theta) + k x = 0", "l theta'' + x'' cos(theta) + g sin(theta) = 0"
+        one, idle, twice = self.verdicts({"equation": {"system": "cart_pendulum"}}, [first, [first, "0 = 0"], [second, second]])
+        self.assertEqual(one["format_errors"], ["2 equations are asked for, one a line, and 1 is here"])
+        self.assertEqual(idle["feedback"], ["Equation 2: It holds whatever the motion is, so it says nothing about it."])
+        self.assertEqual(twice["feedback"], ["One of the equations follows from the others."])
+
     def test_ones_own_formula(self):
         self.assert_verdicts({"expression": {"system": "whirling_pendulum"}, "is": "sqrt(g/l)"},
                              [("sqrt(g/l)", True), ("(g/l)^(1/2)", True), (r"\sqrt{\frac{g}{l}}", True), ("sqrt(g l)/l", True),
@@ -343,6 +365,31 @@ class Secrets(Check):
         _, revealed = self.check(items, reveal=True)
         self.assertEqual(revealed["items"][0]["expected"], 0.9622333375061675)
         self.assertIn("x_ddot*cos(theta)", revealed["items"][2]["expected"]["text"])
+
+    SECRETS = {
+        "equation": lambda g: {"equation": {"system": "cart_pendulum", "parameters": {"g": g}}, "of": "theta"},
+        "equations": lambda g: {"equation": {"system": "cart_pendulum", "parameters": {"g": g}}},
+        **{of: lambda g, of=of: {"expression": {"system": "cart_pendulum", "parameters": {"g": g}}, "of": of} for of in ("T", "V", "H", "theta_ddot")},
+        "formula": lambda g: {"expression": {"system": "cart_pendulum"}, "is": f"{g}*l"},
+        "number": lambda g: {"energy": {"system": "cart_pendulum", "parameters": {"g": g}}, "at": "/V"},
+        "numbers": lambda g: {"modes": {"system": "cart_pendulum", "parameters": {"g": g}}, "at": "/modes/*/omega"},
+        "columns": lambda g: {"simulate": {"system": "spring_pendulum", "parameters": {"g": g}, "t_end": 1}, "columns": ["l"]},
+        "fact": lambda g: {"equilibria": {"system": "whirling_pendulum", "parameters": {"g": g, "Omega": 50}}, "at": "/equilibria/0/stability"}}
+    PROBES = ["g", "exp(g)", "theta'' = g", "theta'' = 1/g", "l*theta'' + x''*cos(theta) + 2*g*sin(theta) = 0", "l theta'' + x'' cos(theta) - g sin(theta) = 0",
+              "x'' = g; theta'' = g", "w = theta'; w' = g", "L = m*g", "theta''^2 = g^2", "abs(theta'') = g", "g = g", "g = 0", "m*l*x", "m*g*l*cos(theta) + k*x",
+              "1/(g-g)", "sqrt(g-100)", "g^g", "", "none", 1, 3.5, "3 rad", [1, 2], {"a": 1}, "t,l\n0,0.5\n0.5,0.6\n1,0.7", "stable", "theta_ddot + g*t"]
+
+    def said_of(self, expect, **more):
+        status, answer = self.check([{"expect": expect, "submitted": probe} for probe in self.PROBES], **more)
+        self.assertEqual(status, 200, answer)
+        return answer["items"]
+
+    def test_of_two_keys_with_different_secrets_the_same_is_said(self):
+        for kind, expect in self.SECRETS.items():
+            with self.subTest(kind=kind):
+                self.assertEqual(self.said_of(expect(7.125)), self.said_of(expect(8.8125)))
+        for kind in ("V", "formula", "number", "numbers"):  # which is seen where they are revealed
+            self.assertNotEqual(self.said_of(self.SECRETS[kind](7.125), reveal=True), self.said_of(self.SECRETS[kind](8.8125), reveal=True))
 
     def test_the_same_submission_and_seed_have_the_same_bytes(self):
         item = {"id": "a", "expect": {"equation": {"system": "compass_walker"}, "of": "phi"}, "submitted": "phi'' = theta''"}

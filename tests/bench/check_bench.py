@@ -1,4 +1,5 @@
-"""Processor time of grading, warm: each item of the ten keys with a right and a wrong answer, and submissions of 20 of them.
+"""Processor time of grading, warm: each item of the ten keys with a right and a wrong answer, and submissions of 20 of them; and
+cold: a `qdot check` of one item from start to end, in user mode, with its page faults.
 
     python3 tests/bench/check_bench.py            the binary of the release preset, or $QDOT_BINARY
 
@@ -9,12 +10,13 @@ through the sockets, so that what else runs on the machine does not count. Print
 import json
 import pathlib
 import random
+import resource
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path += [str(HERE.parent / "server"), str(HERE.parent / "api")]
 
-from running_qdot import RunningQdot, answer  # noqa: E402 (after the path)
+from running_qdot import RunningQdot, answer, qdot  # noqa: E402 (after the path)
 from test_keys import ANSWERS, KEYS  # noqa: E402
 
 REPEATS = 20
@@ -50,6 +52,16 @@ def cost(server, connection, asked):
     return processor_milliseconds(server) - before
 
 
+def cold(item):
+    """User milliseconds and page faults of a command that grades the item."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    run = qdot("check", stdin=json.dumps({"items": [{**item, "id": "0"}]}))
+    if run.returncode != 0:
+        raise SystemExit(run.stderr.decode())
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return 1000 * (after.ru_utime - before.ru_utime), after.ru_minflt - before.ru_minflt
+
+
 def quantile(values, part):
     return sorted(values)[min(len(values) - 1, int(part * len(values)))]
 
@@ -72,6 +84,9 @@ def main():
         line(f"submission of {SIZE}", [cost(server, connection, chosen.sample(list(named.values()), SIZE))
                                        for _ in range(SUBMISSIONS)])
         connection.close()
+    commands = [cold(item) for item in named.values()]
+    line("cold command, bar 60 ms", [milliseconds for milliseconds, _ in commands])
+    print(f"{'its page faults':<28} {quantile([faults for _, faults in commands], 0.5):8} {max(faults for _, faults in commands):17}")
     print("dearest:", ", ".join(f"{name} {quantile(values, 0.5):.1f}" for name, values in
                                 sorted(single.items(), key=lambda entry: -quantile(entry[1], 0.5))[:6]))
 

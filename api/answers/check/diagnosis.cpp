@@ -96,7 +96,12 @@ Json diagnosis_json(const FormulaSystem& formula, const Compared& compared, std:
                         .gravity = gravity_of(formula),
                         .inertia = compared.inertia,
                         .seed = seed};
-  if (compared.are_equations) question.accelerations = formula.system.symbols().coordinates.second_rate;
+  if (compared.are_equations) {
+    question.accelerations = formula.system.symbols().coordinates.second_rate;
+    for (const SymbolDomain& symbol : symbols) {
+      if (formula.vocabulary.varies(symbol.symbol)) question.changing.push_back(symbol.symbol);
+    }
+  }
   const auto found = find_slip(question);
   if (!found) return nullptr;
   Json json{{"slip", name_of(found->slip)}, {"text", in_words(formula, *found, compared.submitted)}};

@@ -34,9 +34,10 @@ std::optional<std::string> text_of_equations(const Json& submitted) {
   return text;
 }
 
-std::string how_many(std::size_t count) {
-  return count == 1 ? "one equation is asked for"
-                    : std::to_string(count) + " equations are asked for, one a line";
+std::string how_many(std::size_t wanted, std::size_t found) {
+  const std::string asked = wanted == 1 ? "one equation is asked for"
+                                        : std::to_string(wanted) + " equations are asked for, one a line";
+  return asked + ", and " + std::to_string(found) + (found == 1 ? " is here" : " are here");
 }
 
 Json all_written(const FormulaSystem& formula, std::span<const ReadEquation> equations) {
@@ -123,9 +124,9 @@ void decide_equations(const EquationItem& item, std::span<const ReadEquation> eq
   }
   const MotionVerdict found = compare_motion(system, residuals, item.coordinate, item.seed, item.tolerance);
   if (found.fault != MotionFault::none) {
-    const std::string which = residuals.size() > 1 && found.fault == MotionFault::not_true
-                                  ? "Equation " + std::to_string(found.equation + 1) + ": "
-                                  : "";
+    const bool is_of_one = found.fault == MotionFault::not_true || found.fault == MotionFault::holds_always;
+    const std::string which =
+        residuals.size() > 1 && is_of_one ? "Equation " + std::to_string(found.equation + 1) + ": " : "";
     verdict.feedback.push_back(which + sentence(found.fault));
   }
   if (has_no_verdict(found.fault)) return;
@@ -205,7 +206,7 @@ Verdict grade_equations(const EquationItem& item, const Json& submitted) {
   if (!text) return unreadable("Write the equation as a text.");
   const ReadMotion read = read_motion(item, *text);
   if (!read.errors.empty()) return {.format_errors = read.errors};
-  if (read.equations.size() != item.count()) return unreadable(how_many(item.count()));
+  if (read.equations.size() != item.count()) return unreadable(how_many(item.count(), read.equations.size()));
   for (const ReadEquation& equation : read.equations) {
     if (!equation.right) return unreadable("an equation has an equals sign");
   }

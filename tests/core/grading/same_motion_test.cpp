@@ -77,8 +77,28 @@ TEST(SameMotion, WhatIsNotLinearHasToHaveNoOtherSolution) {
             other_solutions);
   EXPECT_EQ(fault("whirling_pendulum", "exp" + right + " = 1"), not_linear);
   EXPECT_EQ(fault("whirling_pendulum", "abs(theta'') = abs(sin(theta) (Omega^2 cos(theta) - g/l))"),
-            not_linear);
-  EXPECT_EQ(fault("whirling_pendulum", right + "*(theta'' - 1)^2 = 0"), not_linear);
+            other_solutions);
+  EXPECT_EQ(fault("whirling_pendulum", right + "*(theta'' - 1)^2 = 0"), other_solutions);
+  EXPECT_EQ(fault("whirling_pendulum", "exp(theta''^2) = exp((sin(theta) (Omega^2 cos(theta) - g/l))^2)"),
+            other_solutions);
+}
+
+TEST(SameMotion, SetsThatAreNotLinearHaveToHaveNoOtherSolution) {
+  const std::string l = "(m (l'' - l theta'^2 - g cos(theta)) + k (l - l0))";
+  const std::string theta = "(l theta'' + 2 l' theta' + g sin(theta))";
+  const std::string b = "(k/m (l - l0) - l theta'^2 - g cos(theta))";
+  const auto of_both = [](const std::string& first, const std::string& second) {
+    return fault("spring_pendulum", first + "\n" + second, std::nullopt);
+  };
+  EXPECT_EQ(of_both(l + "^2 = 0", theta + " = 0"), none);
+  EXPECT_EQ(of_both(l + "^2 = 0", theta + "^3*(1 + l''^2) = 0"), none);
+  EXPECT_EQ(of_both("l''^2 + 2 l'' " + b + " + " + b + "^2 = 0", theta + " = 0"), none);
+  EXPECT_EQ(of_both(l + "*l'' = 0", theta + " = 0"), other_solutions);
+  EXPECT_EQ(of_both("l''^2 = " + b + "^2", theta + " = 0"), other_solutions);
+  EXPECT_EQ(of_both(l + " = " + theta + "^2", theta + " = " + l + "^2"), other_solutions);
+  EXPECT_EQ(of_both(l + "*" + theta + " = 0", theta + " = 0"), dependent);
+  EXPECT_EQ(of_both("exp(" + l + "/m) = 1", theta + " = 0"), not_linear);
+  EXPECT_EQ(of_both(l + " = 0", "0 = 0"), holds_always);
 }
 
 TEST(SameMotion, WhatIsNotLinearIsLookedAtWhereTheOtherEquationsHold) {
