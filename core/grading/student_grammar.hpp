@@ -14,10 +14,17 @@
 
 namespace qdot {
 
+/// Whether blanks between factors say anything: g/l x is read in one way, and no reader of LaTeX sees them.
+enum class Blanks { are_seen, are_not_seen };
+
 class StudentGrammar {
  public:
-  StudentGrammar(std::string_view plain, Graph& graph, const Vocabulary& vocabulary)
-      : tokens_(student_tokens(plain)), graph_(graph), vocabulary_(vocabulary), first_node_(graph.size()) {}
+  StudentGrammar(std::string_view plain, Graph& graph, const Vocabulary& vocabulary, Blanks blanks)
+      : tokens_(student_tokens(plain)),
+        graph_(graph),
+        vocabulary_(vocabulary),
+        blanks_(blanks),
+        first_node_(graph.size()) {}
 
   /// Throws Error with what to write instead.
   std::vector<ReadEquation> whole();
@@ -110,6 +117,7 @@ class StudentGrammar {
   std::vector<StudentToken> tokens_;
   Graph& graph_;
   const Vocabulary& vocabulary_;
+  Blanks blanks_;
   std::size_t first_node_;
   std::size_t next_{0};
   int depth_{0};

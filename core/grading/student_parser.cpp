@@ -14,6 +14,10 @@ namespace {
 constexpr double largest_exponent = 64;
 constexpr std::size_t most_nodes = 2000;
 
+Blanks blanks_in(std::string_view text) {
+  return text.find('\\') == std::string_view::npos ? Blanks::are_seen : Blanks::are_not_seen;
+}
+
 }  // namespace
 
 std::vector<ReadEquation> StudentGrammar::whole() {
@@ -91,14 +95,18 @@ Expression StudentGrammar::divisor(bool is_fraction) {
   const std::size_t first = next_;
   const Expression e = signed_factor();
   if (e.is_zero()) refuse("division by zero");
-  // g/2l and g/ml have two readings; 1/2m is a fraction before m.
-  const bool is_single = next_ == first + 1;
-  const bool goes_on = at(Mark::name) && !token().is_apart && !is_function_word(token().text);
+  // g/2l, g/ml and k/m^2l have two readings; 1/2m is a fraction before m. Blanks do not show in LaTeX.
+  const bool is_single = next_ == first + 1 || tokens_[first + 1].mark == Mark::power;
+  const bool is_joined = at(Mark::name) && (blanks_ == Blanks::are_not_seen || !token().is_apart);
+  const bool goes_on = is_joined && !is_function_word(token().text);
   const bool fraction = is_fraction && tokens_[first].mark == Mark::number;
   if (is_single && goes_on && !fraction) {
-    const std::string divisor(tokens_[first].text), next(token().text);
-    refuse("'/" + divisor + next + "' has two readings: write /(" + divisor + "*" + next + ") or /" +
-               divisor + "*" + next,
+    std::string divisor;
+    for (std::size_t i = first; i < next_; ++i)
+      divisor += tokens_[i].mark == Mark::power ? "^" : tokens_[i].text;
+    const std::string next(token().text);
+    refuse("'/" + divisor + (token().is_apart ? " " : "") + next + "' has two readings: write /(" + divisor +
+               "*" + next + ") or /" + divisor + "*" + next,
            token().offset);
   }
   return checked(pow(e, Number(-1)));
@@ -167,7 +175,7 @@ ReadSubmission read_submission(std::string_view text, Graph& graph, const Vocabu
   ReadSubmission result;
   try {
     const std::string plain = plain_notation(text);
-    result.equations = StudentGrammar(plain, graph, vocabulary).whole();
+    result.equations = StudentGrammar(plain, graph, vocabulary, blanks_in(text)).whole();
   } catch (const Error& error) {
     result.errors.emplace_back(error.what());
   }

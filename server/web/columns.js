@@ -1,5 +1,4 @@
-// The columns of a motion: those that the service answers, and T and V, computed from its equations.
-import { compiled } from "./expression.js";
+// The columns of a motion, and which part of an answer has them.
 
 /** @typedef {import("./subject.js").Subject} Subject */
 /** @typedef {import("./motion.js").Motion} Motion */
@@ -19,13 +18,13 @@ export function allColumns({ scene, coordinates, velocities, parameters }) {
     "energy",
     ...conditionsOf(scene),
   ];
-  const taken = new Set([...names, ...parameters]);
-  return [...names, ...["T", "V"].filter((name) => !taken.has(name))];
+  const energies = scene.lagrangian ? [] : ["T", "V"]; // a Lagrangian alone does not tell which is which
+  return [...names, ...energies.filter((name) => !names.includes(name) && !parameters.includes(name))];
 }
 
 /** Which part of an answer has the column. @param {string} name @param {any} scene @returns {string | null} */
 export function includeOf(name, scene) {
-  if (name === "energy") return "energy";
+  if (name === "energy" || name === "T" || name === "V") return name;
   if (name.startsWith("p_")) return "momenta";
   if (name.endsWith("_ddot")) return "accelerations";
   return conditionsOf(scene).includes(name) ? "validity" : null;
@@ -54,12 +53,6 @@ export function broken(times, column, jumps) {
     y.push(column[i]);
   });
   return { x, y };
-}
-
-/** An energy of the equations at every row. @param {string} text @param {import("./figure.js").Figure} figure @param {Motion} motion */
-export function energyColumn(text, figure, motion) {
-  const energy = compiled(text);
-  return motion.times.map((t, i) => energy(figure.known({ t, ...motion.row(i).values })));
 }
 
 /** A state's value between the rows: coordinates and rates of the cubic through them, other columns on a line. @param {Motion} motion @param {string} name @param {number} t */

@@ -136,7 +136,8 @@ function raised(text) {
  */
 export function quantity(value, { unit, error, digits } = {}) {
   if (value === null || value === undefined) return element("span", { class: "number" }, "–");
-  const text = error === undefined ? withPowerShort(value, digits ?? 6) : withError(value, error);
+  const isFiner = error !== undefined && digits !== undefined && error < Math.abs(value) * 10 ** -digits;
+  const text = error === undefined || isFiner ? withPowerShort(value, digits ?? 6) : withError(value, error);
   const shown = unitText(unit);
   const said = error === undefined ? String(value) : `${value} ± ${error}`;
   return element("span", { class: "number", title: said }, ...raised(text), shown ? `\u202F${shown}` : "");

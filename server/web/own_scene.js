@@ -112,6 +112,7 @@ class OwnScene {
       "equilibria",
       "bifurcations",
       "accuracy",
+      "energy",
       ...(scene.impact ? ["gait"] : []),
     ];
     this.page = new SystemPage(this.main, subject, ["scene"], needs, this.left);
@@ -127,6 +128,7 @@ class OwnScene {
           this.problem,
         ),
       );
+    this.page.section.before(this.page.tabs);
     this.box?.replaceWith(this.page.node);
     this.page.open(this.part);
     this.main.addEventListener(

@@ -41,8 +41,9 @@ export class SystemPage {
     this.node = element(
       "div",
       { class: "columns" },
+      this.tabs,
       element("div", { class: "left" }, this.stage.node, this.board.node),
-      element("div", { class: "right" }, this.tabs, this.section),
+      element("div", { class: "right" }, this.section),
     );
     this.motionLatest = new Latest(
       (signal) => this.askMotion(signal),
@@ -100,6 +101,13 @@ export class SystemPage {
         ),
       ),
     );
+    this.showOpenTab();
+  }
+
+  /** On a phone the tabs are one line that is moved sideways. */
+  showOpenTab() {
+    const open = /** @type {HTMLElement | null} */ (this.tabs.querySelector("[aria-current]"));
+    if (open) this.tabs.scrollLeft = open.offsetLeft - (this.tabs.clientWidth - open.offsetWidth) / 2;
   }
 
   /** @param {string} view */

@@ -26,11 +26,30 @@ export class AccuracyView {
     this.plot = null;
     this.results = element("div", {});
     this.wish = element("p", { class: "result", "aria-live": "polite" });
-    this.node = element("div", {}, this.slider(), this.wish, this.overlay(), this.results);
+    this.node = element("div", {}, this.slider(), this.wish, this.timing(), this.overlay(), this.results);
   }
 
   get wanted() {
     return Number(this.page.subject.values.get("_error") ?? 1e-6) || 1e-6;
+  }
+
+  /** Times are measured only where they are asked for: other answers are the same whenever they are asked. */
+  get isTimed() {
+    return this.page.subject.values.has("_timed");
+  }
+
+  timing() {
+    const box = element("input", {
+      type: "checkbox",
+      checked: this.isTimed,
+      onchange: () => this.page.set("_timed", box.checked ? "1" : null),
+    });
+    return element("p", {}, element("label", { class: "toggle" }, box, "Measure milliseconds, too, on the service's machine"));
+  }
+
+  /** @param {any} point */
+  workOf(point) {
+    return point.measured ? point.measured.cpu_us / 1000 : point.evaluations;
   }
 
   slider() {
@@ -58,21 +77,25 @@ export class AccuracyView {
 
   /** @param {AbortSignal} signal */
   async show(signal) {
-    const body = { ...this.page.subject.body("initial"), t_end: this.page.subject.duration };
+    const body = {
+      ...this.page.subject.body("initial"),
+      t_end: this.page.subject.duration,
+      ...(this.isTimed ? { measure: true } : {}),
+    };
     const key = JSON.stringify(body);
     if (key !== this.shown) {
       if (!this.answer)
         fill(this.results, element("p", { class: "quiet-words" }, "Every method at every tolerance, against a reference …"));
       this.answer = await ask("accuracy", body, signal);
       this.shown = key;
-      this.plot ??= this.newPlot();
+      this.plot = this.newPlot();
       fill(
         this.results,
         this.plot.node,
         element(
           "p",
           { class: "quiet-words" },
-          "Work is counted in evaluations of the accelerations, so that it is the same on every machine. The heavy line is what nothing beats; the dashed one can be dragged.",
+          `${this.isTimed ? "Processor time is the service's own, the least of three runs, and differs from time to time and from machine to machine." : "Work is counted in evaluations of the accelerations, so that it is the same on every machine."} The heavy line is what nothing beats; the dashed one can be dragged.`,
         ),
         foot({ endpoint: "accuracy", body }),
       );
@@ -86,7 +109,7 @@ export class AccuracyView {
       title: "Error against work",
       height: 360,
       x: { label: "largest error", isLogarithmic: true, isReversed: true },
-      y: { label: "evaluations", isLogarithmic: true },
+      y: { label: this.isTimed ? "processor time / ms" : "evaluations", isLogarithmic: true },
       onPick: (x) => this.want(x),
       isDraggable: true,
     });
@@ -101,7 +124,7 @@ export class AccuracyView {
         .sort((/** @type {any} */ a, /** @type {any} */ b) => b.error - a.error);
       return {
         x: mine.map((/** @type {any} */ one) => one.error),
-        y: mine.map((/** @type {any} */ one) => one.evaluations),
+        y: mine.map((/** @type {any} */ one) => this.workOf(one)),
         label: String(name),
         width: 1,
         ...(looks[String(name)] ?? { colour: "sky", marker: "dot" }),
@@ -115,14 +138,14 @@ export class AccuracyView {
       series: [
         {
           x: front.map((/** @type {any} */ one) => one.error),
-          y: front.map((/** @type {any} */ one) => one.evaluations),
+          y: front.map((/** @type {any} */ one) => this.workOf(one)),
           colour: "ink",
           width: 3,
           alpha: 0.35,
         },
         ...curves,
         ...(best
-          ? [{ x: [best.error], y: [best.evaluations], colour: "ink", marker: /** @type {"ring"} */ ("ring"), joined: false }]
+          ? [{ x: [best.error], y: [this.workOf(best)], colour: "ink", marker: /** @type {"ring"} */ ("ring"), joined: false }]
           : []),
       ],
       marks: [{ x: this.wanted, label: "wanted" }],
@@ -133,14 +156,14 @@ export class AccuracyView {
   /** The cheapest measured point that is good enough. */
   best() {
     const enough = (this.answer?.points ?? []).filter((/** @type {any} */ one) => one.error > 0 && one.error <= this.wanted);
-    return enough.sort((/** @type {any} */ a, /** @type {any} */ b) => a.evaluations - b.evaluations)[0];
+    return enough.sort((/** @type {any} */ a, /** @type {any} */ b) => this.workOf(a) - this.workOf(b))[0];
   }
 
   sentence() {
     const best = this.best();
     if (!this.answer) return "";
     if (!best) return `No method reached ${short(this.wanted, 2)}.`;
-    return `For an error of ${short(this.wanted, 2)}: ${best.method} at rtol ${short(best.rtol, 2)}, ${best.evaluations} evaluations in ${best.steps} steps; its error is ${short(best.error, 2)}.`;
+    return `For an error of ${short(this.wanted, 2)}: ${best.method} at rtol ${short(best.rtol, 2)}, ${best.evaluations} evaluations in ${best.steps} steps${best.measured ? `, ${short(best.measured.cpu_us / 1000, 2)} ms` : ""}; its error is ${short(best.error, 2)}.`;
   }
 
   showWish() {

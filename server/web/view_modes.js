@@ -67,19 +67,18 @@ export class ModesView {
     const heads = [
       "mode",
       "ω",
-      "frequency",
-      "period",
+      "frequency, period",
       ...answer.coordinates.map((/** @type {string} */ name) => symbolNode(name)),
       scaled ? "in one unit" : null,
     ].filter((head) => head !== null);
     return table(
       { class: "modes", heads },
-      ...answer.modes.map((/** @type {any} */ mode, /** @type {number} */ i) => this.row(answer, mode, i, scaled)),
+      ...answer.modes.flatMap((/** @type {any} */ mode, /** @type {number} */ i) => this.rows(answer, mode, i, scaled)),
     );
   }
 
   /** @param {any} answer @param {any} mode @param {number} i @param {boolean} scaled */
-  row(answer, mode, i, scaled) {
+  rows(answer, mode, i, scaled) {
     const { units } = answer;
     const pick = element("input", {
       type: "radio",
@@ -92,24 +91,27 @@ export class ModesView {
     const cells =
       mode.kind === "oscillation"
         ? [
-            quantity(mode.omega, { unit: units.omega, error: mode.error }),
-            quantity(mode.f, { unit: units.f, digits: 5 }),
-            quantity(mode.period, { unit: units.period, digits: 5 }),
+            quantity(mode.omega, { unit: units.omega, error: mode.error, digits: 10 }),
+            element(
+              "div",
+              {},
+              quantity(mode.f, { unit: units.f, digits: 5 }),
+              element("br"),
+              quantity(mode.period, { unit: units.period, digits: 5 }),
+            ),
           ]
         : [
             mode.kind === "rigid"
               ? quantity(0, { unit: units.omega })
-              : quantity(mode.rate, { unit: units.rate, error: mode.error }),
-            "–",
+              : quantity(mode.rate, { unit: units.rate, error: mode.error, digits: 10 }),
             "–",
           ];
-    if (mode.exact) cells[0] = element("span", {}, cells[0], this.exactly(mode));
-    return element(
+    const numbers = element(
       "tr",
       {},
       element("th", { scope: "row" }, element("label", { for: `mode-${i}` }, pick, mode.kind)),
       ...cells.map((cell) => element("td", {}, cell)),
-      ...answer.coordinates.map((/** @type {string} */ name) => element("td", { class: "number" }, short(mode.shape[name], 6))),
+      ...answer.coordinates.map((/** @type {string} */ name) => element("td", { class: "number" }, short(mode.shape[name], 5))),
       scaled
         ? element(
             "td",
@@ -118,12 +120,21 @@ export class ModesView {
           )
         : "",
     );
+    if (!mode.exact) return [numbers];
+    numbers.classList.add("with-formula");
+    return [numbers, this.exactly(mode, 3 + answer.coordinates.length + (scaled ? 1 : 0))];
   }
 
-  /** The frequency as a formula, or its square where that is what has one. @param {any} mode */
-  exactly({ exact }) {
+  /** The frequency as a formula, or its square where that is what has one, in a row of its own. @param {any} mode @param {number} width */
+  exactly({ exact }, width) {
     const itself = exact.omega ?? exact.rate;
-    return element("div", {}, ...(itself ? ["= ", formula(itself)] : [closedForm(exact)]));
+    const shown = itself ? ["ω = ", formula(itself)] : [closedForm(exact)];
+    if (exact.rate && !exact.omega) shown[0] = "rate = ";
+    return element(
+      "tr",
+      { class: "formula-row" },
+      element("td", { colspan: width }, element("div", { tabindex: "0" }, ...shown)),
+    );
   }
 
   /** @param {number} i */

@@ -1,6 +1,6 @@
 // Columns over time with their errors, one column against another, and what is kept.
-import { ask, askForTable } from "./api.js";
-import { allColumns, broken, energyColumn, includeOf, jumpTimes } from "./columns.js";
+import { askForTable } from "./api.js";
+import { allColumns, broken, includeOf, jumpTimes } from "./columns.js";
 import { download, element, fill } from "./dom.js";
 import { foot, notes, problemNote } from "./foot.js";
 import { plusMinus, short, symbol, symbolNode, unitText } from "./numbers.js";
@@ -22,10 +22,7 @@ export class MotionView {
     this.words = element("div", { class: "words" });
     this.footBox = element("div");
     this.chooser = element("div", { class: "chooser", role: "group", "aria-label": "Columns" });
-    this.versus = new Versus(
-      page,
-      this.columns.filter((name) => name !== "T" && name !== "V"),
-    );
+    this.versus = new Versus(page, this.columns);
     this.node = element("div", {}, this.chooser, this.plotBox, this.versus.node, this.words, this.footBox);
     this.fillChooser();
     page.include = this.includes();
@@ -72,17 +69,12 @@ export class MotionView {
     this.page.set("_show", names.join(","));
   }
 
-  /** Before a question: what it has to answer, and what the equations say of T and V. @param {AbortSignal} signal */
-  async show(signal) {
+  /** Asks anew where a column is wished that the motion has not. */
+  async show() {
     const wanted = this.includes();
-    if (wanted.join() !== this.page.include.join()) {
-      this.page.include = wanted;
-      this.page.motionLatest.wish();
-    }
-    if (!this.energies && this.chosen().some((name) => name === "T" || name === "V")) {
-      this.energies = await ask("equations", { ...this.page.subject.body("system"), form: "text" }, signal);
-      this.motionCame();
-    }
+    if (wanted.join() === this.page.include.join()) return;
+    this.page.include = wanted;
+    this.page.motionLatest.wish();
   }
 
   motionCame() {
@@ -127,19 +119,6 @@ export class MotionView {
     fill(this.words, problemNote(error));
   }
 
-  /** The values of a column, or null while they are not there. @param {any} answer @param {string} name @returns {number[] | null} */
-  valuesOf(answer, name) {
-    if (name in answer.trajectory) return answer.trajectory[name];
-    const { figure, motion } = this.page;
-    if (!this.energies || !figure || !motion || (name !== "T" && name !== "V")) return null;
-    return energyColumn(this.energies[name], figure, motion);
-  }
-
-  /** @param {any} answer @param {string} name */
-  unitOf(answer, name) {
-    return answer.units[name] ?? (name === "T" || name === "V" ? "J" : "1");
-  }
-
   /** @param {string | undefined} unit */
   factor(unit) {
     return this.inDegrees && /\brad\b/.test(unit ?? "") && !/[*]/.test(unit ?? "") ? 180 / Math.PI : 1;
@@ -149,8 +128,8 @@ export class MotionView {
   groupsByUnit(answer) {
     const groups = new Map();
     for (const name of this.chosen()) {
-      if (!(name in answer.trajectory) && !((name === "T" || name === "V") && this.energies)) continue;
-      const unit = this.unitOf(answer, name);
+      if (!(name in answer.trajectory)) continue;
+      const unit = answer.units[name];
       groups.set(unit, [...(groups.get(unit) ?? []), name]);
     }
     return groups;
@@ -178,7 +157,7 @@ export class MotionView {
 
   /** @param {any} answer @param {string[]} names */
   content(answer, names) {
-    const unit = this.unitOf(answer, names[0]);
+    const unit = answer.units[names[0]];
     const plot = this.plotOf(unit);
     const factor = this.factor(unit);
     const shown = unitText(factor === 1 ? unit : unit.replace("rad", "deg"));
@@ -198,9 +177,9 @@ export class MotionView {
     const jumps = jumpTimes(answer, name);
     const stated = answer.accuracy.max_abs_error?.[name];
     const error = stated === undefined ? undefined : stated * factor;
-    const values = this.valuesOf(answer, name) ?? [];
+    const values = answer.trajectory[name] ?? [];
     return {
-      ...broken(answer.trajectory.t, factor === 1 ? values : values.map((value) => value * factor), jumps),
+      ...broken(answer.trajectory.t, factor === 1 ? values : values.map((/** @type {number} */ value) => value * factor), jumps),
       label: symbol(name),
       colour: colours[this.columns.indexOf(name) % colours.length],
       error,

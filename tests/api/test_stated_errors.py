@@ -1,5 +1,6 @@
 """Every answer that states an error: what 'digits' rounds away is in it, and the error is rounded up."""
 
+import json
 import pathlib
 import sys
 import unittest
@@ -72,6 +73,36 @@ class StatedErrors(Service):
                 self.assertEqual(float(f"{error:.{digits - 1}e}"), error, "more digits than asked for")
                 count += 1
         return count
+
+    def test_energies_along_a_motion(self):
+        """T and V against a run in extended precision; their errors are not far from what they are of."""
+        for system in ("spring_pendulum", "cart_pendulum", "rod_pendulum", "whirling_pendulum", textbook_scene("driven_pivot")):
+            asked = {"system": system, "t_end": 4, "samples": 9, "include": ["T", "V"]}
+            true = self.ask("simulate", {**asked, "precision": "extended", "max_error": 1e-18})["trajectory"]
+            for more in ({"accuracy": "fast"}, {"rtol": 1e-5, "method": "erk"}, {}, {"accuracy": "accurate"}, {"digits": 4}):
+                answer = self.ask("simulate", {**asked, **more})
+                for name in "TV":
+                    error = answer["accuracy"]["max_abs_error"][name]
+                    apart = max(abs(a - b) for a, b in zip(answer["trajectory"][name], true[name]))
+                    with self.subTest(system=answer["system"], name=name, **more):
+                        self.assertLessEqual(apart, error)
+                        self.assertLess(error, 5e3*apart + 1e-13)
+
+    def test_an_error_that_is_wanted_is_that_of_coordinates_and_velocities(self):
+        stiff = {"system": "cart_pendulum", "parameters": {"k": 1e7}, "initial": {"x": 1e-3}, "t_end": 0.01, "include": ["T", "V"], "max_error": 1e-6}
+        accuracy = self.ask("simulate", stiff)["accuracy"]
+        self.assertTrue(accuracy["meets_request"])
+        self.assertEqual(list(accuracy["max_abs_error"]), ["x", "theta", "x_dot", "theta_dot", "T", "V"])
+
+    def test_energies_that_have_no_column(self):
+        for system, why in ((textbook_scene("foucault"), "A Lagrangian alone"),
+                            ({"name": "a", "parameters": [{"name": "m", "unit": "kg", "default": 1}],
+                              "coordinates": [{"name": "V", "unit": "m", "initial": 0.1}],
+                              "bodies": [{"kind": "particle", "name": "b", "mass": "m", "position": ["V", "0"]}]}, "'V' is a coordinate")):
+            answer = self.post("simulate", {"system": system, "t_end": 1, "include": ["V"]})
+            error, = json.loads(answer.data)["errors"]
+            self.assertEqual((answer.status, error["pointer"], error["code"]), (422, "#/include", "not_applicable"))
+            self.assertTrue(error["detail"].startswith(why))
 
     def test_turning_points(self):
         count = 0

@@ -55,6 +55,46 @@ test("every view of every system opens, and its words are there", async () => {
   await context.close();
 });
 
+test("tabs are one line, and no table of modes is wider than its column, on a desk", async () => {
+  const { page, context } = await newPage(browser);
+  for (const { name, capabilities } of systems.filter((one) => one.capabilities.includes("modes"))) {
+    await open(page, `#/systems/${name}/modes`, "table.modes");
+    const [height, wide, seen] = await page.evaluate(() => {
+      const frame = document.querySelector(".modes").closest(".table-frame");
+      return [document.querySelector(".views").offsetHeight, frame.scrollWidth, frame.clientWidth];
+    });
+    assert.ok(height < 48, `${name}: tabs ${height} pixels high`);
+    assert.ok(wide <= seen, `${name}: a table of ${wide} pixels in ${seen}`);
+    assert.ok(capabilities.length > 0);
+  }
+  await context.close();
+});
+
+test("T and V are columns of the service, with their errors", async () => {
+  const { page, complaints, context } = await newPage(browser);
+  const answered = page.waitForResponse((one) => one.url().endsWith("/v1/simulate") && (one.request().postData() ?? "").includes('"T"'));
+  await open(page, "#/systems/cart_pendulum?_show=T,V", ".plots figure");
+  const answer = await (await answered).json();
+  assert.equal(answer.trajectory.T.length, answer.trajectory.t.length);
+  const said = await page.locator(".words").innerText();
+  for (const name of ["T ±", "V ±"]) assert.ok(said.includes(name), said);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("milliseconds are shown where they are asked for, and measured by the service", async () => {
+  const { page, complaints, context } = await newPage(browser);
+  const bodies = [];
+  page.on("request", (one) => one.url().endsWith("/v1/accuracy") && bodies.push(JSON.parse(one.postData())));
+  await open(page, "#/systems/whirling_pendulum/accuracy?t_end=1", ".view figure");
+  assert.ok(!(await page.locator(".result").innerText()).includes(" ms"));
+  await page.getByLabel("Measure milliseconds").check();
+  await page.locator(".result", { hasText: / ms;/ }).waitFor({ timeout: 60000 });
+  assert.deepEqual([bodies[0].measure, bodies.at(-1).measure], [undefined, true]);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("the ten problems are answered", async () => {
   const { page, complaints, context } = await newPage(browser);
   for (let number = 1; number <= 10; ++number) {

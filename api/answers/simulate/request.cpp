@@ -106,6 +106,24 @@ void check_precision(SimulateRequest& request, Findings& findings) {
   }
 }
 
+/// T and V are columns where a scene has them, and nothing else of that name.
+void check_energies(const SimulateRequest& request, const Scene& scene, Findings& findings) {
+  for (const auto& [extra, name] : {std::pair{Extra::kinetic_energy, "T"}, {Extra::potential_energy, "V"}}) {
+    if (std::ranges::find(request.include, extra) == request.include.end()) continue;
+    if (!scene.lagrangian.empty()) {
+      findings.report("include", "not_applicable",
+                      "A Lagrangian alone does not tell what of it is T and what V: include energy, which is "
+                      "the Jacobi integral h.");
+      return;
+    }
+    if (std::ranges::find(scene.coordinates, name, &Coordinate::name) != scene.coordinates.end()) {
+      findings.report("include", "not_applicable",
+                      std::string("'") + name + "' is a coordinate of " + scene.name +
+                          ", whose column it is: /v1/energy has the energy of that name.");
+    }
+  }
+}
+
 /// The grid is checked only when its own fields could be read; the others do not matter to it.
 void check_simulate(SimulateRequest& request, Findings& findings) {
   const Scene* scene = request.system.scene.get();
@@ -116,6 +134,7 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
              *request.t_end <= request.t_start) {
     findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
   }
+  if (!findings.has_error_at({"include"})) check_energies(request, *scene, findings);
   if (!findings.has_error_at({"events"})) check_events(*scene, request.events, findings);
   check_inputs(request.system, findings);
   check_step(request, findings);
@@ -148,6 +167,8 @@ RequestTable<SimulateRequest> make_simulate_table() {
   const std::vector<RequestField<SimulateRequest>> rest{
       choices("include", &SimulateRequest::include,
               {{"energy", Extra::energy},
+               {"T", Extra::kinetic_energy},
+               {"V", Extra::potential_energy},
                {"momenta", Extra::momenta},
                {"positions", Extra::positions},
                {"accelerations", Extra::accelerations},
@@ -224,6 +245,8 @@ std::int64_t column_count(const Scene& scene, const std::vector<Extra>& include)
   for (const Extra extra : include) {
     switch (extra) {
       case Extra::energy:
+      case Extra::kinetic_energy:
+      case Extra::potential_energy:
         count += 1;
         break;
       case Extra::momenta:

@@ -7,6 +7,7 @@
 #include "api/answers/simulate/terms.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/units_of.hpp"
+#include "core/motion/column_errors.hpp"
 
 namespace qdot::api {
 namespace {
@@ -87,7 +88,7 @@ class SimulationAnswer {
                       .body = csv ? to_csv(table_, digits()) : to_ndjson(table_, digits())};
     if (result_.stop) response.headers["X-Qdot-Stop"] = result_.stop->reason;
     if (!measured_.max_abs_error.empty()) {
-      std::string errors = to_text(max_abs_errors());
+      std::string errors = to_text(stated_errors());
       errors.pop_back();
       response.headers["X-Qdot-Max-Abs-Error"] = errors;
     }
@@ -185,7 +186,7 @@ class SimulationAnswer {
     if (measured_.max_abs_error.empty()) {
       if (!request_.verify) reason = "The error was not measured, as 'verify' is false.";
     } else {
-      json["max_abs_error"] = max_abs_errors();
+      json["max_abs_error"] = stated_errors();
       if (measured_.horizon) json["horizon"] = *measured_.horizon;
       json["verified_by"] = record_of(measured_.verified_by).name;
       json["bounded"] = measured_.bounded;
@@ -193,7 +194,7 @@ class SimulationAnswer {
     }
     if (measured_.meets_request) {
       const bool rounded_away =
-          *measured_.meets_request && request_.max_error && !within(*request_.max_error, json);
+          *measured_.meets_request && request_.max_error && !within(*request_.max_error, max_abs_errors());
       json["meets_request"] = *measured_.meets_request && !rounded_away;
       if (rounded_away) reason = "The digits asked for round more away than the error wanted.";
     }
@@ -210,22 +211,39 @@ class SimulationAnswer {
            "may happen between the places that they look at.";
   }
 
-  [[nodiscard]] static bool within(double wanted, const Json& accuracy) {
-    const Json& errors = accuracy["max_abs_error"];
+  [[nodiscard]] static bool within(double wanted, const Json& errors) {
     return std::all_of(errors.begin(), errors.end(),
                        [&](const Json& e) { return e.get<double>() <= wanted; });
   }
 
   /// What `digits` rounds away is an error of the answer too.
+  [[nodiscard]] Json with_rounding(double error, const Column& column) const {
+    double lost = 0;
+    for (std::size_t i = 0; digits() != shortest_digits && i < column.values.size(); ++i) {
+      lost = std::max(lost, std::abs(rounded(column.values[i], digits()) - column.values[i]));
+    }
+    return stated_bound(error + lost, shortest_digits);
+  }
+
+  /// Of coordinates and velocities, in which an error is wanted.
   [[nodiscard]] Json max_abs_errors() const {
     Json json = Json::object();
     for (std::size_t k = 0; k < measured_.max_abs_error.size(); ++k) {
-      const Column& column = table_[1 + k];
-      double lost = 0;
-      for (std::size_t i = 0; digits() != shortest_digits && i < column.values.size(); ++i) {
-        lost = std::max(lost, std::abs(rounded(column.values[i], digits()) - column.values[i]));
-      }
-      json[column.name] = stated_bound(measured_.max_abs_error[k] + lost, shortest_digits);
+      json[table_[1 + k].name] = with_rounding(measured_.max_abs_error[k], table_[1 + k]);
+    }
+    return json;
+  }
+
+  /// The same and what these errors make of T and V.
+  [[nodiscard]] Json stated_errors() const {
+    Json json = max_abs_errors();
+    const RowsWithErrors rows{.t = grid_, .states = result_.states, .errors = measured_.max_abs_error};
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (columns_[k].name != "T" && columns_[k].name != "V") continue;
+      const Column& column = table_[1 + measured_.max_abs_error.size() + k];
+      const double error =
+          column_error(dynamics(), columns_[k], system_.state.parameters, rows, column.values);
+      if (std::isfinite(error)) json[column.name] = with_rounding(error, column);
     }
     return json;
   }

@@ -33,6 +33,12 @@ std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra
         columns.push_back(model.energy ? qdot::Column{"energy", "J", *model.energy}
                                        : qdot::Column{"h", "J", model.jacobi});
         break;
+      case Extra::kinetic_energy:
+        columns.push_back({"T", "J", *model.lagrangian.kinetic_energy});
+        break;
+      case Extra::potential_energy:
+        columns.push_back({"V", "J", *model.lagrangian.potential_energy});
+        break;
       case Extra::momenta:
         append(momentum_columns(model));
         break;

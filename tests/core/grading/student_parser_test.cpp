@@ -131,7 +131,8 @@ TEST(StudentParser, TakesTheTeachersWords) {
 
 TEST(StudentParser, RefusesWhatHasTwoReadings) {
   for (const char* text : {"g/2l", "g/ml", "p_l^2/2m", "sin theta^2", "sin theta/2", "\\sin\\theta/2",
-                           "sin^-1(theta)", "m^1/2", "sin 2*theta", "\\cos m k"}) {
+                           "sin^-1(theta)", "m^1/2", "sin 2*theta", "\\cos m k", "k/l^2m", "\\dot l / 2 m",
+                           "g \\sin{\\theta} / l m", "\\dot{l} / l^{2} m"}) {
     EXPECT_EQ(pendulum()(text).front(), '[') << text << " is read as " << pendulum()(text);
   }
 }
