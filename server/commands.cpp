@@ -96,7 +96,12 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
     if (arguments.words.empty() || is_body(arguments.words)) {
       add_body(arguments, request);
     } else if (command.endpoint != nullptr && command.endpoint->roads == api::Roads::body) {
-      throw UsageError("the request does not fit key=value; give JSON with --request FILE or on stdin");
+      const auto& words = arguments.words;
+      const bool are_files = words.size() == 2 && words[0].ends_with(".json");
+      throw UsageError(are_files && command.name == std::string_view("check")
+                           ? "files are given as --key " + api::printable(words[0]) + " --answers " +
+                                 api::printable(words[1])
+                           : "the request does not fit key=value; give JSON with --request FILE or on stdin");
     } else {
       query = query_of(arguments.words);
       if (style_of(arguments) == Style::people && has_field(command, "digits") && !gives(arguments, "digits"))

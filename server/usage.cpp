@@ -10,6 +10,7 @@
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "api/scenes/catalogue.hpp"
+#include "core/expr/print/print.hpp"
 
 namespace qdot::server {
 namespace {
@@ -22,7 +23,8 @@ constexpr auto other_commands = std::to_array<std::pair<std::string_view, std::s
     {"list", "systems"},     {"ls", "systems"},        {"system", "systems"},      {"models", "systems"},
     {"problem", "problems"}, {"exercise", "problems"}, {"sheet", "problems"},      {"status", "health"},
     {"ping", "health"},      {"api", "openapi"},       {"spec", "openapi"},        {"man", "manual"},
-    {"docs", "--help"},      {"usage", "--help"},      {"complete", "completion"},
+    {"docs", "--help"},      {"usage", "--help"},      {"complete", "completion"}, {"plot", "serve"},
+    {"show", "serve"},       {"gui", "serve"},         {"draw", "serve"},
 });
 
 /// Options of other programs, and what does it here.
@@ -83,6 +85,11 @@ std::string turned_round(const CLI::App& app, WordSpan words) {
                    " qdot --help lists the commands");
 }
 
+bool serves_with(std::string_view option) {
+  constexpr std::array all{"--port", "--host", "--threads", "--scenes", "--allowed-hosts", "--unix-socket"};
+  return std::ranges::find(all, option) != all.end();
+}
+
 /// "--k=10", or "--k" before "10".
 [[noreturn]] void refuse_option(const CLI::App& command, WordSpan words) {
   const std::string& word = words[0];
@@ -90,6 +97,11 @@ std::string turned_round(const CLI::App& app, WordSpan words) {
   std::string what = "there is no option " + api::in_quotes(name);
   const auto other = std::ranges::find(other_options, name, [](const auto& pair) { return pair.first; });
   if (other != other_options.end()) throw UsageError(what + "; type " + std::string(other->second));
+  if (command.get_parent() == nullptr && serves_with(name))
+    throw UsageError(what + " before a command: type qdot serve " +
+                     api::printable(words.size() > 1 ? word + " " + words[1] : word));
+  if (const std::string_view form = form_called(name.substr(name.find_first_not_of('-'))); !form.empty())
+    throw UsageError(what + "; type form=" + std::string(form));
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
     if (option->nonpositional()) known.push_back("--" + option->get_single_name());
@@ -116,6 +128,14 @@ void check_server_word(const std::string& word) {
 }
 
 }  // namespace
+
+std::string_view form_called(std::string_view word) {
+  if (word == "tex") return "latex";
+  for (const PrintForm& form : print_forms()) {
+    if (form.name == word) return form.name;
+  }
+  return {};
+}
 
 std::vector<std::string> in_known_words(const CLI::App& app, std::vector<std::string> words) {
   if (words.empty()) return words;

@@ -36,6 +36,8 @@ bool has_value(const std::string& word) { return word.find('=') != std::string::
   if (i > 0 && has_value(words[i - 1]))
     throw UsageError("'" + word + "' stands alone; if it belongs to " + api::printable(words[i - 1]) +
                      ", put both in quotes: '" + api::printable(words[i - 1]) + " " + word + "'");
+  if (const std::string_view form = form_called(words[i]); !form.empty())
+    throw UsageError("a notation is given as form=" + std::string(form));
   throw UsageError("'" + word + "' is not of the form key=value");
 }
 

@@ -46,6 +46,13 @@ BYTES_AT_ONCE = 500_000
 __all__ = ["Qdot", "Key", "Problem", "Unreachable"]
 
 
+def _plain(value: Any) -> Any:
+    """Arrays and numbers of other libraries, such as numpy's, as JSON has them."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a {type(value).__name__} has no place in a request")
+
+
 class Problem(Exception):
     """The service refused a request, or could not compute it.
 
@@ -219,7 +226,7 @@ class Qdot:
 
     def ask(self, endpoint: str, request: Mapping[str, Any]) -> Answer:
         """Any endpoint with a request in its JSON form: ask("modes", {"system": "cart_pendulum"})."""
-        body = json.dumps(request, allow_nan=False)
+        body = json.dumps(request, allow_nan=False, default=_plain)
         if self.command:
             return self._run(endpoint, "--request", "-", body=body)
         return self._send("/v1/" + urllib.parse.quote(endpoint), body)

@@ -1,6 +1,7 @@
 #include "api/contract/field_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -188,13 +189,63 @@ std::optional<Json> read_value(const TextKind& kind, const std::string& name, co
   return *text;
 }
 
+namespace {
+
+/// Other programs' words, and the words of ours that may be meant.
+constexpr auto foreign_choices = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"tex", "latex"},
+    {"python", "sympy"},
+    {"py", "sympy"},
+    {"html", "mathml"},
+    {"plain", "text"},
+    {"ascii", "text"},
+    {"quad", "extended"},
+    {"high", "accurate"},
+    {"rk45", "erk"},
+    {"rk4", "erk"},
+    {"dop853", "erk"},
+    {"lsoda", "auto"},
+    {"radau", "bdf"},
+    {"symplectic", "gauss"},
+    {"e", "energy"},
+    {"h", "energy"},
+    {"total_energy", "energy"},
+    {"kinetic", "T"},
+    {"kinetic_energy", "T"},
+    {"potential", "V"},
+    {"potential_energy", "V"},
+    {"momentum", "momenta"},
+    {"xy", "positions"},
+    {"points", "positions"},
+    {"tension", "validity"},
+    {"tsv", "csv"},
+    {"excel", "csv"},
+    {"jsonl", "ndjson"},
+});
+
+/// The option that a word means, by its spelling or by what others call it; empty: none.
+std::string meant_option(const std::string& word, const std::vector<std::string>& options) {
+  const auto offered = [&](std::string_view option) {
+    return std::ranges::find(options, option) != options.end() ? std::string(option) : std::string();
+  };
+  if (word.ends_with("_ddot")) return offered("accelerations");
+  if (word.starts_with("p_")) return offered("momenta");
+  const std::string plain = lower_case(word);
+  for (const auto& [foreign, ours] : foreign_choices) {
+    if (foreign == plain && !offered(ours).empty()) return std::string(ours);
+  }
+  return closest(word, options);
+}
+
+}  // namespace
+
 std::optional<Json> read_value(const ChoiceKind& kind, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
   if (!value.is_string()) return refuse_type(place, errors, name, enumerated(kind.options), value);
   const auto& word = value.get_ref<const std::string&>();
   if (std::ranges::find(kind.options, word) != kind.options.end()) return value;
   FieldError error = place.error("not_allowed", "'" + name + "' cannot be " + in_quotes(word) + ".");
-  error.did_you_mean = closest(word, kind.options);
+  error.did_you_mean = meant_option(word, kind.options);
   error.allowed = kind.options;
   errors.push_back(std::move(error));
   return std::nullopt;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <variant>
 
+#include "api/contract/units.hpp"
 #include "core/expr/parse.hpp"
 
 namespace qdot::api {
@@ -25,6 +27,17 @@ std::vector<std::string> event_symbols(const Scene& scene) {
 std::string as_sentence(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text + ".";
+}
+
+std::string unit_of_input(const Scene& scene, const std::string& name) {
+  const auto found = std::ranges::find(scene.inputs, name, &Input::name);
+  return found == scene.inputs.end() ? "1" : found->unit;
+}
+
+/// "5 N", "5N": a number and a unit, not a number alone.
+bool has_unit(const std::string& text, const std::string& unit) {
+  const bool ends_with_letter = !text.empty() && std::isalpha(static_cast<unsigned char>(text.back())) != 0;
+  return ends_with_letter && std::holds_alternative<Real>(parse_quantity(text, unit));
 }
 
 /// What `read` throws, as an error at its place.
@@ -64,6 +77,9 @@ void check_inputs(const SystemChoice& choice, Findings& findings) {
   for (const auto& [name, text] : choice.inputs) {
     check_text(findings.root().below("inputs").below(name), allowed, findings, [&, &text = text] {
       Graph graph;
+      const std::string unit = unit_of_input(*choice.scene, name);
+      if (has_unit(text, unit))
+        throw Error(ErrorCode::syntax, "an input is an expression in " + unit + ", without a unit behind it");
       (void)parse(text, graph, allowed);
     });
   }

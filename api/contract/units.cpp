@@ -17,6 +17,9 @@
 namespace qdot::api {
 namespace {
 
+constexpr std::string_view advice_on_ranges =
+    "Evenly spaced instants are t_start, t_end and samples or dt; a list has commas: 0,0.1,0.2.";
+
 struct NumberAndRest {
   Number number;
   std::string_view digits;
@@ -48,8 +51,9 @@ std::string example(std::string_view expected_unit) {
 /// The name of the unit that was meant, one that fits before others; empty where none is near.
 std::string nearest_unit(std::string_view text, const Unit& expected) {
   std::string near = closest(text, unit_names_like(expected));
-  if (near.empty()) near = closest(text, unit_names());
-  if (near.empty()) near = unit_name_of(closest(text, unit_words()));
+  constexpr std::size_t too_short = 2;  // for a likeness to say much: ft is no tesla
+  if (near.empty() && text.size() > too_short) near = closest(text, unit_names());
+  if (near.empty() && text.size() > too_short) near = unit_name_of(closest(text, unit_words()));
   return near;
 }
 
@@ -78,6 +82,17 @@ QuantityError unknown_unit(std::string_view digits, std::string_view rest, std::
     std::string detail = "Decimals have a point, not a comma: " + printable(meant) + ".";
     return {.code = "syntax", .detail = std::move(detail), .did_you_mean = printable(meant)};
   }
+  if (rest == "pi") {
+    std::string meant = std::string(digits) + "*pi";
+    return {.code = "syntax",
+            .detail = "A product is written with *: " + printable(meant) + ".",
+            .did_you_mean = printable(meant)};
+  }
+  if (rest.starts_with(':')) return {.code = "syntax", .detail = std::string(advice_on_ranges)};
+  if (std::string_view("*/+^(").find(rest.front()) != std::string_view::npos)
+    return {.code = "syntax",
+            .detail = "An expression has only numbers, pi and functions in it here; write " +
+                      example(expected_unit) + "."};
   const Unit expected = declared_unit(expected_unit);
   const std::string near = nearest_unit(rest, expected);
   const std::string advice = near.empty() ? " write " : " did you mean " + near + "? Write ";
@@ -95,6 +110,9 @@ std::variant<NumberAndRest, QuantityError> split_number(std::string_view text,
   text = trimmed(text);
   std::string_view digits = text;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+  const bool is_range = text.starts_with("linspace(") || text.find("arange(") != std::string_view::npos ||
+                        text.starts_with("np.") || text.starts_with("range(");
+  if (is_range) return QuantityError{"syntax", std::string(advice_on_ranges)};
   if (text.size() > limits::quantity_bytes || !begins_number(digits)) {
     return QuantityError{"syntax",
                          in_quotes(text) + " is not a quantity; write " + example(expected_unit) + "."};

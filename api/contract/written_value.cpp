@@ -140,6 +140,16 @@ std::string with_products(std::string_view text, const std::vector<std::string>&
   return result;
 }
 
+/// "pi/6 rad" without its unit; empty where that is not the one expected.
+std::string_view without_unit(std::string_view text, std::string_view expected_unit) {
+  text = trimmed(text);
+  if (!text.ends_with(expected_unit)) return {};
+  text.remove_suffix(expected_unit.size());
+  text = trimmed(text);
+  if (text.ends_with('*')) text.remove_suffix(1);
+  return trimmed(text);
+}
+
 }  // namespace
 
 ParameterScope::ParameterScope(const Scene& scene, const Json& given, const Place& place)
@@ -200,6 +210,13 @@ std::variant<Real, QuantityError> written_value(std::string_view text, std::stri
                            .detail = "A product is written with *: " + printable(meant) + ".",
                            .did_you_mean = printable(meant)};
     }
+  }
+  const std::string_view bare = other != nullptr ? without_unit(text, expected_unit) : std::string_view();
+  if (!bare.empty() && std::holds_alternative<Real>(expression_value(bare, expected_unit, scope))) {
+    return QuantityError{.code = "syntax",
+                         .detail = "An expression has no unit behind it, and is in " +
+                                   std::string(expected_unit) + ": " + printable(bare) + ".",
+                         .did_you_mean = printable(bare)};
   }
   const bool is_no_expression = other != nullptr && (other->code == "syntax" || scope.names().empty());
   return is_no_expression && (looks_like_a_quantity(text) || scope.names().empty()) ? quantity : value;

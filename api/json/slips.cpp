@@ -74,6 +74,8 @@ class SlipFinder {
     if (rest().starts_with("//") || rest().starts_with("/*") || c == '#')
       return say("JSON has no comments: leave this one out.");
     if (c == '\'') return say("JSON has double quotes around its strings, not single ones.");
+    if (rest().starts_with("\\\""))
+      return say("Between single quotes of a shell, double quotes need no backslash: '{\"system\": ...}'.");
     if (begins_with_one_of(rest(), quotes_of_typographers))
       return say("JSON has straight double quotes, \", around its strings, not typographic ones.");
     switch (next_) {
@@ -206,6 +208,8 @@ class SlipFinder {
     if (!tail.empty() && tail[0] != '.' && tail[0] != 'e' && tail[0] != 'E')
       return say("A number with a unit, and an expression, stand in double quotes: \"" + printable(word) +
                  "\".");
+    if (!tail.empty() && std::string_view("eE+-").find(tail.back()) != std::string_view::npos)
+      return say("The exponent of " + printable(word) + " is missing.");
     if (whole.empty()) return false;
     at_ += word.size();
     value_is_over();

@@ -84,10 +84,17 @@ Token next_token(std::string_view text, std::size_t at, const TextLimits& limits
   const bool point_first = rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]);
   if (is_digit(rest[0]) || point_first) {
     const std::string_view written = rest.substr(0, number_length(rest));
+    if (rest.find("..") <= written.size())
+      throw Error(ErrorCode::syntax, "a range is given by its ends, in fields of their own, not by ..", at);
     return {TokenKind::number, written, at, number_value(written, at, limits)};
   }
   if (is_letter(rest[0])) {
     const auto end = std::find_if_not(rest.begin(), rest.end(), continues_name);
+    if (rest.end() - end > 1 && *end == '.' && is_letter(end[1])) {
+      const auto last = std::find_if_not(end + 1, rest.end(), continues_name);
+      const std::string function(end + 1, last);
+      throw Error(ErrorCode::syntax, "write " + function + ", not " + excerpt({rest.begin(), last}), at);
+    }
     return {TokenKind::name, rest.substr(0, static_cast<std::size_t>(end - rest.begin())), at, {}};
   }
   if (rest.starts_with("**")) return {TokenKind::power, rest.substr(0, 2), at, {}};

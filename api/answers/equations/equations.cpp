@@ -214,7 +214,8 @@ Endpoint equations_endpoint() {
   return {.name = "equations",
           .help = "Lagrangian, equations of motion and what is conserved",
           .question = question(equations_table(), answer_equations),
-          .other_names = {"equation", "eom", "equations_of_motion", "lagrangian", "hamiltonian", "derive"}};
+          .other_names = {"equation", "eq", "eqs", "eom", "equations_of_motion", "lagrangian", "hamiltonian",
+                          "derive"}};
 }
 
 }  // namespace qdot::api

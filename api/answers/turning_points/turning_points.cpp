@@ -6,6 +6,7 @@
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/turning_points/request.hpp"
+#include "api/json/text.hpp"
 #include "core/base/error.hpp"
 #include "core/closed/exact_turning.hpp"
 #include "core/expr/print/print.hpp"
@@ -81,7 +82,8 @@ class TurningPointsAnswer {
     const std::vector<std::size_t> candidates = candidate_coordinates();
     if (request_.coordinate.empty() && candidates.size() != 1) {
       return missing(call_, "coordinate",
-                     scene().name + " has several coordinates that turn: give the one that is meant.");
+                     scene().name + " has several coordinates that turn, " + names_of(candidates) +
+                         ": give the one that is meant.");
     }
     coordinate_ = request_.coordinate.empty() ? candidates[0] : index_of(request_.coordinate);
     system_.echo["coordinate"] = coordinate().name;
@@ -111,6 +113,12 @@ class TurningPointsAnswer {
   }
 
   /// Those that are not ignorable; all where the time enters the equations.
+  [[nodiscard]] std::string names_of(const std::vector<std::size_t>& coordinates) const {
+    std::vector<std::string> names;
+    for (const std::size_t i : coordinates) names.push_back(scene().coordinates[i].name);
+    return enumerated(names);
+  }
+
   [[nodiscard]] std::vector<std::size_t> candidate_coordinates() const {
     try {
       return dynamics().statics(system_.state.parameters)->reduction.kept;
