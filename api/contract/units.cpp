@@ -89,8 +89,8 @@ QuantityError unknown_unit(std::string_view digits, std::string_view rest, std::
             .did_you_mean = printable(meant)};
   }
   if (rest.starts_with(':')) return {.code = "syntax", .detail = std::string(advice_on_ranges)};
-  if (std::string_view("*/+^(").find(rest.front()) != std::string_view::npos)
-    return {.code = "syntax",
+  if (std::string_view("*/+^").find(rest.front()) != std::string_view::npos)
+    return {.code = "unknown_unit",
             .detail = "An expression has only numbers, pi and functions in it here; write " +
                       example(expected_unit) + "."};
   const Unit expected = declared_unit(expected_unit);

@@ -213,7 +213,7 @@ std::variant<Real, QuantityError> written_value(std::string_view text, std::stri
   }
   const std::string_view bare = other != nullptr ? without_unit(text, expected_unit) : std::string_view();
   if (!bare.empty() && std::holds_alternative<Real>(expression_value(bare, expected_unit, scope))) {
-    return QuantityError{.code = "syntax",
+    return QuantityError{.code = other->code,
                          .detail = "An expression has no unit behind it, and is in " +
                                    std::string(expected_unit) + ": " + printable(bare) + ".",
                          .did_you_mean = printable(bare)};

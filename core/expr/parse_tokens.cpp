@@ -79,6 +79,12 @@ std::optional<TokenKind> operator_kind(char c) {
   throw Error(ErrorCode::syntax, message, offset);
 }
 
+/// Where programs have pi and functions from: math.pi, np.sqrt.
+bool is_module(std::string_view name) {
+  return name == "math" || name == "Math" || name == "np" || name == "numpy" || name == "sp" ||
+         name == "sympy";
+}
+
 Token next_token(std::string_view text, std::size_t at, const TextLimits& limits) {
   const std::string_view rest = text.substr(at);
   const bool point_first = rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]);
@@ -90,10 +96,9 @@ Token next_token(std::string_view text, std::size_t at, const TextLimits& limits
   }
   if (is_letter(rest[0])) {
     const auto end = std::find_if_not(rest.begin(), rest.end(), continues_name);
-    if (rest.end() - end > 1 && *end == '.' && is_letter(end[1])) {
+    if (end != rest.end() && *end == '.' && is_module({rest.begin(), end})) {
       const auto last = std::find_if_not(end + 1, rest.end(), continues_name);
-      const std::string function(end + 1, last);
-      throw Error(ErrorCode::syntax, "write " + function + ", not " + excerpt({rest.begin(), last}), at);
+      throw Error(ErrorCode::syntax, "write pi, sqrt or sin, not " + excerpt({rest.begin(), last}), at);
     }
     return {TokenKind::name, rest.substr(0, static_cast<std::size_t>(end - rest.begin())), at, {}};
   }

@@ -155,6 +155,8 @@ TEST(ParseErrors, SayWhatToWriteAndWhere) {
   expect_error("x & y", syntax, 2, "an expression cannot contain '&'");
   expect_error("_x", syntax, 0, "an expression cannot contain '_'");
   expect_error("x.y", syntax, 1, "an expression cannot contain '.'");
+  expect_error("2*np.pi", syntax, 2, "write pi, sqrt or sin, not 'np.pi'");
+  expect_error("0..10", syntax, 0, "a range is given by its ends, in fields of their own, not by ..");
   expect_error(std::string("x\0y", 3), syntax, 1, "an expression cannot contain '?'");
   EXPECT_THAT(error_of("x + hypot(y)").message,
               HasSubstr("unknown function 'hypot', there are sqrt, sin, cos"));
