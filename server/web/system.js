@@ -82,6 +82,7 @@ export class SystemPage {
     this.view?.leave?.();
     this.view = part.make(this);
     fill(this.section, this.view.node);
+    this.showOpenTab();
     this.motionLatest.wish();
     this.viewLatest.wish();
   }
@@ -101,7 +102,6 @@ export class SystemPage {
         ),
       ),
     );
-    this.showOpenTab();
   }
 
   /** On a phone the tabs are one line that is moved sideways. */
