@@ -111,6 +111,10 @@ Response written_answer(Call& call, const Scene& scene, const Json& echo, const 
   return response;
 }
 
+bool wants(const Call& call, std::string_view part) {
+  return call.wanted == nullptr || std::ranges::find(*call.wanted, part) != call.wanted->end();
+}
+
 Road road_of(const Call& call) { return call.request.method == "POST" ? Road::body : Road::query; }
 
 Response guarded(Call& call, const std::function<Response()>& answer) {

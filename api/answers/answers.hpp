@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "api/answers/models.hpp"
@@ -57,6 +58,10 @@ void write_head(JsonWriter& writer, const Scene& scene, const Json& echo,
 /// without it). Ends the part "encode" of the timing.
 [[nodiscard]] Response written_answer(Call& call, const Scene& scene, const Json& echo, const Json& body,
                                       std::optional<int> digits = {});
+
+/// Whether a part of the answer is read: a member of it by its name, or formulas, "exact", anywhere in it.
+/// What is not need not be computed.
+[[nodiscard]] bool wants(const Call& call, std::string_view part);
 
 /// How the call's request came: errors of a body have pointers, those of a query parameters.
 [[nodiscard]] Road road_of(const Call& call);

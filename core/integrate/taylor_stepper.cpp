@@ -69,6 +69,7 @@ class TaylorStepper final : public Stepper {
       if (const auto spent = limit()) return spent;
       if (const auto failed = expand(t_, y_, next_)) return failed;
     }
+    weigh();
     const double wanted = step_size();
     double h = std::min(wanted, request_.t_end - t_);
     for (int i = 0; i < attempts; ++i, h /= 2) {
@@ -133,9 +134,12 @@ class TaylorStepper final : public Stepper {
     return c[i * (order_ + 1) + k];
   }
 
-  [[nodiscard]] double weight(std::size_t i) const {
-    const double reach = std::abs(y_[i]) + last_step_ * std::abs(coefficient(next_, i, 1));
-    return request_.tolerances.atol + rtol_ * reach;
+  /// weights_: w_i of this step.
+  void weigh() {
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      const double reach = std::abs(y_[i]) + last_step_ * std::abs(coefficient(next_, i, 1));
+      weights_[i] = request_.tolerances.atol + rtol_ * reach;
+    }
   }
 
   /// By the last two coefficients that are finite in all components.
@@ -158,12 +162,12 @@ class TaylorStepper final : public Stepper {
   [[nodiscard]] double log2_of_step_by(unsigned k) const {
     double largest = 0;
     for (std::size_t i = 0; i < y_.size(); ++i) {
-      largest = std::max(largest, std::abs(coefficient(next_, i, k)) / weight(i));
+      largest = std::max(largest, std::abs(coefficient(next_, i, k)) / weights_[i]);
     }
     if (std::isfinite(largest)) return largest > 0 ? -rough_log2(largest) / k : infinity;
     double least = infinity;
     for (std::size_t i = 0; i < y_.size(); ++i) {
-      least = std::min(least, log2_of_root(weight(i), coefficient(next_, i, k), k));
+      least = std::min(least, log2_of_root(weights_[i], coefficient(next_, i, k), k));
     }
     return least;
   }
@@ -178,7 +182,7 @@ class TaylorStepper final : public Stepper {
   Bound bounded(double h) {
     if (!system_.defect) return {h, false};
     const double allowed = request_.is_reference ? allowed_of_reference : allowed_defect;
-    for (std::size_t i = 0; i < y_.size(); ++i) allowed_[i] = allowed * weight(i);
+    for (std::size_t i = 0; i < y_.size(); ++i) allowed_[i] = allowed * weights_[i];
     const auto excess = [&](double length) { return system_.defect(length, allowed_, defect_); };
     double good = h * share_, bad = infinity;
     share_ = std::min(1.0, grown_share * share_);
@@ -284,7 +288,7 @@ class TaylorStepper final : public Stepper {
       const double rate = coefficient(beyond_, i, 1);
       const double defect = slope_[i] - rate;
       const double round_off = 1e-12 * (std::abs(slope_[i]) + std::abs(rate));
-      if (!(h * std::abs(defect) <= largest_defect * weight(i) + h * round_off)) return false;
+      if (!(h * std::abs(defect) <= largest_defect * weights_[i] + h * round_off)) return false;
     }
     return true;
   }
@@ -318,6 +322,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> next_;                       ///< at t_
   std::vector<double> beyond_ = std::vector<double>(coefficients_.size());
   std::vector<double> rise_ = std::vector<double>(y_.size()), slope_ = rise_;
+  std::vector<double> weights_ = rise_;
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
   std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
   bool bounded_{true};

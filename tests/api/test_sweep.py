@@ -114,6 +114,8 @@ class Rows(Service):
             answer = self.assert_rows_are_requests("simulate", request, {"theta": {"values": [0.3, -0.8]}}, some)
             self.assertEqual(answer["failed"], [])
         # What an answer would have beside what is collected is not computed.
+        for some in ({"omega": "/modes/1/omega"}, {"square": "/modes/0/exact/text"}, {"other": "/modes/1/exact/text", "omega": "/modes/1/omega"}):
+            self.assert_rows_are_requests("modes", {"system": "cart_pendulum", "parameters": {"M": "2*m"}}, {"k": {"values": ["2*m*g/l", 7]}}, some)
         for some in ({"max": "/theta_max"}, {"period": "/period"}, {"of": "/error/period"}, {"at": "/exact/theta_max/text"},
                      {"unit": "/units/period"}, {"motion": "/motion", "E": "/constants/E"}):
             self.assert_rows_are_requests("turning_points", {"system": "free_spin_pendulum"},

@@ -110,6 +110,7 @@ std::vector<std::string> members_read(const std::vector<CollectedColumn>& column
     // Escaped; or what an answer says about its other members.
     if (first.find('~') != std::string::npos || first == "units" || first == "reason") return {};
     members.push_back(first);
+    if (column.pointer.find("/exact") != std::string::npos) members.emplace_back("exact");
   }
   return members;
 }

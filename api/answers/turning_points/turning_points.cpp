@@ -130,11 +130,6 @@ class TurningPointsAnswer {
     return all;
   }
 
-  /// Whether a member of the answer is read.
-  [[nodiscard]] bool wants(const std::string& member) const {
-    return call_.wanted == nullptr || std::ranges::find(*call_.wanted, member) != call_.wanted->end();
-  }
-
   void put(const std::string& name, const std::optional<double>& value, const std::string& unit) {
     body_[name] = value ? Json(*value) : Json(nullptr);
     units_[name] = unit;
@@ -179,8 +174,8 @@ class TurningPointsAnswer {
   }
 
   void answer_by_energy() {
-    const BesideExtrema beside{.period = wants("period") || wants("error"),
-                               .along = wants("validity") || wants("notes")};
+    const BesideExtrema beside{.period = wants(call_, "period") || wants(call_, "error"),
+                               .along = wants(call_, "validity") || wants(call_, "notes")};
     const TurningPoints found = turning_points(dynamics(), system_.state.parameters, system_.state.y, beside);
     body_["coordinate"] = coordinate().name;
     put_motion(found.motion, found.motion_reason);
@@ -190,7 +185,7 @@ class TurningPointsAnswer {
     if (beside.period) put("period", stated(found.period), "s");
     if (!found.period.reason.empty()) reasons_["period"] = found.period.reason;
     put_constants(found);
-    if (wants("exact")) put_exact(found);
+    if (wants(call_, "exact")) put_exact(found);
     put_validity(found);
     if (!found.notes.empty()) body_["notes"] = found.notes;
   }

@@ -64,12 +64,11 @@ double dot(const double* a, const double* b, unsigned count) {
 /// a u + b u^2 for 0 <= u <= 1, and by so much more or less.
 Range parabola(double a, double b, double rest) {
   if (std::isnan(a + b)) return {};
-  double least = std::min(0.0, a + b), most = std::max(0.0, a + b);
   const double u = -a / (2 * b);
-  if (u > 0 && u < 1) {
-    least = std::min(least, 0.5 * a * u);
-    most = std::max(most, 0.5 * a * u);
-  }
+  const bool has_extremum = (u > 0) & (u < 1);  // no branch: nobody could foretell which way it goes
+  const double extremum = has_extremum ? 0.5 * a * u : 0;
+  const double least = std::min(std::min(0.0, a + b), extremum);
+  const double most = std::max(std::max(0.0, a + b), extremum);
   return range(least - rest, most + rest);
 }
 
