@@ -76,6 +76,13 @@ std::shared_ptr<const Conserved> Dynamics::conserved(std::span<const double> par
   });
 }
 
+std::shared_ptr<const Conserved> Dynamics::found(std::span<const double> parameters) const {
+  const Vanishing vanishing = vanishing_among(parameters);
+  return found_.get(vanishing, [&] {
+    return std::make_shared<const Conserved>(derive_found(*model_, inputs_, vanishing));
+  });
+}
+
 std::shared_ptr<const Statics> Dynamics::statics(std::span<const double> parameters) const {
   if (model_->has_constraints()) no_statics(*model_);
   const Vanishing vanishing = vanishing_among(parameters);

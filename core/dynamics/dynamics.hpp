@@ -53,6 +53,8 @@ class Dynamics {
 
   /// The conserved quantities; which there are depends on the parameters that are 0.
   [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
+  /// What symmetries of several coordinates keep beside these, searched for when it is first asked for.
+  [[nodiscard]] std::shared_ptr<const Conserved> found(std::span<const double> parameters) const;
   /// Functions for questions that need no motion; they depend on the parameters that are 0. Throws
   /// Error(not_applicable) where the time enters the equations, and with constraints.
   [[nodiscard]] std::shared_ptr<const Statics> statics(std::span<const double> parameters) const;
@@ -84,7 +86,7 @@ class Dynamics {
   mutable MadeOnce<Staying, CompiledFunction> kinked_jacobian_;
   using ColumnsKey = std::pair<std::vector<NodeId>, std::optional<Staying>>;
   mutable MadeOnce<ColumnsKey, std::shared_ptr<const CompiledFunction>> columns_;
-  mutable MadeOnce<Vanishing, std::shared_ptr<const Conserved>> conserved_;
+  mutable MadeOnce<Vanishing, std::shared_ptr<const Conserved>> conserved_, found_;
   mutable MadeOnce<Vanishing, std::shared_ptr<const Statics>> statics_;
   mutable MadeOnce<std::pair<std::string, const Statics*>, std::shared_ptr<const void>> derived_;
 };

@@ -41,6 +41,19 @@ Conserved derive_conserved(const Model& model, const InputTexts& inputs, const V
   return result;
 }
 
+Conserved derive_found(const Model& model, const InputTexts& inputs, const Vanishing& vanishing) {
+  const Lagrangian own = copied(model.lagrangian);
+  const std::vector<Replacement> replacements = replacements_in(own, model, inputs, vanishing);
+  const Lagrangian lagrangian = replaced(own, replacements);
+  FoundQuantities found =
+      found_quantities(model, lagrangian, replacements, conserved_quantities(lagrangian, model.scene));
+  std::vector<Expression> expressions;
+  for (const ConservedQuantity& quantity : found.quantities) expressions.push_back(quantity.value);
+  auto values = std::make_shared<const CompiledFunction>(
+      compiled_along_motion(model, inputs, *found.graph, expressions));
+  return {std::move(found.quantities), std::move(values)};
+}
+
 Statics derive_statics(const Model& model, const InputTexts& inputs, const Vanishing& vanishing) {
   const Lagrangian own = copied(model.lagrangian);
   const std::vector<Replacement> replacements = replacements_in(own, model, inputs, vanishing);

@@ -11,6 +11,7 @@
 #include "core/dynamics/inputs.hpp"
 #include "core/dynamics/statics.hpp"
 #include "core/mechanics/conserved.hpp"
+#include "core/symmetry/found_quantities.hpp"
 
 namespace qdot {
 
@@ -30,6 +31,10 @@ struct Conserved {
 
 [[nodiscard]] Conserved derive_conserved(const Model& model, const InputTexts& inputs,
                                          const Vanishing& vanishing);
+
+/// The same for what symmetries of several coordinates keep constant, which takes a search.
+[[nodiscard]] Conserved derive_found(const Model& model, const InputTexts& inputs,
+                                     const Vanishing& vanishing);
 
 /// Throws Error(not_applicable) where the time enters the equations.
 [[nodiscard]] Statics derive_statics(const Model& model, const InputTexts& inputs,

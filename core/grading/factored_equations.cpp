@@ -6,9 +6,9 @@
 #include "core/base/work.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/polynomial_gcd.hpp"
+#include "core/expr/zeroness.hpp"
 #include "core/grading/ball_system.hpp"
 #include "core/grading/linear_in.hpp"
-#include "core/grading/normal_form.hpp"
 
 namespace qdot {
 namespace {

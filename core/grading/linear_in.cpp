@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/zeroness.hpp"
 #include "core/grading/ball_values.hpp"
-#include "core/grading/normal_form.hpp"
 
 namespace qdot {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "core/expr/linear.hpp"
+#include "core/expr/zeroness.hpp"
 #include "core/grading/ball_system.hpp"
 #include "core/grading/equation_size.hpp"
 #include "core/grading/factored_equations.hpp"
 #include "core/grading/linear_in.hpp"
-#include "core/grading/normal_form.hpp"
 #include "core/grading/other_solutions.hpp"
 #include "core/grading/proven_root.hpp"
 #include "core/grading/right_motion.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/expr/polynomial.hpp"
-#include "core/grading/normal_form.hpp"
+#include "core/expr/zeroness.hpp"
 
 namespace qdot {
 namespace {

@@ -2,7 +2,7 @@
 // Whether an expression vanishes identically: what the comparison of formulas and equations comes to.
 //
 // First by its form; then by enclosures at seeded states. An enclosure that excludes zero is a proof that it
-// does not vanish, and its state a counterexample. Where all states agree, the algebra of normal_form.hpp
+// does not vanish, and its state a counterexample. Where all states agree, the algebra of zeroness.hpp
 // says whether that is an identity. Places where it has no value, or where not all of it can be seen, are
 // left out; with too few of others there is no answer.
 //

@@ -58,17 +58,22 @@ class EnergyAnswer {
   }
 
   Json conserved() {
-    const auto conserved = dynamics_.conserved(state_.parameters);
-    std::vector<double> numbers(conserved->quantities.size());
-    Workspace workspace = conserved->values->bind(state_.parameters);
-    const bool finite = conserved->values->evaluate(t_, state_.y, workspace, numbers) == Evaluation::ok;
     Json array = Json::array();
+    append(array, *dynamics_.conserved(state_.parameters));
+    append(array, *dynamics_.found(state_.parameters));
+    return array;
+  }
+
+  void append(Json& array, const Conserved& conserved) {
+    std::vector<double> numbers(conserved.quantities.size());
+    if (numbers.empty()) return;
+    Workspace workspace = conserved.values->bind(state_.parameters);
+    const bool finite = conserved.values->evaluate(t_, state_.y, workspace, numbers) == Evaluation::ok;
     for (std::size_t i = 0; finite && i < numbers.size(); ++i) {
-      const ConservedQuantity& quantity = conserved->quantities[i];
+      const ConservedQuantity& quantity = conserved.quantities[i];
       array.push_back(
           {{"name", quantity.name}, {"value", numbers[i]}, {"unit", quantity.unit}, {"why", quantity.why}});
     }
-    return array;
   }
 
   const Dynamics& dynamics_;

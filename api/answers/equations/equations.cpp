@@ -4,6 +4,7 @@
 #include "core/mechanics/conserved.hpp"
 #include "core/mechanics/dimensionless.hpp"
 #include "core/mechanics/notation.hpp"
+#include "core/symmetry/found_quantities.hpp"
 
 namespace qdot::api {
 namespace {
@@ -12,6 +13,9 @@ constexpr const char* too_long = "It would be too long to write out; compute wit
 constexpr const char* too_long_with_constraints =
     "It would be too long to write out; solve the equations of motion together with the constraints, each "
     "differentiated until accelerations stand in it.";
+
+constexpr const char* search_given_up =
+    "More may be conserved: the search for symmetries, or the proof of one, did not succeed within its bounds.";
 
 class EquationsAnswer {
  public:
@@ -145,10 +149,14 @@ class EquationsAnswer {
   }
 
   [[nodiscard]] Json conserved() {
+    const std::vector<ConservedQuantity> known = conserved_quantities(own_, model_.scene);
+    const FoundQuantities found = found_quantities(model_, own_, {}, known);
     Json array = Json::array();
-    for (const ConservedQuantity& quantity : conserved_quantities(own_, model_.scene)) {
-      array.push_back({{"name", quantity.name}, {"value", written(quantity.value)}, {"why", quantity.why}});
+    for (const auto* quantities : {&known, &found.quantities}) {
+      for (const ConservedQuantity& quantity : *quantities)
+        array.push_back({{"name", quantity.name}, {"value", written(quantity.value)}, {"why", quantity.why}});
     }
+    if (!found.is_complete) reasons_["conserved"] = search_given_up;
     if (const std::string why = why_energy_changes(own_); !why.empty())
       reasons_["energy_not_conserved"] = why;
     return array;

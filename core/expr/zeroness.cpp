@@ -1,4 +1,4 @@
-#include "core/grading/normal_form.hpp"
+#include "core/expr/zeroness.hpp"
 
 #include <algorithm>
 #include <map>
@@ -85,20 +85,25 @@ std::optional<Expression> numerator(const Expression& e, std::uint64_t work) {
   }
 }
 
-Zeroness zeroness(const Expression& e, std::uint64_t work) {
+std::optional<Polynomial> normal_form(const Expression& e, std::uint64_t work) {
   Graph& graph = e.graph();
   try {
     const WorkScope scope(work);
     Polynomial polynomial = without_denominators(graph, multiplied_out(e));
-    if (polynomial.empty()) return Zeroness::zero;
+    if (polynomial.empty()) return polynomial;
     polynomial = with_single_angles(graph, polynomial);
-    polynomial = with_single_angles(graph, without_denominators(graph, std::move(polynomial)));
-    if (polynomial.empty()) return Zeroness::zero;
-    return is_independent(graph, polynomial) ? Zeroness::not_zero : Zeroness::unknown;
+    return with_single_angles(graph, without_denominators(graph, std::move(polynomial)));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::too_large) throw;
-    return Zeroness::unknown;
+    return std::nullopt;
   }
+}
+
+Zeroness zeroness(const Expression& e, std::uint64_t work) {
+  const std::optional<Polynomial> polynomial = normal_form(e, work);
+  if (!polynomial) return Zeroness::unknown;
+  if (polynomial->empty()) return Zeroness::zero;
+  return is_independent(e.graph(), *polynomial) ? Zeroness::not_zero : Zeroness::unknown;
 }
 
 }  // namespace qdot

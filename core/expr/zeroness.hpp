@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/expr/expression.hpp"
+#include "core/expr/polynomial.hpp"
 
 namespace qdot {
 
@@ -18,6 +18,9 @@ enum class Zeroness {
 
 /// e times what stands below its bars, multiplied out; none where that grows past `work`.
 [[nodiscard]] std::optional<Expression> numerator(const Expression& e, std::uint64_t work = 60'000);
+
+/// That numerator in sines and cosines of single angles; none where it grows past `work`.
+[[nodiscard]] std::optional<Polynomial> normal_form(const Expression& e, std::uint64_t work = 60'000);
 
 [[nodiscard]] Zeroness zeroness(const Expression& e, std::uint64_t work = 60'000);
 

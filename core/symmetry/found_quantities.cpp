@@ -1,0 +1,256 @@
+#include "core/symmetry/found_quantities.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/expr/print/print.hpp"
+#include "core/expr/simplify.hpp"
+#include "core/mechanics/canonical.hpp"
+#include "core/mechanics/dimension_check.hpp"
+#include "core/mechanics/notation.hpp"
+#include "core/symmetry/motion_in_space.hpp"
+
+namespace qdot {
+namespace {
+
+using Kind = MotionInSpace::Kind;
+
+PointChange opposite(const PointChange& change) {
+  PointChange result{{}, -change.time, -change.gauge};
+  for (const Expression& shift : change.shift) result.shift.push_back(-shift);
+  return result;
+}
+
+std::string listed(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
+  return text;
+}
+
+/// Of every symbol in which scenes state units.
+SymbolDimensions dimensions(const Scene& scene, const Symbols& symbols) {
+  SymbolDimensions result;
+  const auto known = [](const std::string& unit) {
+    const auto parsed = parse_unit(unit);
+    return parsed ? parsed->dimension : Dimension{};
+  };
+  const Dimension second = known("s");
+  for (std::size_t k = 0; k < scene.parameters.size(); ++k)
+    result[symbols.parameters[k].id()] = known(scene.parameters[k].unit);
+  const auto add = [&](const Symbols::Varying& varying, std::size_t k, const std::string& unit) {
+    result[varying.value[k].id()] = known(unit);
+    result[varying.rate[k].id()] = known(unit) / second;
+  };
+  for (std::size_t k = 0; k < scene.coordinates.size(); ++k)
+    add(symbols.coordinates, k, scene.coordinates[k].unit);
+  for (std::size_t k = 0; k < scene.inputs.size(); ++k) add(symbols.inputs, k, scene.inputs[k].unit);
+  result[symbols.t.id()] = second;
+  return result;
+}
+
+/// A change in words: its name, what is done, and what then is constant.
+struct Words {
+  std::string name, doing, kept;
+};
+
+class Wording {
+ public:
+  Wording(const Model& model, const SymmetrySearch& search, std::span<const Replacement> replacements)
+      : scene_(model.scene),
+        search_(search),
+        lagrangian_(search.lagrangian),
+        notation_(notation_of(model.scene)),
+        places_(places_of_bodies(model.parsed, lagrangian_, replacements)),
+        dimensions_(dimensions(model.scene, lagrangian_.symbols)) {}
+
+  /// None where it says nothing about the motion.
+  std::optional<ConservedQuantity> quantity(const Symmetry& symmetry) const {
+    PointChange change = symmetry.change;
+    const auto motion = motion_in_space(places_, lagrangian_.symbols, change, leading(symmetry));
+    if (motion && motion->reversed) change = opposite(change);
+    const Expression value = noether_quantity(lagrangian_, change);
+    const Symbols::Varying& q = lagrangian_.symbols.coordinates;
+    if (!depends_on(value, q.rate) && !depends_on(value, q.value)) return std::nullopt;
+    const Words words = motion ? in_space(*motion) : in_coordinates(symmetry, change);
+    return ConservedQuantity{words.name, unit(value), value, sentence(words, change)};
+  }
+
+ private:
+  [[nodiscard]] std::string written(const Expression& e) const { return print(e, Form::text, notation_); }
+  [[nodiscard]] const std::string& coordinate(std::size_t i) const { return scene_.coordinates[i].name; }
+
+  /// That of the last elementary change, which all others are measured by.
+  [[nodiscard]] static Expression leading(const Symmetry& symmetry) {
+    return *std::find_if(symmetry.coefficients.rbegin(), symmetry.coefficients.rend(),
+                         [](const Expression& e) { return !e.is_zero(); });
+  }
+
+  [[nodiscard]] std::string unit(const Expression& value) const {
+    return to_text(dimension_of(value, dimensions_).dimension.value_or(Dimension{}));
+  }
+
+  /// p.xi - tau h - F by its parts.
+  [[nodiscard]] std::string formula(const PointChange& change) const {
+    const std::vector<Expression> p = momentum_symbols(lagrangian_);
+    const bool has_time = !change.time.is_zero();
+    std::vector<Expression> terms{change.gauge, change.time * lagrangian_.graph->symbol("h")};
+    for (std::size_t i = 0; i < p.size(); ++i) terms.push_back(-(p[i] * change.shift[i]));
+    const Expression sum = lagrangian_.graph->sum(terms);
+    return written(has_time ? sum : -sum);
+  }
+
+  /// What forces outside L do along the change; those that keep constraints do nothing.
+  [[nodiscard]] bool forces_work(const PointChange& change) const {
+    std::vector<Expression> terms;
+    for (std::size_t i = 0; i < change.shift.size(); ++i) {
+      const Expression& rate = lagrangian_.symbols.coordinates.rate[i];
+      terms.push_back(lagrangian_.generalized_forces[i] * (change.shift[i] - change.time * rate));
+    }
+    std::vector<Replacement> without;
+    for (const Expression& multiplier : lagrangian_.symbols.multipliers)
+      without.emplace_back(multiplier, lagrangian_.graph->number(0));
+    return !simplify(substitute(lagrangian_.graph->sum(terms), without)).is_zero();
+  }
+
+  [[nodiscard]] std::string sentence(const Words& words, const PointChange& change) const {
+    const bool has_work = forces_work(change);
+    std::string effect = has_work ? "changes L by what the forces' work makes up for" : "changes nothing";
+    if (!change.gauge.is_zero()) {
+      effect = has_work ? "changes L, the forces' work included, only" : "changes L only";
+      effect += " by the time derivative of " + written(change.gauge);
+    }
+    const std::string kept =
+        words.kept.empty() || !change.gauge.is_zero() || has_work ? "" : words.kept + ", ";
+    const std::string until = scene_.impact ? " is constant between impacts." : " is constant.";
+    return words.doing + " " + effect + ", so " + kept + formula(change) + (kept.empty() ? "" : ",") + until;
+  }
+
+  [[nodiscard]] Words in_space(const MotionInSpace& motion) const {
+    const std::string axis(1, "xyz"[motion.axis]);
+    const bool is_plane = places_[0].size() == 2;
+    const std::string about = is_plane ? "the origin" : "the " + axis + " axis";
+    const std::string parallel = is_plane ? "a point" : "an axis parallel to " + axis;
+    const std::string turning = is_plane ? "angular_momentum" : "angular_momentum_" + axis;
+    switch (motion.kind) {
+      case Kind::translation:
+        return {"momentum_" + axis, "Moving the whole system along " + axis, "the momentum along " + axis};
+      case Kind::uniform:
+        return {"boost_" + axis, "Giving the whole system a velocity along " + axis, ""};
+      case Kind::rotation:
+        return {turning, "Turning the whole system about " + about, "the angular momentum about " + about};
+      case Kind::offset_rotation:
+        return {turning, "Turning the whole system about " + parallel, "the angular momentum about it"};
+      case Kind::screw:
+        return {"screw_" + axis, "Moving the whole system as a screw about " + about, ""};
+    }
+    return {};
+  }
+
+  /// By the coordinates that change.
+  [[nodiscard]] Words in_coordinates(const Symmetry& symmetry, const PointChange& change) const {
+    constexpr std::size_t most_names = 4;
+    std::vector<std::string> names, changes;
+    std::string suffix;
+    for (std::size_t i = 0; i < change.shift.size(); ++i) {
+      if (change.shift[i].is_zero()) continue;
+      names.push_back(coordinate(i));
+      changes.push_back("d" + coordinate(i) + " = " + written(change.shift[i]));
+      suffix += "_" + coordinate(i);
+    }
+    if (!change.time.is_zero()) changes.push_back("dt = " + written(change.time));
+    if (names.size() > most_names) suffix.clear();
+    Words words{"symmetry" + suffix, "The small change " + listed(changes), ""};
+    if (!change.time.is_zero()) {
+      words.name = "h" + suffix;
+    } else if (is_only(symmetry, ChangeKind::shift)) {
+      words.name = "momentum" + suffix;
+      if (names.size() > 1 && is_equal(change.shift)) words.doing = "Adding the same to " + listed(names);
+    } else if (is_only(symmetry, ChangeKind::boost)) {
+      words.name = "boost" + suffix;
+    } else if (is_turning(symmetry)) {
+      const bool is_screw = moves_along(symmetry);
+      words.name = (is_screw ? "screw" : "angular_momentum") + suffix;
+      words.doing = (is_screw ? "The screw motion " : "The rotation ") + listed(changes);
+    }
+    return words;
+  }
+
+  [[nodiscard]] bool is_only(const Symmetry& symmetry, ChangeKind kind) const {
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      const ChangeKind here = search_.changes[k].kind;
+      if (!symmetry.coefficients[k].is_zero() && here != ChangeKind::gauge && here != kind) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] static bool is_equal(const std::vector<Expression>& shifts) {
+    std::vector<Expression> nonzero;
+    std::ranges::copy_if(shifts, std::back_inserter(nonzero),
+                         [](const Expression& e) { return !e.is_zero(); });
+    return std::ranges::all_of(nonzero, [&](const Expression& e) { return e == nonzero[0]; });
+  }
+
+  /// Shifts a coordinate that no rotation changes.
+  [[nodiscard]] bool moves_along(const Symmetry& symmetry) const {
+    std::vector<bool> turns(scene_.coordinates.size());
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      const ElementaryChange& change = search_.changes[k];
+      if (!symmetry.coefficients[k].is_zero() && change.kind == ChangeKind::linear) turns[change.i] = true;
+    }
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      const ElementaryChange& change = search_.changes[k];
+      if (!symmetry.coefficients[k].is_zero() && change.kind == ChangeKind::shift && !turns[change.i])
+        return true;
+    }
+    return false;
+  }
+
+  /// A_ij = -A_ji, beside shifts.
+  [[nodiscard]] bool is_turning(const Symmetry& symmetry) const {
+    std::map<std::pair<std::size_t, std::size_t>, Expression> linear;
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      const ElementaryChange& change = search_.changes[k];
+      if (symmetry.coefficients[k].is_zero()) continue;
+      if (change.kind == ChangeKind::boost) return false;
+      if (change.kind == ChangeKind::linear) linear[{change.i, change.j}] = symmetry.coefficients[k];
+    }
+    return std::ranges::all_of(linear, [&](const auto& entry) {
+      const auto other = linear.find({entry.first.second, entry.first.first});
+      return other != linear.end() && (entry.second + other->second).is_zero();
+    });
+  }
+
+  const Scene& scene_;
+  const SymmetrySearch& search_;
+  const Lagrangian& lagrangian_;
+  Notation notation_;
+  std::vector<Vector> places_;
+  SymbolDimensions dimensions_;
+};
+
+void make_names_differ(std::vector<ConservedQuantity>& quantities) {
+  std::map<std::string, int> count;
+  for (ConservedQuantity& quantity : quantities) {
+    const int number = ++count[quantity.name];
+    if (number > 1) quantity.name += "_" + std::to_string(number);
+  }
+}
+
+}  // namespace
+
+FoundQuantities found_quantities(const Model& model, const Lagrangian& lagrangian,
+                                 std::span<const Replacement> replacements,
+                                 std::span<const ConservedQuantity> known) {
+  const SymmetrySearch search = affine_symmetries(lagrangian, known);
+  FoundQuantities result{search.lagrangian.graph, {}, search.is_complete};
+  if (search.found.empty()) return result;
+  const Wording wording(model, search, replacements);
+  for (const Symmetry& symmetry : search.found) {
+    if (auto quantity = wording.quantity(symmetry)) result.quantities.push_back(std::move(*quantity));
+  }
+  make_names_differ(result.quantities);
+  return result;
+}
+
+}  // namespace qdot

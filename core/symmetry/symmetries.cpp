@@ -1,0 +1,104 @@
+#include "core/symmetry/symmetries.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/base/work.hpp"
+#include "core/expr/zeroness.hpp"
+#include "core/symmetry/dependence.hpp"
+#include "core/symmetry/exact_coefficients.hpp"
+#include "core/symmetry/random_place.hpp"
+
+namespace qdot {
+namespace {
+
+/// For one search, in units of core/base/work.hpp; the proofs have their own bound each.
+constexpr std::uint64_t most_work = 3'000'000;
+constexpr std::uint64_t most_work_of_proof = 400'000;
+/// Places in a row that show nothing new before the dependences count as all.
+constexpr int enough_places = 6;
+constexpr int most_places_without_value = 200;
+
+/// The dependences among the expressions at random places, with one draw of the parameters.
+std::vector<std::vector<Modular>> dependences(PlaceEvaluator& place, std::size_t columns,
+                                              std::uint64_t draw_of_parameters) {
+  place.keep(draw_of_parameters);
+  RowSpace space(columns);
+  int without_news = 0, without_value = 0;
+  for (std::uint64_t seed = 1; space.rank() < columns && without_news < enough_places; ++seed) {
+    spend_work(place.size() + columns * (space.rank() + 1));
+    const auto values = place.values(seed);
+    if (!values) {
+      if (++without_value > most_places_without_value)
+        throw Error(ErrorCode::too_large, "Hardly any place was found where L has a value.");
+      continue;
+    }
+    std::vector<Modular> re, im;
+    for (const Residue& value : *values) {
+      re.push_back(value.re);
+      im.push_back(value.im);
+    }
+    const bool is_new = space.add(std::move(re));
+    without_news = space.add(std::move(im)) || is_new ? 0 : without_news + 1;
+  }
+  return space.dependences();
+}
+
+class SearchForSymmetries {
+ public:
+  SearchForSymmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known)
+      : result_{copied(lagrangian), {}, {}}, variation_(result_.lagrangian) {
+    const auto is_known = [&](const std::string& name) {
+      return std::ranges::any_of(known, [&](const ConservedQuantity& q) { return q.name == name; });
+    };
+    std::vector<bool> ignorable;
+    for (const Expression& q : result_.lagrangian.symbols.coordinates.value)
+      ignorable.push_back(is_known("p_" + std::get<Symbol>(q.node()).name));
+    result_.changes = elementary_changes(result_.lagrangian, ignorable, is_known("energy") || is_known("h"));
+    for (const ElementaryChange& change : result_.changes) variations_.push_back(variation_(change.change));
+  }
+
+  SymmetrySearch result() {
+    const std::vector<Expression>& parameters = result_.lagrangian.symbols.parameters;
+    PlaceEvaluator place(*result_.lagrangian.graph, variations_, parameters);
+    const auto first = dependences(place, variations_.size(), 1);
+    if (first.empty()) return std::move(result_);
+    const auto second = dependences(place, variations_.size(), 2);
+    result_.is_complete = first.size() == second.size();
+    for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
+      try_to_claim({first[k], second[k]});
+    return std::move(result_);
+  }
+
+ private:
+  void try_to_claim(const SampledDependence& dependence) {
+    const Lagrangian& lagrangian = result_.lagrangian;
+    for (const AngleForm angles : {AngleForm::as_written, AngleForm::single}) {
+      auto coefficients = exact_coefficients(variations_, dependence, lagrangian.symbols.parameters, angles);
+      if (!coefficients) continue;
+      PointChange change = combination(*lagrangian.graph, *coefficients, result_.changes);
+      if (zeroness(variation_(change), most_work_of_proof) != Zeroness::zero) continue;
+      result_.found.push_back({std::move(*coefficients), std::move(change)});
+      return;
+    }
+    result_.is_complete = false;
+  }
+
+  SymmetrySearch result_;
+  Variation variation_;
+  std::vector<Expression> variations_;
+};
+
+}  // namespace
+
+SymmetrySearch affine_symmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known) {
+  const WorkScope scope(most_work);
+  try {
+    return SearchForSymmetries(lagrangian, known).result();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large && error.code() != ErrorCode::not_applicable) throw;
+    return {copied(lagrangian), {}, {}, false};
+  }
+}
+
+}  // namespace qdot

@@ -1,0 +1,34 @@
+#pragma once
+// Symmetries of a Lagrangian that are affine in the coordinates, searched for and proved: see
+// point_change.hpp for what one is and what it keeps constant. xi_i = sum A_ij q_j + b_i + c_i t, tau is a
+// constant and F has degree two at most in q and t: translations, rotations of several coordinates at once,
+// screw motions, uniform motions (Galilei), and all of these together with a shift of the time.
+//
+// They are proposed by linear dependences among the changes of L at random places, in exact arithmetic
+// (random_place.hpp), with coefficients in the parameters (exact_coefficients.hpp), for all of whose values a
+// symmetry holds; and claimed where the algebra shows that R = 0 identically (core/expr/zeroness.hpp).
+
+#include "core/mechanics/conserved.hpp"
+#include "core/symmetry/point_change.hpp"
+
+namespace qdot {
+
+/// coefficients[k] belongs to the search's changes[k].
+struct Symmetry {
+  std::vector<Expression> coefficients;
+  PointChange change;
+};
+
+struct SymmetrySearch {
+  Lagrangian lagrangian;  ///< a copy, whose graph all expressions here belong to
+  std::vector<ElementaryChange> changes;
+  std::vector<Symmetry> found;
+  /// False where the scene is too large to be searched, or a dependence that shows at places was not proved.
+  bool is_complete{true};
+};
+
+/// Those that are not among `known`, which conserved_quantities() found: ignorable coordinates and the time.
+[[nodiscard]] SymmetrySearch affine_symmetries(const Lagrangian& lagrangian,
+                                               std::span<const ConservedQuantity> known);
+
+}  // namespace qdot
