@@ -111,7 +111,7 @@ struct Service::Impl {
       get("/metrics", answer_metrics, {"text/plain"});
     }
     get("/errors/{name}", answer_problem_type, {"application/json", "text/html"});
-    get("/v1/systems", system_list(catalogue));
+    get("/v1/systems", [this](Call& call) { return answer_systems(call); });
     get("/v1/systems/{name}", [this](Call& call) { return answer_system(call); });
     get("/v1/systems/{name}/scene", [this](Call& call) { return answer_scene(call); });
     get("/v1/problems", exercise_list());
@@ -170,17 +170,51 @@ struct Service::Impl {
 
   Response no_such_system(const Call& call) const {
     return not_found(call, "There is no system " + in_quotes(call.captures[0]),
-                     closest(call.captures[0], catalogue.names()), "/v1/systems lists them.");
+                     closest(call.captures[0], system_names()),
+                     "/v1/systems and /v1/systems?collection=classics list them.");
+  }
+
+  std::vector<std::string> system_names() const {
+    std::vector<std::string> names = catalogue.names();
+    std::ranges::move(classic_names(), std::back_inserter(names));
+    return names;
+  }
+
+  static FieldError refused_word(const std::string& parameter, std::string code, const std::string& what,
+                                 const std::string& word, std::vector<std::string> allowed) {
+    return {.parameter = parameter,
+            .code = std::move(code),
+            .detail = "There is no " + what + " " + in_quotes(word) + ".",
+            .did_you_mean = closest(word, allowed),
+            .allowed = std::move(allowed)};
+  }
+
+  /// Those of the catalogue, unless the query asks for the classics.
+  Response answer_systems(Call& call) const {
+    std::vector<FieldError> errors;
+    std::string collection = "practice";
+    for (const auto& [name, value] : call.target.query) {
+      if (name != "collection") {
+        errors.push_back(refused_word(name, "unknown_field", "field", name, {"collection"}));
+      } else if (value != "practice" && value != "classics") {
+        errors.push_back(refused_word(name, "not_allowed", "collection", value, {"practice", "classics"}));
+      } else {
+        collection = value;
+      }
+    }
+    if (!errors.empty())
+      return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
+    return json_response(collection == "classics" ? classics_list() : system_list(catalogue), call.layout);
   }
 
   /// The scene as it is written, ready to be changed and sent.
   Response answer_scene(Call& call) {
-    const CatalogueEntry* entry = catalogue.find(call.captures[0]);
+    const auto entry = catalogue.find_anywhere(call.captures[0]);
     return entry == nullptr ? no_such_system(call) : json_response(entry->json, call.layout);
   }
 
   Response answer_system(Call& call) {
-    const CatalogueEntry* entry = catalogue.find(call.captures[0]);
+    const auto entry = catalogue.find_anywhere(call.captures[0]);
     if (entry == nullptr) return no_such_system(call);
     const Json capabilities = models.remembered(entry->scene, "capabilities", [&] {
       return capabilities_json(*entry, [this](const Request& request) { return answer(request); });

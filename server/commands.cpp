@@ -89,7 +89,12 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
   std::string query;
   if (command.words == Words::name) {
     if (arguments.words.size() > 1) throw UsageError("give one name");
-    if (!arguments.words.empty()) request.target += "/" + percent_encoded(arguments.words.front());
+    const bool is_query = !arguments.words.empty() && arguments.words.front().find('=') != std::string::npos;
+    if (is_query) {
+      query = query_of(arguments.words);
+    } else if (!arguments.words.empty()) {
+      request.target += "/" + percent_encoded(arguments.words.front());
+    }
   } else if (command.words == Words::request) {
     if (!arguments.words.empty() && !arguments.request_file.empty())
       throw UsageError("give key=value or --request, not both");

@@ -131,6 +131,7 @@ class Operation {
                      {"description", about_["capture"]},
                      {"schema", {{"type", "string"}}}});
     }
+    for (const Json& parameter : about_.value("query", Json::array())) all.push_back(parameter);
     if (endpoint_ != nullptr) {
       for (const Json& parameter : query_parameters(*endpoint_->question.fields)) {
         const bool is_format = parameter["name"] == "format";
@@ -305,7 +306,11 @@ Json method_schema() {
 Json schemas(const Catalogue& catalogue) {
   Json all = shared()["schemas"];
   all.update(shared_schemas());
-  all["SystemName"] = {{"type", "string"}, {"enum", catalogue.names()}};
+  std::vector<std::string> systems = catalogue.names();
+  for (const std::string& classic : classic_names()) {
+    if (catalogue.find(classic) == nullptr) systems.push_back(classic);
+  }
+  all["SystemName"] = {{"type", "string"}, {"enum", systems}};
   all.update(scene_components());
   all["Method"] = method_schema();
   for (const Json& about : descriptions()) {

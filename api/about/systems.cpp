@@ -61,6 +61,12 @@ Json system_list(const Catalogue& catalogue) {
       {"systems", array_of(catalogue.entries(), [](const CatalogueEntry& e) { return summary(e.scene); })}};
 }
 
+Json classics_list() {
+  Json systems = Json::array();
+  for (const std::string& name : classic_names()) systems.push_back(summary(read_classic(name)->scene));
+  return {{"systems", std::move(systems)}};
+}
+
 Json system_description(const CatalogueEntry& entry, const Json& capabilities) {
   const Scene& scene = entry.scene;
   Json json = summary(scene);

@@ -8,6 +8,8 @@ namespace qdot::api {
 
 /// Name, title and problem of each, in the catalogue's order.
 [[nodiscard]] Json system_list(const Catalogue& catalogue);
+/// The same of the classics, which are read for it.
+[[nodiscard]] Json classics_list();
 
 /// All about one: symbols with unit, default, domain and meaning; events; endings; what it can be asked
 /// (api/about/capabilities.hpp); and the scene itself, which a request may carry changed. Defaults are

@@ -108,6 +108,29 @@ const CatalogueEntry* Catalogue::find(std::string_view name) const {
   return entry == entries_.end() ? nullptr : &*entry;
 }
 
+std::shared_ptr<const CatalogueEntry> Catalogue::find_anywhere(std::string_view name) const {
+  if (const CatalogueEntry* entry = find(name)) return {std::shared_ptr<void>(), entry};
+  return read_classic(name);
+}
+
+std::vector<std::string> classic_names() {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& file : classic_files())
+    names.emplace_back(file.name.substr(0, file.name.rfind('.')));
+  return names;
+}
+
+std::shared_ptr<const CatalogueEntry> read_classic(std::string_view name) {
+  const auto files = classic_files();
+  const auto file = std::ranges::find(files, std::string{name} + ".json", &EmbeddedFile::name);
+  if (file == files.end()) return nullptr;
+  Json json = Json::parse(file->text);
+  SceneReading reading = read_scene(json);
+  assert(reading.errors.empty() && reading.scene.name == name);
+  return std::make_shared<const CatalogueEntry>(
+      CatalogueEntry{std::string{file->name}, std::move(json), std::move(reading.scene)});
+}
+
 std::vector<std::string> Catalogue::names() const {
   std::vector<std::string> names;
   for (const CatalogueEntry& entry : entries_) names.push_back(entry.scene.name);

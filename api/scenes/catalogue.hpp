@@ -1,8 +1,12 @@
 #pragma once
 // The systems that requests can name: the scenes built into the program, in practice-sheet order, and those
 // of a directory that the user gives. A new system is a new file in api/scenes/systems/.
+//
+// Beside them stand the classics of textbooks, api/scenes/classics/. They are no part of a catalogue: each is
+// read when it is asked for, and nothing of it is kept, so that they cost nobody anything else.
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +37,9 @@ class Catalogue {
   /// nullptr for a name that is none.
   [[nodiscard]] const CatalogueEntry* find(std::string_view name) const;
 
+  /// The entry of this name, which lives as long as the catalogue, or a classic, freshly read; else nullptr.
+  [[nodiscard]] std::shared_ptr<const CatalogueEntry> find_anywhere(std::string_view name) const;
+
   [[nodiscard]] std::span<const CatalogueEntry> entries() const { return entries_; }
   [[nodiscard]] std::vector<std::string> names() const;
 
@@ -42,5 +49,10 @@ class Catalogue {
 
   std::vector<CatalogueEntry> entries_;
 };
+
+/// Names of the classics, in alphabetical order.
+[[nodiscard]] std::vector<std::string> classic_names();
+/// A classic, freshly read; nullptr for a name that is none.
+[[nodiscard]] std::shared_ptr<const CatalogueEntry> read_classic(std::string_view name);
 
 }  // namespace qdot::api

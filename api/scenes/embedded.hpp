@@ -7,4 +7,7 @@ namespace qdot::api {
 /// systems/*.json, in the order of their names.
 [[nodiscard]] std::span<const EmbeddedFile> system_files();
 
+/// classics/*.json, in the order of their names, each the name of its system.
+[[nodiscard]] std::span<const EmbeddedFile> classic_files();
+
 }  // namespace qdot::api

@@ -22,8 +22,10 @@ std::shared_ptr<const Scene> named(const Catalogue& catalogue, const std::string
   if (const CatalogueEntry* entry = catalogue.find(name)) {
     return {std::shared_ptr<void>(), &entry->scene};  // the catalogue owns it
   }
-  FieldError error =
-      unknown_name(place, "There is no system " + in_quotes(name) + ".", name, catalogue.names());
+  if (const auto classic = read_classic(name)) return {classic, &classic->scene};
+  std::vector<std::string> all = catalogue.names();
+  std::ranges::move(classic_names(), std::back_inserter(all));
+  FieldError error = unknown_name(place, "There is no system " + in_quotes(name) + ".", name, all);
   error.code = "unknown_system";
   if (const std::string meant = system_of_problem(catalogue, name); !meant.empty())
     error.did_you_mean = meant;

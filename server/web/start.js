@@ -91,7 +91,11 @@ function play(vignettes, left) {
 
 /** @param {HTMLElement} main @param {AbortSignal} left */
 export async function showStart(main, left) {
-  const [{ systems }, { problems }] = await Promise.all([read("/v1/systems"), read("/v1/problems")]);
+  const [{ systems }, { problems }, { systems: classics }] = await Promise.all([
+    read("/v1/systems"),
+    read("/v1/problems"),
+    read("/v1/systems?collection=classics"),
+  ]);
   if (left.aborted) return;
   const vignettes = systems.map((/** @type {any} */ system) => new Vignette(system));
   main.replaceChildren(
@@ -130,6 +134,18 @@ export async function showStart(main, left) {
         {},
         ...problems.map((/** @type {any} */ one) =>
           element("li", { value: one.number }, element("a", { href: `#/problems/${one.number}` }, one.title)),
+        ),
+      ),
+    ),
+    element(
+      "section",
+      { class: "problem-list" },
+      element("h2", {}, "Classics of textbooks"),
+      element(
+        "ul",
+        {},
+        ...classics.map((/** @type {any} */ one) =>
+          element("li", {}, element("a", { href: `#/systems/${one.name}` }, one.title)),
         ),
       ),
     ),

@@ -51,6 +51,7 @@ class SameBytes(unittest.TestCase):
 
     def test_systems(self):
         self.assert_same(qdot("systems"), self.server.request("GET", "/v1/systems"))
+        self.assert_same(qdot("systems", "collection=classics"), self.server.request("GET", "/v1/systems?collection=classics"))
         self.assert_same(qdot("systems", "spring_pendulum"), self.server.request("GET", "/v1/systems/spring_pendulum"))
 
     def test_a_problem_goes_to_stderr(self):
