@@ -1,6 +1,7 @@
 #pragma once
 // The kinds of bodies. Each is one record in bodies.cpp: what it is called in JSON, its fields, and the
-// struct of core/mechanics/scene.hpp that takes them, for which core has the kinetic energy.
+// struct of core/mechanics/scene.hpp that takes them, for which core has the kinetic energy. Every shape of
+// core/mechanics/shapes.hpp is a kind.
 
 #include <functional>
 #include <vector>

@@ -24,7 +24,7 @@ namespace qdot::api {
 /// limits::name_bytes.
 namespace scene_limits {
 inline constexpr std::size_t parameters = 32;
-inline constexpr std::size_t coordinates = 8;
+inline constexpr std::size_t coordinates = 12;
 inline constexpr std::size_t inputs = 8;
 inline constexpr std::size_t held_lengths = 8;
 inline constexpr std::size_t constraints = 8;

@@ -94,17 +94,62 @@ const Table<Point> points("point", "A place with a name, in an inertial frame.",
                           {name_field<Point>("what positions call it"),
                            value("components", &Point::components, VectorKind{}, "where it is", required)});
 
-const Table<Spring> springs(
-    "spring", "A linear spring with the energy stiffness*(length - rest_length)^2/2.",
-    {value("name", &Spring::name, NameKind{}, "what it is called"),
-     value("stiffness", &Spring::stiffness, ExpressionKind{}, "force by length", required),
-     value("length", &Spring::length, ExpressionKind{}, "how long it is", required),
-     value("rest_length", &Spring::rest_length, ExpressionKind{}, "how long it is without a force", zero)});
+/// What is stretched, or damped.
+template <class Struct>
+BoundField<Struct> length_field() {
+  return value("length", &Struct::length, ExpressionKind{}, "how long it is");
+}
+template <class Struct>
+BoundField<Struct> between_field() {
+  return value("between", &Struct::between, ListKind{PositionKind{}, 2, 2}, "the two places that it joins",
+               {.aliases = {"points", "ends"}});
+}
+template <class Struct>
+BoundField<Struct> angle_field() {
+  return value("angle", &Struct::angle, ExpressionKind{},
+               "the angle that it works on, as a torsion spring does");
+}
 
-const Table<Force> forces("force", "A force applied at a point.",
-                          {value("name", &Force::name, NameKind{}, "what it is called"),
-                           value("vector", &Force::vector, VectorKind{}, "its components", required),
-                           value("point", &Force::point, PositionKind{}, "where it is applied", required)});
+const Table<Spring> springs(
+    "spring",
+    "A linear spring with the energy stiffness*(length - rest_length)^2/2, or a torsion spring with "
+    "stiffness*(angle - rest_angle)^2/2.",
+    {value("name", &Spring::name, NameKind{}, "what it is called"),
+     value("stiffness", &Spring::stiffness, ExpressionKind{}, "force by length, or torque by angle",
+           required),
+     length_field<Spring>(),
+     value("rest_length", &Spring::rest_length, ExpressionKind{}, "how long it is without a force", zero),
+     between_field<Spring>(), angle_field<Spring>(),
+     value("rest_angle", &Spring::rest_angle, ExpressionKind{}, "the angle without a torque", zero)},
+    {{.ways = {{"length"}, {"between"}, {"angle", "rest_angle"}}, .need = Need::required},
+     {.ways = {{"rest_length"}, {"angle", "rest_angle"}}}});
+
+const Table<Damper> dampers(
+    "damper",
+    "A force against the rate of a length, of the distance between two places, of an angle, or against the "
+    "velocity of a point.",
+    {value("name", &Damper::name, NameKind{}, "what it is called"),
+     value("coefficient", &Damper::coefficient, ExpressionKind{}, "c in -c*v, or in -c*|v|*v", required),
+     choice("law", &Damper::law, {{"linear", Damper::Law::linear}, {"quadratic", Damper::Law::quadratic}},
+            "linear: -c*v; quadratic: -c*|v|*v, as of air", {.default_value = "linear"}),
+     length_field<Damper>(), between_field<Damper>(), angle_field<Damper>(),
+     value("point", &Damper::point, PositionKind{}, "the place whose velocity it acts against")},
+    {{.ways = {{"length"}, {"between"}, {"angle"}, {"point"}}, .need = Need::required}});
+
+const Table<Force> forces(
+    "force",
+    "A force applied at a point, a force or torque along one quantity, or a torque on a body in space. Each may "
+    "depend on the state and the time.",
+    {value("name", &Force::name, NameKind{}, "what it is called"),
+     value("vector", &Force::vector, VectorKind{}, "the components of a force"),
+     value("point", &Force::point, PositionKind{}, "where it is applied"),
+     value("value", &Force::value, ExpressionKind{},
+           "a force that pushes along a length, or a torque that turns an angle"),
+     value("along", &Force::along, ExpressionKind{},
+           "what the value pushes: a coordinate, theta, or an expression such as theta2 - theta1"),
+     value("torque", &Force::torque, VectorKind{}, "the components of a torque, in the axes of space"),
+     value("body", &Force::body, NameKind{}, "the name of the body in space that the torque turns")},
+    {{.ways = {{"vector", "point"}, {"value", "along"}, {"torque", "body"}}, .need = Need::required}});
 
 const Table<Constraint> constraints(
     "constraint",
@@ -178,13 +223,27 @@ const Table<SceneEvent> events(
      meaning_field<SceneEvent>()});
 
 const Table<Impact> impacts(
-    "impact", "At an event, the state jumps.",
+    "impact",
+    "At an event, the state jumps: by restitution, by a contact that is made and one that is left, or as a map "
+    "says.",
     {value("event", &Impact::event, NameKind{}, "the name of the event", required),
      map("map", &Impact::map, NameOf::thing_or_velocity, MapTo::expressions,
          "each coordinate or velocity after the jump, as an expression of the state before it; what is not "
-         "named stays",
-         required),
-     meaning_field<Impact>()});
+         "named stays"),
+     value(
+         "restitution", &Impact::restitution, ExpressionKind{},
+         "what is left of the speed: the event's expression is a distance, and after the impact grows by this "
+         "part of the rate at which it fell. Nothing rubs"),
+     value("contact_made", &Impact::contact_made, NameKind{},
+           "the point that comes to rest at the impact, such as a foot"),
+     value("contact_left", &Impact::contact_left, NameKind{},
+           "the point that rested until then, on which all positions stand, and leaves without a push"),
+     map("renamed", &Impact::renamed, NameOf::thing, MapTo::expressions,
+         "what the coordinates are afterwards, where the point that rests takes the place of the other: "
+         "legs that change roles"),
+     value("meaning", &Impact::meaning, prose, "what it is, in words")},
+    {{.ways = {{"map"}, {"restitution"}, {"contact_made", "contact_left", "renamed"}},
+      .need = Need::required}});
 
 const Table<Scales> scales("scales", "Units of the dimensionless form: expressions of the parameters.",
                            {value("mass", &Scales::mass, ExpressionKind{}, "the unit of mass", required),
@@ -239,6 +298,7 @@ Table<Scene> make_table() {
              "the acceleration of gravity, with as many components as the positions; without it there is no "
              "gravity"),
        records("springs", &Scene::springs, springs, 0, most::springs, "the springs"),
+       records("dampers", &Scene::dampers, dampers, 0, most::springs, "the dampers, and drag"),
        value("potential", &Scene::potential, ExpressionKind{}, "potential energy beside gravity and springs"),
        records("forces", &Scene::forces, forces, 0, most::forces, "the forces that no energy gives"),
        records("constraints", &Scene::constraints, constraints, 0, most::constraints,

@@ -9,13 +9,12 @@ namespace {
 /// dT of each body, and of all.
 class InertiaChanges {
  public:
-  InertiaChanges(const Model& model, const ExpectedSystem& system)
-      : model_(model), system_(system), rates_(system.symbols().rates()) {}
+  InertiaChanges(const Model& model, const ExpectedSystem& system) : model_(model), system_(system) {}
 
   [[nodiscard]] std::vector<Expression> of_energy() const {
     std::vector<Expression> changes;
     for (const ParsedBody& body : model_.parsed.bodies) {
-      const Expression change = std::visit([&](const auto& b) { return held(change_of(b)); }, body);
+      const Expression change = held(change_of(body));
       if (!change.is_zero()) changes.push_back(change);
     }
     if (changes.size() > 1) changes.push_back(graph().sum(changes));
@@ -24,20 +23,13 @@ class InertiaChanges {
 
  private:
   [[nodiscard]] Graph& graph() const { return system_.graph(); }
-  [[nodiscard]] Expression rate(const Expression& e) const {
-    return total_derivative(graph().adopt(e), rates_);
-  }
-
-  [[nodiscard]] Expression change_of(const ParsedParticle&) const { return graph().number(0); }
-  [[nodiscard]] Expression change_of(const ParsedRod& rod) const {
-    std::vector<Expression> squares;
-    for (std::size_t i = 0; i < rod.start.size(); ++i)
-      squares.push_back(pow(rate(rod.end[i]) - rate(rod.start[i]), Number(2)));
-    return Number::ratio(1, 8) * (graph().adopt(rod.mass) * graph().sum(squares));
-  }
-  [[nodiscard]] Expression change_of(const ParsedDisk& disk) const {
-    const Expression arc = graph().adopt(disk.radius) * rate(disk.angle);
-    return Number::ratio(1, 2) * (graph().adopt(disk.mass) * arc * arc);
+  [[nodiscard]] Expression change_of(const ParsedBody& body) const {
+    std::vector<Expression> terms;
+    for (const ParsedSpin& spin : body.spins) {
+      const Expression rate = graph().adopt(spin.rate);
+      terms.push_back(Number::ratio(1, 2) * (graph().adopt(spin.more_at_end) * rate * rate));
+    }
+    return graph().sum(terms);
   }
 
   /// Lengths are held at their values.
@@ -50,7 +42,6 @@ class InertiaChanges {
 
   const Model& model_;
   const ExpectedSystem& system_;
-  std::vector<Replacement> rates_;
 };
 
 }  // namespace

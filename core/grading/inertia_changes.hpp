@@ -2,7 +2,7 @@
 // The moment of inertia about another point: I_end = m L^2/3 for I_centre = m L^2/12 of a slender rod, or the
 // other way round, and m r^2/2 + m r^2 for m r^2/2 of a disk.
 //
-//   dT = m/8 |v_start - v_end|^2 (rods),  m/2 r^2 angle'^2 (disks)
+//   dT = m/8 |v_start - v_end|^2 (rods),  m/2 r^2 angle'^2 (disks, rings, balls that roll in the plane)
 //
 // is what T is then too large or too small by. |v_start - v_end| = L omega, so no angle of the rod is needed.
 

@@ -4,6 +4,7 @@
 
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
+#include "core/mechanics/friction.hpp"
 
 namespace qdot {
 namespace {
@@ -18,14 +19,7 @@ bool depends_on_time(const Expression& e, const Symbols& symbols) {
 
 /// But those of constraints that do no work.
 bool has_forces(const Lagrangian& lagrangian) {
-  std::vector<Replacement> workless;
-  for (std::size_t j = 0; j < lagrangian.constraints.size(); ++j) {
-    if (is_workless(lagrangian.constraints[j], lagrangian.symbols))
-      workless.emplace_back(lagrangian.symbols.multipliers[j], lagrangian.graph->number(0));
-  }
-  return std::ranges::any_of(lagrangian.generalized_forces, [&](const Expression& force) {
-    return !(workless.empty() ? force : simplify(substitute(force, workless))).is_zero();
-  });
+  return !std::ranges::all_of(working_forces(lagrangian), &Expression::is_zero);
 }
 
 /// h = T + V holds when T is purely quadratic in the velocities and V has none.

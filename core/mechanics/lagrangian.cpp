@@ -23,18 +23,14 @@ class Energies {
 
   [[nodiscard]] Expression kinetic() const {
     std::vector<Expression> terms;
-    for (const ParsedBody& body : scene_.bodies) {
-      terms.push_back(std::visit([&](const auto& b) { return kinetic_of(b); }, body));
-    }
+    for (const ParsedBody& body : scene_.bodies) terms.push_back(kinetic_of(body));
     return graph().sum(terms);
   }
 
   /// Weights, each spring, the extra potential: terms that are short each by itself.
   [[nodiscard]] std::vector<Expression> potentials() const {
     std::vector<Expression> weights;
-    for (const ParsedBody& body : scene_.bodies) {
-      weights.push_back(std::visit([&](const auto& b) { return weight_of(b); }, body));
-    }
+    for (const ParsedBody& body : scene_.bodies) weights.push_back(weight_of(body));
     std::vector<Expression> terms{graph().sum(weights)};
     for (const ParsedSpring& spring : scene_.springs) {
       terms.push_back(half() * spring.stiffness * pow(spring.length - spring.rest_length, Number(2)));
@@ -53,38 +49,16 @@ class Energies {
     return v;
   }
 
-  [[nodiscard]] Expression translation(const Expression& mass, const Vector& position) const {
-    const Vector v = velocity(position);
-    return half() * mass * dot(graph(), v, v);
+  [[nodiscard]] Expression kinetic_of(const ParsedBody& body) const {
+    const Vector v = velocity(body.centre);
+    std::vector<Expression> terms{half() * body.mass * dot(graph(), v, v)};
+    for (const ParsedSpin& spin : body.spins) terms.push_back(half() * spin.inertia * spin.rate * spin.rate);
+    return graph().sum(terms);
   }
 
-  [[nodiscard]] Expression kinetic_of(const ParsedParticle& body) const {
-    return translation(body.mass, body.position);
-  }
-  [[nodiscard]] Expression kinetic_of(const ParsedRod& body) const {
-    const Vector a = velocity(body.start);
-    const Vector b = velocity(body.end);
-    const Expression sum = dot(graph(), a, a) + dot(graph(), a, b) + dot(graph(), b, b);
-    return Number::ratio(1, 6) * (body.mass * sum);
-  }
-  [[nodiscard]] Expression kinetic_of(const ParsedDisk& body) const {
-    const Expression spin = total_derivative(body.angle, rates_);
-    return translation(body.mass, body.centre) +
-           Number::ratio(1, 4) * (body.mass * body.radius * body.radius * spin * spin);
-  }
-
-  [[nodiscard]] Expression weight(const Expression& mass, const Vector& centre) const {
-    return scene_.gravity.empty() ? graph().number(0) : -(mass * dot(graph(), scene_.gravity, centre));
-  }
-  [[nodiscard]] Expression weight_of(const ParsedParticle& body) const {
-    return weight(body.mass, body.position);
-  }
-  [[nodiscard]] Expression weight_of(const ParsedDisk& body) const { return weight(body.mass, body.centre); }
-  [[nodiscard]] Expression weight_of(const ParsedRod& body) const {
-    Vector middle;
-    for (std::size_t i = 0; i < body.start.size(); ++i)
-      middle.push_back(half() * (body.start[i] + body.end[i]));
-    return weight(body.mass, middle);
+  [[nodiscard]] Expression weight_of(const ParsedBody& body) const {
+    return scene_.gravity.empty() ? graph().number(0)
+                                  : -(body.mass * dot(graph(), scene_.gravity, body.centre));
   }
 
   const ParsedScene& scene_;
@@ -102,13 +76,17 @@ std::vector<Replacement> holding(const ParsedScene& scene) {
   return result;
 }
 
-/// Q_x = sum of F . dr/dx - dD/dx' + sum of lambda_j d(phi_j)/dx.
+/// Q_x = sum of F . dr/dx + sum of torque . domega/dx' - dD/dx' + sum of lambda_j d(phi_j)/dx.
 Expression generalized_force(const ParsedScene& scene, const Expression& x, const Expression& rate) {
   std::vector<Expression> terms;
   for (const ParsedForce& force : scene.forces) {
     for (std::size_t k = 0; k < force.vector.size(); ++k) {
       terms.push_back(force.vector[k] * differentiate(force.point[k], x));
     }
+  }
+  for (const ParsedTorque& torque : scene.torques) {
+    for (std::size_t k = 0; k < torque.vector.size(); ++k)
+      terms.push_back(torque.vector[k] * differentiate(torque.angular_velocity[k], rate));
   }
   if (scene.dissipation) terms.push_back(-differentiate(*scene.dissipation, rate));
   for (std::size_t j = 0; j < scene.constraints.size(); ++j)

@@ -1,11 +1,10 @@
 #pragma once
 // From where things are to L(q, q', t).
 //
-//   T = sum of m/2 v.v (particles) + m/6 (vA.vA + vA.vB + vB.vB) (slender rods)
-//       + m/2 v.v + m r^2/4 angle'^2 (disks),  v = dr/dt by the chain rule
+//   T = sum of m/2 v.v + sum of I/2 w^2,  v = dr/dt by the chain rule  (parsed_body.hpp)
 //   V = - sum of m g.r + sum of k/2 (length - rest_length)^2 + extra potential
-//   Q_i = sum of F . dr/dq_i - dD/dq_i'  (virtual work of forces, Rayleigh dissipation D)
-//         + sum of lambda_j A_ji         (constraints.hpp)
+//   Q_i = sum of F . dr/dq_i + sum of torque . domega/dq_i'  (virtual work of forces and torques)
+//         - dD/dq_i' + sum of lambda_j A_ji                  (Rayleigh dissipation D; constraints.hpp)
 //   L = T - V
 // Sources: Goldstein, Classical Mechanics, 3rd ed., 1.4 (Q_i), 1.5 (D); the rod's T integrates a velocity
 // that is linear along it.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/impacts.hpp"
 #include "core/mechanics/inertia_check.hpp"
 
 namespace qdot {
@@ -47,6 +48,16 @@ void check_constraints(const Scene& scene, const Lagrangian& lagrangian) {
                          "Leave one of them out."}});
 }
 
+void derive_impact(Model& model) {
+  if (!model.parsed.contact) return;
+  try {
+    model.parsed.impact = derived_impact(model.parsed, model.lagrangian);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::not_applicable) throw;
+    throw SceneError({{"/impact", "not_applicable", error.what()}});
+  }
+}
+
 Expression quantity_of(const Lagrangian& lagrangian, const ParsedCondition& condition) {
   if (const auto* which = std::get_if<ParsedReaction>(&condition)) return reaction(lagrangian, *which);
   return substitute(std::get<Expression>(condition), lagrangian.holding);
@@ -69,6 +80,7 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   check_constraints(scene, model->lagrangian);
   model->system = augmented(model->equations, model->lagrangian);
   check_inertia(scene, model->system);
+  derive_impact(*model);
   if (const auto& kinetic = model->lagrangian.kinetic_energy) {
     for (const int degree : {2, 1, 0}) {
       model->kinetic_parts.push_back(simplify(velocity_degree(*kinetic, model->parsed.symbols, degree)));

@@ -18,8 +18,9 @@ class SceneParser {
     declare_symbols();
     read_declarations();
     read_bodies();
-    read_forces();
+    read_energies();
     read_constraints();
+    read_forces();
     read_conditions();
     check_whole();
     return std::move(parsed_);
@@ -50,16 +51,6 @@ class SceneParser {
       symbols.parameters.push_back(
           text_.declare(p.name, text_.unit(p.unit, place), Context::parameters, place + "/name"));
     });
-  }
-
-  Vector read_position(const Position& position, const std::string& place) {
-    if (position.point.empty())
-      return text_.read_vector(position.components, Context::configuration, place, dimension_of_unit("m"));
-    for (std::size_t i = 0; i < scene_.points.size(); ++i) {
-      if (scene_.points[i].name == position.point) return parsed_.points[i];
-    }
-    text_.complain(place, "unknown_point", "There is no point '" + position.point + "' in this scene.");
-    return text_.zero_vector();
   }
 
   void read_declarations() {
@@ -93,62 +84,63 @@ class SceneParser {
   }
 
   void read_bodies() {
+    const std::vector<Replacement> rates = parsed_.symbols.rates();
     each(scene_.points, "/points", [&](const Point& point, const std::string& place) {
       parsed_.points.push_back(text_.read_vector(point.components, Context::configuration,
                                                  place + "/components", dimension_of_unit("m")));
+      text_.declare_point(point.name, parsed_.points.back());
     });
     each(scene_.bodies, "/bodies", [&](const Body& body, const std::string& place) {
-      parsed_.bodies.push_back(std::visit([&](const auto& b) { return read_body(b, place); }, body));
+      parsed_.bodies.push_back(parse_body(body, place, text_, *parsed_.graph, rates));
     });
     if (!scene_.gravity.empty()) {
       parsed_.gravity =
           text_.read_vector(scene_.gravity, Context::time, "/gravity", dimension_of_unit("m/s^2"));
     }
+  }
+
+  void read_energies() {
     each(scene_.springs, "/springs", [&](const Spring& spring, const std::string& place) {
-      parsed_.springs.push_back(
-          {text_.read(spring.stiffness, Context::parameters, place + "/stiffness", dimension_of_unit("N/m")),
-           text_.read(spring.length, Context::configuration, place + "/length", dimension_of_unit("m")),
-           text_.read(spring.rest_length, Context::parameters, place + "/rest_length",
-                      dimension_of_unit("m"))});
+      parsed_.springs.push_back(parse_spring(spring, place, text_));
     });
-  }
-
-  Expression read_mass(const std::string& text, const std::string& place) {
-    return text_.read(text, Context::parameters, place + "/mass", dimension_of_unit("kg"));
-  }
-
-  ParsedBody read_body(const Particle& body, const std::string& place) {
-    return ParsedParticle{read_mass(body.mass, place), read_position(body.position, place + "/position")};
-  }
-  ParsedBody read_body(const SlenderRod& body, const std::string& place) {
-    return ParsedRod{read_mass(body.mass, place), read_position(body.start, place + "/start"),
-                     read_position(body.end, place + "/end")};
-  }
-  ParsedBody read_body(const Disk& body, const std::string& place) {
-    Vector centre = read_position(body.centre, place + "/centre");
-    if (centre.size() > 2) {
-      text_.complain(place + "/centre", "not_applicable",
-                     "A disk stays in the plane, so its centre has two components: in space its energy "
-                     "depends on where its axis points.");
-    }
-    return ParsedDisk{read_mass(body.mass, place),
-                      text_.read(body.radius, Context::parameters, place + "/radius", dimension_of_unit("m")),
-                      std::move(centre),
-                      text_.read(body.angle, Context::configuration, place + "/angle", Dimension{})};
-  }
-
-  void read_forces() {
     parsed_.potential =
         text_.read_optional(scene_.potential, Context::configuration, "/potential", dimension_of_unit("J"));
     parsed_.dissipation =
         text_.read_optional(scene_.dissipation, Context::state, "/dissipation", dimension_of_unit("W"));
     parsed_.lagrangian =
         text_.read_optional(scene_.lagrangian, Context::state, "/lagrangian", dimension_of_unit("J"));
-    each(scene_.forces, "/forces", [&](const Force& force, const std::string& place) {
-      parsed_.forces.push_back(
-          {text_.read_vector(force.vector, Context::state, place + "/vector", dimension_of_unit("N")),
-           read_position(force.point, place + "/point")});
+  }
+
+  void read_forces() {
+    const std::vector<Replacement> rates = parsed_.symbols.rates();
+    each(scene_.dampers, "/dampers", [&](const Damper& damper, const std::string& place) {
+      parsed_.forces.push_back(parse_damper(damper, place, text_, rates));
     });
+    each(scene_.forces, "/forces", [&](const Force& force, const std::string& place) {
+      if (force.torque.empty()) {
+        parsed_.forces.push_back(parse_force(force, place, text_));
+        check_multipliers(parsed_.forces.back().vector, place);
+      } else {
+        parsed_.torques.push_back(parse_torque(force, place, text_, parsed_.bodies, rates));
+        check_multipliers(parsed_.torques.back().vector, place);
+      }
+    });
+  }
+
+  /// Reactions follow from a linear system.
+  void check_multipliers(const Vector& force, const std::string& place) {
+    const std::vector<Expression>& multipliers = parsed_.symbols.multipliers;
+    for (const Expression& component : force) {
+      for (const Expression& lambda : multipliers) {
+        if (!depends_on(component, lambda) || !depends_on(differentiate(component, lambda), multipliers))
+          continue;
+        text_.complain(
+            place, "not_linear",
+            "A force is linear in multipliers: for friction write -mu*N*sign(x_dot), with a condition "
+            "under valid_while that ends the motion where N changes its sign, not abs(N).");
+        return;
+      }
+    }
   }
 
   void read_constraints() {
@@ -233,21 +225,80 @@ class SceneParser {
   }
 
   void read_impact(const Impact& impact) {
-    const bool known = std::any_of(scene_.events.begin(), scene_.events.end(),
-                                   [&](const SceneEvent& event) { return event.name == impact.event; });
-    if (!known)
+    const auto event = std::ranges::find(scene_.events, impact.event, &SceneEvent::name);
+    if (event == scene_.events.end()) {
       text_.complain("/impact/event", "unknown_event",
                      "There is no event '" + impact.event + "' in this scene.");
-    for (const auto& [name, text] : impact.map) {
-      const std::string place = "/impact/map/" + name;
+    }
+    parsed_.impact = read_map(impact.map, "/impact/map", Context::state);
+    if (event == scene_.events.end() || (impact.restitution.empty() && impact.contact_made.empty())) return;
+    ParsedContact contact;
+    contact.distance = parsed_.events[static_cast<std::size_t>(event - scene_.events.begin())].value;
+    if (!impact.restitution.empty()) {
+      contact.restitution =
+          text_.read(impact.restitution, Context::parameters, "/impact/restitution", Dimension{});
+      check_distance(contact.distance);
+    } else {
+      if (impact.contact_left.empty()) {
+        text_.complain("/impact", "missing",
+                       "'contact_left' is missing: the point that rested until the impact, and leaves.");
+        return;
+      }
+      contact.made = text_.read_position({impact.contact_made, {}}, "/impact/contact_made");
+      contact.left = text_.read_position({impact.contact_left, {}}, "/impact/contact_left");
+      contact.renamed = read_map(impact.renamed, "/impact/renamed", Context::configuration);
+      check_contacts(contact);
+    }
+    parsed_.contact = std::move(contact);
+  }
+
+  std::vector<Replacement> read_map(const std::vector<std::pair<std::string, std::string>>& map,
+                                    const std::string& at, Context context) {
+    std::vector<Replacement> result;
+    const Symbols::Varying& q = parsed_.symbols.coordinates;
+    for (const auto& [name, text] : map) {
+      const std::string place = at + "/" + name;
       const Expression symbol = parsed_.graph->symbol(name);
-      const auto& q = parsed_.symbols.coordinates;
-      const bool is_state = std::find(q.value.begin(), q.value.end(), symbol) != q.value.end() ||
-                            std::find(q.rate.begin(), q.rate.end(), symbol) != q.rate.end();
-      if (!is_state)
-        text_.complain(place, "unknown_symbol", "'" + name + "' is neither a coordinate nor a velocity.");
+      const bool is_coordinate = std::ranges::find(q.value, symbol) != q.value.end();
+      const bool is_state =
+          is_coordinate || (context == Context::state && std::ranges::find(q.rate, symbol) != q.rate.end());
+      if (!is_state) {
+        text_.complain(
+            place, "unknown_symbol",
+            "'" + name + "' is " +
+                (context == Context::state ? "neither a coordinate nor a velocity." : "no coordinate."));
+      }
       const auto expected = is_state ? text_.dimension_of_symbol(symbol) : std::nullopt;
-      parsed_.impact.emplace_back(symbol, text_.read(text, Context::state, place, expected));
+      result.emplace_back(symbol, text_.read(text, context, place, expected));
+    }
+    return result;
+  }
+
+  /// What is touched with restitution is a place: its distance has a gradient, and nothing else moves it.
+  void check_distance(const Expression& distance) {
+    const Symbols& symbols = parsed_.symbols;
+    if (depends_on(distance, symbols.coordinates.rate) || !depends_on(distance, symbols.coordinates.value)) {
+      text_.complain("/impact/restitution", "not_applicable",
+                     "The expression of '" + scene_.impact->event +
+                         "' is to be a distance, of the coordinates and without velocities: its slope is the "
+                         "direction of the impulse.");
+    }
+  }
+
+  void check_contacts(const ParsedContact& contact) {
+    if (!parsed_.lagrangian && scene_.bodies.empty()) return;  // told already
+    if (parsed_.lagrangian) {
+      text_.complain("/impact/contact_made", "not_applicable",
+                     "This impact is derived from bodies, and the scene has a lagrangian.");
+    }
+    const Symbols& symbols = parsed_.symbols;
+    for (const Expression& component : contact.left) {
+      if (depends_on(component, symbols.coordinates.value) || depends_on(component, symbols.t)) {
+        text_.complain(
+            "/impact/contact_left", "not_applicable",
+            "'" + scene_.impact->contact_left + "' moves: the contact that is left is to rest until then.");
+        return;
+      }
     }
   }
 

@@ -6,32 +6,13 @@
 #include <variant>
 #include <vector>
 
+#include "core/mechanics/parsed_body.hpp"
+#include "core/mechanics/parsed_force.hpp"
 #include "core/mechanics/scene.hpp"
 #include "core/mechanics/symbols.hpp"
 
 namespace qdot {
 
-struct ParsedParticle {
-  Expression mass;
-  Vector position;
-};
-struct ParsedRod {
-  Expression mass;
-  Vector start, end;
-};
-struct ParsedDisk {
-  Expression mass, radius;
-  Vector centre;
-  Expression angle;
-};
-using ParsedBody = std::variant<ParsedParticle, ParsedRod, ParsedDisk>;
-
-struct ParsedSpring {
-  Expression stiffness, length, rest_length;
-};
-struct ParsedForce {
-  Vector vector, point;
-};
 struct ParsedConstraint {
   Expression expression;
   bool holonomic{};             ///< no velocity stands in it
@@ -47,6 +28,13 @@ using ParsedCondition = std::variant<ParsedReaction, Expression>;
 struct ParsedSceneEvent {
   Expression value;
   std::optional<Expression> when;
+};
+/// What an impact is derived from where its map is not written.
+struct ParsedContact {
+  std::optional<Expression> restitution;
+  Expression distance;  ///< the event's expression, of an impact with restitution
+  Vector made, left;    ///< places of the points of contact, of one without
+  std::vector<Replacement> renamed;
 };
 struct ParsedScales {
   Expression mass, length, time;
@@ -64,13 +52,15 @@ struct ParsedScene {
   Vector gravity;
   std::vector<ParsedSpring> springs;
   std::optional<Expression> potential, dissipation, lagrangian;
-  std::vector<ParsedForce> forces;
+  std::vector<ParsedForce> forces;  ///< those of dampers too
+  std::vector<ParsedTorque> torques;
   std::vector<ParsedConstraint> constraints;
   std::vector<ParsedCondition> valid_while;
   std::vector<ParsedCondition> reports;
   std::vector<Expression> singular_where;
   std::vector<ParsedSceneEvent> events;
-  std::vector<Replacement> impact;
+  std::vector<Replacement> impact;  ///< the map, written or derived (impacts.hpp)
+  std::optional<ParsedContact> contact;
   std::optional<ParsedScales> scales;
 };
 

@@ -4,6 +4,7 @@
 // parameters, coordinates q, velocities q_dot, held lengths, inputs and the time t.
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -90,30 +91,71 @@ struct SlenderRod {
   Position end;
 };
 
-/// Uniform disk in the plane: T = m/2 v.v + m r^2/4 angle_dot^2.
-struct Disk {
-  std::string name;
-  std::string mass;
-  std::string radius;
-  Position centre;
-  std::string angle;
+/// A turn about an axis through the body's centre, which the turns before it have carried along.
+struct Rotation {
+  std::vector<std::string> axis{};  ///< of any length but 0
+  std::string angle{};
 };
 
-using Body = std::variant<Particle, SlenderRod, Disk>;
+/// How a body is turned from the axes of space (core/mechanics/rotation.hpp): by a sequence such as ZXZ and
+/// an angle for each of its letters, or by rotations one after the other.
+struct Orientation {
+  std::string sequence{};
+  std::vector<std::string> angles{};
+  std::vector<Rotation> rotations{};
+};
 
-/// V = k/2 (length - rest_length)^2.
+/// A body that has a size in every direction. In the plane T = m/2 v.v + I/2 angle_dot^2; in space
+/// T = m/2 v.v + (I1 w1^2 + I2 w2^2 + I3 w3^2)/2 with the angular velocity w in the body's axes.
+struct RigidBody {
+  std::string name{};
+  std::string mass{};
+  std::string shape{};                           ///< of core/mechanics/shapes.hpp; "rigid_body" without one
+  std::map<std::string, std::string> sizes{};    ///< of its shape, by their names
+  std::string inertia{};                         ///< in the plane, where there is no shape
+  std::vector<std::string> principal_moments{};  ///< I1, I2, I3 in space, where there is no shape
+  Position centre{};
+  std::string angle{};                       ///< in the plane, counter-clockwise
+  std::optional<Orientation> orientation{};  ///< in space
+};
+
+using Body = std::variant<Particle, SlenderRod, RigidBody>;
+
+/// V = k/2 (length - rest_length)^2, the length being an expression or the distance of two places; or, of a
+/// torsion spring, V = k/2 (angle - rest_angle)^2.
 struct Spring {
-  std::string name;
-  std::string stiffness;
-  std::string length;
-  std::string rest_length;
+  std::string name{};
+  std::string stiffness{};
+  std::string length{};
+  std::string rest_length{};
+  std::vector<Position> between{};  ///< two places, or none
+  std::string angle{};
+  std::string rest_angle{};
 };
 
-/// Q_i = vector . d(point)/dq_i.
+/// The force -c s' along s, or -c |s'| s' where it is quadratic: s an expression, the distance of two places,
+/// an angle, or the way of a point through a medium at rest.
+struct Damper {
+  enum class Law { linear, quadratic };
+  std::string name{};
+  std::string coefficient{};  ///< c
+  Law law{Law::linear};
+  std::string length{};
+  std::vector<Position> between{};  ///< two places, or none
+  std::string angle{};
+  std::optional<Position> point{};
+};
+
+/// Q_i = vector . d(point)/dq_i, or value * d(along)/dq_i, or torque . d(omega)/dq_i_dot with the angular
+/// velocity omega of a body in space.
 struct Force {
-  std::string name;
-  std::vector<std::string> vector;
-  Position point;
+  std::string name{};
+  std::vector<std::string> vector{};
+  Position point{};
+  std::string value{};
+  std::string along{};
+  std::vector<std::string> torque{};
+  std::string body{};
 };
 
 /// What every motion obeys: `expression` stays 0. Holonomic where no velocity stands in it, x^2 + y^2 - l^2;
@@ -170,11 +212,18 @@ struct SceneEvent {
   std::string meaning;
 };
 
-/// At `event`, each symbol of the map jumps to its expression of the state before.
+/// At `event`, the state jumps: as a map says; or by an impulse along the gradient of the event's expression,
+/// which returns `restitution` of the speed at which that falls; or by a contact that is made, where a point
+/// comes to rest, while the one that held the system until then is left (core/mechanics/impacts.hpp).
 struct Impact {
-  std::string event;
-  std::vector<std::pair<std::string, std::string>> map;
-  std::string meaning;
+  std::string event{};
+  std::vector<std::pair<std::string, std::string>> map{};  ///< of the state before
+  std::string meaning{};
+  std::string restitution{};
+  std::string contact_made{}, contact_left{};  ///< names of points
+  /// What the coordinates are called afterwards, where the contact that is made takes the place of the one
+  /// that is left.
+  std::vector<std::pair<std::string, std::string>> renamed{};
 };
 
 /// Units of the dimensionless form: expressions of the parameters with dimensions kg, m and s.
@@ -203,6 +252,7 @@ struct Scene {
   std::vector<std::string>
       gravity;  ///< acceleration vector, as many components as the positions; may be empty
   std::vector<Spring> springs;
+  std::vector<Damper> dampers;
   std::string potential;  ///< extra potential energy, or empty
   std::vector<Force> forces;
   std::vector<Constraint> constraints;

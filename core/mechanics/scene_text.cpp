@@ -34,6 +34,12 @@ bool SceneText::has_complaint(const std::string& place) const {
   return std::ranges::find(diagnostics_, place, &Diagnostic::place) != diagnostics_.end();
 }
 
+bool SceneText::has_complaint_below(const std::string& place) const {
+  return std::ranges::any_of(diagnostics_, [&](const Diagnostic& d) {
+    return d.place == place || d.place.starts_with(place + "/");
+  });
+}
+
 Expression SceneText::declare(const std::string& name, const std::optional<Dimension>& dimension,
                               Context context, const std::string& place) {
   const Expression symbol = graph_.symbol(name);
@@ -126,6 +132,16 @@ Vector SceneText::read_vector(const std::vector<std::string>& components, Contex
     vector.resize(zero_vector().size(), graph_.number(0));
   }
   return vector;
+}
+
+Vector SceneText::read_position(const Position& position, const std::string& place) {
+  if (position.point.empty())
+    return read_vector(position.components, Context::configuration, place, dimension_of_unit("m"));
+  const auto found =
+      std::ranges::find(points_, position.point, [](const auto& point) { return point.first; });
+  if (found != points_.end()) return found->second;
+  complain(place, "unknown_point", "There is no point '" + position.point + "' in this scene.");
+  return zero_vector();
 }
 
 Vector SceneText::zero_vector() const { return Vector(std::max<std::size_t>(space_, 2), graph_.number(0)); }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/mechanics/dimension_check.hpp"
@@ -32,6 +33,8 @@ class SceneText {
 
   void complain(const std::string& place, const std::string& code, const std::string& message);
   [[nodiscard]] bool has_complaint(const std::string& place) const;
+  /// There, or at a place inside it.
+  [[nodiscard]] bool has_complaint_below(const std::string& place) const;
 
   /// A new symbol that expressions of `context` and later ones may use. No dimension: it is unknown.
   Expression declare(const std::string& name, const std::optional<Dimension>& dimension, Context context,
@@ -58,6 +61,12 @@ class SceneText {
                      const std::optional<Dimension>& dimension);
   [[nodiscard]] Vector zero_vector() const;
 
+  /// A place that positions may name.
+  void declare_point(const std::string& name, const Vector& components) {
+    points_.emplace_back(name, components);
+  }
+  Vector read_position(const Position& position, const std::string& place);
+
   /// No value: any fits, or there is a mistake.
   [[nodiscard]] std::optional<Dimension> dimension(const Expression& e) const {
     return dimension_of(e, dimensions_).dimension;
@@ -78,6 +87,7 @@ class SceneText {
   std::set<std::string> declared_;
   std::vector<std::string> allowed_[5];
   SymbolDimensions dimensions_;
+  std::vector<std::pair<std::string, Vector>> points_;
   std::size_t space_{0};
 };
 

@@ -55,7 +55,7 @@ TEST(SceneReader, EveryFieldArrives) {
   EXPECT_EQ(scene.held_lengths[0].value, "l");
   EXPECT_EQ(std::get<Particle>(scene.bodies[0]).position.point, "bob");
   EXPECT_EQ(std::get<SlenderRod>(scene.bodies[1]).end.components, (std::vector<std::string>{"x", "l"}));
-  EXPECT_EQ(std::get<Disk>(scene.bodies[2]).angle, "phi");
+  EXPECT_EQ(std::get<RigidBody>(scene.bodies[2]).angle, "phi");
   EXPECT_EQ(scene.potential, "V0");
   EXPECT_EQ(scene.dissipation, "b*x_dot^2/2");
   EXPECT_EQ(scene.forces[0].vector.size(), 2U);
@@ -66,6 +66,29 @@ TEST(SceneReader, EveryFieldArrives) {
   EXPECT_EQ(scene.events[1].direction, Crossing::either);
   EXPECT_EQ(scene.scales->names.front().second, "mu");
   EXPECT_EQ(scene.lines.front().size(), 2U);
+}
+
+TEST(SceneReader, RigidBodiesArriveWithTheirShapesAndTurns) {
+  Json json = Json::parse(full_scene);
+  json["bodies"] = Json::parse(R"([
+    {"kind": "box", "mass": "m", "width": 1, "height": "l", "depth": 2, "centre": ["x", 0, 0],
+     "orientation": {"rotations": [{"axis": [0, 1, 1], "angle": "phi"}]}},
+    {"kind": "rigid_body", "name": "top", "mass": "m", "principal_moments": ["A", "B", 3], "centre": ["x", 0, 0],
+     "orientation": {"sequence": "ZXZ", "angles": ["phi", 0, 0]}}])");
+  json["dampers"] = Json::parse(R"([{"coefficient": 1, "law": "quadratic", "between": ["bob", ["x", 1]]}])");
+  json["forces"] = Json::parse(R"([{"value": "F", "along": "x"}, {"torque": [0, 0, 1], "body": "top"}])");
+  const SceneReading reading = read_scene(json);
+  ASSERT_TRUE(reading.errors.empty()) << reading.errors.front().pointer;
+  const auto& box = std::get<RigidBody>(reading.scene.bodies[0]);
+  EXPECT_EQ(box.shape, "box");
+  EXPECT_EQ(box.sizes.at("height"), "l");
+  EXPECT_EQ(box.orientation->rotations[0].axis[2], "1");
+  EXPECT_EQ(std::get<RigidBody>(reading.scene.bodies[1]).principal_moments[1], "B");
+  EXPECT_EQ(std::get<RigidBody>(reading.scene.bodies[1]).orientation->sequence, "ZXZ");
+  EXPECT_EQ(reading.scene.dampers[0].law, Damper::Law::quadratic);
+  EXPECT_EQ(reading.scene.dampers[0].between[1].components[1], "1");
+  EXPECT_EQ(reading.scene.forces[0].along, "x");
+  EXPECT_EQ(reading.scene.forces[1].body, "top");
 }
 
 TEST(SceneReader, MapsKeepTheirOrder) {

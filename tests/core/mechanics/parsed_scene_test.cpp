@@ -118,15 +118,14 @@ const std::vector<Mistake> table{
      [](Scene& s) {
        for (Point& point : s.points) point.components.push_back("0");
        s.gravity.push_back("0");
-       s.bodies = {Disk{.name = "wheel",
-                        .mass = "m",
-                        .radius = "l0",
-                        .centre = {.point = s.points[0].name, .components = {}},
-                        .angle = "theta"}};
+       RigidBody wheel{.name = "wheel", .mass = "m", .shape = "disk"};
+       wheel.sizes = {{"radius", "l0"}};
+       wheel.centre.point = s.points[0].name;
+       wheel.angle = "theta";
+       s.bodies = {wheel};
      },
-     "/bodies/0/centre", "not_applicable",
-     "A disk stays in the plane, so its centre has two components: in space its energy depends on where its "
-     "axis points."},
+     "/bodies/0/angle", "not_applicable",
+     "In space one angle does not say where a body points: give its 'orientation'."},
     {"ReactionOfNoHeldLength",
      [](Scene& s) {
        s.valid_while.push_back({"pull", "N", Reaction{"s", -1}, "slack", "Slack."});
