@@ -24,8 +24,10 @@ bool may_have_kinks(const Model& model, const InputTexts& inputs) {
   if (has_input || !model.parsed.input_defaults.empty()) return true;
   std::vector<NodeId> roots;
   for (const Expression& e : model.equations.forcing) roots.push_back(e.id());
-  for (const auto& row : model.equations.mass_matrix) {
-    for (const Expression& entry : row) roots.push_back(entry.id());
+  for (const auto* matrix : {&model.equations.mass_matrix, &model.equations.reactions}) {
+    for (const auto& row : *matrix) {
+      for (const Expression& entry : row) roots.push_back(entry.id());
+    }
   }
   for (const auto& [held, value] : model.lagrangian.holding) roots.push_back(value.id());
   return std::ranges::any_of(reachable(graph, roots), [&](NodeId id) { return may_bend(graph.node(id)); });

@@ -116,17 +116,12 @@ void MotionBuilder::stay_on(std::size_t kink) {
   std::vector<Expression> slope, half;
   for (const Expression& v : rates_) slope.push_back(simplify(differentiate(w, v)));
   const Expression rest = simplify(total_derivative(w, rates));
-  for (Expression& f : right_) {
-    const Replacement ahead{side, graph_.number(1)}, behind{side, graph_.number(-1)};
-    const Expression one = substitute(f, {&ahead, 1}), other = substitute(f, {&behind, 1});
-    half.push_back(simplify(Number::ratio(1, 2) * (one - other)));
-    if (depends_on(half.back(), unknown_sides_)) refuse();
-    f = simplify(Number::ratio(1, 2) * (one + other));
-  }
-  for (const auto& row : matrix_) {
-    for (const Expression& entry : row) {
-      if (depends_on(entry, {&side, 1})) refuse();
-    }
+  Expression unknown = side;
+  half = split_forces(side);
+  if (auto of_product = split_reactions(side, unknown)) {
+    const bool acts_alone = std::ranges::any_of(half, [](const Expression& h) { return !h.is_zero(); });
+    if (acts_alone) refuse();
+    half = std::move(*of_product);
   }
   determinant_.reset();
   std::vector<std::size_t> moved;
@@ -136,10 +131,51 @@ void MotionBuilder::stay_on(std::size_t kink) {
   if (moved.empty()) refuse();
   const std::size_t j = moved.front();
   if (moved.size() == 1 && unknowns_[j] == accelerations_[j]) {
-    eliminate(j, -rest / slope[j], half, side);
+    eliminate(j, -rest / slope[j], half, unknown);
   } else {
-    append(slope, rest, half, side);
+    append(slope, rest, half, unknown);
   }
+}
+
+/// f = g + half s: g stays at the right.
+std::vector<Expression> MotionBuilder::split_forces(const Expression& side) {
+  std::vector<Expression> half;
+  for (Expression& f : right_) {
+    const Replacement ahead{side, graph_.number(1)}, behind{side, graph_.number(-1)};
+    const Expression one = substitute(f, {&ahead, 1}), other = substitute(f, {&behind, 1});
+    half.push_back(simplify(Number::ratio(1, 2) * (one - other)));
+    if (depends_on(half.back(), unknown_sides_)) refuse();
+    f = simplify(Number::ratio(1, 2) * (one + other));
+  }
+  return half;
+}
+
+/// Entries a + b s of the column of one multiplier lambda: a lambda + b (s lambda).
+std::optional<std::vector<Expression>> MotionBuilder::split_reactions(const Expression& side,
+                                                                      Expression& unknown) {
+  std::optional<std::size_t> column;
+  for (const auto& row : matrix_) {
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!depends_on(row[j], side)) continue;
+      if (column && *column != j) refuse();
+      column = j;
+    }
+  }
+  if (!column) return std::nullopt;
+  const std::vector<Expression> multipliers = adopted(model_.parsed.symbols.multipliers);
+  if (std::ranges::find(multipliers, unknowns_[*column]) == multipliers.end()) refuse();
+  std::vector<Expression> half;
+  for (auto& row : matrix_) {
+    Expression& entry = row[*column];
+    const Replacement ahead{side, graph_.number(1)}, behind{side, graph_.number(-1)};
+    const Expression one = substitute(entry, {&ahead, 1}), other = substitute(entry, {&behind, 1});
+    half.push_back(simplify(Number::ratio(1, 2) * (other - one)));
+    if (depends_on(half.back(), unknown_sides_)) refuse();
+    entry = simplify(Number::ratio(1, 2) * (one + other));
+  }
+  unknown = graph_.symbol("product with " + std::get<Symbol>(side.node()).name);
+  quotients_.emplace_back(side, unknown / unknowns_[*column]);
+  return half;
 }
 
 /// q_j'' is known: the side takes its place among the unknowns.
@@ -218,8 +254,9 @@ std::vector<std::vector<Slot>> MotionBuilder::acceleration_derivatives() {
 }
 
 void MotionBuilder::output(const Expression& e) {
-  if (depends_on(e, unknowns_)) (void)accelerations();
-  tape_->output(e);
+  const Expression known = quotients_.empty() ? e : substitute(e, quotients_);
+  if (depends_on(known, unknowns_)) (void)accelerations();
+  tape_->output(known);
 }
 
 }  // namespace qdot

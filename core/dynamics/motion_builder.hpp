@@ -56,6 +56,10 @@ class MotionBuilder {
   void take_equations();
   void unfold();
   void stay_on(std::size_t kink);
+  [[nodiscard]] std::vector<Expression> split_forces(const Expression& side);
+  /// Where the side stands beside a multiplier, their product is the unknown: friction that sticks.
+  [[nodiscard]] std::optional<std::vector<Expression>> split_reactions(const Expression& side,
+                                                                       Expression& unknown);
   void eliminate(std::size_t j, const Expression& acceleration, const std::vector<Expression>& half,
                  const Expression& side);
   void append(const std::vector<Expression>& slope, const Expression& rest,
@@ -73,7 +77,8 @@ class MotionBuilder {
   // matrix x = right for x = unknowns: q'', some of them replaced by the sides of kinks, and more of those.
   Matrix matrix_;
   std::vector<Expression> right_, unknowns_;
-  std::vector<Replacement> known_;  ///< accelerations that a kink prescribes
+  std::vector<Replacement> known_;      ///< accelerations that a kink prescribes
+  std::vector<Replacement> quotients_;  ///< sides that are known by their products with multipliers
   std::optional<Expression> determinant_;
   std::optional<TapeBuilder> tape_;
   std::vector<Slot> solution_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/mechanics/friction.hpp"
 #include "core/steady/mode_search.hpp"
 
 namespace qdot {
@@ -269,6 +270,8 @@ Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const
   check_constraints(dynamics.model());
   if (!dynamics.model().scene.inputs.empty()) undetermined("inputs act on it.");
   if (dynamics.kinks() != nullptr) undetermined("an abs() or a sign() stands in its forces.");
+  if (has_forces_of_multipliers(dynamics.model().lagrangian))
+    undetermined("a force depends on their reactions, as friction does.");
   const std::size_t n = dynamics.model().degrees_of_freedom();
   const std::vector<double> start(initial.begin(), initial.begin() + static_cast<std::ptrdiff_t>(n));
   return ConstrainedAnalysis(dynamics, parameters).at(parameters, guess.value_or(start));

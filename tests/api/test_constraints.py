@@ -267,9 +267,9 @@ class Refusals(Service):
         self.wrong(pendulum, [{"name": f"c{i}", "expression": f"x - {i}*y"} for i in range(3)], "redundant")
         self.wrong(pendulum, [{"name": "c", "expression": "x - l", "multiplier": "g"}], "duplicate_name")
 
-    def test_a_force_cannot_depend_on_a_multiplier(self):
-        force = {"vector": ["lambda_string*x", "0"], "point": "bob"}
-        self.wrong(scenes.PENDULUM_BY_CONSTRAINT, scenes.PENDULUM_BY_CONSTRAINT["constraints"], "unknown_symbol", forces=[force])
+    def test_a_force_is_linear_in_a_multiplier(self):
+        force = {"vector": ["abs(lambda_string)*x", "0"], "point": "bob"}
+        self.wrong(scenes.PENDULUM_BY_CONSTRAINT, scenes.PENDULUM_BY_CONSTRAINT["constraints"], "not_linear", forces=[force])
 
     def test_questions_that_are_not_answered_under_constraints_say_so(self):
         questions = {"equilibria": {}, "bifurcations": {"parameter": "l", "from": 1, "to": 2},
