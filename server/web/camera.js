@@ -74,6 +74,9 @@ export class Camera {
     const { figure } = this;
     for (const place of figure.places) this.seen.push(place(values).map((x, i) => x + (offset[i] ?? 0)));
     for (const segment of figure.segments) this.seen.push(segment.from(values).map((x, i) => x + (offset[i] ?? 0)));
+    for (const place of figure.solids.flatMap((solid) => solid.lines.flat())) {
+      this.seen.push(place(values).map((x, i) => x + (offset[i] ?? 0)));
+    }
     for (const disk of figure.disks) {
       const [centre, r] = [disk.centre(values), disk.radius(values)];
       this.seen.push([centre[0] - r, centre[1] - r], [centre[0] + r, centre[1] + r]);

@@ -1,12 +1,14 @@
 // What a scene looks like: its rods, springs, strings, disks and masses as functions of its state. A spring or string is
 // recognized by its length: the segment between two places that is as long as the scene says, whatever the state.
 import { compiled } from "./expression.js";
+import { outline } from "./solids.js";
 
 /** @typedef {import("./motion.js").Values} Values */
 /** @typedef {(values: Values) => number[]} Place */
 /** @typedef {{ kind: "rod" | "link" | "string" | "spring", name: string, from: Place, to: Place, mass?: number, force?: (v: Values) => number }} Segment */
 /** @typedef {{ name: string, at: Place, mass: number }} Mass */
 /** @typedef {{ name: string, centre: Place, radius: (v: Values) => number, angle: (v: Values) => number }} Disk */
+/** @typedef {{ centre: Place, lines: Place[][] }} Solid a rigid body: chains of places that it carries */
 
 /** @param {number[]} a @param {number[]} b */
 export const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
@@ -81,13 +83,18 @@ export class Figure {
     this.disks = [];
     /** @type {Segment[]} */
     this.segments = [];
+    /** @type {Solid[]} */
+    this.solids = [];
     for (const body of this.scene.bodies ?? []) {
       const mass = compiled(body.mass)(this.constants);
       if (body.kind === "particle") this.masses.push({ name: body.name ?? "", at: this.place(body.position), mass });
       if (body.kind === "rod") {
         this.segments.push({ kind: "rod", name: body.name ?? "", from: this.place(body.start), to: this.place(body.end), mass });
       }
-      if (body.kind === "disk") {
+      if (body.centre && (body.kind !== "disk" || body.orientation)) {
+        const centre = this.place(body.centre);
+        this.solids.push({ centre, lines: outline(body, centre, this.constants) });
+      } else if (body.kind === "disk") {
         this.disks.push({
           name: body.name ?? "",
           centre: this.place(body.centre),
@@ -104,6 +111,7 @@ export class Figure {
       ...this.points.values(),
       ...this.masses.map((mass) => mass.at),
       ...this.disks.map((disk) => disk.centre),
+      ...this.solids.map((solid) => solid.centre),
       ...this.segments.flatMap((segment) => [segment.from, segment.to]),
     ];
   }
@@ -138,6 +146,8 @@ export class Figure {
 
   /** @param {any} spring */
   addSpring(spring) {
+    if (spring.angle !== undefined) return; // a torsion spring has no two ends
+    if (spring.between) return this.addSpringBetween(spring);
     const [length, rest, stiffness] = [spring.length, spring.rest_length ?? 0, spring.stiffness].map(compiled);
     const force = (/** @type {Values} */ v) => stiffness(v) * (length(v) - rest(v));
     const known =
@@ -148,6 +158,21 @@ export class Figure {
       return;
     }
     this.addWallSpring(spring.name ?? "", length, force);
+  }
+
+  /** @param {any} spring */
+  addSpringBetween(spring) {
+    const [from, to] = spring.between.map((/** @type {any} */ place) => this.place(place));
+    const [rest, stiffness] = [spring.rest_length ?? 0, spring.stiffness].map(compiled);
+    const force = (/** @type {Values} */ v) => stiffness(v) * (distance(from(v), to(v)) - rest(v));
+    const known = this.segments.find(
+      (part) =>
+        part.kind === "link" &&
+        ((this.coincide(part.from, from) && this.coincide(part.to, to)) ||
+          (this.coincide(part.from, to) && this.coincide(part.to, from))),
+    );
+    if (known) Object.assign(known, { kind: "spring", name: spring.name ?? "", force });
+    else this.segments.push({ kind: "spring", name: spring.name ?? "", from, to, force });
   }
 
   /** Two places that are always this far from each other. @param {(v: Values) => number} length @returns {Segment | undefined} */

@@ -97,6 +97,10 @@ export class Picture {
     for (const disk of figure.disks) {
       painter.disk(this.pixel(disk.centre, values, offset), disk.radius(values) * camera.scale, disk.angle(values) + camera.turn);
     }
+    for (const line of figure.solids.flatMap((solid) => solid.lines)) {
+      const pixels = line.map((place) => this.pixel(place, values, offset));
+      painter.path(pixels, painter.colours.blue, 2);
+    }
     for (const segment of figure.segments) this.drawSegment(segment, values, offset);
     for (const support of figure.supports)
       painter.support(this.pixel(support, values, offset), this.supportKind(support, values));
