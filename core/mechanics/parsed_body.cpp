@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 #include "core/expr/simplify.hpp"
@@ -199,7 +200,10 @@ class BodyParser {
         text_.complain(place, "domain", "This axis has no direction: all its components are 0.");
       return axis;
     }
-    for (Expression& component : axis) component = component / sqrt(square);
+    const std::optional<Number> whole =
+        square.number() != nullptr ? exact_root(*square.number()) : std::nullopt;
+    const Expression length = whole ? graph_.number(*whole) : sqrt(square);
+    for (Expression& component : axis) component = component / length;
     return axis;
   }
 

@@ -237,6 +237,9 @@ class SceneParser {
     if (!impact.restitution.empty()) {
       contact.restitution =
           text_.read(impact.restitution, Context::parameters, "/impact/restitution", Dimension{});
+      const Number* e = contact.restitution->number();
+      if (e != nullptr && (e->is_negative() || (Number(1) - *e).is_negative()))
+        text_.complain("/impact/restitution", "domain", "A restitution is between 0 and 1.");
       check_distance(contact.distance);
     } else {
       if (impact.contact_left.empty()) {

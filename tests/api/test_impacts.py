@@ -91,6 +91,8 @@ class Restitution(Service):
         for scene, *pointers in (
             (impact(), "/impact"),
             (impact(restitution="m"), "/impact/restitution"),
+            (impact(restitution=1.2), "/impact/restitution"),
+            (impact(restitution="-1/2"), "/impact/restitution"),
             (impact(restitution="y"), "/impact/restitution"),
             (impact(restitution="e", map={"y_dot": "-y_dot"}), "/impact/restitution"),
             (BALL | {"events": [{"name": "bounce", "expression": "y_dot"}]}, "/impact/restitution"),

@@ -46,7 +46,7 @@ class Energies(Service):
     def test_axes_may_point_anywhere(self):
         slanted = ["cos(0.3)", 0, "sin(0.3)"]
         numbers = {"cos(0.3)": math.cos(0.3), "sin(0.3)": math.sin(0.3)}
-        for axes in ([[1, 2, 2], [0, 3, -4], [3, 0, 4]], [[1, 1, 0], slanted], [slanted, [0, 0, 1], [0, 1, 0]]):
+        for axes in ([[1, 2, 2], [0, 3, -4]], [[1, 1, 0], slanted], [[0, 0, 1], [1, 1, 0], [0, 0, 1]]):
             unit = [numpy.array([numbers.get(x, x) for x in axis], float) for axis in axes]
             unit = [n / numpy.linalg.norm(n) for n in unit]
             turned = lambda a: math.prod(  # noqa: E731

@@ -43,7 +43,7 @@ std::vector<std::string> texts(const Vector& v) {
 TEST(Rotation, OfEulersAnglesPointsTheThirdAxisAsGoldsteinHasIt) {
   EulerAngles euler;
   EXPECT_EQ(texts(turned(euler.turns, euler.axis(2))),
-            (std::vector<std::string>{"sin(phi)*sin(theta)", "-cos(phi)*sin(theta)", "cos(theta)"}));
+            (std::vector<std::string>{"sin(phi)*sin(theta)", "-sin(theta)*cos(phi)", "cos(theta)"}));
 }
 
 TEST(Rotation, HasGoldsteinsAngularVelocityInTheBody) {
