@@ -7,197 +7,23 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
-#include "core/closed/linear_motions.hpp"
-#include "core/closed/trial.hpp"
-#include "core/expr/parse.hpp"
+#include "core/closed/mode_derivation.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr std::size_t most_coordinates = 6;
 
-/// One eigenvalue with its forms.
-struct Option {
-  Expression root;  ///< sqrt(|lambda|)
-  bool oscillates{};
-  ExactMode form;
-  std::vector<Expression> shape;  ///< of all coordinates, or empty
-};
-
-bool is_number(const Expression& e) {
-  const NodeId root = e.id();
-  return std::ranges::none_of(reachable(e.graph(), {&root, 1}),
-                              [&](NodeId id) { return std::holds_alternative<Symbol>(e.graph().node(id)); });
-}
-
-/// The modes at a place with some relations put in, and their forms.
-class Derivation {
- public:
-  Derivation(const Statics& statics, const LinearMotions& motions, const ExactPlace& place,
-             const ExactValues& values, const Relations& relations)
-      : statics_(statics),
-        motions_(motions),
-        place_(place),
-        values_(values),
-        relations_(relations),
-        graph_(*motions.graph),
-        modes_(modes_at(motions, place, relations.replacements)) {
-    std::erase_if(modes_, [&](const LinearMode& mode) { return mode.lambda.is_zero() || !is_true(mode); });
-  }
-
-  [[nodiscard]] const std::vector<LinearMode>& modes() const { return modes_; }
-  [[nodiscard]] const Relations& relations() const { return relations_; }
-  [[nodiscard]] double value(const LinearMode& mode) const {
-    return values_.value(plain_expression(graph_, mode.lambda)).value;
-  }
-  [[nodiscard]] bool oscillates(const LinearMode& mode) const {
-    return values_.sign(plain_expression(graph_, mode.lambda)) > 0;
-  }
-  /// |lambda|
-  [[nodiscard]] Expression square(const LinearMode& mode) {
-    return written(oscillates(mode) ? mode.lambda : -mode.lambda);
-  }
-  [[nodiscard]] std::optional<ClosedForm> form(const LinearMode& mode) {
-    return closed_form(values_, square(mode), relations_);
-  }
-  /// All forms of a mode whose square has one.
-  [[nodiscard]] Option option(const LinearMode& mode) {
-    const bool oscillates = this->oscillates(mode);
-    const Surd square = oscillates ? mode.lambda : -mode.lambda;
-    Option result{
-        sqrt(plain_expression(graph_, square)), oscillates, {*form(mode), {}, {}, {}, {}, {}, {}}, {}};
-    result.form.rate = closed_form(values_, root(square), relations_);
-    if (oscillates) result.form.period = period(square);
-    result.form.lambda = scaled_lambda(mode.lambda);
-    const std::vector<Surd> shape = whole_shape(mode);
-    for (const Surd& component : shape) result.shape.push_back(plain_expression(graph_, component));
-    result.form.shape = forms(shape);
-    if (!shape.empty()) result.form.scaled_shape = forms(scaled(shape));
-    return result;
-  }
-
- private:
-  [[nodiscard]] std::size_t total() const { return values_.model().scene.coordinates.size(); }
-  [[nodiscard]] Expression root_of(const Polynomial& n) {
-    const auto found = std::ranges::find(roots_, n, &std::pair<Polynomial, Expression>::first);
-    if (found != roots_.end()) return found->second;
-    roots_.emplace_back(n, root_form(graph_, n));
-    return roots_.back().second;
-  }
-  [[nodiscard]] Expression written(const Surd& x) {
-    return x.is_rational() ? to_expression(graph_, x.p) : to_expression(graph_, x, root_of(x.n));
-  }
-  [[nodiscard]] Expression root(const Surd& x) {
-    if (x.is_rational()) return positive_root(graph_, x.p, values_.sign_of());
-    return positive_root(graph_, x, root_of(x.n), values_.sign_of());
-  }
-
-  /// The equations hold at other values of the parameters, too.
-  [[nodiscard]] bool is_true(const LinearMode& mode) const {
-    Trial trial(values_, relations_);
-    trial.set(motions_.x, place_.x());
-    for (const Expression& force : motions_.forces) trial.vanishes({force});
-    const Expression lambda = plain_expression(graph_, mode.lambda);
-    for (std::size_t i = 0; i < motions_.x.size(); ++i) {
-      std::vector<Expression> terms;
-      for (std::size_t j = 0; j < motions_.x.size(); ++j) {
-        if (mode.shape[j].is_zero()) continue;
-        const Expression v = plain_expression(graph_, mode.shape[j]);
-        terms.push_back(motions_.stiffness[i][j] * v);
-        terms.push_back(-(motions_.mass[i][j] * lambda * v));
-      }
-      trial.vanishes(std::move(terms));
-    }
-    return trial.passes();
-  }
-
-  [[nodiscard]] std::optional<ClosedForm> period(const Surd& square) {
-    const Surd inverse = Surd(rational_function(graph_.number(1))) / square;
-    return closed_form(values_, Number(2) * graph_.symbol("pi") * root(inverse), relations_);
-  }
-
-  [[nodiscard]] std::optional<ClosedForm> scaled_lambda(const Surd& lambda) {
-    if (!values_.model().parsed.scales) return std::nullopt;
-    const Expression time = graph_.adopt(values_.model().parsed.scales->time);
-    const Expression square = substitute(pow(time, Number(2)), relations_.replacements);
-    const Expression value = written(lambda * Surd(rational_function(square)));
-    return is_number(value) ? closed_form(values_, value, relations_) : std::nullopt;
-  }
-
-  /// With the ignored coordinates, whose velocities follow those of the others where no momentum holds them.
-  [[nodiscard]] std::vector<Surd> whole_shape(const LinearMode& mode) const {
-    std::vector<Surd> shape(total());
-    const auto entry = [&](const Expression& e) {
-      return rational_function(substitute(place_.at(e), relations_.replacements));
-    };
-    for (std::size_t k = 0; k < mode.shape.size(); ++k) shape[statics_.reduction.kept[k]] = mode.shape[k];
-    for (std::size_t c = 0; c < motions_.ignored_rates.size(); ++c) {
-      Surd sum;
-      for (std::size_t j = 0; j < mode.shape.size(); ++j) {
-        if (!entry(motions_.ignored_slopes[c][j]).is_zero()) return {};
-        if (!mode.shape[j].is_zero()) sum = sum + Surd(entry(motions_.ignored_rates[c][j])) * mode.shape[j];
-      }
-      shape[statics_.reduction.ignored[c]] = sum;
-    }
-    return normalized(std::move(shape));
-  }
-
-  static std::vector<Surd> normalized(std::vector<Surd> shape) {
-    const auto first = std::ranges::find_if_not(shape, [](const Surd& x) { return x.is_zero(); });
-    if (first == shape.end()) return {};
-    const Surd unit = *first;
-    for (Surd& component : shape) {
-      if (!component.is_zero()) component = component / unit;
-    }
-    return shape;
-  }
-
-  /// Angles as arcs; empty where coordinates have no common unit then.
-  [[nodiscard]] std::vector<Surd> scaled(std::vector<Surd> shape) const {
-    std::vector<std::string> names;
-    for (const Parameter& p : values_.model().scene.parameters) names.push_back(p.name);
-    const auto& coordinates = values_.model().scene.coordinates;
-    const auto unit = [](const Coordinate& q) { return q.scale.empty() ? q.unit : "m"; };
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-      if (unit(coordinates[i]) != unit(coordinates[0])) return {};
-      if (coordinates[i].scale.empty() || shape[i].is_zero()) continue;
-      const Expression scale = parse(coordinates[i].scale, graph_, names);
-      shape[i] = shape[i] * Surd(rational_function(substitute(scale, relations_.replacements)));
-    }
-    return normalized(std::move(shape));
-  }
-
-  /// All of them, or none.
-  [[nodiscard]] std::vector<ClosedForm> forms(const std::vector<Surd>& shape) {
-    std::vector<ClosedForm> result;
-    for (const Surd& component : shape) {
-      auto form = closed_form(values_, written(component), relations_);
-      if (!form) return {};
-      result.push_back(*std::move(form));
-    }
-    return result;
-  }
-
-  const Statics& statics_;
-  const LinearMotions& motions_;
-  const ExactPlace& place_;
-  const ExactValues& values_;
-  Relations relations_;
-  Graph& graph_;
-  std::vector<LinearMode> modes_;
-  std::vector<std::pair<Polynomial, Expression>> roots_;  ///< n and forms of sqrt(n)
-};
-
 /// The option with the mode's eigenvalue; null where there is none, or more.
-const Option* of_mode(const std::vector<Option>& options, const Mode& mode, const ExactValues& values) {
+const ModeForms* of_mode(const std::vector<ModeForms>& options, const Mode& mode, const ExactValues& values) {
   const bool oscillates = mode.kind == ModeKind::oscillation;
   const bool grows = mode.kind == ModeKind::growth || mode.kind == ModeKind::decay;
   if (!mode.lambda || (!oscillates && !grows)) return nullptr;
   const std::optional<double>& error = oscillates ? mode.omega_error : mode.rate_error;
   if (!error) return nullptr;
   const double number = oscillates ? mode.omega : mode.rate;
-  const Option* only = nullptr;
-  for (const Option& option : options) {
+  const ModeForms* only = nullptr;
+  for (const ModeForms& option : options) {
     if (option.oscillates != oscillates || !agrees(values.value(option.root), number, *error)) continue;
     if (only != nullptr && only->root != option.root) return nullptr;
     only = &option;
@@ -208,7 +34,7 @@ const Option* of_mode(const std::vector<Option>& options, const Mode& mode, cons
 /// Shapes have no stated error; theirs is far below this.
 constexpr double shapes_agree = 1e-9;
 
-bool has_shape(const Option& option, const Mode& mode, const ExactValues& values) {
+bool has_shape(const ModeForms& option, const Mode& mode, const ExactValues& values) {
   for (std::size_t i = 0; i < option.shape.size(); ++i) {
     const double formula = values.value(option.shape[i]).value;
     if (!(std::abs(mode.shape[i] - formula) <= shapes_agree * std::max(1.0, std::abs(formula)))) return false;
@@ -243,7 +69,7 @@ std::vector<Interval> enclosed_state(const Modes& found) {
 }
 
 /// The same mode with other relations put in; null where that has no form.
-const LinearMode* same_mode(Derivation& derivation, double value) {
+const LinearMode* same_mode(ModeDerivation& derivation, double value) {
   for (const LinearMode& mode : derivation.modes()) {
     if (std::abs(derivation.value(mode) - value) > shapes_agree * std::abs(value)) continue;
     return derivation.form(mode) ? &mode : nullptr;
@@ -253,16 +79,16 @@ const LinearMode* same_mode(Derivation& derivation, double value) {
 
 /// Each mode in its shortest form: in all parameters, with the relations that are written, or with those that
 /// the numbers satisfy, where these leave nothing but a number and the scene's units, and less than half.
-std::vector<Option> options_of(Derivation& general, Derivation* related, Derivation* by_scale,
-                               const ExactValues& values) {
-  std::vector<Option> options;
+std::vector<ModeForms> options_of(ModeDerivation& general, ModeDerivation* related, ModeDerivation* by_scale,
+                                  const ExactValues& values) {
+  std::vector<ModeForms> options;
   for (const LinearMode& mode : general.modes()) {
     const double value = general.value(mode);
     const std::optional<ClosedForm> plain = general.form(mode);
     std::size_t length = plain ? written_length(general.square(mode)) : longest_closed_form + 1;
-    Derivation* chosen = plain ? &general : nullptr;
+    ModeDerivation* chosen = plain ? &general : nullptr;
     const LinearMode* best = &mode;
-    for (Derivation* other : {related, by_scale}) {
+    for (ModeDerivation* other : {related, by_scale}) {
       const LinearMode* same = other == nullptr ? nullptr : same_mode(*other, value);
       if (same == nullptr) continue;
       const Expression square = other->square(*same);
@@ -274,7 +100,7 @@ std::vector<Option> options_of(Derivation& general, Derivation* related, Derivat
       best = same;
     }
     if (chosen == nullptr) continue;
-    options.push_back(chosen->option(*best));
+    options.push_back(chosen->forms(*best));
     if (chosen != &general) options.back().form.general = plain;
   }
   return options;
@@ -284,7 +110,7 @@ std::vector<Option> options_of(Derivation& general, Derivation* related, Derivat
 struct Prepared {
   std::shared_ptr<Graph> graph;
   std::vector<Expression> x, place;
-  std::vector<Option> options;
+  std::vector<ModeForms> options;
   std::vector<std::optional<ClosedForm>> state;
   ExactValues::Signs signs;  ///< of what the forms assume
 };
@@ -301,8 +127,8 @@ Prepared prepared(const Dynamics& dynamics, const Statics& statics, const Reals&
   result.place = place->x();
   const Relations written_ones = relevant(values.relations(), motions);
   const Relations scaled = relevant(values.relations_by_scale(), motions);
-  Derivation general(statics, motions, *place, values, {});
-  std::optional<Derivation> related, by_scale;
+  ModeDerivation general(statics, motions, *place, values, {});
+  std::optional<ModeDerivation> related, by_scale;
   if (!written_ones.replacements.empty()) related.emplace(statics, motions, *place, values, written_ones);
   if (scaled.replacements.size() > written_ones.replacements.size())
     by_scale.emplace(statics, motions, *place, values, scaled);
@@ -360,7 +186,7 @@ ExactModes chosen(const Prepared& forms, const std::vector<std::size_t>& kept, c
   if (forms.place.empty() || !fits(forms, kept, values, found)) return result;
   result.state = forms.state;
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
-    const Option* option = of_mode(forms.options, found.modes[i], values);
+    const ModeForms* option = of_mode(forms.options, found.modes[i], values);
     if (option == nullptr) continue;
     result.modes[i] = option->form;
     if (has_shape(*option, found.modes[i], values)) continue;

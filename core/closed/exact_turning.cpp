@@ -230,10 +230,7 @@ class TurningForms {
   [[nodiscard]] bool is_root(const Expression& x, const Expression& left, const Relations& relations) const {
     Trial trial(values_, relations);
     trial.set({x_}, {x});
-    std::vector<Expression> terms;
-    for (const auto& [monomial, coefficient] : multiplied_out(left))
-      terms.push_back(coefficient * to_expression(*graph_, monomial));
-    trial.vanishes(std::move(terms));
+    trial.vanishes(terms_of(left));
     return trial.passes();
   }
 

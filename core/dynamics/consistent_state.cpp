@@ -70,15 +70,13 @@ class Consistency {
   [[noreturn]] void refuse(const Reals& y, const std::vector<bool>& given) {
     const std::size_t k = violated(y, as_typed), positions = surface_.positions();
     const bool is_position = k < positions;
+    const bool is_rate_of_position = !is_position && is_holonomic(k - positions);
     const std::string& name =
         scene_.constraints[is_position ? surface_.position_of()[k] : k - positions].name;
-    const std::string what = is_position || !is_holonomic(k - positions)
-                                 ? "does not obey the constraint '" + name + "'"
-                                 : "moves away from the constraint '" + name + "'";
-    throw InconsistentState("The initial state " + what + ", whose value " +
-                                (is_position || !is_holonomic(k - positions) ? "" : "then changes and ") +
-                                "has to stay 0.",
-                            nearest(y, given));
+    const std::string what =
+        is_rate_of_position ? "moves away from the constraint '" + name + "', whose value then changes and"
+                            : "does not obey the constraint '" + name + "', whose value";
+    throw InconsistentState("The initial state " + what + " has to stay 0.", nearest(y, given));
   }
 
   [[nodiscard]] bool is_holonomic(std::size_t constraint) const {

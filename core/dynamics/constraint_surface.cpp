@@ -9,20 +9,6 @@
 #include "core/numerics/linear_system.hpp"
 
 namespace qdot {
-namespace {
-
-/// The summands of e, multiplied out.
-std::vector<Expression> terms_of(const Expression& e) {
-  std::vector<Expression> terms;
-  for (const auto& [monomial, coefficient] : multiplied_out(e)) {
-    Polynomial one;
-    add(one, monomial, coefficient);
-    terms.push_back(to_expression(e.graph(), one));
-  }
-  return terms;
-}
-
-}  // namespace
 
 ConstraintSurface::ConstraintSurface(const Model& model, const InputTexts& inputs)
     : n_(model.degrees_of_freedom()), m_(model.lagrangian.constraints.size()) {

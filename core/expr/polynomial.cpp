@@ -220,12 +220,21 @@ Expression to_expression(Graph& graph, const Monomial& monomial) {
   return graph.product(factors);
 }
 
-Expression to_expression(Graph& graph, const Polynomial& polynomial) {
+namespace {
+
+std::vector<Expression> terms_of(Graph& graph, const Polynomial& polynomial) {
   std::vector<Expression> terms;
-  for (const auto& [monomial, coefficient] : polynomial) {
+  for (const auto& [monomial, coefficient] : polynomial)
     terms.push_back(coefficient * to_expression(graph, monomial));
-  }
-  return graph.sum(terms);
+  return terms;
+}
+
+}  // namespace
+
+std::vector<Expression> terms_of(const Expression& e) { return terms_of(e.graph(), multiplied_out(e)); }
+
+Expression to_expression(Graph& graph, const Polynomial& polynomial) {
+  return graph.sum(terms_of(graph, polynomial));
 }
 
 Expression expand(const Expression& e) { return to_expression(e.graph(), multiplied_out(e)); }

@@ -45,6 +45,8 @@ void add(Polynomial& sum, const Polynomial& other, const Number& factor = Number
 [[nodiscard]] Polynomial multiplied_out(const Expression& e);
 [[nodiscard]] Expression to_expression(Graph& graph, const Polynomial& polynomial);
 [[nodiscard]] Expression to_expression(Graph& graph, const Monomial& monomial);
+/// What is added up in e, multiplied out: x (y + 2) has x y and 2 x.
+[[nodiscard]] std::vector<Expression> terms_of(const Expression& e);
 /// There and back: e as a sum of products, like terms collected. Exact.
 [[nodiscard]] Expression expand(const Expression& e);
 

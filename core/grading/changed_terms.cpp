@@ -4,12 +4,9 @@
 #include <map>
 
 #include "core/expr/calculus.hpp"
-#include "core/expr/polynomial.hpp"
 
 namespace qdot {
 namespace {
-
-constexpr std::size_t most_terms = 60;
 
 bool is_wave(const Call& call) { return call.function == Function::sin || call.function == Function::cos; }
 
@@ -55,16 +52,6 @@ Expression waves_changed(const Expression& e, const std::vector<Expression>& to)
 }
 
 }  // namespace
-
-std::vector<Expression> terms_of(const Expression& e) {
-  std::vector<Expression> terms;
-  const Polynomial polynomial = multiplied_out(e);
-  for (const auto& [monomial, coefficient] : polynomial) {
-    if (terms.size() == most_terms) break;
-    terms.push_back(coefficient * to_expression(e.graph(), monomial));
-  }
-  return terms;
-}
 
 std::vector<ChangedTerm> changes_of_term(const Expression& term, std::span<const Expression> symbols) {
   std::vector<ChangedTerm> changes;

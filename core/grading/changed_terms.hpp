@@ -16,9 +16,6 @@ struct ChangedTerm {
   std::optional<Expression> term;  ///< what stands in the term's place
 };
 
-/// The terms of e, multiplied out; functions of sums stay as they are.
-[[nodiscard]] std::vector<Expression> terms_of(const Expression& e);
-
 /// Changes of one term: an exponent, sine for cosine, an argument. `symbols`: what may stand in an argument.
 [[nodiscard]] std::vector<ChangedTerm> changes_of_term(const Expression& term,
                                                        std::span<const Expression> symbols);

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/grading/ball_system.hpp"
-#include "core/grading/changed_terms.hpp"
 
 namespace qdot {
 

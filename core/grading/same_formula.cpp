@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/grading/changed_terms.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/grading/right_motion.hpp"
 
 namespace qdot {

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/expr/calculus.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/grading/ball_values.hpp"
 #include "core/grading/changed_terms.hpp"
 #include "core/grading/vanishing.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t work_of_search = 150'000;
 constexpr int states_to_see = 3;
+constexpr std::size_t most_terms = 60;  ///< of a formula, whose slips are looked for
 
 /// p/q with small q that a ball holds, if there is one.
 std::optional<Number> small_fraction(const Ball& ball) {
@@ -102,6 +104,7 @@ class SlipSearch {
   /// Everything that is evaluated at the states.
   void gather() {
     terms_ = terms_of(question_.expected);
+    if (terms_.size() > most_terms) terms_.resize(most_terms, terms_.front());
     std::vector<Expression> in_arguments;
     for (const SymbolDomain& symbol : question_.symbols) {
       const bool is_bounded = std::isfinite(symbol.domain.lower) || std::isfinite(symbol.domain.upper);

@@ -1,7 +1,6 @@
 #include "core/steady/combined_forces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "core/mechanics/kept_terms.hpp"

@@ -1,6 +1,5 @@
 """Dask spreads a file of requests over its workers, one of which is killed: the answers have one machine's bytes."""
 
-import json
 import pathlib
 import shutil
 import subprocess
@@ -11,17 +10,12 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "server"))
 
+import one_machine  # noqa: E402
 from ports import free_ports  # noqa: E402
-from running_qdot import ENVIRONMENT, QDOT  # noqa: E402
+from running_qdot import QDOT  # noqa: E402
 
 PROGRAM = pathlib.Path(__file__).with_name("dask_batch.py")
 LINES, SLICE = 200, 10
-
-
-def requests():
-    for number in range(LINES):
-        motion = {"system": "spring_pendulum", "parameters": {"k": 20 + number / 10}, "t_end": 300, "samples": 3}
-        yield json.dumps({"id": number, "simulate": motion}) + "\n"
 
 
 @unittest.skipIf(shutil.which("dask-scheduler") is None, "dask not installed: run server/install scale")
@@ -30,9 +24,8 @@ class Dask(unittest.TestCase):
     def setUpClass(cls):
         cls.directory = tempfile.TemporaryDirectory()
         cls.home = pathlib.Path(cls.directory.name)
-        (cls.home / "requests.ndjson").write_text("".join(requests()))
-        cls.expected = subprocess.run([QDOT, "batch", cls.home / "requests.ndjson"], capture_output=True, check=True,
-                                      env=ENVIRONMENT).stdout
+        one_machine.write_motions(cls.home / "requests.ndjson", LINES, t_end=300)
+        cls.expected = one_machine.answers(cls.home / "requests.ndjson")
 
     @classmethod
     def tearDownClass(cls):

@@ -1,6 +1,5 @@
 """Slurm spreads a file of requests over three nodes, one of which is lost in the middle: each answer is there, once."""
 
-import json
 import pathlib
 import subprocess
 import sys
@@ -9,17 +8,12 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "server"))
 
+import one_machine  # noqa: E402
 import slurm_cluster  # noqa: E402
-from running_qdot import ENVIRONMENT, QDOT  # noqa: E402
+from running_qdot import QDOT  # noqa: E402
 
 JOB = pathlib.Path(__file__).with_name("slurm_array.sh")
 SLICES, LINES = 6, 240
-
-
-def requests():
-    for number in range(LINES):
-        motion = {"system": "spring_pendulum", "parameters": {"k": 20 + number / 10}, "t_end": 600, "samples": 3}
-        yield json.dumps({"id": number, "simulate": motion}) + "\n"
 
 
 @unittest.skipIf(slurm_cluster.why_not(), slurm_cluster.why_not())
@@ -31,12 +25,8 @@ class Slurm(unittest.TestCase):
         self.home.chmod(0o755)  # munge's user looks into it
         self.work = self.home / "work"
         self.work.mkdir()
-        (self.work / "requests.ndjson").write_text("".join(requests()))
+        one_machine.write_motions(self.work / "requests.ndjson", LINES, t_end=600)
         subprocess.run(["split", "-d", "-a", "3", "-n", f"l/{SLICES}", "requests.ndjson", "in."], cwd=self.work, check=True)
-
-    def answers_of_one_machine(self):
-        return subprocess.run([QDOT, "batch", self.work / "requests.ndjson"], capture_output=True, check=True,
-                              env=ENVIRONMENT).stdout
 
     def slice_in_the_middle(self, cluster, job, node):
         """A file that a task on the node has begun to write."""
@@ -58,7 +48,7 @@ class Slurm(unittest.TestCase):
             cluster.wait_for(lambda: cluster.ask("squeue", "-h", "-j", job) == "", 240, "end of the job")
         outputs = sorted(self.work.glob("out.???"))
         self.assertEqual(len(outputs), SLICES)
-        self.assertEqual(b"".join(output.read_bytes() for output in outputs), self.answers_of_one_machine())
+        self.assertEqual(b"".join(output.read_bytes() for output in outputs), one_machine.answers(self.work / "requests.ndjson"))
         self.assertTrue(found[0].exists(), "what the lost node had begun was taken for whole")
 
 

@@ -1,0 +1,165 @@
+#include "core/closed/mode_derivation.hpp"
+
+#include <algorithm>
+
+#include "core/closed/trial.hpp"
+#include "core/expr/parse.hpp"
+
+namespace qdot {
+namespace {
+
+bool is_number(const Expression& e) {
+  const NodeId root = e.id();
+  return std::ranges::none_of(reachable(e.graph(), {&root, 1}),
+                              [&](NodeId id) { return std::holds_alternative<Symbol>(e.graph().node(id)); });
+}
+
+/// Its first component that is not 0 is 1.
+std::vector<Surd> normalized(std::vector<Surd> shape) {
+  const auto first = std::ranges::find_if_not(shape, [](const Surd& x) { return x.is_zero(); });
+  if (first == shape.end()) return {};
+  const Surd unit = *first;
+  for (Surd& component : shape) {
+    if (!component.is_zero()) component = component / unit;
+  }
+  return shape;
+}
+
+}  // namespace
+
+ModeDerivation::ModeDerivation(const Statics& statics, const LinearMotions& motions, const ExactPlace& place,
+                               const ExactValues& values, const Relations& relations)
+    : statics_(statics),
+      motions_(motions),
+      place_(place),
+      values_(values),
+      relations_(relations),
+      graph_(*motions.graph),
+      modes_(modes_at(motions, place, relations.replacements)) {
+  std::erase_if(modes_, [&](const LinearMode& mode) { return mode.lambda.is_zero() || !is_true(mode); });
+}
+
+double ModeDerivation::value(const LinearMode& mode) const {
+  return values_.value(plain_expression(graph_, mode.lambda)).value;
+}
+
+bool ModeDerivation::oscillates(const LinearMode& mode) const {
+  return values_.sign(plain_expression(graph_, mode.lambda)) > 0;
+}
+
+Expression ModeDerivation::square(const LinearMode& mode) {
+  return written(oscillates(mode) ? mode.lambda : -mode.lambda);
+}
+
+std::optional<ClosedForm> ModeDerivation::form(const LinearMode& mode) {
+  return closed_form(values_, square(mode), relations_);
+}
+
+ModeForms ModeDerivation::forms(const LinearMode& mode) {
+  const bool is_oscillation = oscillates(mode);
+  const Surd square = is_oscillation ? mode.lambda : -mode.lambda;
+  ModeForms result{
+      sqrt(plain_expression(graph_, square)), is_oscillation, {*form(mode), {}, {}, {}, {}, {}, {}}, {}};
+  result.form.rate = closed_form(values_, root(square), relations_);
+  if (is_oscillation) result.form.period = period(square);
+  result.form.lambda = scaled_lambda(mode.lambda);
+  const std::vector<Surd> shape = whole_shape(mode);
+  for (const Surd& component : shape) result.shape.push_back(plain_expression(graph_, component));
+  result.form.shape = closed_forms(shape);
+  if (!shape.empty()) result.form.scaled_shape = closed_forms(scaled(shape));
+  return result;
+}
+
+Expression ModeDerivation::root_of(const Polynomial& n) {
+  const auto found = std::ranges::find(roots_, n, &std::pair<Polynomial, Expression>::first);
+  if (found != roots_.end()) return found->second;
+  roots_.emplace_back(n, root_form(graph_, n));
+  return roots_.back().second;
+}
+
+Expression ModeDerivation::written(const Surd& x) {
+  return x.is_rational() ? to_expression(graph_, x.p) : to_expression(graph_, x, root_of(x.n));
+}
+
+Expression ModeDerivation::root(const Surd& x) {
+  if (x.is_rational()) return positive_root(graph_, x.p, values_.sign_of());
+  return positive_root(graph_, x, root_of(x.n), values_.sign_of());
+}
+
+/// The equations hold at other values of the parameters, too.
+bool ModeDerivation::is_true(const LinearMode& mode) const {
+  Trial trial(values_, relations_);
+  trial.set(motions_.x, place_.x());
+  for (const Expression& force : motions_.forces) trial.vanishes({force});
+  const Expression lambda = plain_expression(graph_, mode.lambda);
+  for (std::size_t i = 0; i < motions_.x.size(); ++i) {
+    std::vector<Expression> terms;
+    for (std::size_t j = 0; j < motions_.x.size(); ++j) {
+      if (mode.shape[j].is_zero()) continue;
+      const Expression v = plain_expression(graph_, mode.shape[j]);
+      terms.push_back(motions_.stiffness[i][j] * v);
+      terms.push_back(-(motions_.mass[i][j] * lambda * v));
+    }
+    trial.vanishes(std::move(terms));
+  }
+  return trial.passes();
+}
+
+std::optional<ClosedForm> ModeDerivation::period(const Surd& square) {
+  const Surd inverse = Surd(rational_function(graph_.number(1))) / square;
+  return closed_form(values_, Number(2) * graph_.symbol("pi") * root(inverse), relations_);
+}
+
+std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
+  if (!values_.model().parsed.scales) return std::nullopt;
+  const Expression time = graph_.adopt(values_.model().parsed.scales->time);
+  const Expression square = substitute(pow(time, Number(2)), relations_.replacements);
+  const Expression value = written(lambda * Surd(rational_function(square)));
+  return is_number(value) ? closed_form(values_, value, relations_) : std::nullopt;
+}
+
+/// With the ignored coordinates, whose velocities follow those of the others where no momentum holds them.
+std::vector<Surd> ModeDerivation::whole_shape(const LinearMode& mode) const {
+  std::vector<Surd> shape(values_.model().scene.coordinates.size());
+  const auto entry = [&](const Expression& e) {
+    return rational_function(substitute(place_.at(e), relations_.replacements));
+  };
+  for (std::size_t k = 0; k < mode.shape.size(); ++k) shape[statics_.reduction.kept[k]] = mode.shape[k];
+  for (std::size_t c = 0; c < motions_.ignored_rates.size(); ++c) {
+    Surd sum;
+    for (std::size_t j = 0; j < mode.shape.size(); ++j) {
+      if (!entry(motions_.ignored_slopes[c][j]).is_zero()) return {};
+      if (!mode.shape[j].is_zero()) sum = sum + Surd(entry(motions_.ignored_rates[c][j])) * mode.shape[j];
+    }
+    shape[statics_.reduction.ignored[c]] = sum;
+  }
+  return normalized(std::move(shape));
+}
+
+/// Angles as arcs; empty where coordinates have no common unit then.
+std::vector<Surd> ModeDerivation::scaled(std::vector<Surd> shape) const {
+  std::vector<std::string> names;
+  for (const Parameter& p : values_.model().scene.parameters) names.push_back(p.name);
+  const auto& coordinates = values_.model().scene.coordinates;
+  const auto unit = [](const Coordinate& q) { return q.scale.empty() ? q.unit : "m"; };
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    if (unit(coordinates[i]) != unit(coordinates[0])) return {};
+    if (coordinates[i].scale.empty() || shape[i].is_zero()) continue;
+    const Expression scale = parse(coordinates[i].scale, graph_, names);
+    shape[i] = shape[i] * Surd(rational_function(substitute(scale, relations_.replacements)));
+  }
+  return normalized(std::move(shape));
+}
+
+/// All of them, or none.
+std::vector<ClosedForm> ModeDerivation::closed_forms(const std::vector<Surd>& shape) {
+  std::vector<ClosedForm> result;
+  for (const Surd& component : shape) {
+    auto form = closed_form(values_, written(component), relations_);
+    if (!form) return {};
+    result.push_back(*std::move(form));
+  }
+  return result;
+}
+
+}  // namespace qdot

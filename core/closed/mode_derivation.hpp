@@ -1,0 +1,59 @@
+#pragma once
+// The modes at an equilibrium known in closed form, with some relations between parameters put in, as
+// formulas: lambda = omega^2, omega, the period and the shape, each held against the linearized equations K v
+// = lambda M v at other values of the parameters.
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/closed/exact_modes.hpp"
+#include "core/closed/exact_place.hpp"
+#include "core/closed/linear_motions.hpp"
+
+namespace qdot {
+
+/// One eigenvalue with its forms.
+struct ModeForms {
+  Expression root;  ///< sqrt(|lambda|)
+  bool oscillates{};
+  ExactMode form;
+  std::vector<Expression> shape;  ///< of all coordinates, or empty
+};
+
+class ModeDerivation {
+ public:
+  ModeDerivation(const Statics& statics, const LinearMotions& motions, const ExactPlace& place,
+                 const ExactValues& values, const Relations& relations);
+
+  /// Those whose equations hold; lambda is not 0.
+  [[nodiscard]] const std::vector<LinearMode>& modes() const { return modes_; }
+  [[nodiscard]] double value(const LinearMode& mode) const;              ///< lambda
+  [[nodiscard]] Expression square(const LinearMode& mode);               ///< |lambda|
+  [[nodiscard]] std::optional<ClosedForm> form(const LinearMode& mode);  ///< |lambda|
+  /// All forms of a mode whose square has one.
+  [[nodiscard]] ModeForms forms(const LinearMode& mode);
+
+ private:
+  [[nodiscard]] bool oscillates(const LinearMode& mode) const;
+  [[nodiscard]] bool is_true(const LinearMode& mode) const;
+  [[nodiscard]] Expression root_of(const Polynomial& n);
+  [[nodiscard]] Expression written(const Surd& x);
+  [[nodiscard]] Expression root(const Surd& x);
+  [[nodiscard]] std::optional<ClosedForm> period(const Surd& square);
+  [[nodiscard]] std::optional<ClosedForm> scaled_lambda(const Surd& lambda);
+  [[nodiscard]] std::vector<Surd> whole_shape(const LinearMode& mode) const;
+  [[nodiscard]] std::vector<Surd> scaled(std::vector<Surd> shape) const;
+  [[nodiscard]] std::vector<ClosedForm> closed_forms(const std::vector<Surd>& shape);
+
+  const Statics& statics_;
+  const LinearMotions& motions_;
+  const ExactPlace& place_;
+  const ExactValues& values_;
+  Relations relations_;
+  Graph& graph_;
+  std::vector<LinearMode> modes_;
+  std::vector<std::pair<Polynomial, Expression>> roots_;  ///< n and forms of sqrt(n)
+};
+
+}  // namespace qdot
