@@ -56,11 +56,13 @@ WrittenTexts written_texts(const SystemChoice& choice) {
   return texts;
 }
 
-ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models, double t) {
+ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models, std::optional<double> t) {
   ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};
   system.state = resolved_state(system.model(), choice);
-  system.state.y = consistent_state(*system.dynamics, system.state.parameters, t, system.state.y,
-                                    given_values(system.scene(), choice));
+  if (t) {
+    system.state.y = consistent_state(*system.dynamics, system.state.parameters, *t, system.state.y,
+                                      given_values(system.scene(), choice));
+  }
   Json& parameters = system.echo["parameters"] = Json::object();
   for (std::size_t i = 0; i < system.state.parameters.size(); ++i)
     parameters[system.scene().parameters[i].name] = system.state.parameters[i];

@@ -39,9 +39,10 @@ struct ResolvedSystem {
   [[nodiscard]] const Scene& scene() const { return model().scene; }
 };
 
-/// With the state at time t. Throws as resolved_state, consistent_state and Models::of do.
+/// With the state at time t, which obeys the constraints; without one it is where a search begins, and need not.
+/// Throws as resolved_state, consistent_state and Models::of do.
 [[nodiscard]] ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models,
-                                             double t = 0);
+                                             std::optional<double> t = 0.0);
 
 /// {"q": ..., "q_dot": ...}: a state by name, in the scene's order.
 [[nodiscard]] Json state_json(const Scene& scene, std::span<const double> y);

@@ -61,16 +61,6 @@ Polynomial within_bounds(Polynomial a) {
 
 Polynomial divisor_of(const Polynomial& a, const Polynomial& b);
 
-/// The common divisor of the coefficients of the powers of x.
-Polynomial content_in(const Polynomial& a, NodeId x) {
-  Polynomial common;
-  for (const auto& [power, part] : by_powers(a, x)) {
-    common = common.empty() ? without_content(part) : divisor_of(common, part);
-    if (is_one(common)) break;
-  }
-  return common;
-}
-
 Polynomial divided(const Polynomial& a, const Polynomial& b) { return is_one(b) ? a : *exact_quotient(a, b); }
 
 /// A multiple of a less a multiple of b, of a smaller degree in x than b.
@@ -135,16 +125,29 @@ Polynomial slope(const Polynomial& a, NodeId x) {
   return result;
 }
 
-/// A factor that is there twice in a, which has no monomial for a factor.
+/// A factor that is there twice in a, which has no monomial for a factor. a has in common with its derivative
+/// the factors that it has more than once, each of them once less.
 std::optional<Polynomial> repeated_factor(const Polynomial& a) {
   for (const NodeId x : symbols_of(a)) {
-    const Polynomial common = divisor_of(a, slope(a, x));
-    if (degree(common, x) > 0 && exact_quotient(a, common * common)) return common;
+    Polynomial common = divisor_of(a, slope(a, x));
+    if (degree(common, x) == 0) continue;
+    if (const Polynomial more = divisor_of(common, slope(common, x)); degree(more, x) > 0)
+      common = divided(common, more);
+    if (exact_quotient(a, common * common)) return common;
   }
   return std::nullopt;
 }
 
 }  // namespace
+
+Polynomial content_in(const Polynomial& a, NodeId x) {
+  Polynomial common;
+  for (const auto& [power, part] : by_powers(a, x)) {
+    common = common.empty() ? without_content(part) : divisor_of(common, part);
+    if (is_one(common)) break;
+  }
+  return common;
+}
 
 Number content(const Polynomial& a) {
   Number common(0);

@@ -10,6 +10,10 @@ namespace qdot {
 /// no integer. Neither is zero. Throws Error(too_large) where remainders grow beyond what is worthwhile.
 [[nodiscard]] Polynomial greatest_common_divisor(const Polynomial& a, const Polynomial& b);
 
+/// The common divisor of the coefficients of the powers of x: y + 1 of (y + 1) x^2 + (y + 1)^2. All exponents
+/// are whole.
+[[nodiscard]] Polynomial content_in(const Polynomial& a, NodeId x);
+
 /// The largest number r > 0 of which all coefficients are whole multiples.
 [[nodiscard]] Number content(const Polynomial& a);
 

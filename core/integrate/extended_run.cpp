@@ -211,9 +211,12 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   ExtendedStepper stepper(system, request);
   ExtendedRun run;
   const std::size_t n = request.y_start.size();
+  std::vector<double> passed(n);
   const auto sample = [&] {
+    for (std::size_t k = 0; k < n; ++k) passed[k] = std::max(passed[k], std::abs(stepper.y()[k].high));
     for (; run.rows < grid.size() && !is_before(stepper.t(), grid[run.rows]); ++run.rows) {
       run.states.resize((run.rows + 1) * n);
+      run.passed.insert(run.passed.end(), passed.begin(), passed.end());
       const auto row = std::span(run.states).last(n);
       if (stepper.steps() == 0) {
         std::ranges::copy(stepper.y(), row.begin());

@@ -100,6 +100,7 @@ class ExtendedStepper {
 struct ExtendedRun {
   std::size_t rows{};                  ///< instants of the grid that were reached
   std::vector<DoubleDouble> states{};  ///< rows x dimension, row-major
+  std::vector<double> passed{};        ///< largest |y| at steps up to each row, rows x dimension
   Ending ending{Ending::reached_end};
   DoubleDouble t;                 ///< where the run ended: t_end, or the last good step
   std::vector<DoubleDouble> y{};  ///< the state there

@@ -70,6 +70,7 @@ class ThroughImpacts {
     if (!go_on()) return false;
     run_.rows -= 1;
     run_.states.resize(run_.rows * piece_.y_start.size());
+    run_.passed.resize(run_.states.size());
     return true;
   }
 
@@ -82,9 +83,21 @@ class ThroughImpacts {
     if (piece.rows < piece_.grid.size()) return false;
     run_.rows += piece.rows;
     run_.states.insert(run_.states.end(), piece.states.begin(), piece.states.end());
+    pass_on(piece.passed);
     piece_.t_start = piece_.grid.back();
     piece_.y_start = piece.y;
     return true;
+  }
+
+  /// What earlier pieces have passed counts in later ones.
+  void pass_on(std::vector<double> passed) {
+    const std::size_t n = piece_.y_start.size();
+    largest_.resize(n);
+    for (std::size_t i = 0; i < passed.size(); ++i) {
+      passed[i] = std::max(passed[i], largest_[i % n]);
+      if (i + n >= passed.size()) largest_[i % n] = passed[i];
+    }
+    run_.passed.insert(run_.passed.end(), passed.begin(), passed.end());
   }
 
   /// From just beside the impact to the state after it.
@@ -141,6 +154,7 @@ class ThroughImpacts {
   ExtendedMotionRequest piece_;
   std::span<const DoubleDouble> grid_;
   ExtendedRun run_;
+  std::vector<double> largest_;  ///< that was passed, of each component
 };
 
 }  // namespace

@@ -18,6 +18,9 @@ constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
 constexpr double loose = 1e-6;
 constexpr double drift_of_rounding = 1e-14;  ///< relative
 constexpr double much_better = 0.05;
+/// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
+/// those of the motion. A component that is small again after a pulse has it still.
+constexpr double common_rounding = 0x1p-54;
 constexpr std::uint64_t cost_of_digits = 3;  ///< of an evaluation in double-doubles
 
 /// Every number by one or two units in the last place, up and down in turn, so that the ratio of any two
@@ -131,6 +134,7 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
   Simulation& sharper = result.simulation.emplace();
   sharper.rows = run.rows;
   for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());
+  for (const double size : run.passed) sharper.unseen.push_back(common_rounding * size);
   return result;
 }
 

@@ -6,7 +6,10 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/steady/factors.hpp"
+#include "core/steady/linear_unknowns.hpp"
 #include "core/steady/numerator.hpp"
+#include "core/steady/search_region.hpp"
 
 namespace qdot {
 namespace {
@@ -15,15 +18,19 @@ constexpr std::size_t most_systems = 200;
 
 class SystemsDerivation {
  public:
-  SystemsDerivation(const Reduction& reduction, const SteadyForces& forces, std::size_t place)
+  SystemsDerivation(const Scene& scene, const Reduction& reduction, const SteadyForces& forces,
+                    std::size_t place)
       : forces_(forces), graph_(*forces.graph) {
     for (const Expression& c : reduction.constants) constants_.push_back(graph_.adopt(c));
     p_ = constants_[place];
     constants_[place] = graph_.symbol("unused constant");
+    parameters_ = constants_.size() - reduction.ignored.size();
     for (const Expression& x : reduction.x) all_x_.push_back(graph_.adopt(x));
-    for (const std::size_t j : forces.unknowns) variables_.push_back(all_x_[j]);
-    x_ = variables_;
-    variables_.push_back(p_);
+    for (const std::size_t j : forces.unknowns) {
+      x_.push_back(all_x_[j]);
+      const Domain& domain = scene.coordinates[reduction.kept[j]].domain;
+      has_ends_.push_back(domain.lower > -largest_length || domain.upper < largest_length);
+    }
   }
 
   BifurcationSystems run() {
@@ -32,8 +39,9 @@ class SystemsDerivation {
       const Expression g = graph_.adopt(forces_.rest[i]);
       result_.depends = result_.depends || depends_on(g, p_);
       numerators.push_back(simplify(numerator_of(g, all_x_)));
-      factors_.push_back(factors_of(numerators.back()));
     }
+    leave_out_linear(numerators);
+    for (const Expression& numerator : numerators) factors_.push_back(factors_of(numerator));
     if (result_.depends) {
       combine({}, 0, factors_.size());
       for (std::size_t i = 0; i < factors_.size(); ++i) add_meetings(i);
@@ -47,6 +55,24 @@ class SystemsDerivation {
   }
 
  private:
+  void leave_out_linear(std::vector<Expression>& equations) {
+    std::vector<bool> may_go;
+    for (std::size_t k = 0; k < x_.size(); ++k)
+      may_go.push_back(!has_ends_[k] && !forces_.turns[forces_.unknowns[k]]);
+    const std::span parameters = std::span(constants_).first(parameters_);  // those that are 0 are not in it
+    LinearUnknowns left = without_linear_unknowns(std::move(equations), x_, may_go, parameters, p_);
+    equations = std::move(left.equations);
+    std::vector<Expression> x;
+    for (const std::size_t k : left.unknowns) {
+      x.push_back(x_[k]);
+      result_.unknowns.push_back(forces_.unknowns[k]);
+    }
+    x_ = std::move(x);
+    variables_ = x_;
+    variables_.push_back(p_);
+    result_.values = compiled(left.values);
+  }
+
   void describe(const std::vector<Expression>& numerators) {
     result_.numerators = compiled(numerators);
     std::vector<Expression> slopes;
@@ -65,7 +91,7 @@ class SystemsDerivation {
       const bool odd = simplify(substitute(numerators[0], reflection) + numerators[0]).is_zero();
       if (odd && std::ranges::find(centres, centre) == centres.end()) centres.push_back(centre);
     }
-    if (forces_.turns[forces_.unknowns[0]]) {  // half a turn on, the reflection is the same
+    if (forces_.turns[result_.unknowns[0]]) {  // half a turn on, the reflection is the same
       const std::vector<Expression> found = centres;
       for (const Expression& centre : found) centres.push_back(centre + graph_.symbol("pi"));
     }
@@ -124,7 +150,13 @@ class SystemsDerivation {
     for (const NodeId id : ids) {
       const Expression base = split_power(Expression(graph_, id)).base;
       if (depends_on(base, x_)) {
-        result.push_back(base);
+        for (const Factor& factor : factors_along(base, p_)) {
+          if (depends_on(factor.base, x_)) {
+            result.push_back(factor.base);
+          } else if (depends_on(factor.base, p_)) {
+            vanishing_.push_back(factor.base);
+          }
+        }
       } else if (depends_on(base, p_)) {
         vanishing_.push_back(base);
       }
@@ -138,8 +170,19 @@ class SystemsDerivation {
       jacobian.emplace_back();
       for (const Expression& x : x_) jacobian.back().push_back(differentiate(fi, x));
     }
-    f.push_back(simplify(determinant(jacobian)));
-    if (!f.back().is_zero()) add(BifurcationSystem::Kind::fold, f);
+    const Expression all = simplify(determinant(jacobian));
+    if (all.is_zero()) return;
+    const std::vector<Factor> factors = factors_along(all, p_);
+    Expression constant = graph_.number(1);  // it may be zero for some parameters
+    for (const Factor& factor : factors) {
+      if (!depends_on(factor.base, variables_)) constant = constant * factor.base;
+    }
+    for (const Factor& factor : factors) {
+      if (!depends_on(factor.base, variables_)) continue;
+      f.push_back(constant * factor.base);
+      add(factor.is_repeated ? BifurcationSystem::Kind::degenerate_fold : BifurcationSystem::Kind::fold, f);
+      f.pop_back();
+    }
   }
 
   void add_meetings(std::size_t i) {
@@ -186,6 +229,8 @@ class SystemsDerivation {
   const SteadyForces& forces_;
   Graph graph_;
   std::vector<Expression> constants_, all_x_, x_, variables_;
+  std::size_t parameters_{};    ///< how many of the constants are no momenta
+  std::vector<bool> has_ends_;  ///< of the forces' unknowns
   Expression p_;
   std::vector<std::vector<Expression>> factors_;  ///< of each force
   std::vector<Expression> vanishing_;
@@ -194,9 +239,9 @@ class SystemsDerivation {
 
 }  // namespace
 
-BifurcationSystems derive_bifurcation_systems(const Reduction& reduction, const SteadyForces& forces,
-                                              std::size_t place) {
-  return SystemsDerivation(reduction, forces, place).run();
+BifurcationSystems derive_bifurcation_systems(const Scene& scene, const Reduction& reduction,
+                                              const SteadyForces& forces, std::size_t place) {
+  return SystemsDerivation(scene, reduction, forces, place).run();
 }
 
 }  // namespace qdot

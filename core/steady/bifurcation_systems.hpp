@@ -2,7 +2,7 @@
 // Where equilibria appear, vanish or meet as one parameter p moves: the square systems in (x, p) whose zeros
 // those places are. Each force is a product of factors, g_i = f_i1 f_i2 ..., and every equilibrium makes one
 // factor of each force vanish. Such a family folds where
-//   f_1 = ... = f_n = 0,  det df/dx = 0          (saddle-node),
+//   f_1 = ... = f_n = 0,  d = 0,  d a factor of det df/dx      (saddle-node, if d is no repeated one),
 // and meets another one where
 //   f_ia = f_ib = 0,  f_j = 0 for all j != i     (transcritical, or pitchfork where one of the two folds
 //   there).
@@ -15,14 +15,18 @@
 
 namespace qdot {
 
-/// n + 1 functions of (x, p), x the unknowns that forces depend on, and their (n + 1)^2 derivatives by rows.
+/// n + 1 functions of (x, p), x the unknowns that are left, and their (n + 1)^2 derivatives by rows.
 struct BifurcationSystem {
-  enum class Kind { fold, meeting };
+  /// degenerate_fold: the determinant has a repeated factor that vanishes there.
+  enum class Kind { fold, degenerate_fold, meeting };
   Kind kind{};
   CompiledFunction values, jacobian;
 };
 
 struct BifurcationSystems {
+  /// Those of the forces' unknowns that are left after linear ones (core/steady/linear_unknowns.hpp).
+  std::vector<std::size_t> unknowns;
+  CompiledFunction values;  ///< all the forces' unknowns at (x, p)
   std::vector<BifurcationSystem> systems;
   /// Factors of p alone, as functions of p and their slopes: where one vanishes, so does a force everywhere.
   CompiledFunction vanishing, vanishing_slopes;
@@ -44,7 +48,7 @@ struct BifurcationSystems {
 };
 
 /// `place`: which of the reduction's constants p is. Throws Error(not_applicable) for too many systems.
-[[nodiscard]] BifurcationSystems derive_bifurcation_systems(const Reduction& reduction,
+[[nodiscard]] BifurcationSystems derive_bifurcation_systems(const Scene& scene, const Reduction& reduction,
                                                             const SteadyForces& forces, std::size_t place);
 
 }  // namespace qdot

@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* degenerate_crossing =
     "Curves of equilibria cross here, but a derivative that decides how is zero to within its error.";
+constexpr const char* degenerate_fold =
+    "More than one derivative along the curve of equilibria vanishes here: it folds, or passes on without a fold.";
 constexpr const char* several_events =
     "Within the error a curve of equilibria folds more than once, or folds and crosses another, or only comes "
     "near to that: a degenerate point, or several close together.";
@@ -33,7 +35,7 @@ class CriticalSearch {
     for (std::size_t k = 0; k < momenta; ++k)
       key += problem_.constants[present.size() + k].width() == 0 ? " 0" : " p";
     systems_ = dynamics.derived<BifurcationSystems>(key, present, [&](const Statics& statics) {
-      return derive_bifurcation_systems(statics.reduction, *problem_.forces, index);
+      return derive_bifurcation_systems(dynamics_.model().scene, statics.reduction, *problem_.forces, index);
     });
   }
 
@@ -190,7 +192,7 @@ class CriticalSearch {
     return best;
   }
 
-  [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return problem_.forces->unknowns; }
+  [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return systems_->unknowns; }
   [[nodiscard]] const std::vector<std::size_t>& kept() const { return problem_.statics->reduction.kept; }
 
   Equilibria at(double p) {
@@ -242,9 +244,14 @@ class CriticalSearch {
       if (single && (fold || is_transcritical(problem_, *systems_, zero))) {
         add(fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, zero);
       } else {
-        add(BifurcationKind::unresolved, zero, single ? degenerate_crossing : several_events);
+        add(BifurcationKind::unresolved, zero, reason_of(zero));
       }
     }
+  }
+
+  static const char* reason_of(const CriticalZero& zero) {
+    if (!zero.simple) return several_events;
+    return zero.kind == BifurcationSystem::Kind::meeting ? degenerate_crossing : degenerate_fold;
   }
 
   /// What may be the same place becomes one that is not simple.
@@ -268,16 +275,22 @@ class CriticalSearch {
   void classify_by_families(const CriticalZeros& found) {
     for (const CriticalZero& here : found.zeros) {
       const bool fold = here.kind == BifurcationSystem::Kind::fold;
+      const bool is_degenerate = here.kind == BifurcationSystem::Kind::degenerate_fold;
       std::vector<const CriticalZero*> others;
       for (const CriticalZero& other : found.zeros) {
         if (&other != &here && overlap(other, here)) others.push_back(&other);
+      }
+      if (here.simple && others.empty() && is_degenerate) {
+        add(BifurcationKind::unresolved, here, degenerate_fold);
+        continue;
       }
       if (here.simple && others.empty() && (fold || found.complete)) {
         add(fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, here);
         continue;
       }
-      const bool pair =
-          here.simple && others.size() == 1 && others[0]->simple && others[0]->kind != here.kind;
+      const bool pair = here.simple && !is_degenerate && others.size() == 1 && others[0]->simple &&
+                        others[0]->kind != here.kind &&
+                        others[0]->kind != BifurcationSystem::Kind::degenerate_fold;
       if (pair && is_on_mirror(here)) {
         if (!fold) add(BifurcationKind::pitchfork, here);
         continue;
@@ -347,6 +360,14 @@ class CriticalSearch {
     return count;
   }
 
+  /// Of all unknowns of the forces.
+  [[nodiscard]] Box values_of(const CriticalZero& found) const {
+    Box place = found.x, values(problem_.forces->unknowns.size());
+    place.push_back(found.p);
+    TapeEvaluator<Interval>(systems_->values, problem_.constants)(place, values);
+    return values;
+  }
+
   void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "") {
     CriticalValue critical;
     critical.kind = kind;
@@ -360,14 +381,16 @@ class CriticalSearch {
     critical.errors.assign(2 * n, 0.0);
     std::vector<Interval> place;
     for (const std::size_t i : kept()) place.emplace_back(y_[i]);
-    for (std::size_t k = 0; k < found.x.size(); ++k) {
-      const std::size_t i = kept()[unknowns()[k]];
-      place[unknowns()[k]] = found.x[k];
-      critical.y[i] = representative(found.x[k]);
-      critical.errors[i] = distance_bound(critical.y[i], found.x[k]);
-    }
     std::vector<Interval> constants = problem_.constants;
     constants[index_] = found.p;
+    const std::vector<std::size_t>& all = problem_.forces->unknowns;
+    const Box x = values_of(found);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const std::size_t i = kept()[all[k]];
+      place[all[k]] = x[k];
+      critical.y[i] = representative(x[k]);
+      critical.errors[i] = distance_bound(critical.y[i], x[k]);
+    }
     std::vector<Interval> rates(problem_.statics->reduction.ignored.size());
     TapeEvaluator<Interval>(problem_.forces->ignored_rates, constants)(place, rates);
     for (std::size_t k = 0; k < rates.size(); ++k) {

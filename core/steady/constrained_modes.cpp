@@ -12,56 +12,20 @@ namespace {
 
 using BallMatrix = std::vector<std::vector<Ball>>;
 
-[[noreturn]] void undetermined(const std::string& why) {
-  throw Error(ErrorCode::not_applicable, "This is undetermined for a scene with constraints: " + why);
-}
+/// A solved for as many displacements as it has rows, A_D.
+struct SolvedSlopes {
+  BallMatrix allowed;                  ///< Z with A Z = 0: for each coordinate that is left free a column
+  std::vector<std::size_t> dependent;  ///< D
+  BallMatrix inverse;                  ///< of A_D
+};
 
-/// L + sum of lambda phi, the multipliers coordinates of their own.
-std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model) {
-  auto result = std::make_shared<Model>(model);
-  Lagrangian& own = result->lagrangian = copied(model.lagrangian);
-  Graph& graph = *own.graph;
-  std::vector<Replacement> no_forces;
-  Expression terms = graph.number(0);
-  for (std::size_t j = 0; j < own.constraints.size(); ++j) {
-    const Expression& lambda = own.symbols.multipliers[j];
-    const std::string name = multiplier_name(model.scene.constraints[j]);
-    no_forces.emplace_back(lambda, graph.number(0));
-    terms = terms + lambda * *own.constraints[j].position;
-    own.symbols.coordinates.value.push_back(lambda);
-    own.symbols.coordinates.rate.push_back(graph.symbol(name + "_dot"));
-    own.symbols.coordinates.second_rate.push_back(graph.symbol(name + "_ddot"));
-    result->scene.coordinates.push_back(
-        {name, model.parsed.constraints[j].multiplier_unit, "", "", "", {}, "", ""});
-  }
-  for (Expression& force : own.generalized_forces) force = substitute(force, no_forces);
-  own.generalized_forces.resize(own.symbols.coordinates.value.size(), graph.number(0));
-  own.lagrangian = own.lagrangian + terms;
-  if (own.potential_energy) own.potential_energy = *own.potential_energy - terms;
-  own.symbols.multipliers.clear();
-  own.constraints.clear();
-  result->scene.constraints.clear();
-  result->equations = {};
-  result->parsed.graph = own.graph;
-  result->parsed.symbols = own.symbols;
-  return result;
-}
-
-void check_constraints(const Model& model) {
-  for (std::size_t j = 0; j < model.scene.constraints.size(); ++j) {
-    const ConstraintEquation& constraint = model.lagrangian.constraints[j];
-    const std::string name = "'" + model.scene.constraints[j].name + "'";
-    if (!constraint.position)
-      undetermined(name +
-                   " holds velocities, so that the system may rest in any place where the forces allow it.");
-    if (!is_workless(constraint, model.parsed.symbols)) undetermined(name + " moves, so that nothing rests.");
-  }
-}
-
-/// Z with A Z = 0: for each coordinate that is left free a column.
-BallMatrix allowed_displacements(BallMatrix a, std::size_t n) {
+/// By elimination in (A 1), with the largest pivots.
+SolvedSlopes solved_slopes(BallMatrix a, std::size_t n) {
   const std::size_t m = a.size();
-  std::vector<std::size_t> dependent;
+  SolvedSlopes result;
+  for (std::size_t k = 0; k < m; ++k) {
+    for (std::size_t j = 0; j < m; ++j) a[k].emplace_back(j == k ? 1 : 0);
+  }
   for (std::size_t k = 0; k < m; ++k) {
     std::size_t row = k, column = 0;
     for (std::size_t i = k; i < m; ++i) {
@@ -69,70 +33,86 @@ BallMatrix allowed_displacements(BallMatrix a, std::size_t n) {
         if (std::abs(a[i][j].value()) > std::abs(a[row][column].value())) row = i, column = j;
       }
     }
-    if (a[row][column].contains_zero()) undetermined("at the equilibrium they depend on each other.");
+    if (a[row][column].contains_zero())
+      undetermined_on_surface("at the equilibrium they depend on each other.");
     std::swap(a[k], a[row]);
-    dependent.push_back(column);
+    result.dependent.push_back(column);
     const Ball pivot = a[k][column];
     for (Ball& entry : a[k]) entry = entry / pivot;
     a[k][column] = Ball(1);
     for (std::size_t i = 0; i < m; ++i) {
       if (i == k) continue;
       const Ball factor = a[i][column];
-      for (std::size_t j = 0; j < n; ++j) a[i][j] = a[i][j] - factor * a[k][j];
+      for (std::size_t j = 0; j < n + m; ++j) a[i][j] = a[i][j] - factor * a[k][j];
       a[i][column] = Ball(0);
     }
   }
-  BallMatrix z(n, std::vector<Ball>(n - m, Ball(0)));
+  result.allowed.assign(n, std::vector<Ball>(n - m, Ball(0)));
   std::size_t f = 0;
   for (std::size_t j = 0; j < n; ++j) {
-    if (std::ranges::find(dependent, j) != dependent.end()) continue;
-    z[j][f] = Ball(1);
-    for (std::size_t k = 0; k < m; ++k) z[dependent[k]][f] = -a[k][j];
+    if (std::ranges::find(result.dependent, j) != result.dependent.end()) continue;
+    result.allowed[j][f] = Ball(1);
+    for (std::size_t k = 0; k < m; ++k) result.allowed[result.dependent[k]][f] = -a[k][j];
     ++f;
   }
-  return z;
+  for (const auto& row : a)
+    result.inverse.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(n), row.end());
+  return result;
 }
 
-class ConstrainedAnalysis {
+class SurfaceAnalysis {
  public:
-  ConstrainedAnalysis(const Dynamics& dynamics, const Reals& parameters)
-      : dynamics_(dynamics),
-        n_(dynamics.model().degrees_of_freedom()),
-        m_(dynamics.model().scene.constraints.size()),
-        whole_(with_multipliers_as_coordinates(dynamics.model())),
-        statics_(whole_.statics(parameters)),
-        constants_(parameters.as<Ball>()) {
-    if (!statics_->reduction.ignored.empty())
-      undetermined("a coordinate is ignorable, and steady motions under constraints are not computed yet.");
-    if (!statics_->potential) undetermined("not all forces have a potential.");
+  SurfaceAnalysis(const SurfaceStatics& whole, const Reals& parameters)
+      : whole_(whole), n_(whole.coordinates), m_(whole.constraints), constants_(parameters.as<Ball>()) {
+    if (!whole.statics->potential) undetermined_on_surface("not all forces have a potential.");
   }
 
-  Modes at(const Reals& parameters, std::vector<double> guess) {
-    std::vector<double> y = guess;
-    y.resize(2 * n_);
-    const auto forces = values_at(dynamics_, multiplier_columns(dynamics_.model()), parameters, 0, y);
-    guess.insert(guess.end(), forces.begin(), forces.end());
-    place_ = find_equilibrium(whole_, *statics_, constants_, guess, EquilibriumSearch::nearest);
-    const std::vector<Ball> k = of(statics_->stiffness);
-    const std::vector<Ball> rates = of(statics_->damping);
-    if (!std::ranges::all_of(rates, [](const Ball& d) { return d.is_zero(); }))
-      undetermined("forces depend on velocities.");
-    mass_ = corner(of(statics_->inertia));
-    stiffness_ = corner(k);
-    BallMatrix slopes(m_);
+  SurfaceModes near(const std::vector<double>& guess) {
+    place_ =
+        find_equilibrium(*whole_.dynamics, *whole_.statics, constants_, guess, EquilibriumSearch::nearest);
+    return about_place(solved_slopes(slopes(), n_));
+  }
+
+  SurfaceModes at(std::span<const Interval> q) {
+    place_.isolated = true;
+    for (const Interval& x : q) place_.x.push_back(Ball::of(x));
+    place_.x.resize(n_ + m_, Ball(0));
+    const std::vector<Ball> g = of(whole_.statics->forces);
+    SolvedSlopes a = solved_slopes(slopes(), n_);
     for (std::size_t j = 0; j < m_; ++j) {
-      for (std::size_t i = 0; i < n_; ++i) slopes[j].push_back(k[(n_ + j) * (n_ + m_) + i]);
+      // Row n + j of the forces is -phi_j, so that the slopes are -A.
+      Ball lambda(0);
+      for (std::size_t k = 0; k < m_; ++k) lambda = lambda - a.inverse[k][j] * g[a.dependent[k]];
+      place_.x[n_ + j] = lambda;
     }
-    z_ = allowed_displacements(std::move(slopes), n_);
-    write_place();
-    if (n_ > m_) write_modes();
-    write_stability();
-    return std::move(result_);
+    return about_place(std::move(a));
   }
 
  private:
   [[nodiscard]] std::vector<Ball> of(const CompiledFunction& function) const {
     return evaluated(function, constants_, place_.x);
+  }
+
+  [[nodiscard]] BallMatrix slopes() const {
+    const std::vector<Ball> k = of(whole_.statics->stiffness);
+    BallMatrix result(m_);
+    for (std::size_t j = 0; j < m_; ++j) {
+      for (std::size_t i = 0; i < n_; ++i) result[j].push_back(k[(n_ + j) * (n_ + m_) + i]);
+    }
+    return result;
+  }
+
+  SurfaceModes about_place(SolvedSlopes a) {
+    const std::vector<Ball> rates = of(whole_.statics->damping);
+    if (!std::ranges::all_of(rates, [](const Ball& d) { return d.is_zero(); }))
+      undetermined_on_surface("forces depend on velocities.");
+    mass_ = corner(of(whole_.statics->inertia));
+    stiffness_ = corner(of(whole_.statics->stiffness));
+    z_ = std::move(a.allowed);
+    write_place();
+    if (n_ > m_) write_modes();
+    write_stability();
+    return {std::move(result_), std::move(place_)};
   }
 
   /// Of all coordinates, without the multipliers.
@@ -183,7 +163,8 @@ class ConstrainedAnalysis {
   void write_modes() {
     const SmallMotions motions{restricted(mass_), restricted(stiffness_), SquareMatrix<Ball>(n_ - m_)};
     const Eigensystem<Ball> found = squares(motions);
-    if (found.values.size() != n_ - m_) undetermined("no bound of their frequencies could be proven.");
+    if (found.values.size() != n_ - m_)
+      undetermined_on_surface("no bound of their frequencies could be proven.");
     for (std::size_t first = 0; first < found.values.size(); ++first) {
       std::vector<std::size_t> members;
       for (std::size_t i = 0; i < found.values.size(); ++i) {
@@ -221,7 +202,7 @@ class ConstrainedAnalysis {
   }
 
   [[nodiscard]] static Mode mode_of(const Ball& value, double radius) {
-    if (!std::isfinite(radius)) undetermined("no bound of their frequencies could be proven.");
+    if (!std::isfinite(radius)) undetermined_on_surface("no bound of their frequencies could be proven.");
     const Ball lambda(value.middle, radius);
     Mode mode;
     mode.lambda = 0.0;
@@ -253,10 +234,8 @@ class ConstrainedAnalysis {
     }
   }
 
-  const Dynamics& dynamics_;
+  const SurfaceStatics& whole_;
   std::size_t n_, m_;
-  Dynamics whole_;
-  std::shared_ptr<const Statics> statics_;
   std::vector<Ball> constants_;
   Equilibrium place_;
   BallMatrix mass_, stiffness_, z_;
@@ -265,16 +244,23 @@ class ConstrainedAnalysis {
 
 }  // namespace
 
+SurfaceModes surface_modes(const SurfaceStatics& whole, const Reals& parameters,
+                           const std::vector<double>& guess) {
+  return SurfaceAnalysis(whole, parameters).near(guess);
+}
+
+SurfaceModes surface_modes_at(const SurfaceStatics& whole, const Reals& parameters,
+                              std::span<const Interval> q) {
+  return SurfaceAnalysis(whole, parameters).at(q);
+}
+
 Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                         const std::optional<std::vector<double>>& guess) {
-  check_constraints(dynamics.model());
-  if (!dynamics.model().scene.inputs.empty()) undetermined("inputs act on it.");
-  if (dynamics.kinks() != nullptr) undetermined("an abs() or a sign() stands in its forces.");
-  if (has_forces_of_multipliers(dynamics.model().lagrangian))
-    undetermined("a force depends on their reactions, as friction does.");
-  const std::size_t n = dynamics.model().degrees_of_freedom();
-  const std::vector<double> start(initial.begin(), initial.begin() + static_cast<std::ptrdiff_t>(n));
-  return ConstrainedAnalysis(dynamics, parameters).at(parameters, guess.value_or(start));
+  const SurfaceStatics whole = surface_statics(dynamics, parameters);
+  const std::vector<double> start(initial.begin(),
+                                  initial.begin() + static_cast<std::ptrdiff_t>(whole.coordinates));
+  return surface_modes(whole, parameters, with_multipliers(dynamics, parameters, guess.value_or(start)))
+      .modes;
 }
 
 }  // namespace qdot

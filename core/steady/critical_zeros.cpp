@@ -12,7 +12,7 @@ constexpr std::size_t most_boxes_of_zeros = 20'000;
 std::vector<double> degenerate_values(const SteadyProblem& problem, const BifurcationSystems& systems,
                                       const Interval& range) {
   std::vector<double> found;
-  std::vector<Interval> place(problem.forces->unknowns.size() + 1);
+  std::vector<Interval> place(systems.unknowns.size() + 1);
   for (std::size_t k = 0; k < systems.vanishing.outputs(); ++k) {
     const auto along = [&](const CompiledFunction& function) {
       return [&, k](std::span<const Interval> p, std::span<Interval> out) {
@@ -33,9 +33,10 @@ std::vector<double> degenerate_values(const SteadyProblem& problem, const Bifurc
   return found;
 }
 
-bool is_outside(const CriticalZero& zero, const Model& model, const SteadyProblem& problem) {
+bool is_outside(const CriticalZero& zero, const Model& model, const SteadyProblem& problem,
+                const BifurcationSystems& systems) {
   for (std::size_t k = 0; k < zero.x.size(); ++k) {
-    const std::size_t i = problem.statics->reduction.kept[problem.forces->unknowns[k]];
+    const std::size_t i = problem.statics->reduction.kept[systems.unknowns[k]];
     const Domain& domain = model.scene.coordinates[i].domain;
     if (domain.lower_open ? zero.x[k].lower <= domain.lower : zero.x[k].upper < domain.lower) return true;
     if (domain.upper_open ? zero.x[k].upper >= domain.upper : zero.x[k].lower > domain.upper) return true;
@@ -60,11 +61,12 @@ bool joins_cluster(std::vector<CriticalZero>& zeros, const CriticalZero& zero, c
   return false;
 }
 
-Isolation isolated(const Model& model, const SteadyProblem& problem, const BifurcationSystem& system,
-                   const Interval& range, const std::function<bool(std::span<const Interval>)>& known) {
+Isolation isolated(const Model& model, const SteadyProblem& problem, std::span<const std::size_t> unknowns,
+                   const BifurcationSystem& system, const Interval& range,
+                   const std::function<bool(std::span<const Interval>)>& known) {
   TapeEvaluator<Interval> values(system.values, problem.constants);
   TapeEvaluator<Interval> jacobian(system.jacobian, problem.constants);
-  Box region = search_region(model, problem);
+  Box region = search_region(model, problem, unknowns);
   region.push_back(range);
   std::vector<double> scales(region.size(), 1.0);
   scales.back() = std::max(std::abs(range.lower), std::abs(range.upper));
@@ -89,7 +91,8 @@ CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
   CriticalZeros result;
   result.degenerate = degenerate_values(problem, systems, range);
   for (const BifurcationSystem& system : systems.systems) {
-    const Isolation isolation = isolated(model, problem, system, range, known);
+    const std::size_t first = result.zeros.size();
+    const Isolation isolation = isolated(model, problem, systems.unknowns, system, range, known);
     result.complete = result.complete && isolation.complete;
     result.undecided = result.undecided || !isolation.undecided.empty() || !isolation.poles.empty();
     for (const IsolatedZero& found : isolation.zeros) {
@@ -97,13 +100,17 @@ CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
       CriticalZero zero{system.kind, {at.begin(), at.end() - 1}, at.back(), found.simple};
       if (is_empty(intersection(zero.p, range))) continue;
       for (std::size_t k = 0; k < zero.x.size(); ++k) {
-        if (problem.forces->turns[problem.forces->unknowns[k]]) zero.x[k] = reduced_angle(zero.x[k]);
+        if (problem.forces->turns[systems.unknowns[k]]) zero.x[k] = reduced_angle(zero.x[k]);
       }
       const auto is_there = [&](double p) { return zero.p.contains(p); };
-      if (std::ranges::any_of(result.degenerate, is_there) || is_outside(zero, model, problem)) continue;
+      if (std::ranges::any_of(result.degenerate, is_there) || is_outside(zero, model, problem, systems))
+        continue;
       if (!zero.simple && joins_cluster(result.zeros, zero, range)) continue;
       const auto is_same = [&](const CriticalZero& o) { return o.kind == zero.kind && overlap(o, zero); };
-      if (std::ranges::none_of(result.zeros, is_same)) result.zeros.push_back(std::move(zero));
+      // What other systems have there, too, is something else that happens.
+      if (std::ranges::none_of(result.zeros.begin() + static_cast<std::ptrdiff_t>(first), result.zeros.end(),
+                               is_same))
+        result.zeros.push_back(std::move(zero));
     }
   }
   // What a search that was given up has seen of a cluster may be a part of it.

@@ -14,7 +14,7 @@ namespace qdot {
 
 struct CriticalZero {
   BifurcationSystem::Kind kind{};
-  Box x;  ///< of the unknowns; angles in (-pi, pi]
+  Box x;  ///< of the systems' unknowns; angles in (-pi, pi]
   Interval p;
   bool simple{};  ///< proven to be one simple zero; otherwise a cluster that rounding does not resolve
 };

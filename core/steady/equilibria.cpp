@@ -40,7 +40,7 @@ class RegionSearch {
          k < problem_.constants.size(); ++k) {
       result_.momenta.push_back(problem_.constants[k].middle());
     }
-    if (forces().unknowns.size() != forces().equations.size()) {
+    if (!has_equations()) {
       mismatch();
     } else if (forces().smooth.kinks() > most_kinks) {
       incomplete("The forces have too many kinks to look on each side of all of them.");
@@ -68,12 +68,25 @@ class RegionSearch {
     result_.reason += (result_.reason.empty() ? "" : " ") + reason;
   }
 
+  /// As many as unknowns.
+  [[nodiscard]] bool has_equations() const {
+    const auto fits = [&](const std::vector<std::size_t>& equations) {
+      return equations.size() == forces().unknowns.size();
+    };
+    if (forces().charts.empty()) return fits(forces().equations);
+    return std::ranges::all_of(forces().charts, fits, &Chart::equations);
+  }
+
   void find() {
     if (forces().unknowns.empty()) {
       add({given_place(), {}, {}, true});
       return;
     }
-    for (const Sides& sides : system_.patterns()) search(sides);
+    if (forces().charts.empty()) search();
+    for (const Chart& chart : forces().charts) {
+      system_.use(chart, sizes_);
+      search();
+    }
     for (const FoundPlace& place : found_.places()) add_within_domain(place);
     if (result_.states.empty() && result_.complete) {
       result_.reason = "The forces vanish nowhere in the region that was searched.";
@@ -82,13 +95,23 @@ class RegionSearch {
               [](const auto& a, const auto& b) { return a.y < b.y; });
   }
 
+  void search() {
+    for (const Sides& sides : system_.patterns()) search(sides);
+  }
+
+  [[nodiscard]] std::vector<double> sizes() const {
+    std::vector<double> sizes;
+    for (std::size_t j = 0; j < reduction_.kept.size(); ++j) {
+      const double start = std::abs(y_[reduction_.kept[j]]);
+      sizes.push_back(forces().turns[j] || !(start > 0) || !std::isfinite(start) ? 1 : start);
+    }
+    return sizes;
+  }
+
   void search(const Sides& sides) {
     Box region = search_region(dynamics_.model(), problem_);
     std::vector<double> scales;
-    for (const std::size_t j : forces().unknowns) {
-      const double start = std::abs(y_[reduction_.kept[j]]);
-      scales.push_back(forces().turns[j] || !(start > 0) || !std::isfinite(start) ? 1 : start);
-    }
+    for (const std::size_t j : forces().unknowns) scales.push_back(sizes_[j]);
     // A little more than the sides' values: what lies at the ends counts.
     region.resize(region.size() + static_cast<std::size_t>(std::ranges::count(sides, 0)), {-1.001, 1.001});
     scales.resize(region.size(), 1.0);
@@ -106,6 +129,9 @@ class RegionSearch {
   }
 
   void take(const Sides& sides, const IsolatedZero& zero) {
+    const std::optional<bool> in_chart = system_.is_in_chart(zero.enclosure);
+    if (!in_chart) return incomplete(place_named(zero.enclosure) + " the constraints depend on each other.");
+    if (!*in_chart) return;
     const std::optional<bool> holds = system_.holds(sides, zero.enclosure);
     if (holds && !*holds) return;
     if (!zero.simple && system_.is_pole(sides, zero.enclosure)) return give_up_at_pole(zero.enclosure);
@@ -139,14 +165,19 @@ class RegionSearch {
                    : "The forces leave a whole family of positions in equilibrium, which is not listed.");
   }
 
-  void give_up_at_pole(const Box& box) {
+  /// "Near x = 0 and y = 1"
+  [[nodiscard]] std::string place_named(const Box& box) const {
     std::string where;
     for (std::size_t k = 0; k < forces().unknowns.size(); ++k) {
       where += (where.empty() ? "Near " : " and ") + coordinate(forces().unknowns[k]).name + " = " +
                short_number(box[k].contains(0.0) ? 0.0 : box[k].middle());
     }
+    return where;
+  }
+
+  void give_up_at_pole(const Box& box) {
     incomplete(
-        where +
+        place_named(box) +
         " is a singularity: forces have no value there, and next to it none that tells whether they vanish.");
   }
 
@@ -182,6 +213,12 @@ class RegionSearch {
   void make_exact(FoundPlace& place) {
     FoundPlace exact = place;
     for (Interval& x : exact.x) x = representative(x);
+    if (!forces().charts.empty()) {
+      Box g(forces().rest.size());
+      forces_(exact.x, g);
+      if (std::ranges::all_of(g, is_zero)) place = exact;
+      return;
+    }
     Sides sides;
     Box unknowns;
     for (const std::size_t j : forces().unknowns) unknowns.push_back(exact.x[j]);
@@ -213,7 +250,7 @@ class RegionSearch {
 
   template <class Size>
   double largest_force(const std::vector<double>& place, Size size) {
-    std::vector<Interval> g(place.size());
+    std::vector<Interval> g(forces().rest.size());
     forces_(Box(place.begin(), place.end()), g);
     double largest = 0;
     for (const Interval& force : g) largest = std::max(largest, std::abs(std::invoke(size, force)));
@@ -261,14 +298,19 @@ class RegionSearch {
   const Reduction& reduction_;
   ForceSystem system_;
   TapeEvaluator<Interval> forces_, rates_;
+  std::vector<double> sizes_ = sizes();  ///< of x
   FoundPlaces found_;
   Equilibria result_;
 };
 
 }  // namespace
 
+Equilibria steady_places(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y) {
+  return RegionSearch(dynamics, problem, y).run();
+}
+
 Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y) {
-  Equilibria result = RegionSearch(dynamics, problem, y).run();
+  Equilibria result = steady_places(dynamics, problem, y);
   StabilityAnalysis analysis(dynamics, result.problem);
   for (SteadyState& state : result.states) {
     if (!state.at_kink) {

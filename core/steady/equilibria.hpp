@@ -49,4 +49,8 @@ struct Equilibria {
 [[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem,
                                     std::span<const double> y);
 
+/// The places alone, without their stability. Where the forces have charts, all of these are searched.
+[[nodiscard]] Equilibria steady_places(const Dynamics& dynamics, const SteadyProblem& problem,
+                                       std::span<const double> y);
+
 }  // namespace qdot

@@ -19,6 +19,7 @@ std::vector<LogInterval> by_logarithms(std::span<const Interval> x) {
 
 ForceSystem::ForceSystem(const SteadyForces& forces, std::span<const Interval> constants, Box place)
     : forces_(forces),
+      equations_(forces.equations),
       n_(place.size()),
       kinks_(forces.smooth.kinks()),
       values_(forces.smooth.forces, constants),
@@ -27,15 +28,28 @@ ForceSystem::ForceSystem(const SteadyForces& forces, std::span<const Interval> c
       combinations_(forces.smooth.combinations, constants),
       arguments_(forces.smooth.arguments, constants),
       slopes_(forces.smooth.slopes, constants),
+      determinants_(forces.determinants, constants),
       log_values_(forces.smooth.forces, by_logarithms(constants)),
       log_numerators_(forces.smooth.numerators, by_logarithms(constants)),
       variables_(std::move(place)),
-      g_(n_),
-      k_(n_ * (n_ + kinks_)),
+      g_(forces.rest.size()),
+      k_(forces.rest.size() * (n_ + kinks_)),
       c_(forces.smooth.combinations.outputs()),
       u_(kinks_),
-      du_(kinks_ * (n_ + kinks_)) {
+      du_(kinks_ * (n_ + kinks_)),
+      d_(forces.charts.size()) {
   variables_.resize(n_ + kinks_);
+}
+
+void ForceSystem::use(const Chart& chart, std::span<const double> sizes) {
+  chart_ = static_cast<std::size_t>(&chart - forces_.charts.data());
+  equations_ = chart.equations;
+  weights_.clear();
+  for (const Chart& other : forces_.charts) {
+    double weight = 1;
+    for (const std::size_t j : other.determinant) weight *= sizes[j];
+    weights_.push_back(weight);
+  }
 }
 
 std::vector<Sides> ForceSystem::patterns() const {
@@ -82,7 +96,7 @@ void ForceSystem::write_values(const Sides& sides, std::span<const Interval> unk
   values_(v, g_);
   std::size_t next = 0;
   bool pole = false;
-  for (const std::size_t i : forces_.equations) {
+  for (const std::size_t i : equations_) {
     out[next] = g_[i];
     pole = pole || !out[next].is_finite();
     ++next;
@@ -90,7 +104,7 @@ void ForceSystem::write_values(const Sides& sides, std::span<const Interval> unk
   if (pole && forces_.has_poles) {  // the numerator has the same zeros
     numerators_(v, g_);
     for (std::size_t k = 0; k < next; ++k) {
-      if (!out[k].is_finite()) out[k] = g_[forces_.equations[k]];
+      if (!out[k].is_finite()) out[k] = g_[equations_[k]];
     }
   }
   if (next == out.size()) return;
@@ -112,7 +126,7 @@ void ForceSystem::write_jacobian(const Sides& sides, std::span<const Interval> u
     }
   };
   stiffness_(v, k_);
-  for (const std::size_t i : forces_.equations) write_row(k_, i);
+  for (const std::size_t i : equations_) write_row(k_, i);
   if (next == out.size()) return;
   slopes_(v, du_);
   for (std::size_t k = 0; k < kinks_; ++k) {
@@ -129,8 +143,8 @@ bool ForceSystem::excludes(const Sides& sides, std::span<const Interval> unknown
       if (sides[k] > 0 ? u_[k].upper < 0 : sides[k] < 0 && u_[k].lower > 0) return true;
     }
   }
-  if (combination_excludes(v)) return true;
-  const auto forces = values.first(forces_.equations.size());
+  if (combination_excludes(v) || is_outside_of_chart(v)) return true;
+  const auto forces = values.first(equations_.size());
   return std::ranges::any_of(forces, out_of_range) && never_vanishes(v);
 }
 
@@ -140,12 +154,37 @@ bool ForceSystem::combination_excludes(std::span<const Interval> variables) {
   return std::ranges::any_of(c_, [](const Interval& c) { return !c.contains(0.0); });
 }
 
+const Box& ForceSystem::weighted_determinants(std::span<const Interval> variables) {
+  determinants_(variables.first(n_), d_);
+  for (std::size_t k = 0; k < d_.size(); ++k)
+    d_[k] = Interval(d_[k].least_magnitude(), d_[k].magnitude()) * Interval(weights_[k]);
+  return d_;
+}
+
+bool ForceSystem::is_outside_of_chart(std::span<const Interval> variables) {
+  if (d_.empty()) return false;
+  values_(variables, g_);
+  if (std::ranges::any_of(g_, [](const Interval& g) { return !g.contains(0.0); })) return true;
+  if (d_.size() == 1) return false;
+  const Box& d = weighted_determinants(variables);
+  return std::ranges::any_of(d, [&](const Interval& other) { return 2 * d[chart_].upper < other.lower; });
+}
+
+std::optional<bool> ForceSystem::is_in_chart(std::span<const Interval> unknowns) {
+  if (d_.empty()) return true;
+  const Box& d = weighted_determinants(arguments(Sides(kinks_, 1), unknowns));
+  if (d[chart_].lower > 0) return true;
+  const bool is_elsewhere =
+      std::ranges::any_of(d, [&](const Interval& other) { return d[chart_].upper < other.lower; });
+  return is_elsewhere ? std::optional(false) : std::nullopt;
+}
+
 bool ForceSystem::never_vanishes(std::span<const Interval> variables) {
   const std::vector<LogInterval> v = by_logarithms(variables);
-  std::vector<LogInterval> g(n_);
+  std::vector<LogInterval> g(forces_.rest.size());
   for (auto* function : {&log_values_, &log_numerators_}) {
     (*function)(v, g);
-    for (const std::size_t i : forces_.equations) {
+    for (const std::size_t i : equations_) {
       if (!g[i].contains_zero()) return true;
     }
   }

@@ -24,6 +24,13 @@ class ForceSystem {
   /// `place`: x, from which the coordinates that no force depends on are taken. All must outlive it.
   ForceSystem(const SteadyForces& forces, std::span<const Interval> constants, Box place);
 
+  /// The equations of a chart from now on, instead of all that do not vanish identically. `sizes`: of each x,
+  /// what D_k are compared by.
+  void use(const Chart& chart, std::span<const double> sizes);
+  /// Whether the chart's equations say the same as all of them there; no value where neither they nor those
+  /// of another chart may, as all D_k vanish, as far as rounding lets one see.
+  [[nodiscard]] std::optional<bool> is_in_chart(std::span<const Interval> unknowns);
+
   /// All `Sides`; none are at a kink where the forces only bend, as each side has the same zeros there.
   /// Some 3 to the number of kinks.
   [[nodiscard]] std::vector<Sides> patterns() const;
@@ -47,13 +54,19 @@ class ForceSystem {
   bool excludes(const Sides& sides, std::span<const Interval> unknowns, std::span<const Interval> values);
   [[nodiscard]] bool never_vanishes(std::span<const Interval> variables);
   [[nodiscard]] bool combination_excludes(std::span<const Interval> variables);
+  [[nodiscard]] bool is_outside_of_chart(std::span<const Interval> variables);
+  /// |D_k| by the sizes of its factors; of the unknowns alone.
+  [[nodiscard]] const Box& weighted_determinants(std::span<const Interval> variables);
 
   const SteadyForces& forces_;
+  std::vector<std::size_t> equations_;
+  std::size_t chart_{};
+  std::vector<double> weights_;  ///< of D_k
   std::size_t n_, kinks_;
-  TapeEvaluator<Interval> values_, stiffness_, numerators_, combinations_, arguments_, slopes_;
+  TapeEvaluator<Interval> values_, stiffness_, numerators_, combinations_, arguments_, slopes_, determinants_;
   TapeEvaluator<LogInterval> log_values_, log_numerators_;
   Box variables_;  ///< (x, s)
-  Box g_, k_, c_, u_, du_;
+  Box g_, k_, c_, u_, du_, d_;
 };
 
 }  // namespace qdot

@@ -41,7 +41,7 @@ void SymmetryAxes::search(const Interval& centre, const Interval& range) {
     if (is_empty(intersection(p, range))) continue;
     const bool cubic = !derivatives(systems_.higher, centre, p)[xxx].contains(0.0);
     const bool pitchfork = zero.simple && cubic;
-    const Interval x = problem_.forces->turns[problem_.forces->unknowns[0]] ? reduced_angle(centre) : centre;
+    const Interval x = problem_.forces->turns[systems_.unknowns[0]] ? reduced_angle(centre) : centre;
     found_.push_back(
         {pitchfork ? BifurcationKind::pitchfork : BifurcationKind::unresolved, x, p, zero.simple});
   }

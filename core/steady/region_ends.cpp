@@ -37,10 +37,10 @@ Isolation zeros_at_end(const SteadyProblem& problem, const BifurcationSystems& s
 std::vector<EndCrossing> end_crossings(const Model& model, const SteadyProblem& problem,
                                        const BifurcationSystems& systems, const Interval& range) {
   std::vector<EndCrossing> result;
-  Box region = search_region(model, problem);
+  Box region = search_region(model, problem, systems.unknowns);
   region.push_back(range);
   for (std::size_t k = 0; k + 1 < region.size(); ++k) {
-    if (problem.forces->turns[problem.forces->unknowns[k]]) continue;
+    if (problem.forces->turns[systems.unknowns[k]]) continue;
     for (const double end : {region[k].lower, region[k].upper}) {
       const Isolation found = zeros_at_end(problem, systems, region, k, end);
       for (const IsolatedZero& zero : found.zeros) {

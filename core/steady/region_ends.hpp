@@ -13,7 +13,7 @@
 namespace qdot {
 
 struct EndCrossing {
-  std::size_t unknown{};  ///< which of the forces' unknowns
+  std::size_t unknown{};  ///< which of the systems' unknowns
   double end{};           ///< e
   Interval p;             ///< not finite where it could not be told
 };

@@ -16,8 +16,12 @@ Interval full_turn() { return {std::nextafter(2 * pi, 0), std::nextafter(2 * pi,
 }  // namespace
 
 Box search_region(const Model& model, const SteadyProblem& problem) {
+  return search_region(model, problem, problem.forces->unknowns);
+}
+
+Box search_region(const Model& model, const SteadyProblem& problem, std::span<const std::size_t> unknowns) {
   Box region;
-  for (const std::size_t j : problem.forces->unknowns) {
+  for (const std::size_t j : unknowns) {
     const Domain& domain = model.scene.coordinates[problem.statics->reduction.kept[j]].domain;
     const Interval all{std::max(domain.lower, -largest_length), std::min(domain.upper, largest_length)};
     // A little more than a turn, in which rounding may not leave a gap.

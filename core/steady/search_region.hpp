@@ -9,7 +9,11 @@ namespace qdot {
 /// How far out coordinates that are no angles are searched [m]; nothing is claimed beyond.
 inline constexpr double largest_length = 1e15;
 
-/// One turn of each angle, offset so that no zero is expected at its ends; the domain of each other unknown.
+/// One turn of each angle, offset so that no zero is expected at its ends; the domain of each other
+/// coordinate. `unknowns`: places in x.
+[[nodiscard]] Box search_region(const Model& model, const SteadyProblem& problem,
+                                std::span<const std::size_t> unknowns);
+/// Of the forces' unknowns.
 [[nodiscard]] Box search_region(const Model& model, const SteadyProblem& problem);
 
 /// An angle and its enclosure moved by full turns so that it lies in (-pi, pi].

@@ -51,46 +51,54 @@ std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph) 
   return rates;
 }
 
-SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
-                                  std::span<const Expression> absent) {
-  const Reduction& reduction = statics.reduction;
+SteadyForces compiled_forces(const Model& model, const Reduction& reduction, const RestEquations& equations) {
   SteadyForces result;
-  const auto own = std::make_shared<Graph>(*reduction.graph);
-  Graph& graph = *own;
-  result.graph = own;
-  std::vector<Replacement> zeros;
-  for (const Expression& symbol : absent) zeros.emplace_back(graph.adopt(symbol), graph.number(0));
-  const auto without_absent = [&](const Expression& e) {
-    return zeros.empty() ? graph.adopt(e) : shortened(substitute(graph.adopt(e), zeros));
-  };
-  std::vector<Expression> x, written, stiffness, rates;
+  Graph& graph = *equations.graph;
+  result.graph = equations.graph;
+  result.rest = equations.rest;
+  std::vector<Expression> x, stiffness, nonzero;
   for (const Expression& symbol : reduction.x) x.push_back(graph.adopt(symbol));
-  for (std::size_t i = 0; i < statics.rest.size(); ++i) {
-    result.rest.push_back(without_absent(statics.rest[i]));
-    written.push_back(result.rest[i].is_zero() ? result.rest[i]
-                                               : without_absent(reduction.forces_at_rest[i]));
+  for (std::size_t i = 0; i < result.rest.size(); ++i) {
     result.has_poles = result.has_poles || !(numerator_of(result.rest[i], x) == result.rest[i]);
     if (!result.rest[i].is_zero()) result.equations.push_back(i);
-    for (const Expression& xj : x) stiffness.push_back(shortened(differentiate(written[i], xj)));
+    for (const Expression& xj : x) stiffness.push_back(shortened(differentiate(equations.written[i], xj)));
   }
-  std::vector<Expression> nonzero;
+  const auto any = [&](const auto& holds) { return std::ranges::any_of(result.rest, holds); };
   for (std::size_t j = 0; j < x.size(); ++j) {
     if (!model.scene.coordinates[reduction.kept[j]].domain.contains(0)) nonzero.push_back(x[j]);
-    const auto any = [&](const auto& holds) {
-      return std::any_of(result.rest.begin(), result.rest.end(), holds);
-    };
     const bool matters = any([&](const Expression& g) { return depends_on(g, x[j]); });
     (matters ? result.unknowns : result.free).push_back(j);
     const bool angle = model.scene.coordinates[reduction.kept[j]].unit == "rad";
     result.turns.push_back(angle && !any([&](const Expression& g) { return !has_full_turn(g, x[j]); }));
   }
-  for (const Expression& rate : rates_at_rest(reduction, graph)) rates.push_back(without_absent(rate));
-  result.symmetric = is_gradient(stiffness, x.size());
-  result.has_potential = result.symmetric && !has_velocities(model, reduction);
-  result.forces = compiled_at_rest(reduction, graph, written);
+  result.symmetric = result.rest.size() == x.size() && is_gradient(stiffness, x.size());
+  result.forces = compiled_at_rest(reduction, graph, equations.written);
   result.stiffness = compiled_at_rest(reduction, graph, stiffness);
+  result.smooth = derive_smooth_forces(reduction, graph, equations.written, nonzero);
+  result.determinants = result.ignored_rates = compiled_at_rest(reduction, graph, {});
+  return result;
+}
+
+SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
+                                  std::span<const Expression> absent) {
+  const Reduction& reduction = statics.reduction;
+  RestEquations equations{std::make_shared<Graph>(*reduction.graph), {}, {}};
+  Graph& graph = *equations.graph;
+  std::vector<Replacement> zeros;
+  for (const Expression& symbol : absent) zeros.emplace_back(graph.adopt(symbol), graph.number(0));
+  const auto without_absent = [&](const Expression& e) {
+    return zeros.empty() ? graph.adopt(e) : shortened(substitute(graph.adopt(e), zeros));
+  };
+  for (std::size_t i = 0; i < statics.rest.size(); ++i) {
+    equations.rest.push_back(without_absent(statics.rest[i]));
+    equations.written.push_back(equations.rest[i].is_zero() ? equations.rest[i]
+                                                            : without_absent(reduction.forces_at_rest[i]));
+  }
+  SteadyForces result = compiled_forces(model, reduction, equations);
+  result.has_potential = result.symmetric && !has_velocities(model, reduction);
+  std::vector<Expression> rates;
+  for (const Expression& rate : rates_at_rest(reduction, graph)) rates.push_back(without_absent(rate));
   result.ignored_rates = compiled_at_rest(reduction, graph, rates);
-  result.smooth = derive_smooth_forces(reduction, graph, written, nonzero);
   return result;
 }
 

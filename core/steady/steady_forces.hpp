@@ -14,6 +14,13 @@ namespace qdot {
 /// The velocities of the ignored coordinates at rest, in `graph`, a copy of the reduction's.
 [[nodiscard]] std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph);
 
+/// Some of the equations g = 0, as many as unknowns, that say the same as all of them in a part of the
+/// region: where |D_k| is at least half of every |D_l|, and not 0.
+struct Chart {
+  std::vector<std::size_t> equations;    ///< places in g
+  std::vector<std::size_t> determinant;  ///< places in x of the factors that D_k has the units of
+};
+
 /// What Statics has, derived once more without the momenta that are known to vanish: a steady motion without
 /// momentum has no centrifugal wall. Functions of Statics' constants and x.
 struct SteadyForces {
@@ -28,9 +35,21 @@ struct SteadyForces {
   CompiledFunction ignored_rates;      ///< q_c'
   SmoothForces smooth;                 ///< g on each side of its kinks
   bool has_poles{};                    ///< some g_i is not its numerator
+  std::vector<Chart> charts;           ///< empty: `equations` are as many as unknowns, or there is no hope
+  CompiledFunction determinants;       ///< D_k of the charts
   bool symmetric{};                    ///< K, so that g = dU/dx
   bool has_potential{};                ///< symmetric, and no force depends on a velocity
 };
+
+/// Equations of x in a graph of their own, and as they are written before they are made short.
+struct RestEquations {
+  std::shared_ptr<Graph> graph;
+  std::vector<Expression> rest, written;
+};
+
+/// All but charts, the ignored coordinates' rates and what is said of a potential.
+[[nodiscard]] SteadyForces compiled_forces(const Model& model, const Reduction& reduction,
+                                           const RestEquations& equations);
 
 /// `absent`: symbols of momenta that are zero.
 [[nodiscard]] SteadyForces derive_steady_forces(const Model& model, const Statics& statics,

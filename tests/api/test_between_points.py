@@ -82,6 +82,22 @@ class BetweenPoints(Service):
                 self.assertLessEqual(error, answer["accuracy"]["max_abs_error"]["x_dot"])
                 self.assertIs(answer["accuracy"]["bounded"], True)
 
+    def test_what_a_pulse_takes_back_leaves_its_rounding(self):
+        """The speed after it is 0, and was a million times the rounding that is left."""
+        draw = random.Random(17)
+        for _ in range(40):
+            a, c, w = (f"{value:.4g}" for value in (draw.uniform(5, 30), draw.uniform(3, 9), 10**draw.uniform(-4, -1.5)))
+            u = f"((t-{c})/{w})"
+            accuracy = draw.choice([{"accuracy": "accurate"}, {"max_evaluations": 20000}, {"rtol": 1e-14, "atol": 1e-17}])
+            answer = self.ask("simulate", {"system": particle(force=True), "inputs": {"F": f"{a}*{u}*exp(-{u}^2/2)"},
+                                           "times": [1, 12], "t_end": 12, **accuracy})
+            errors = answer["accuracy"]["max_abs_error"]
+            with self.subTest(a=a, c=c, w=w, **accuracy):
+                self.assertLessEqual(abs(answer["trajectory"]["x_dot"][1]), errors["x_dot"])
+                self.assertLess(errors["x_dot"], 1e-11)
+                shift = -mpf(a)*mpf(w)**2*sqrt(2*pi)
+                self.assertLessEqual(abs(mpf(repr(answer["trajectory"]["x"][1])) - shift), errors["x"])
+
     def test_no_wall_is_tunnelled_through(self):
         draw = random.Random(12)
         wall = particle("V0*exp(-((x-c)/w)^2)", parameters=[parameter("V0", "J", "10"), parameter("w", "m", "0.3"),

@@ -272,7 +272,7 @@ class Refusals(Service):
         self.wrong(scenes.PENDULUM_BY_CONSTRAINT, scenes.PENDULUM_BY_CONSTRAINT["constraints"], "not_linear", forces=[force])
 
     def test_questions_that_are_not_answered_under_constraints_say_so(self):
-        questions = {"equilibria": {}, "bifurcations": {"parameter": "l", "from": 1, "to": 2},
+        questions = {"equilibria": {"solve_for": "l", "at": {}}, "bifurcations": {"parameter": "l", "from": 1, "to": 2},
                      "turning_points": {"coordinate": "x"}, "gait": {}}
         for scene in (scenes.PENDULUM_BY_CONSTRAINT, scenes.DOUBLE_PENDULUM):
             for endpoint, more in questions.items():
@@ -281,7 +281,7 @@ class Refusals(Service):
                     if endpoint == "turning_points" and "x" not in [q["name"] for q in scene["coordinates"]]:
                         request["coordinate"] = "x1"
                     self.refused(endpoint, request)
-        detail = self.refused("equilibria", {"system": scenes.DOUBLE_PENDULUM})["detail"]
+        detail = self.refused("bifurcations", {"system": scenes.DOUBLE_PENDULUM, "parameter": "g", "from": 1, "to": 2})["detail"]
         self.assertIn("'upper', 'lower'", detail)
 
     def test_formulas_of_such_a_scene_are_not_graded(self):

@@ -268,6 +268,20 @@ class Spectra(Service):
         self.assertIn("is not decided", modes["equilibrium"]["nonlinear"])
 
 
+def printed(potential):
+    return {"name": "printed", "units": "none", "parameters": [{"name": "p", "default": "0.5"}],
+            "coordinates": [{"name": "x"}, {"name": "y"}], "lagrangian": f"(x_dot^2 + y_dot^2)/2 - ({potential})"}
+
+
+def evaluated(form, place):
+    """Of a sum of decimals times coordinates, "0.5*x + 0.25*y"."""
+    total = mp.mpf(0)
+    for term in form.replace("- ", "+ -").split(" + "):
+        factor, _, name = term.rpartition("*")
+        total += mp.mpf(factor or "1") * place[name]
+    return total
+
+
 class NormalForms(Service):
     def critical(self, potential):
         request = {"system": particle(potential, (("p", 0.5),)), "parameter": "p", "from": -1, "to": 1}
@@ -293,6 +307,32 @@ class NormalForms(Service):
                     self.assertEqual("reason" in one, kind == "unresolved")
                     self.assertLessEqual(abs(one["value"] - number(p)), one["error"] + EXACT)
                     self.assertLessEqual(abs(one["state"]["x"]), one["state_error"]["x"] + EXACT)
+
+    def test_kinds_stay_where_axes_are_moved_and_slanted(self):
+        numbers = random.Random(16)
+        forms = {"{a}*({u})^4/4 - {q}*({u})^2/2": "pitchfork", "{a}*({u})^3/3 - {q}*({u})": "saddle_node",
+                 "{a}*({u})^3/3 - {q}*({u})^2/2": "transcritical", "{a}*({u})^4/4 - {q}*({u})": "unresolved",
+                 "{a}*({u})^6/6 - {q}*({u})^2/2": "unresolved"}
+        for form, kind in forms.items():
+            for slanted in (False, True):
+                a, c, d, p = (round(numbers.uniform(0.3, 0.9), 3) for _ in range(4))
+                u, w = (f"0.{numbers.randint(3, 9)}*x + {a}*y", f"{c}*y - {d}*x") if slanted else ("x", "y")
+                potential = form.format(a=a, u=f"{u} - {c}", q=f"{d}*(p - {p})") + f" + ({w} - {p})^2"
+                with self.subTest(potential):
+                    found = self.ask("bifurcations", {"system": printed(potential), "parameter": "p", "from": -1, "to": 1})
+                    self.assertIs(found["complete"], True, found.get("reason"))
+                    self.assert_critical(found["critical"], u, w, (c, p, p), kind, slanted)
+
+    def assert_critical(self, found, u, w, at, kind, slanted):
+        """One, at u = c, w = p and the parameter p; on no axis a fork is only known to be several events."""
+        one, = found
+        self.assertIn(one["kind"], {kind, "unresolved"} if slanted and kind == "pitchfork" else {kind})
+        self.assertLess(one["error"], 1e-12)
+        self.assertLessEqual(abs(one["value"] - number(at[2])), one["error"] + EXACT)
+        exact = {name: number(one["state"][name]) for name in "xy"}
+        slack = 4 * max(one["state_error"].values()) + EXACT
+        for form, value in ((u, at[0]), (w, at[1])):
+            self.assertLessEqual(abs(evaluated(form, exact) - number(value)), slack, form)
 
     def test_a_mirror_makes_no_pitchfork_of_what_crosses_along_it(self):
         for tilt in (1e-3, 1e-9, 1e-16):

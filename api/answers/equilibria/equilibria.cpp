@@ -7,7 +7,7 @@
 #include "api/answers/steady_json.hpp"
 #include "api/json/text.hpp"
 #include "core/closed/exact_solution.hpp"
-#include "core/steady/equilibria.hpp"
+#include "core/steady/constrained_equilibria.hpp"
 #include "core/steady/solve_for.hpp"
 
 namespace qdot::api {
@@ -27,11 +27,15 @@ class EquilibriaAnswer {
       : dynamics_(dynamics), scene_(dynamics.model().scene), state_(state), digits_(digits) {}
 
   Json body() {
-    const Equilibria found = equilibria(dynamics_, state_.parameters, state_.y);
+    const ConstrainedEquilibria all = found_places();
+    const Equilibria& found = all.found;
     units_ = steady_units(scene_);
     Json body = Json::object();
     body["equilibria"] = Json::array();
-    for (const SteadyState& steady : found.states) body["equilibria"].push_back(entry(steady));
+    for (std::size_t i = 0; i < found.states.size(); ++i) {
+      body["equilibria"].push_back(entry(found.states[i]));
+      if (!all.multipliers.empty()) put_multipliers(body["equilibria"].back(), all.multipliers[i]);
+    }
     body["complete"] = found.complete;
     if (!found.reason.empty()) body["reason"] = found.reason;
     body["searched"] = searched(found);
@@ -44,6 +48,24 @@ class EquilibriaAnswer {
   }
 
  private:
+  [[nodiscard]] ConstrainedEquilibria found_places() const {
+    if (dynamics_.model().has_constraints())
+      return constrained_equilibria(dynamics_, state_.parameters, state_.y);
+    return {equilibria(dynamics_, state_.parameters, state_.y), {}};
+  }
+
+  void put_multipliers(Json& json, const std::optional<std::vector<Ball>>& multipliers) {
+    const std::vector<qdot::Column> columns = multiplier_columns(dynamics_.model());
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      const std::string& name = columns[j].name;
+      units_[name] = columns[j].unit;
+      json["multipliers"][name] = multipliers ? Json((*multipliers)[j].value()) : Json(nullptr);
+      json["error"][name] = Json(nullptr);
+      if (multipliers)
+        json["error"][name] = stated_error({(*multipliers)[j].value(), (*multipliers)[j].error()}, digits_);
+    }
+  }
+
   Json entry(const SteadyState& steady) {
     Json json{{"state", state_json(scene_, steady.y)}, {"error", errors(steady)}};
     put_stability(json, steady.stability, digits_);
@@ -257,7 +279,7 @@ std::vector<FieldError> unread_initial(const Json& body, const EquilibriaRequest
 
 Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& call, Models& models) {
   const EquilibriaRequest& request = resolved.request;
-  ResolvedSystem system = resolved_system(request.system, resolved.echo, models);
+  ResolvedSystem system = resolved_system(request.system, resolved.echo, models, std::nullopt);
   const Dynamics& dynamics = *system.dynamics;
   const int digits = request.digits.value_or(shortest_digits);
   if (request.solve_for) {

@@ -240,7 +240,7 @@ ExactModes no_formulas(const Modes& modes) {
 
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
-  const ResolvedSystem system = resolved_system(request.system, echo, models);
+  const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
   const auto& [parameters, y] = system.state;
   const auto guess = guess_of(system.scene(), request.system, y);
   const bool is_constrained = system.model().has_constraints();

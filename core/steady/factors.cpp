@@ -1,0 +1,76 @@
+#include "core/steady/factors.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/expr/polynomial_gcd.hpp"
+
+namespace qdot {
+namespace {
+
+bool is_number(const Polynomial& a) { return a.size() == 1 && a.begin()->first.empty(); }
+
+/// p stands in it as a symbol only, in whole powers.
+bool is_polynomial_in(const Polynomial& a, const Expression& p) {
+  for (const auto& [monomial, coefficient] : a) {
+    for (const Atom& atom : monomial) {
+      if (atom.q != 1 || atom.p < 0) return false;
+      const Expression base(p.graph(), atom.base);
+      if (!(base == p) && depends_on(base, p)) return false;
+    }
+  }
+  return true;
+}
+
+bool has_no_denominator(const Polynomial& a) {
+  return std::ranges::all_of(a, [](const auto& term) {
+    return std::ranges::all_of(term.first, [](const Atom& atom) { return atom.p > 0; });
+  });
+}
+
+class Factors {
+ public:
+  Factors(Graph& graph, const Polynomial& whole) : graph_(graph), whole_(whole) {}
+
+  /// Those of a, which divides the whole.
+  void add(const Polynomial& a) {
+    if (is_number(a)) return;
+    const SquareFactors parts = square_factors(a);
+    if (is_number(parts.outside)) return add_one(a);
+    add(parts.outside);
+    const Polynomial common = greatest_common_divisor(parts.inside, parts.outside);
+    if (const auto rest = exact_quotient(parts.inside, common)) add(*rest);
+  }
+
+  [[nodiscard]] std::vector<Factor> found() && { return std::move(found_); }
+
+ private:
+  void add_one(const Polynomial& a) {
+    const Expression base = to_expression(graph_, a);
+    if (std::ranges::find(found_, base, &Factor::base) != found_.end()) return;
+    const auto rest = exact_quotient(whole_, a * a);
+    found_.push_back({base, rest && has_no_denominator(*rest)});
+  }
+
+  Graph& graph_;
+  const Polynomial& whole_;
+  std::vector<Factor> found_;
+};
+
+}  // namespace
+
+std::vector<Factor> factors_along(const Expression& e, const Expression& p) {
+  try {
+    const Polynomial whole = multiplied_out(e);
+    if (whole.empty() || !is_polynomial_in(whole, p)) return {{e, false}};
+    const Polynomial content = content_in(whole, p.id());
+    Factors factors(e.graph(), whole);
+    factors.add(content);
+    if (const auto rest = exact_quotient(whole, content)) factors.add(*rest);
+    return std::move(factors).found();
+  } catch (const Error&) {  // the algebra grows too large
+    return {{e, false}};
+  }
+}
+
+}  // namespace qdot

@@ -1,0 +1,83 @@
+#include "core/steady/surface_statics.hpp"
+
+#include "core/base/error.hpp"
+
+namespace qdot {
+namespace {
+
+/// L + sum of lambda phi, the multipliers coordinates of their own.
+std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model) {
+  auto result = std::make_shared<Model>(model);
+  Lagrangian& own = result->lagrangian = copied(model.lagrangian);
+  Graph& graph = *own.graph;
+  std::vector<Replacement> no_forces;
+  Expression terms = graph.number(0);
+  for (std::size_t j = 0; j < own.constraints.size(); ++j) {
+    const Expression& lambda = own.symbols.multipliers[j];
+    const std::string name = multiplier_name(model.scene.constraints[j]);
+    no_forces.emplace_back(lambda, graph.number(0));
+    terms = terms + lambda * *own.constraints[j].position;
+    own.symbols.coordinates.value.push_back(lambda);
+    own.symbols.coordinates.rate.push_back(graph.symbol(name + "_dot"));
+    own.symbols.coordinates.second_rate.push_back(graph.symbol(name + "_ddot"));
+    result->scene.coordinates.push_back(
+        {name, model.parsed.constraints[j].multiplier_unit, "", "", "", {}, "", ""});
+  }
+  for (Expression& force : own.generalized_forces) force = substitute(force, no_forces);
+  own.generalized_forces.resize(own.symbols.coordinates.value.size(), graph.number(0));
+  own.lagrangian = own.lagrangian + terms;
+  if (own.potential_energy) own.potential_energy = *own.potential_energy - terms;
+  own.symbols.multipliers.clear();
+  own.constraints.clear();
+  result->scene.constraints.clear();
+  result->equations = {};
+  result->parsed.graph = own.graph;
+  result->parsed.symbols = own.symbols;
+  return result;
+}
+
+void check_constraints(const Model& model) {
+  for (std::size_t j = 0; j < model.scene.constraints.size(); ++j) {
+    const ConstraintEquation& constraint = model.lagrangian.constraints[j];
+    const std::string name = "'" + model.scene.constraints[j].name + "'";
+    if (!constraint.position)
+      undetermined_on_surface(
+          name + " holds velocities, so that the system may rest in any place where the forces allow it.");
+    if (!is_workless(constraint, model.parsed.symbols))
+      undetermined_on_surface(name + " moves, so that nothing rests.");
+  }
+}
+
+}  // namespace
+
+void undetermined_on_surface(const std::string& why) {
+  throw Error(ErrorCode::not_applicable, "This is undetermined for a scene with constraints: " + why);
+}
+
+SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters) {
+  const Model& model = dynamics.model();
+  check_constraints(model);
+  if (!model.scene.inputs.empty()) undetermined_on_surface("inputs act on it.");
+  if (dynamics.kinks() != nullptr) undetermined_on_surface("an abs() or a sign() stands in its forces.");
+  if (has_forces_of_multipliers(model.lagrangian))
+    undetermined_on_surface("a force depends on their reactions, as friction does.");
+  SurfaceStatics result{model.degrees_of_freedom(), model.scene.constraints.size(),
+                        std::make_unique<const Dynamics>(with_multipliers_as_coordinates(model)), nullptr};
+  result.statics = result.dynamics->statics(parameters);
+  if (!result.statics->reduction.ignored.empty()) {
+    undetermined_on_surface(
+        "a coordinate is ignorable, and steady motions under constraints are not computed yet.");
+  }
+  return result;
+}
+
+std::vector<double> with_multipliers(const Dynamics& dynamics, const Reals& parameters,
+                                     std::vector<double> q) {
+  std::vector<double> y = q;
+  y.resize(2 * q.size());
+  const auto forces = values_at(dynamics, multiplier_columns(dynamics.model()), parameters, 0, y);
+  q.insert(q.end(), forces.begin(), forces.end());
+  return q;
+}
+
+}  // namespace qdot
