@@ -7,20 +7,11 @@
 // Without damping and gyroscopic terms (Goldstein, Classical Mechanics, 3rd ed., 6.2). Every formula is held
 // against the enclosed number, and the equations themselves at other values of the parameters.
 
-#include "core/closed/closed_form.hpp"
+#include "core/closed/exact_mode.hpp"
 #include "core/dynamics/dynamics.hpp"
 #include "core/steady/modes.hpp"
 
 namespace qdot {
-
-struct ExactMode {
-  ClosedForm square;                  ///< omega^2, or rate^2 where lambda < 0
-  std::optional<ClosedForm> general;  ///< the same before relations between parameters were put in
-  std::optional<ClosedForm> rate;     ///< omega, or the rate
-  std::optional<ClosedForm> period;   ///< of an oscillation
-  std::optional<ClosedForm> lambda;   ///< lambda times the square of the scene's unit of time, where a number
-  std::vector<ClosedForm> shape, scaled_shape;  ///< of all coordinates, or empty
-};
 
 struct ExactModes {
   std::vector<std::optional<ExactMode>> modes;   ///< of Modes::modes, in order

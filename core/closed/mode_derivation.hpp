@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/closed/exact_modes.hpp"
+#include "core/closed/exact_mode.hpp"
 #include "core/closed/exact_place.hpp"
 #include "core/closed/linear_motions.hpp"
 

@@ -27,8 +27,8 @@ Verdict judged(const std::vector<Expression>& terms, const std::vector<RealAssig
   if (terms.empty()) return Verdict::holds;
   const Real sum = evaluate_exactly(terms[0].graph().sum(terms), values);
   if (!sum.is_finite()) return Verdict::unknown;
-  if (std::abs(sum.value) <= sharp * std::max(size, 1e-280)) return Verdict::holds;
-  return std::abs(sum.value) <= sum.error ? Verdict::unknown : Verdict::fails;
+  const double bound = sharp * std::max(size, 1e-280);
+  return std::abs(sum.value) <= bound || std::abs(sum.value) <= sum.error ? Verdict::holds : Verdict::fails;
 }
 
 }  // namespace

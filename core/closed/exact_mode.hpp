@@ -1,0 +1,20 @@
+#pragma once
+// The formulas of one mode, those of them that it has.
+
+#include <optional>
+#include <vector>
+
+#include "core/closed/closed_form.hpp"
+
+namespace qdot {
+
+struct ExactMode {
+  ClosedForm square;                  ///< omega^2, or rate^2 where lambda < 0
+  std::optional<ClosedForm> general;  ///< the same before relations between parameters were put in
+  std::optional<ClosedForm> rate;     ///< omega, or the rate
+  std::optional<ClosedForm> period;   ///< of an oscillation
+  std::optional<ClosedForm> lambda;   ///< lambda times the square of the scene's unit of time, where a number
+  std::vector<ClosedForm> shape, scaled_shape;  ///< of all coordinates, or empty
+};
+
+}  // namespace qdot
