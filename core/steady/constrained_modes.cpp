@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/mechanics/friction.hpp"
 #include "core/steady/mode_search.hpp"
 
 namespace qdot {

@@ -1,6 +1,7 @@
 #include "core/steady/surface_statics.hpp"
 
 #include "core/base/error.hpp"
+#include "core/mechanics/friction.hpp"
 
 namespace qdot {
 namespace {
