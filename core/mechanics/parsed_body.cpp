@@ -30,6 +30,7 @@ class BodyParser {
       along.push_back(end[i] - start[i]);
     }
     ParsedBody body = of(rod, middle);
+    body.marks = {start, end};
     for (const Expression& component : along) {
       body.spins.push_back({Number::ratio(1, 12) * body.mass, total_derivative(component, rates_),
                             Number::ratio(1, 4) * body.mass});
@@ -47,7 +48,10 @@ class BodyParser {
     if (in_space) {
       const std::array<Expression, 3> moments = principal_moments(rigid, body.mass);
       const Vector omega = angular_velocity(body.turns, moments);
-      for (std::size_t k = 0; k < 3; ++k) body.spins.push_back({moments[k], omega[k], zero()});
+      for (std::size_t k = 0; k < 3; ++k) {
+        body.spins.push_back({moments[k], omega[k], zero()});
+        body.marks.push_back(end_of_axis(body, k));
+      }
     } else if (body.angle) {
       body.spins.push_back({moment_in_plane(rigid, body.mass), total_derivative(*body.angle, rates_),
                             more_at_rim(rigid, body.mass)});
@@ -58,11 +62,19 @@ class BodyParser {
  private:
   [[nodiscard]] Expression zero() const { return graph_.number(0); }
 
+  [[nodiscard]] Vector end_of_axis(const ParsedBody& body, std::size_t k) const {
+    Vector axis(3, zero());
+    axis[k] = graph_.number(1);
+    Vector end = turned(body.turns, axis);
+    for (std::size_t i = 0; i < 3; ++i) end[i] = end[i] + body.centre[i];
+    return end;
+  }
+
   template <class Kind>
-  ParsedBody of(const Kind& body, Vector centre) {
+  ParsedBody of(const Kind& body, const Vector& centre) {
     const Expression mass =
         text_.read(body.mass, Context::parameters, place_ + "/mass", dimension_of_unit("kg"));
-    return {body.name, mass, std::move(centre), {}, std::nullopt, {}};
+    return {body.name, mass, centre, {}, std::nullopt, {}, {centre}};
   }
 
   /// In the body's axes; a last turn about an axis of symmetry changes no moment, and is left out of them.

@@ -34,6 +34,9 @@ struct ParsedBody {
   std::vector<ParsedSpin> spins;
   std::optional<Expression> angle;  ///< of a body that turns in the plane
   std::vector<Turn> turns;          ///< of a body that turns in space
+  /// Places that it carries, which show how it moves: the ends of a rod, the centre and, in space, the ends
+  /// of its axes of length 1.
+  std::vector<Vector> marks;
 };
 
 /// Mistakes go to `text`.

@@ -95,13 +95,7 @@ std::vector<Vector> places_of_bodies(const ParsedScene& scene, const Lagrangian&
       places.back().push_back(substitute(substitute(graph.adopt(component), lagrangian.holding), own));
   };
   for (const ParsedBody& body : scene.bodies) {
-    std::visit(overloaded{[&](const ParsedParticle& particle) { add(particle.position); },
-                          [&](const ParsedRod& rod) {
-                            add(rod.start);
-                            add(rod.end);
-                          },
-                          [&](const ParsedDisk& disk) { add(disk.centre); }},
-               body);
+    for (const Vector& mark : body.marks) add(mark);
   }
   return places;
 }
