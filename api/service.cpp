@@ -34,18 +34,6 @@ namespace {
 constexpr std::string_view beyond_memory =
     "The memory of this machine does not hold the answer. Ask for fewer rows at once, or by lines of a batch.";
 
-/// Takes `pretty` out of the query, because every address knows it. "?pretty" and "?pretty=true" ask for it.
-Layout take_layout(Target& target) {
-  Layout layout = Layout::compact;
-  std::erase_if(target.query, [&](const auto& parameter) {
-    const auto& [name, value] = parameter;
-    if (name != "pretty") return false;
-    layout = value == "false" || value == "0" ? Layout::compact : Layout::pretty;
-    return true;
-  });
-  return layout;
-}
-
 std::string header(const Request& request, const std::string& name) {
   const auto found = request.headers.find(name);
   return found == request.headers.end() ? "" : found->second;

@@ -56,7 +56,8 @@ WrittenTexts written_texts(const SystemChoice& choice) {
   return texts;
 }
 
-ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models, std::optional<double> t) {
+ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models,
+                               std::optional<double> t) {
   ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};
   system.state = resolved_state(system.model(), choice);
   if (t) {

@@ -39,8 +39,8 @@ struct ResolvedSystem {
   [[nodiscard]] const Scene& scene() const { return model().scene; }
 };
 
-/// With the state at time t, which obeys the constraints; without one it is where a search begins, and need not.
-/// Throws as resolved_state, consistent_state and Models::of do.
+/// With the state at time t, which obeys the constraints; without one it is where a search begins, and need
+/// not. Throws as resolved_state, consistent_state and Models::of do.
 [[nodiscard]] ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models,
                                              std::optional<double> t = 0.0);
 

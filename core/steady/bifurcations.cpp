@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/steady/mirrors.hpp"
 #include "core/steady/normal_form.hpp"
 #include "core/steady/region_ends.hpp"
 
@@ -291,47 +292,13 @@ class CriticalSearch {
       const bool pair = here.simple && !is_degenerate && others.size() == 1 && others[0]->simple &&
                         others[0]->kind != here.kind &&
                         others[0]->kind != BifurcationSystem::Kind::degenerate_fold;
-      if (pair && is_on_mirror(here)) {
+      if (pair && is_on_mirror(problem_, *systems_, here)) {
         if (!fold) add(BifurcationKind::pitchfork, here);
         continue;
       }
       const bool told = std::ranges::any_of(others, [&](const CriticalZero* other) { return other < &here; });
       if (!told) add(BifurcationKind::unresolved, here, several_events);
     }
-  }
-
-  /// On the mirror of a symmetry, and what folds there folds across it: along the mirror the equilibrium is
-  /// regular.
-  [[nodiscard]] bool is_on_mirror(const CriticalZero& here) const {
-    return std::ranges::any_of(systems_->mirrors, [&](const BifurcationSystems::Mirror& mirror) {
-      const bool on_it = std::ranges::all_of(mirror.turned, [&](std::size_t j) {
-        const bool turns = problem_.forces->turns[unknowns()[j]];
-        return here.x[j].contains(0.0) || (turns && here.x[j].contains(std::numbers::pi));
-      });
-      return on_it && is_regular_along(mirror, here);
-    });
-  }
-
-  /// The derivatives of the even forces along the unknowns that keep their signs have a determinant other
-  /// than 0 everywhere in the enclosure; at most two of each.
-  [[nodiscard]] bool is_regular_along(const BifurcationSystems::Mirror& mirror,
-                                      const CriticalZero& here) const {
-    const std::size_t n = here.x.size();
-    std::vector<std::size_t> kept_signs;
-    for (std::size_t j = 0; j < n; ++j) {
-      if (std::ranges::find(mirror.turned, j) == mirror.turned.end()) kept_signs.push_back(j);
-    }
-    if (kept_signs.size() != mirror.even.size() || kept_signs.size() > 2) return false;
-    if (kept_signs.empty()) return true;
-    Box place = here.x, slopes(systems_->slopes.outputs());
-    place.push_back(here.p);
-    TapeEvaluator<Interval>(systems_->slopes, problem_.constants)(place, slopes);
-    const auto entry = [&](std::size_t i, std::size_t j) {
-      return slopes[mirror.even[i] * (n + 1) + kept_signs[j]];
-    };
-    const Interval determinant =
-        kept_signs.size() == 1 ? entry(0, 0) : entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
-    return !determinant.contains(0.0);
   }
 
   /// Where a curve changes its stability on the mirror of a symmetry, two more equilibria on one side than on
@@ -342,7 +309,8 @@ class CriticalSearch {
     const std::size_t before = simple_near(here, here.p.lower - aside, reach);
     const std::size_t after = simple_near(here, here.p.upper + aside, reach);
     const bool three_and_one = std::min(before, after) == 1 && std::max(before, after) == 3;
-    return three_and_one && is_on_mirror(here) ? BifurcationKind::pitchfork : BifurcationKind::unresolved;
+    return three_and_one && is_on_mirror(problem_, *systems_, here) ? BifurcationKind::pitchfork
+                                                                    : BifurcationKind::unresolved;
   }
 
   std::size_t simple_near(const CriticalZero& here, double p, double reach) {

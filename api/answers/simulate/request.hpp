@@ -13,7 +13,16 @@
 namespace qdot::api {
 
 /// Columns beside t, the coordinates and the velocities.
-enum class Extra { energy, kinetic_energy, potential_energy, momenta, positions, accelerations, multipliers, validity };
+enum class Extra {
+  energy,
+  kinetic_energy,
+  potential_energy,
+  momenta,
+  positions,
+  accelerations,
+  multipliers,
+  validity
+};
 
 /// Each promises an error over a column's largest magnitude.
 enum class Preset { fast, balanced, accurate };
