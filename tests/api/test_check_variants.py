@@ -253,9 +253,11 @@ class Variants(Service):
     def agree(self, formula, one, other):
         if "coordinate" not in formula.expect:
             return all(abs((one - other).subs(place).evalf(40)) < 1e-20 for place in self.places(one, other))
-        accelerations = [s for s in sorted(other.free_symbols, key=str) if str(s).endswith("_ddot")]
-        wronskian = [one * other.diff(a) - other * one.diff(a) for a in accelerations]
-        return bool(accelerations) and all(abs(w.subs(place).evalf(40)) < 1e-20 for w in wronskian for place in self.places(one, other))
+        in_either = sorted(one.free_symbols | other.free_symbols, key=str)
+        varying = ([s for s in in_either if str(s).endswith("_ddot")]
+                   or [s for s in in_either if str(s).endswith("_dot")])
+        wronskian = [one * other.diff(a) - other * one.diff(a) for a in varying]
+        return bool(varying) and all(abs(w.subs(place).evalf(40)) < 1e-20 for w in wronskian for place in self.places(one, other))
 
     def places(self, *values):
         symbols = set().union(*(value.free_symbols for value in values))
