@@ -179,9 +179,10 @@ class Operation {
       responses["304"] = {
           {"description", "The answer is still the one with the entity tag in If-None-Match."}};
     }
-    for (const int status : problems_of(route_)) {
+    std::vector<int> problems = problems_of(route_);
+    if (endpoint_ == nullptr && about_.contains("query")) problems.push_back(422);
+    for (const int status : problems)
       responses[std::to_string(status)] = {{"$ref", "#/components/responses/" + response_name(status)}};
-    }
     return responses;
   }
 
