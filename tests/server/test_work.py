@@ -49,7 +49,7 @@ class Work(unittest.TestCase):
                 self.assertIn(reply.status, statuses)
                 self.assertIn(json.loads(reply.body)["type"],
                               ("/errors/limit-exceeded", "/errors/deadline", "/errors/integration-failed"))
-                self.assertLess(reply.seconds, 10)
+                self.assertLess(reply.seconds, 20 if SANITIZED else 10)
                 print(f"{name}: {reply.status} after {reply.seconds:.2f} s")
 
     def test_it_ends_when_its_client_leaves(self):
