@@ -14,7 +14,8 @@ COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 def on_a_terminal(*arguments, **environment):
-    """What a person sees: exit code and the text of both streams, as a terminal gets it."""
+    """What a person sees: exit code and the text of both streams, as a terminal leaves it: the line that tells how far
+    a slow machine is has been wiped out."""
     leader, follower = pty.openpty()
     process = subprocess.Popen([QDOT, *arguments], stdin=follower, stdout=follower, stderr=follower,
                                env={**ENVIRONMENT, "TERM": "xterm", **environment})
@@ -29,7 +30,7 @@ def on_a_terminal(*arguments, **environment):
             break
         seen += part
     os.close(leader)
-    return process.wait(timeout=60), seen.decode().replace("\r\n", "\n")
+    return process.wait(timeout=60), seen.decode().replace("\r\n", "\n").rpartition("\r\x1b[K")[2]
 
 
 class Text(unittest.TestCase):
