@@ -27,6 +27,7 @@ class ExpectedSystem {
   void fix(std::size_t parameter, const Expression& value);
   /// e with these values.
   [[nodiscard]] Expression with_fixed(const Expression& e) const;
+  [[nodiscard]] bool has_fixed() const { return !fixed_.empty(); }
   /// Whether e speaks of a fixed parameter.
   [[nodiscard]] bool speaks_of_fixed(const Expression& e) const;
 

@@ -38,13 +38,15 @@ constexpr std::array replaced{Command{"varphi", " phi "},
                               Command{"lvert", "|"},
                               Command{"rvert", "|"},
                               Command{"vert", "|"},
+                              Command{"max", " max "},
+                              Command{"min", " min "},
                               Command{"newline", "\n"}};
 
 /// Sizes of brackets, and words that say how a text looks.
 constexpr std::array skipped{"left", "right", "big",   "Big",   "bigl",  "bigr",   "Bigl",     "Bigr", "bigg",
                              "Bigg", "biggl", "biggr", "Biggl", "Biggr", "middle", "nonumber", "notag"};
-constexpr std::array styles{"mathrm", "mathit",     "text",   "operatorname",
-                            "mathbf", "boldsymbol", "textrm", "rm"};
+constexpr std::array styles{"mathrm",     "mathit", "text", "operatorname", "mathbf",
+                            "boldsymbol", "textrm", "rm",   "mathcal",      "mathscr"};
 
 bool contains(const auto& words, std::string_view word) {
   return std::ranges::find(words, word) != words.end();
@@ -115,10 +117,22 @@ class LatexReader {
   std::string command() {
     ++at_;
     if (ends()) refuse("there is a lone '\\'");
+    if (text_.substr(at_).starts_with("\\[")) return line_with_space();
     if (!is_latin(text_[at_])) return sign(text_[at_++]);
     const std::size_t first = at_;
     while (!ends() && is_latin(text_[at_])) ++at_;
     return word(text_.substr(first, at_ - first));
+  }
+
+  /// "\\[4pt]" ends a line.
+  std::string line_with_space() {
+    const std::size_t end = text_.find(']', at_);
+    const std::string_view length = end == std::string_view::npos ? "" : text_.substr(at_ + 2, end - at_ - 2);
+    const bool is_length = length.size() > 2 && length.size() < 8 &&
+                           (length.ends_with("pt") || length.ends_with("ex") || length.ends_with("em") ||
+                            length.ends_with("mm") || length.ends_with("cm"));
+    at_ = is_length ? end + 1 : at_ + 1;
+    return "\n";
   }
 
   static std::string sign(char c) {
@@ -142,7 +156,7 @@ class LatexReader {
     if (name == "ddot") return dotted("_ddot");
     if (name == "frac" || name == "dfrac" || name == "tfrac" || name == "cfrac") return fraction();
     if (name == "sqrt") return root();
-    if (name == "begin" || name == "end") {
+    if (name == "begin" || name == "end" || name == "tag" || name == "label") {
       (void)argument();
       return " ";
     }

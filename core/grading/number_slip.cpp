@@ -16,7 +16,7 @@ Slips slips_of_unit(double x, std::string_view unit) {
   using enum NumberSlip;
   if (unit == "rad") return {{degrees, x * 180 / pi}};
   if (unit == "deg") return {{radians, x * pi / 180}};
-  if (unit == "rad/s") return {{period, 2 * pi / x}, {turns, x / (2 * pi)}};
+  if (unit == "rad/s") return {{period, 2 * pi / x}, {turns, x / (2 * pi)}, {degrees, x * 180 / pi}};
   if (unit == "Hz") return {{period, 1 / x}, {rate, 2 * pi * x}};
   if (unit == "s") return {{rate, 2 * pi / x}, {turns, 1 / x}};
   return {};

@@ -35,11 +35,11 @@ constexpr std::array dotted{Sign{U'ẋ', "x_dot"},  Sign{U'ẍ', "x_ddot"}, Sign
 constexpr std::array signs{
     Sign{U'·', "*"},      Sign{U'⋅', "*"},      Sign{U'∙', "*"},      Sign{U'×', "*"},
     Sign{U'−', "-"},      Sign{U'–', "-"},      Sign{U'÷', "/"},      Sign{U'∕', "/"},
-    Sign{U'′', "'"},      Sign{U'’', "'"},      Sign{U'″', "''"},     Sign{U'”', "''"},
-    Sign{U'√', "sqrt"},   Sign{U'½', "(1/2)"},  Sign{U'¼', "(1/4)"},  Sign{U'¾', "(3/4)"},
-    Sign{U'⅓', "(1/3)"},  Sign{U'⅔', "(2/3)"},  Sign{U'\u00A0', " "}, Sign{U'\u2009', " "},
-    Sign{U'\u202F', " "}, Sign{U'\u2061', " "}, Sign{U'\u2062', " "}, Sign{U'\u200B', " "},
-    Sign{U'\uFEFF', " "}};
+    Sign{U'⁄', "/"},      Sign{U'∗', "*"},      Sign{U'′', "'"},      Sign{U'’', "'"},
+    Sign{U'″', "''"},     Sign{U'”', "''"},     Sign{U'√', "sqrt"},   Sign{U'½', "(1/2)"},
+    Sign{U'¼', "(1/4)"},  Sign{U'¾', "(3/4)"},  Sign{U'⅓', "(1/3)"},  Sign{U'⅔', "(2/3)"},
+    Sign{U'\u00A0', " "}, Sign{U'\u2009', " "}, Sign{U'\u202F', " "}, Sign{U'\u2061', " "},
+    Sign{U'\u2062', " "}, Sign{U'\u200B', " "}, Sign{U'\uFEFF', " "}};
 
 constexpr std::array superscripts{Sign{U'⁰', "0"}, Sign{U'¹', "1"}, Sign{U'²', "2"}, Sign{U'³', "3"},
                                   Sign{U'⁴', "4"}, Sign{U'⁵', "5"}, Sign{U'⁶', "6"}, Sign{U'⁷', "7"},
@@ -108,7 +108,11 @@ class UnicodeReader {
   void ascii(char32_t code) {
     const char32_t after = is_ascii_letter(code) ? next() : U'\0';
     if (after == dot_above || after == two_dots_above) return name(std::string(1, static_cast<char>(code)));
-    out_ += static_cast<char>(code);
+    if (code == '"' || code == '`') {
+      out_ += code == '"' ? "''" : "'";  // theta" is what keyboards make of theta''
+    } else {
+      out_ += static_cast<char>(code);
+    }
   }
 
   /// A name apart from what stands beside it, unless that belongs to it: θ₀, θ_dot.

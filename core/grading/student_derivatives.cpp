@@ -4,6 +4,12 @@
 
 namespace qdot {
 
+bool StudentGrammar::is_derivative_call() const {
+  const std::string_view word = token().text;
+  const bool is_named = word == "diff" || word == "Derivative" || (word == "D" && !vocabulary_.find("D"));
+  return is_named && at(Mark::open, 1);
+}
+
 bool StudentGrammar::derivative_begins() const {
   const std::string_view word = token().text;
   return word == "diff" || word == "Derivative" || word == "dot" || word == "ddot" ||
@@ -12,7 +18,7 @@ bool StudentGrammar::derivative_begins() const {
 
 std::optional<Expression> StudentGrammar::derivative() {
   const std::string_view word = token().text;
-  if ((word == "diff" || word == "Derivative") && at(Mark::open, 1)) return called_derivative();
+  if (is_derivative_call()) return called_derivative();
   if ((word == "dot" || word == "ddot") && at(Mark::open, 1)) {
     ++next_;
     const Expression inside = rate_of(bracket());

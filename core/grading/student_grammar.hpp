@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.hpp"
+#include "core/grading/equation_labels.hpp"
 #include "core/grading/read_equation.hpp"
 #include "core/grading/student_tokens.hpp"
 #include "core/grading/vocabulary.hpp"
@@ -20,7 +21,7 @@ enum class Blanks { are_seen, are_not_seen };
 class StudentGrammar {
  public:
   StudentGrammar(std::string_view plain, Graph& graph, const Vocabulary& vocabulary, Blanks blanks)
-      : tokens_(student_tokens(plain)),
+      : tokens_(without_labels(student_tokens(plain))),
         graph_(graph),
         vocabulary_(vocabulary),
         blanks_(blanks),
@@ -75,6 +76,8 @@ class StudentGrammar {
   /// Puts the words that the token is made of in its place.
   void cut_word();
   [[noreturn]] void refuse_unknown(const StudentToken& word) const;
+  /// "sin2" of a lost superscript or of twice an angle.
+  void refuse_joined_number(const StudentToken& word) const;
 
   // functions
   Expression application();
@@ -82,10 +85,14 @@ class StudentGrammar {
   Expression bare_argument(const StudentToken& function);
   Expression lone_number(const std::vector<Expression>& factors, const StudentToken& function);
   /// sin theta^2, sin theta/2
+  /// Whether a bracket opens there with a symbol in it: by that no angle is divided.
+  [[nodiscard]] bool opens_with_symbols(std::size_t ahead) const;
   void refuse_ambiguous_end(const std::string& name, const Expression& argument) const;
 
   // derivatives
   [[nodiscard]] bool derivative_begins() const;
+  /// diff, Derivative, or Mathematica's D where that is no symbol.
+  [[nodiscard]] bool is_derivative_call() const;
   std::optional<Expression> derivative();
   /// d theta/dt, d^2 theta/dt^2, d^2/dt^2 theta
   std::optional<Expression> leibniz();

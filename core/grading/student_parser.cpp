@@ -27,6 +27,9 @@ std::vector<ReadEquation> StudentGrammar::whole() {
     if (at(Mark::end)) break;
     equations.push_back(equation());
     if (!at(Mark::line) && !at(Mark::comma) && !at(Mark::end)) refuse_rest();
+    const bool is_tight = at(Mark::comma) && !token().is_apart && at(Mark::number, 1) && !token(1).is_apart;
+    if (is_tight && tokens_[next_ - 1].mark == Mark::number)
+      refuse("a decimal has a point here, 0.5, and no comma", token().offset);
   }
   if (equations.empty()) refuse("there is no formula");
   return equations;

@@ -44,7 +44,7 @@ Number value_of(std::string_view text, std::size_t offset) {
 }
 
 std::optional<Mark> mark_of(char c) {
-  constexpr std::array<std::pair<char, Mark>, 18> marks{{{'\'', Mark::prime},
+  constexpr std::array<std::pair<char, Mark>, 19> marks{{{'\'', Mark::prime},
                                                          {'+', Mark::plus},
                                                          {'-', Mark::minus},
                                                          {'*', Mark::times},
@@ -59,6 +59,7 @@ std::optional<Mark> mark_of(char c) {
                                                          {'|', Mark::bar},
                                                          {'=', Mark::equals},
                                                          {',', Mark::comma},
+                                                         {':', Mark::colon},
                                                          {'\n', Mark::line},
                                                          {';', Mark::line},
                                                          {'\r', Mark::line}}};
@@ -81,7 +82,8 @@ StudentToken next_token(std::string_view text, std::size_t at) {
             .offset = at};
   }
   if (rest.starts_with("**")) return {.mark = Mark::power, .text = rest.substr(0, 2), .offset = at};
-  if (rest.starts_with("==")) return {.mark = Mark::equals, .text = rest.substr(0, 2), .offset = at};
+  if (rest.starts_with("==") || rest.starts_with(":="))
+    return {.mark = Mark::equals, .text = rest.substr(0, 2), .offset = at};
   const auto mark = mark_of(rest[0]);
   if (!mark) throw Error(ErrorCode::syntax, "there is a character that formulas do not have", at);
   return {.mark = *mark, .text = rest.substr(0, 1), .offset = at};
@@ -113,13 +115,20 @@ std::vector<StudentToken> with_lines_joined(const std::vector<StudentToken>& tok
   return joined;
 }
 
+/// A point that ends a sentence, and no decimal.
+bool is_full_stop(std::string_view plain, std::size_t at) {
+  const bool ends = plain.find_first_not_of(" \t\r\n;", at + 1) == std::string_view::npos ||
+                    plain[at + 1] == '\n' || plain[at + 1] == ';' || plain[at + 1] == '\r';
+  return plain[at] == '.' && ends;
+}
+
 }  // namespace
 
 std::vector<StudentToken> student_tokens(std::string_view plain) {
   std::vector<StudentToken> tokens;
   bool is_apart = true;
   for (std::size_t at = 0; at < plain.size();) {
-    const bool is_blank = plain[at] == ' ' || plain[at] == '\t';
+    const bool is_blank = plain[at] == ' ' || plain[at] == '\t' || is_full_stop(plain, at);
     if (is_blank || plain.substr(at).starts_with("%pi")) {  // pi as Maxima has it
       is_apart = true;
       ++at;
@@ -128,6 +137,10 @@ std::vector<StudentToken> student_tokens(std::string_view plain) {
     if (tokens.size() == most_tokens)
       throw Error(ErrorCode::too_large, "the formula has more than 2000 parts", at);
     tokens.push_back(next_token(plain, at));
+    const std::size_t end = at + tokens.back().text.size();
+    const bool is_word = is_apart && end < plain.size() && (plain[end] == ' ' || plain[end] == '\n');
+    if (is_word && (tokens.back().text == "and" || tokens.back().text == "und"))
+      tokens.back().mark = Mark::line;
     tokens.back().is_apart = std::exchange(is_apart, false);
     at += tokens.back().text.size();
   }

@@ -22,6 +22,7 @@ enum class Mark {
   bar,     ///< |
   equals,  ///< = or ==
   comma,
+  colon,
   line,  ///< the end of a line, or ;
   end
 };

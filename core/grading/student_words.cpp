@@ -18,6 +18,7 @@ Expression StudentGrammar::primary() {
   if (accept(Mark::number)) return checked(graph_.number(first.value));
   if (at(Mark::open)) return primed(bracket());
   if (accept(Mark::bar)) return between_bars();
+  if (at(Mark::prime) && (at_word("diff", 1) || at_word("integrate", 1))) ++next_;  // Maxima's noun
   if (at(Mark::name)) return named();
   refuse(at(Mark::end) ? "the formula ends where a number, a symbol or a bracket is needed"
                        : "a number, a symbol or a bracket is needed at " + excerpt(first.text),
@@ -76,11 +77,17 @@ Expression StudentGrammar::rational() {
 
 Expression StudentGrammar::primed(Expression e) {
   while (accept(Mark::prime)) e = rate_of(e);
+  const bool is_raised = at(Mark::power) && (at(Mark::prime, 1) || (at(Mark::open, 1) && at(Mark::prime, 2)));
+  if (!is_raised) return e;
+  ++next_;  // \theta^{\prime\prime}
+  const bool is_grouped = accept(Mark::open);
+  while (accept(Mark::prime)) e = rate_of(e);
+  if (is_grouped) close();
   return e;
 }
 
 Expression StudentGrammar::rate_of(const Expression& e) {
-  if (!vocabulary_.varies(e))
+  if (!vocabulary_.varies(e) || vocabulary_.has_accelerations(e))
     refuse("only coordinates have derivatives here, up to the second", token().offset);
   const Expression rate = total_derivative(e, vocabulary_.rates());
   if (rate.is_zero()) refuse("only coordinates have derivatives here, up to the second", token().offset);
@@ -94,6 +101,7 @@ void StudentGrammar::cut_word() {
   if (is_word && (vocabulary_.is_certain(whole.text) || is_function_word(whole.text))) return;
   const auto found = cuts(whole.text, knows);
   if (found.empty() && whole.text == "e" && at(Mark::power, 1)) return;
+  if (found.empty()) refuse_joined_number(whole);
   if (found.empty()) refuse_unknown(whole);
   if (found.size() > 1)
     refuse(excerpt(whole.text) + " has two readings: write its products with *", whole.offset);
@@ -107,6 +115,15 @@ void StudentGrammar::cut_word() {
   const auto here = tokens_.begin() + static_cast<std::ptrdiff_t>(next_);
   *here = words.front();
   tokens_.insert(here + 1, words.begin() + 1, words.end());
+}
+
+void StudentGrammar::refuse_joined_number(const StudentToken& word) const {
+  const std::size_t digits = word.text.find_first_of("0123456789");
+  if (digits == std::string_view::npos || !is_function_word(word.text.substr(0, digits))) return;
+  const std::string function(word.text.substr(0, digits)), number(1, word.text[digits]);
+  refuse(excerpt(word.text) + " has two readings: write " + function + "(" + number + "*...) or " + function +
+             "^" + number + "(...)",
+         word.offset);
 }
 
 void StudentGrammar::refuse_unknown(const StudentToken& word) const {
@@ -173,8 +190,19 @@ Expression StudentGrammar::lone_number(const std::vector<Expression>& factors, c
   return factors[0];
 }
 
+bool StudentGrammar::opens_with_symbols(std::size_t ahead) const {
+  int depth = 0;
+  for (std::size_t i = ahead; !at(Mark::end, i); ++i) {
+    if (at(Mark::open, i)) ++depth;
+    if (depth == 0) return false;
+    if (at(Mark::name, i)) return true;
+    if (at(Mark::close, i) && --depth == 0) return false;
+  }
+  return false;
+}
+
 void StudentGrammar::refuse_ambiguous_end(const std::string& name, const Expression& argument) const {
-  const bool is_clear = vocabulary_.is_angle(argument) && at(Mark::name, 1);
+  const bool is_clear = vocabulary_.is_angle(argument) && (at(Mark::name, 1) || opens_with_symbols(1));
   const bool is_divided = at(Mark::over) && !is_clear;
   if (at(Mark::power) || is_divided) refuse("write brackets around the argument of " + name, token().offset);
 }

@@ -18,13 +18,15 @@ std::string with_index_apart(const std::string& name) {
   return std::string(name.begin(), digits) + "_" + std::string(digits, name.end());
 }
 
-constexpr std::array rate_endings{"_dot", "dot", "_d", "d"};
-constexpr std::array second_rate_endings{"_ddot", "ddot", "_dd", "dd", "_dot_dot", "dotdot"};
+constexpr std::array rate_endings{"_dot", "dot", "_d", "d", "_t"};
+constexpr std::array second_rate_endings{"_ddot",  "ddot",        "_dd",       "dd",         "_dot_dot",
+                                         "dotdot", "_double_dot", "doubledot", "_doubledot", "_tt"};
 
 }  // namespace
 
 Vocabulary::Vocabulary(const Symbols& symbols, std::span<const Expression> more) : time_(symbols.t) {
   rates_ = symbols.rates();
+  accelerations_ = symbols.coordinates.second_rate;
   const auto add_declared = [&](const Expression& e) {
     names_.push_back(name_of(e));
     words_.emplace(name_of(e), e);
@@ -87,6 +89,14 @@ bool Vocabulary::is_certain(std::string_view word) const {
   if (word.find('_') != std::string_view::npos) return true;
   return std::ranges::find(names_, word) != names_.end() || std::ranges::find(added_, word) != added_.end();
 }
+
+void Vocabulary::add_rate(const Expression& symbol, const Expression& rate) {
+  rates_.emplace_back(symbol, rate);
+  const std::string name = name_of(symbol);
+  words_.emplace(name + "_dot", rate);
+}
+
+bool Vocabulary::has_accelerations(const Expression& e) const { return depends_on(e, accelerations_); }
 
 bool Vocabulary::varies(const Expression& e) const {
   return std::ranges::any_of(rates_, [&](const Replacement& r) { return depends_on(e, r.first); });

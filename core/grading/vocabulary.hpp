@@ -26,6 +26,9 @@ class Vocabulary {
   /// False where `meaning` is no word here. A word for a coordinate stands for its rates, too.
   [[nodiscard]] bool add(const std::string& word, const std::string& meaning);
 
+  /// What a symbol that the scene does not declare, such as a momentum, has for its rate.
+  void add_rate(const Expression& symbol, const Expression& rate);
+
   /// An angle is no length: "sin theta/l" is (sin theta)/l then.
   void mark_angle(const Expression& symbol) { angles_.push_back(symbol); }
   [[nodiscard]] bool is_angle(const Expression& e) const {
@@ -40,6 +43,8 @@ class Vocabulary {
   /// The scene's own names, for messages.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] bool varies(const Expression& e) const;
+  /// Of which there is no rate here.
+  [[nodiscard]] bool has_accelerations(const Expression& e) const;
   [[nodiscard]] const Expression& time() const { return time_; }
 
  private:
@@ -49,7 +54,7 @@ class Vocabulary {
   std::map<std::string, Expression, std::less<>> words_;
   std::vector<Replacement> rates_;
   std::vector<std::string> names_, added_;
-  std::vector<Expression> angles_;
+  std::vector<Expression> angles_, accelerations_;
   Expression time_;
 };
 

@@ -68,6 +68,31 @@ const auto& units() {
   return table;
 }
 
+/// Units of other systems and rarer multiples: they are read, and never proposed.
+const auto& rarer_units() {
+  static const auto table = std::to_array<NamedUnit>({
+      {"in", {Number::ratio(254, 10000), length}},
+      {"ft", {Number::ratio(3048, 10000), length}},
+      {"yd", {Number::ratio(9144, 10000), length}},
+      {"mi", {Number::ratio(1609344, 1000), length}},
+      {"dm", {Number::ratio(1, 10), length}},
+      {"nm", {Number::ratio(1, 1000000000), length}},
+      {"lb", {Number::ratio(45359237, 100000000), mass}},
+      {"lbf", {Number::ratio(44482216152605, 10000000000000), force}},
+      {"dyn", {Number::ratio(1, 100000), force}},
+      {"Nm", {Number(1), energy}},
+      {"erg", {Number::ratio(1, 10000000), energy}},
+      {"cal", {Number::ratio(4184, 1000), energy}},
+      {"MJ", {Number(1000000), energy}},
+      {"kWh", {Number(3600000), energy}},
+      {"mW", {Number::ratio(1, 1000), rate_of_work}},
+      {"mrad", {Number::ratio(1, 1000), {}, 0, 1}},
+      {"gon", {Number::ratio(1, 200), {}, 1, 1}},
+      {"kHz", {Number(1000), frequency, 0, 0, 1}},
+  });
+  return table;
+}
+
 /// A word, and the name of what it means. A plural has an s more.
 constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"degree", "deg"},    {"radian", "rad"},    {"revolution", "rev"}, {"turn", "rev"},
@@ -78,7 +103,10 @@ constexpr auto words = std::to_array<std::pair<std::string_view, std::string_vie
     {"watt", "W"},        {"Watt", "W"},        {"pascal", "Pa"},      {"Pascal", "Pa"},
     {"ampere", "A"},      {"kilometer", "km"},  {"kilometre", "km"},   {"centimeter", "cm"},
     {"centimetre", "cm"}, {"millimeter", "mm"}, {"millimetre", "mm"},  {"millisecond", "ms"},
-    {"Ohm", "ohm"},
+    {"Ohm", "ohm"},       {"rads", "rad"},      {"degs", "deg"},       {"inch", "in"},
+    {"inche", "in"},      {"foot", "ft"},       {"feet", "ft"},        {"yard", "yd"},
+    {"mile", "mi"},       {"pound", "lb"},      {"lbs", "lb"},         {"dyne", "dyn"},
+    {"calorie", "cal"},
 });
 
 constexpr auto signs = std::to_array<std::pair<std::string_view, std::string_view>>({
@@ -98,7 +126,9 @@ constexpr auto signs = std::to_array<std::pair<std::string_view, std::string_vie
 
 const NamedUnit* named(std::string_view name) {
   const auto found = std::ranges::find(units(), name, &NamedUnit::name);
-  return found == units().end() ? nullptr : &*found;
+  if (found != units().end()) return &*found;
+  const auto rarer = std::ranges::find(rarer_units(), name, &NamedUnit::name);
+  return rarer == rarer_units().end() ? nullptr : &*rarer;
 }
 
 std::string_view meant_by(std::string_view word) {

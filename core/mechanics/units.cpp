@@ -38,7 +38,8 @@ std::optional<Unit> raised(const Unit& unit, Exponent exponent) {
 }
 
 /// Recursive descent; the length of the text (80 bytes) bounds the recursion.
-///   unit  := power { ("*" | "/") power }        power := atom [ ("^" | "**") exponent ]
+///   unit  := [ "/" ] power { ("*" | "/" | " ") power }
+///   power := atom [ ("^" | "**") exponent ]
 ///   atom  := name | "1" | "(" unit ")"          exponent := integer | "(" integer [ "/" integer ] ")"
 class UnitParser {
  public:
@@ -62,16 +63,29 @@ class UnitParser {
     return true;
   }
 
+  /// "N m": a blank before a name.
+  [[nodiscard]] bool at_apart_name() const {
+    const bool is_apart = position_ > 0 && position_ < text_.size() && text_[position_ - 1] == ' ';
+    return is_apart && is_letter(text_[position_]);
+  }
+
+  static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
   std::optional<Unit> unit() {
-    std::optional<Unit> left = power_of_atom();
+    std::optional<Unit> left = take("/") ? inverse_of_power() : power_of_atom();
     while (left) {
       const bool divides = take("/");
-      if (!divides && !take("*")) break;
+      if (!divides && !take("*") && !at_apart_name()) break;
       const std::optional<Unit> right = power_of_atom();
       if (!right) return std::nullopt;
       left = product(*left, divides ? inverse(*right) : *right);
     }
     return left;
+  }
+
+  std::optional<Unit> inverse_of_power() {
+    const std::optional<Unit> below = power_of_atom();
+    return below ? std::optional(inverse(*below)) : std::nullopt;
   }
 
   std::optional<Unit> power_of_atom() {
@@ -92,7 +106,6 @@ class UnitParser {
 
   std::optional<Unit> named() {
     skip_spaces();
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const std::string_view rest = text_.substr(position_);
     const auto end = std::ranges::find_if_not(rest, is_letter);
     const std::string_view name = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));

@@ -81,6 +81,47 @@ class Numbers(Check):
             with self.subTest(rule=rule):
                 self.assert_verdicts(TURNING_POINT, [(right, True), (wrong, False)], rule=rule)
 
+    def test_as_they_are_typed(self):
+        self.assert_verdicts(TURNING_POINT, [
+            ("0,9622", True), ("55,13°", True), ("55{,}13^\\circ", True), ("θ_max = 0.9622", True), (r"\theta_{\max} = 0.9622 \text{ rad}", True),
+            ("≈ 0.9622", True), ("9.622 x 10^-1", True), ("9.622·10⁻¹ rad", True), (r"9.622\cdot 10^{-1}\,\mathrm{rad}", True), ("0.9622 rad.", True),
+            ("962.2 mrad", True), ("0.3063π", True), ("0.3063 pi rad", True), ("arccos(0.5717)", True), ("√0.9259", True), ("61.26 gon", True),
+            ("0.9622 [rad]", True), (r"\frac{9622}{10000}", True), ("0,9", False), ("θ_max = 55.13", False), ("0.9622 1", None), ("1,234", None),
+            ("0·962", None), ("2 = 0.9622", None), ("0.9 = 0.9622", None), ("\\frac" * 20000, None)], rule={"rtol": 1e-3})
+
+    def test_units_of_other_systems(self):
+        length = {"equilibria": {"system": "spring_pendulum"}, "at": "/equilibria/0/state/l"}  # 0.247375 m
+        self.assert_verdicts(length, [("9.7392 in", True), ("0.81160 ft", True), ("2.47375 dm", True), ("9.7392 ft", False), ("0.247375 lb", False)],
+                             rule={"rtol": 1e-4})
+        energy = {"energy": {"system": "spring_pendulum", "initial": {"l": 0.6, "theta": 0}}, "at": "/V"}
+        expected = self.get_json("/v1/energy?system=spring_pendulum&l=0.6&theta=0")["V"]
+        self.assert_verdicts(energy, [(f"{expected!r} N m", True), (f"{expected!r} Nm", True), (f"{expected!r} kg m^2 s^-2", True),
+                                      (f"{1e7 * expected!r} erg", True), (f"{expected / 4.184!r} cal", True), (f"{expected!r} N", False)], rule={"rtol": 1e-6})
+        rate = {"modes": {"system": "cart_pendulum"}, "at": "/modes/0/omega"}
+        self.assert_verdicts(rate, [("3.50179 rad s^-1", True), ("3.50179 /s", True), ("3.50179 s^{-1}", True), ("3.50179 radians per second", True),
+                                    ("sqrt(12.2625) rad/s", True)], rule={"rtol": 1e-4})
+
+    def test_lists_as_they_are_typed(self):
+        four = {"any_order": True, "modulo": "2pi", "rtol": 1e-4}
+        self.assert_verdicts(ANGLES, [
+            ("0, ±38.298°, 180°", True), ("0; 0,66842; -0,66842; 3,14159", True), (r"\{0, \pi, \pm 0.66842\}", True), ("0\nπ\n0.66842\n-0.66842", True),
+            ("θ = 0, θ = π, θ = 0.66842 and θ = -0.66842", True), ("0, 3,14159, 0,66842, -0,66842", True), ("0, ±38.298°", False),
+            ("0; 0,66842; -0,66842", False), ("0, 180, 38.298, -38.298 deg", None), ("0, pi, 0.66842, -0.66842, 1", False)], rule=four)
+        self.assert_verdicts(SHAPE, [("1 : -5", True), ("[1 -5]", True), ("(1, -5)^T", True), (r"\begin{pmatrix} 1 \\ -5 \end{pmatrix}", True),
+                                     ("theta = -5, x = 1", True), ("theta = 1, x = -5", False), ("(1 m, -5 rad)", None), ("[1 5]", False)],
+                             rule={"any_scale": True})
+        energies = {"energy": {"system": "spring_pendulum", "initial": {"l_dot": 1}}, "at": ["/T", "/V"]}
+        found = self.get_json("/v1/energy?system=spring_pendulum&l_dot=1")
+        self.assert_verdicts(energies, [(f"V = {found['V']} J, T = {found['T']} J", True), (f"T = {found['V']} J, V = {found['T']} J", False)])
+
+    def test_many_mistakes_are_not_all_listed(self):
+        item, = self.verdicts(ANGLES, ["x," * 9000])
+        self.assertLessEqual(len(item["format_errors"]), 5)
+
+    def test_a_rate_in_degrees_is_told(self):
+        item, = self.verdicts({"modes": {"system": "cart_pendulum"}, "at": "/modes/0/omega"}, ["200.637"])
+        self.assertEqual((item["correct"], item["diagnosis"]["slip"]), (False, "degrees"))
+
     def test_sets_and_angles_modulo_a_turn(self):
         right = "0, 180deg, 38.298deg, -38.298deg"
         cases = [(right, True), ([0, math.pi, 0.668423, -0.668423], True), ("(180deg, 38.298deg, -38.298deg, 360deg)", True),
@@ -102,7 +143,9 @@ class Numbers(Check):
 
     def test_facts(self):
         stability = {**ANGLES, "at": "/equilibria/0/stability"}
-        self.assert_verdicts(stability, [("stable", True), ("Stable ", True), ("unstable", False), (3, None)])
+        self.assert_verdicts(stability, [
+            ("stable", True), ("Stable ", True), ("It is stable.", True), ("a stable equilibrium", True), ("unstable", False), ("instable", False),
+            ("neutral", False), ("not stable", None), ("asymptotically stable", None), ("stable or unstable", None), ("", None), (3, None)])
         self.assert_verdicts({**stability, "is": "stable"}, [("yes", True), (True, True), ("no", False), ("perhaps", None)])
         self.assert_verdicts({"energy": {"system": "orbiting_pendulum"}, "at": "/validity/tension", "is": ">= 0"},
                              [("yes", True), ("no", False)])
@@ -120,6 +163,12 @@ class Numbers(Check):
         self.assertEqual(self.error(item)["pointer"], "#/items/0/expect/off")
         self.assertEqual(self.error({"expect": TURNING_POINT, "submitted": 1, "rule": {"digits": 3}})["pointer"], "#/items/0/rule/digits")
         self.assertEqual(self.error({"submitted": 1})["code"], "missing")
+
+    def test_an_item_without_a_name_has_its_number(self):
+        status, answer = self.ask_json("check", {"items": [{"expect": TURNING_POINT, "submitted": "55.13deg"}, {"expect": TURNING_POINT, "id": "b"}]})
+        self.assertEqual((status, [item["id"] for item in answer["items"]]), (200, ["1", "b"]))
+        status, answer = self.ask_json("check", {"items": [{"expect": TURNING_POINT}, {"expect": TURNING_POINT, "id": "1"}]})
+        self.assertEqual((status, answer["errors"][0]["code"]), (422, "duplicate_name"))
 
     def test_a_key_alone_has_no_verdict(self):
         status, answer = self.check([{"expect": TURNING_POINT}])
@@ -185,6 +234,41 @@ class Formulas(Check):
             (texts, True), ([*texts[:3], f"{sides[3]} + {sides[0]} = 0"], True), ([*texts[:3], f"{sides[1]} + 2*{sides[0]} = 0"], False),
             ([*texts[:3], "0 = 0"], False)])
         self.assert_verdicts({"expression": {"system": scene}, "of": "a_ddot"}, [("a''", None), ("-g/l*sin(a)", False)])
+
+    def test_other_names_of_energies_and_chains_of_equals_signs(self):
+        kinetic = "m/2 (l'^2 + l^2 theta'^2)"
+        self.assert_verdicts({"expression": {"system": "spring_pendulum"}, "of": "T"},
+                             [(f"{name} = {kinetic}", True) for name in ("T", "K", "KE", "E_k", r"E_{kin}")] + [(f"V = {kinetic}", None)])
+        lagrangian = kinetic + " + m g l cos theta - k/2 (l - l0)^2"
+        for head in ("L =", "L = T - V =", r"\mathcal{L} ="):
+            self.assert_verdicts({"expression": {"system": "spring_pendulum"}, "of": "L"}, [(f"{head} {lagrangian}", True)])
+            self.assert_verdicts({"equation": {"system": "spring_pendulum"}}, [(f"{head} {lagrangian}", True), (f"{head} {kinetic}", False)])
+        self.assert_verdicts({"expression": {"system": "cart_pendulum"}, "of": "V"}, [("K = k x^2/2 - m g l cos theta", None)])
+
+    def test_another_zero_of_the_potential_is_an_energy(self):
+        potential = "k x^2/2 - m g l cos theta"
+        self.assert_verdicts({"expression": {"system": "cart_pendulum"}, "of": "V"},
+                             [(potential + more, verdict) for more, verdict in (("", True), (" + m g l", True), (" + 7", None), (" + l", None), (" + k", None))])
+        given = {"expression": {"system": "cart_pendulum", "parameters": {"m": 2, "g": 10, "l": 1}}, "of": "V"}
+        self.assert_verdicts(given, [("k x^2/2 - 20 cos theta + 20", True), ("k x^2/2 + 20 (1 - cos theta)", True)])
+
+    def test_rates_of_momenta(self):
+        self.assert_verdicts({"equation": {"system": "spring_pendulum"}, "of": "theta"}, [
+            ("p_theta' = -m g l sin theta", True), (r"\dot p_\theta = -mgl\sin\theta", True), ("d/dt p_theta = -m g l sin theta", True),
+            ("p_theta' = m g l sin theta", False), ("p_theta'' = 0", None)])
+        self.assert_verdicts({"equation": {"system": "free_spin_pendulum"}, "of": "psi"}, [("p_psi' = 0", True)])
+
+    def test_labels_of_equations_are_no_factors(self):
+        first, second = "m l'' = m l theta'^2 + m g cos theta - k(l-l0)", "l theta'' + 2 l' theta' + g sin theta = 0"
+        self.assert_verdicts({"equation": {"system": "spring_pendulum"}}, [
+            (f"(1) {first}\n(2) {second}", True), ([f"(1) {first}", f"(2) {second}"], True), (f"1. {first}\n2. {second}", True),
+            (f"{first}  (1)\n{second}  (2)", True), (f"l: {first}\nθ: {second}", True), (f"(1) {first}\n(2) {second} + 1", False)])
+
+    def test_states_of_first_order_have_names_of_their_own(self):
+        state = "x1 = l, x2 = l', x3 = theta, x4 = theta', x1' = x2, x3' = x4"
+        rates = "x2' = x1 x4^2 + g cos x3 - k/m (x1 - l0), x4' = -(2 x2 x4 + g sin x3)/x1"
+        self.assert_verdicts({"equation": {"system": "spring_pendulum"}}, [
+            (f"{state}, {rates}", True), (f"{state}, {rates} + 1", False), (f"l' = v, theta' = w, v' = l w^2 + g cos theta - k/m (l - l0), w' = -(2 v w + g sin theta)/l", True)])
 
     def test_systems_of_first_order_and_lagrangians(self):
         self.assert_verdicts({"equation": {"system": "whirling_pendulum"}}, [
@@ -310,6 +394,26 @@ class Trajectories(Check):
             ("\ufeff" + self.csv(), True), (self.csv().replace("t,l", "t,t"), None), (self.csv().replace("t,l", "time,t"), None),
             (self.csv(5), None), ("", None), ("t,l\n0,x\n", None), ({"t": [0, 1], "l": [0]}, None), (3, None),
             (self.csv().replace("\n0.05,", "\n-0.05,"), None)], rule={"rtol": 1e-3})
+
+    def table(self, header, rows, separator=",", decimal="."):
+        lines = [separator.join(f"{x:.9g}".replace(".", decimal) for x in row) for row in rows]
+        return "\n".join([header, *lines])
+
+    def test_headings_have_units_and_tables_other_forms(self):
+        columns = self.get_json("/v1/simulate?system=spring_pendulum&t_end=4&theta=0.7&samples=61")["trajectory"]
+        rows = list(zip(columns["t"], columns["l"], columns["theta"]))
+        degrees, centimetres = [(t, l, math.degrees(a)) for t, l, a in rows], [(1000 * t, 100 * l, a) for t, l, a in rows]
+        expect = {"simulate": {"system": "spring_pendulum", "t_end": 4, "initial": {"theta": 0.7}}, "columns": ["l", "theta"]}
+        self.assert_verdicts(expect, [
+            (self.table("t [s],l (m),θ/rad", rows), True), (self.table("t,l,theta [deg]", degrees), True), (self.table("t,l,theta [deg]", rows), False),
+            (self.table("t [ms],l [cm],theta", centimetres), True), (self.table("t;l;theta", rows, ";", ","), True), (self.table("# t l theta", rows, " "), True),
+            (self.table("% by hand\nt\tl\ttheta", rows, "\t"), True), (self.table("t,l,theta", rows).replace("\n", "\r"), True),
+            ([{"t": t, "l": l, "theta": a} for t, l, a in rows], True), (json.dumps({"t": columns["t"], "l": columns["l"], "theta": columns["theta"]}), True),
+            (self.table("t,l [kg],theta", rows), None), (self.table("t,l,theta", [(t, l + 0.01, a) for t, l, a in rows]), False),
+            ([[1, 2, 3]] * 61, None), ("{", None), ('{"t": [0, 1], "t": [0, 1]}', None)], rule={"rtol": 1e-3})
+        for changed, slip in ((degrees, "degrees"), ([(t, -l, -a) for t, l, a in rows], "sign"), ([(t, l, -math.degrees(a)) for t, l, a in rows], None)):
+            item, = self.verdicts(expect, [self.table("t,l,theta", changed)], rule={"rtol": 1e-3})
+            self.assertEqual(item["diagnosis"] and item["diagnosis"]["slip"], slip)
 
     def test_the_counterexample_is_the_students_own_row(self):
         item, = self.verdicts(self.EXPECT, [self.csv(g=9.7)], rule={"rtol": 1e-3})

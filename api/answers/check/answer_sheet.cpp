@@ -72,11 +72,14 @@ Json left_out_where_too_long(const Json& submitted, std::size_t& room) {
   return submitted;
 }
 
-/// The item of a key with that id; null where there is none.
+/// The item of a key with that id, or of that number where it has none; null where there is none.
 Json* item_of(Json& items, const std::string& id) {
-  const auto found = std::ranges::find_if(
-      items, [&](const Json& item) { return item.is_object() && item.contains("id") && item["id"] == id; });
-  return found == items.end() ? nullptr : &*found;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool has_id = items[i].is_object() && items[i].contains("id");
+    if (items[i].is_object() && (has_id ? items[i]["id"] == id : std::to_string(i + 1) == id))
+      return &items[i];
+  }
+  return nullptr;
 }
 
 }  // namespace

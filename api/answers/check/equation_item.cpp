@@ -1,6 +1,7 @@
 #include "api/answers/check/equation_item.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "api/answers/check/diagnosis.hpp"
 #include "api/json/text.hpp"
@@ -163,13 +164,28 @@ std::vector<ReadEquation> equations_of_lagrangian(const EquationItem& item, cons
   return equations;
 }
 
-/// The text behind "L =", where the whole submission is a Lagrangian and L is no symbol of the system's.
+/// "L" at first, then perhaps "T - V".
+bool begins_lagrangian(std::string_view left, bool is_first) {
+  std::string letters;
+  std::ranges::copy_if(left, std::back_inserter(letters), [](char c) {
+    return std::string_view(" $\\{}\t\n(&").find(c) == std::string_view::npos;
+  });
+  constexpr std::array names{"L", "mathcalL", "mathscrL"};
+  constexpr std::array differences{"T-V", "T-U", "K-V", "K-U"};
+  return is_first ? std::ranges::find(names, letters) != names.end()
+                  : std::ranges::find(differences, letters) != differences.end();
+}
+
+/// The text behind "L =" or "L = T - V =", where the whole submission is a Lagrangian and L is no symbol of
+/// the system's.
 std::optional<std::string> lagrangian_text(const EquationItem& item, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const bool is_one = equals != std::string::npos && text.find('=', equals + 1) == std::string::npos;
-  if (item.coordinate || !is_one || trimmed(text.substr(0, equals)) != "L") return std::nullopt;
-  if (item.formula->vocabulary.find("L")) return std::nullopt;
-  return text.substr(equals + 1);
+  if (item.coordinate || item.formula->vocabulary.find("L")) return std::nullopt;
+  std::size_t behind = 0;
+  for (std::size_t equals = text.find('='); equals != std::string::npos; equals = text.find('=', behind)) {
+    if (!begins_lagrangian(text.substr(behind, equals - behind), behind == 0)) return std::nullopt;
+    behind = equals + 1;
+  }
+  return behind == 0 ? std::nullopt : std::optional(text.substr(behind));
 }
 
 /// What was submitted in the place of equations, and the equations.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "api/answers/check/spoken_words.hpp"
 #include "api/contract/domain_text.hpp"
 #include "api/json/text.hpp"
 
@@ -15,16 +16,8 @@ std::optional<bool> truth_of(const Json& submitted) {
   if (!submitted.is_string()) return std::nullopt;
   static const std::map<std::string, bool, std::less<>> words{{"yes", true}, {"true", true},   {"y", true},
                                                               {"no", false}, {"false", false}, {"n", false}};
-  const auto found = words.find(lower_case(trimmed(submitted.get_ref<const std::string&>())));
+  const auto found = words.find(as_words(submitted.get_ref<const std::string&>()));
   return found == words.end() ? std::nullopt : std::optional(found->second);
-}
-
-/// In small letters, with blanks for hyphens and underscores.
-std::string as_words(std::string_view text) {
-  std::string words = lower_case(trimmed(text));
-  std::ranges::replace_if(
-      words, [](char c) { return c == '_' || c == '-'; }, ' ');
-  return words;
 }
 
 /// Whether a number lies in a domain; none where its error does not tell.
@@ -62,6 +55,21 @@ Verdict grade_truth(bool expected, const Json& submitted) {
   return verdict;
 }
 
+/// One word of a few, or a word of which no others are known.
+Verdict grade_word(const Json& value, const std::string& submitted) {
+  const std::string expected = as_words(value.get_ref<const std::string&>());
+  const auto choices = choices_with(expected);
+  const auto choice = spoken_choice(submitted, choices);
+  const std::string word = choice ? std::string(*choice) : as_words(submitted);
+  if (word.empty()) return unreadable("Answer with a word.");
+  if (!choice && !choices.empty())
+    return unreadable("Answer with one word: " + enumerated({choices.begin(), choices.end()}) + ".");
+  Verdict verdict{
+      .correct = word == expected, .decided_by = "fact", .understood = {{"value", printable(word)}}};
+  verdict.expected = value;
+  return verdict;
+}
+
 }  // namespace
 
 Verdict grade_fact(const Pointed& expected, const Json& is, const Json& submitted) {
@@ -73,12 +81,7 @@ Verdict grade_fact(const Pointed& expected, const Json& is, const Json& submitte
   const Json& value = expected.values.front().value;
   if (value.is_boolean()) return grade_truth(value.get<bool>(), submitted);
   if (!submitted.is_string()) return unreadable("Answer with a word.");
-  const std::string word = as_words(submitted.get_ref<const std::string&>());
-  Verdict verdict{.correct = word == as_words(value.get_ref<const std::string&>()),
-                  .decided_by = "fact",
-                  .understood = {{"value", printable(word)}}};
-  verdict.expected = value;
-  return verdict;
+  return grade_word(value, submitted.get_ref<const std::string&>());
 }
 
 }  // namespace qdot::api

@@ -1,6 +1,7 @@
 #include "api/answers/check/formula_item.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "api/answers/check/diagnosis.hpp"
 #include "api/json/text.hpp"
@@ -21,15 +22,37 @@ struct FormulaItem {
   bool reveal{};
 };
 
-/// The text behind "T =".
-std::string_view without_name(std::string_view text, const std::string& name) {
-  const std::size_t equals = text.find('=');
-  if (name.empty() || equals == std::string_view::npos) return text;
-  std::string left;
-  std::ranges::copy_if(text.substr(0, equals), std::back_inserter(left), [](char c) {
+/// What stands before an equals sign, without blanks and signs of LaTeX: "E_kin" of "$E_{kin} =".
+std::string bare_letters(std::string_view text) {
+  std::string letters;
+  std::ranges::copy_if(text, std::back_inserter(letters), [](char c) {
     return std::string_view(" $\\{}\t\n(").find(c) == std::string_view::npos;
   });
-  return left == name ? text.substr(equals + 1) : text;
+  return letters;
+}
+
+/// Other names of the energies.
+bool is_name_of(std::string_view word, std::string_view name) {
+  static const std::map<std::string_view, std::vector<std::string_view>> others{
+      {"T", {"K", "KE", "E_k", "E_kin", "Ek", "Ekin", "E_K", "T(q,q')"}},
+      {"V", {"U", "PE", "E_p", "E_pot", "Ep", "Epot", "E_P", "V(q)"}},
+      {"L", {"mathcalL", "mathscrL", "mathrmL", "T-V", "T-U", "K-U", "K-V"}},
+      {"E", {"T+V", "T+U", "K+U"}}};
+  if (word == name) return true;
+  const auto found = others.find(name);
+  return found != others.end() && std::ranges::find(found->second, word) != found->second.end();
+}
+
+/// The text behind "T =", "E_kin =" or "L = T - V =", unless the system has a symbol of that name.
+std::string_view without_name(std::string_view text, const FormulaItem& item) {
+  if (item.name.empty()) return text;
+  for (std::size_t equals = text.find('='); equals != std::string_view::npos; equals = text.find('=')) {
+    const std::string left = bare_letters(text.substr(0, equals));
+    const bool is_own = left != item.name && item.formula->vocabulary.find(left);
+    if (is_own || !is_name_of(left, item.name)) return text;
+    text.remove_prefix(equals + 1);
+  }
+  return text;
 }
 
 /// The formula in a submission; no more than one, which may be the right side of an equation for its symbol.
@@ -111,15 +134,21 @@ void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdi
           "It has a value at too few states, or in too small a part of them, to be compared.");
       break;
   }
-  if (found.differs_by_constant)
+  if (!found.differs_by_constant) return;
+  if (const std::string mistake = mistake_of_dimension(*item.formula, submitted); !mistake.empty()) {
+    verdict.correct.reset();
+    verdict.decided_by.clear();
+    verdict.format_errors.push_back("its terms are of different dimensions: " + mistake);
+  } else {
     verdict.feedback.emplace_back("It has another zero of the potential energy, which is free.");
+  }
 }
 
 Verdict grade_formula(const FormulaItem& item, const Json& submitted) {
   if (!submitted.is_string() && !submitted.is_number()) return unreadable("Write the formula as a text.");
   const std::string text = submitted.is_string() ? submitted.get<std::string>() : submitted.dump();
   ReadSubmission read =
-      read_submission(without_name(text, item.name), item.formula->graph(), item.formula->vocabulary);
+      read_submission(without_name(text, item), item.formula->graph(), item.formula->vocabulary);
   Verdict verdict;
   const auto formula = single(item, read, verdict);
   if (!formula) return verdict;

@@ -5,8 +5,10 @@
 #include "api/contract/units.hpp"
 #include "api/json/text.hpp"
 #include "api/json/writer.hpp"
+#include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/mechanics/dimension_check.hpp"
 #include "core/mechanics/notation.hpp"
 
 namespace qdot::api {
@@ -151,6 +153,8 @@ FormulaSystem::FormulaSystem(std::shared_ptr<const Dynamics> of)
   for (std::size_t i = 0; i < scene().coordinates.size(); ++i) {
     if (scene().coordinates[i].unit == "rad") vocabulary.mark_angle(system.symbols().coordinates.value[i]);
   }
+  for (const Expression& p : system.momenta())
+    vocabulary.add_rate(p, total_derivative(system.with_momenta(p), vocabulary.rates()));
 }
 
 std::shared_ptr<FormulaSystem> read_formula_system(const CheckItem& item, const std::string& kind,
@@ -186,6 +190,24 @@ double formula_tolerance(const CheckItem& item, const Place& place, Errors& erro
     return 0;
   }
   return *rule.rtol;
+}
+
+std::string mistake_of_dimension(const FormulaSystem& system, const Expression& e) {
+  if (system.system.has_fixed()) return "";  // a number may stand for a letter
+  const Scene& scene = system.scene();
+  const Symbols& symbols = system.system.symbols();
+  SymbolDimensions dimensions;
+  const auto add = [&](const Expression& symbol, const std::string& unit) {
+    if (const auto known = parse_unit(unit)) dimensions[symbol.id()] = known->dimension;
+  };
+  for (std::size_t i = 0; i < scene.parameters.size(); ++i)
+    add(symbols.parameters[i], scene.parameters[i].unit);
+  for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
+    const std::string& unit = scene.coordinates[i].unit;
+    add(symbols.coordinates.value[i], unit);
+    add(symbols.coordinates.rate[i], "(" + unit + ")/s");
+  }
+  return dimension_of(e, dimensions).mistake;
 }
 
 Json written(const FormulaSystem& system, const ReadEquation& equation) {

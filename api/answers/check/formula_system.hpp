@@ -36,6 +36,10 @@ struct FormulaSystem {
 /// for is reported.
 [[nodiscard]] double formula_tolerance(const CheckItem& item, const Place& place, Errors& errors);
 
+/// Why the terms of e cannot be added, such as "V + 7 adds kg*m^2/s^2 to 1"; empty: they can, or numbers
+/// stand for letters.
+[[nodiscard]] std::string mistake_of_dimension(const FormulaSystem& system, const Expression& e);
+
 /// {"text": ..., "latex": ...}: a formula or an equation as it was read.
 [[nodiscard]] Json written(const FormulaSystem& system, const ReadEquation& equation);
 

@@ -167,6 +167,8 @@ Verdict grade(const AnswerItem& item, const Json& submitted) {
   if (is_fact) return grade_fact(item.expected, item.is, submitted);
   const SubmittedNumbers numbers = submitted_numbers(submitted, item.expected, item.unit);
   if (!numbers.unreadable.empty()) return {.format_errors = numbers.unreadable};
+  if (!numbers.wrong_unit.empty() && item.grouping.any_scale)
+    return unreadable("Write a direction without units: how its numbers stand to each other in SI.");
   if (!numbers.wrong_unit.empty()) {
     return {.correct = false, .decided_by = "unit", .feedback = {numbers.wrong_unit}};
   }

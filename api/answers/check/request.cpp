@@ -78,7 +78,8 @@ const Table<CheckItem>& item_table() {
   static const Table<CheckItem> table(
       "check_item", "One question with what was submitted.",
       {
-          value("id", &CheckItem::id, TextKind{limits::name_bytes}, "what the result calls it", required),
+          value("id", &CheckItem::id, TextKind{limits::name_bytes},
+                "what the result calls it; its number, from 1, where there is none"),
           number("points", &CheckItem::points, {"1", of_points}, "what a right answer earns",
                  {.default_value = 1.0}),
           value("expect", &CheckItem::expect, AnyKind{{{"type", "object"}}},
@@ -113,6 +114,7 @@ void check_items(CheckRequest& request, Findings& findings) {
     const Place place = items.below(i);
     const CheckItem& item = request.items[i];
     check_rule(item, place, findings);
+    if (item.id.empty()) request.items[i].id = std::to_string(i + 1);
     if (!ids.insert(item.id).second)
       findings.add(place.below("id").error("duplicate_name", "Two items have this id."));
   }

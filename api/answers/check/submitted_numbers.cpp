@@ -1,15 +1,20 @@
 #include "api/answers/check/submitted_numbers.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "api/answers/check/number_lists.hpp"
 #include "api/contract/written_value.hpp"
 #include "api/json/text.hpp"
+#include "api/json/writer.hpp"
+#include "core/base/error.hpp"
+#include "core/mechanics/units.hpp"
 #include "core/numerics/constants.hpp"
 
 namespace qdot::api {
 namespace {
 
-constexpr std::size_t most_submitted = 10'000;
 constexpr std::size_t longest_list = 200'000;  // bytes
 
 /// Whether a text is a number and nothing else: no unit, no expression.
@@ -19,37 +24,35 @@ bool is_bare(std::string_view text) {
   return Number::written(text).has_value();
 }
 
-/// "a, b; c" without the brackets around it.
-std::vector<std::string> list_of(std::string_view text) {
-  text = trimmed(text);
-  constexpr std::string_view opening = "([{<", closing = ")]}>";
-  const std::size_t kind = text.empty() ? std::string_view::npos : opening.find(text.front());
-  const bool has_commas = text.find_first_of(",;") != std::string_view::npos;
-  const bool is_bracketed =
-      kind != std::string_view::npos && text.size() >= 2 && text.back() == closing[kind];
-  if (is_bracketed && (has_commas || kind != 0)) text = text.substr(1, text.size() - 2);
-  std::vector<std::string> parts;
-  if (trimmed(text).empty()) return parts;
-  int depth = 0;
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '(') ++depth;
-    if (text[i] == ')') --depth;
-    if ((text[i] != ',' && text[i] != ';') || depth != 0) continue;
-    parts.emplace_back(trimmed(text.substr(start, i - start)));
-    start = i + 1;
-  }
-  parts.emplace_back(trimmed(text.substr(start)));
-  return parts;
+/// "sqrt(9.81/0.8) rad/s" as a number with that unit; the text itself where nothing is to be evaluated.
+std::string with_value_for_expression(const std::string& text) {
+  const std::size_t unit = unit_behind(text);
+  if (unit == std::string::npos) return text;
+  std::string_view head = trimmed(std::string_view(text).substr(0, unit));
+  if (head.ends_with('*')) head.remove_suffix(1);
+  ParameterScope numbers_only;
+  const auto value = written_value(trimmed(head), "1", numbers_only);
+  const auto* real = std::get_if<Real>(&value);
+  if (real == nullptr || is_bare(head)) return text;
+  std::string number;
+  append_number(number, real->value);
+  return number + " " + text.substr(unit);
 }
 
-/// "°" and "²" are as good as "deg" and "^2"; a minus sign is a hyphen.
-std::string plain(std::string text) {
-  const std::string minus = "\xE2\x88\x92";
-  for (std::size_t at = text.find(minus); at != std::string::npos; at = text.find(minus, at)) {
-    text.replace(at, minus.size(), "-");
-  }
-  return text;
+/// "0.5, 30 deg": whether the unit behind the last number alone is of another scale than the rest.
+bool has_unit_at_last_only(const std::vector<WrittenNumber>& numbers) {
+  const auto is_number = [](const WrittenNumber& n) { return is_bare(n.text); };
+  if (numbers.size() < 2 || is_number(numbers.back())) return false;
+  if (!std::all_of(numbers.begin(), numbers.end() - 1, is_number)) return false;
+  const auto is_zero = [](const WrittenNumber& n) {
+    return n.text.find_first_of("123456789") == std::string::npos;
+  };
+  if (std::all_of(numbers.begin(), numbers.end() - 1, is_zero)) return false;
+  const std::string& last = numbers.back().text;
+  const std::size_t begin = unit_behind(last);
+  const auto unit =
+      begin == std::string::npos ? std::nullopt : parse_unit(std::string_view(last).substr(begin));
+  return unit && !unit->is_coherent();
 }
 
 class NumberReader {
@@ -62,10 +65,22 @@ class NumberReader {
       return add(submitted.get<double>());
     }
     if (!submitted.is_string()) return fail("A number is needed here, or a text such as \"55.1deg\".");
-    read_text(submitted.get_ref<const std::string&>(), unit);
+    try {
+      const std::string plain = number_without_latex(submitted.get_ref<const std::string&>());
+      read(written_number(plain, Commas::are_decimal), unit);
+    } catch (const Error& error) {
+      fail("It cannot be read: " + std::string(error.what()) + ".");
+    }
   }
 
-  void fail(std::string why) { numbers_.unreadable.push_back(std::move(why)); }
+  void read(const WrittenNumber& written, const std::string& unit) {
+    written.refused.empty() ? read_text(written.text, unit) : fail(written.refused);
+  }
+
+  void fail(std::string why) {
+    constexpr std::size_t most = 5;
+    if (numbers_.unreadable.size() < most) numbers_.unreadable.push_back(std::move(why));
+  }
   void set_none() { numbers_.is_none = true; }
   [[nodiscard]] SubmittedNumbers take() { return std::move(numbers_); }
 
@@ -81,11 +96,13 @@ class NumberReader {
 
   void read_text(const std::string& written, const std::string& unit) {
     if (needs_unit(unit) && is_bare(written)) return fail("Write the unit behind the number.");
-    const std::string text = plain(written);
     const bool in_degrees = unit == "deg";
-    const double factor = in_degrees && !is_bare(text) ? 180 / pi : 1;
+    const double factor = in_degrees && !is_bare(written) ? 180 / pi : 1;
+    const std::string expected = in_degrees ? "rad" : unit == "Hz" ? "1/s" : unit;
     ParameterScope numbers_only;
-    const auto value = written_value(text, in_degrees ? "rad" : unit == "Hz" ? "1/s" : unit, numbers_only);
+    auto value = written_value(written, expected, numbers_only);
+    if (std::holds_alternative<QuantityError>(value))
+      value = written_value(with_value_for_expression(written), expected, numbers_only);
     if (const auto* error = std::get_if<QuantityError>(&value)) return refuse(*error, written);
     add(std::get<Real>(value).value * factor);
   }
@@ -130,16 +147,38 @@ std::optional<Json> in_order(const Json& object, const Pointed& expected, Number
 std::optional<Json> elements_of(const Json& submitted, const Pointed& expected, NumberReader& reader) {
   if (submitted.is_array()) return submitted;
   if (submitted.is_object()) return in_order(submitted, expected, reader);
-  if (submitted.is_number()) return Json::array({submitted});
-  if (!submitted.is_string()) return Json::array({submitted});
-  const auto& text = submitted.get_ref<const std::string&>();
-  if (trimmed(text).empty()) {
-    reader.fail("There is no number.");
-    return std::nullopt;
+  return Json::array({submitted});
+}
+
+const std::string& unit_at(const Pointed& expected, std::size_t i) {
+  static const std::string none = "1";
+  return expected.values.empty() ? none : expected.values[std::min(i, expected.values.size() - 1)].unit;
+}
+
+/// The numbers in the order of the names that are expected, where each says which it is.
+void put_in_order(std::vector<WrittenNumber>& numbers, const Pointed& expected) {
+  std::vector<WrittenNumber> ordered;
+  for (const PointedValue& value : expected.values) {
+    const auto is_it = [&](const WrittenNumber& n) { return n.name == value.name; };
+    if (std::ranges::count_if(numbers, is_it) != 1) return;
+    ordered.push_back(*std::ranges::find_if(numbers, is_it));
   }
-  if (text.size() <= longest_list) return Json(list_of(text));
-  reader.fail("The list is too long.");
-  return std::nullopt;
+  if (ordered.size() == numbers.size()) numbers = std::move(ordered);
+}
+
+void read_list(const std::string& text, const Pointed& expected, NumberReader& reader) {
+  if (trimmed(text).empty()) return reader.fail("There is no number.");
+  if (text.size() > longest_list) return reader.fail("The list is too long.");
+  try {
+    std::vector<WrittenNumber> numbers = written_numbers(text, expected.values.size());
+    const bool is_bracketed = text.find_first_of("([{<") != std::string::npos;
+    if (numbers.empty() && !is_bracketed) return reader.fail("There is no number.");
+    if (has_unit_at_last_only(numbers)) return reader.fail("Write the unit behind every number.");
+    put_in_order(numbers, expected);
+    for (std::size_t i = 0; i < numbers.size(); ++i) reader.read(numbers[i], unit_at(expected, i));
+  } catch (const Error& error) {
+    reader.fail("It cannot be read: " + std::string(error.what()) + ".");
+  }
 }
 
 }  // namespace
@@ -154,16 +193,17 @@ SubmittedNumbers submitted_numbers(const Json& submitted, const Pointed& expecte
     reader.read(submitted, expected.values.front().unit);
     return reader.take();
   }
+  if (submitted.is_string()) {
+    read_list(submitted.get_ref<const std::string&>(), expected, reader);
+    return reader.take();
+  }
   const std::optional<Json> elements = elements_of(submitted, expected, reader);
   if (!elements) return reader.take();
   if (elements->size() > most_submitted) {
     reader.fail("The list has more than 10000 numbers.");
     return reader.take();
   }
-  for (std::size_t i = 0; i < elements->size(); ++i) {
-    const std::size_t like = std::min(i, expected.values.size() - 1);
-    reader.read((*elements)[i], expected.values.empty() ? "1" : expected.values[like].unit);
-  }
+  for (std::size_t i = 0; i < elements->size(); ++i) reader.read((*elements)[i], unit_at(expected, i));
   return reader.take();
 }
 

@@ -1,10 +1,14 @@
 #include "api/answers/check/trajectory_item.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "api/answers/check/trajectory_table.hpp"
 #include "api/json/text.hpp"
+#include "core/mechanics/units.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot::api {
 namespace {
@@ -19,16 +23,30 @@ struct TrajectoryItem {
   double t_start{}, t_end{};
   double rtol{}, atol{};
 
-  /// The column of a submission that is called `name` there or in the scene.
-  [[nodiscard]] const std::vector<double>* column(const TrajectoryTable& table,
-                                                  const std::string& name) const {
-    if (const auto found = table.columns.find(name); found != table.columns.end()) return &found->second;
-    if (!names.is_object()) return nullptr;
+  std::map<std::string, std::string> units{};  ///< of the columns
+
+  /// What the submission calls the column `name`; empty where it has none.
+  [[nodiscard]] std::string word_for(const TrajectoryTable& table, const std::string& name) const {
+    if (table.columns.contains(name)) return name;
+    if (!names.is_object()) return "";
     for (const auto& [word, meaning] : names.items()) {
-      const auto found = meaning == name ? table.columns.find(word) : table.columns.end();
-      if (found != table.columns.end()) return &found->second;
+      if (meaning == name && table.columns.contains(word)) return word;
     }
-    return nullptr;
+    return "";
+  }
+
+  /// The values of a column that is there, in SI.
+  [[nodiscard]] std::vector<double> column(const TrajectoryTable& table, const std::string& name) const {
+    const std::string word = word_for(table, name);
+    std::vector<double> values = table.columns.at(word);
+    for (double& value : values) value *= table.units.at(word).factor;
+    return values;
+  }
+
+  [[nodiscard]] bool has_fitting_unit(const TrajectoryTable& table, const std::string& name) const {
+    const ColumnHeading& heading = table.units.at(word_for(table, name));
+    const auto unit = parse_unit(units.at(name));
+    return !heading.has_unit || !unit || heading.dimension == unit->dimension;
   }
 };
 
@@ -80,12 +98,46 @@ ColumnVerdict compare_column(const TrajectoryItem& item, const std::vector<doubl
   return verdict;
 }
 
+/// A slip that makes every value of a column another one.
+struct ColumnSlip {
+  const char* name;
+  double factor;
+  bool (*is_of)(std::string_view unit);
+  const char* text;
+};
+
+constexpr std::array column_slips{
+    ColumnSlip{"sign", -1, [](std::string_view) { return true; }, "The sign is wrong."},
+    ColumnSlip{"degrees", 180 / pi, [](std::string_view unit) { return unit.starts_with("rad"); },
+               "It is in degrees; a number without a unit is in radians."},
+    ColumnSlip{"factor", 2, [](std::string_view) { return true; },
+               "A simple factor is missing, or too much."},
+    ColumnSlip{"factor", 0.5, [](std::string_view) { return true; },
+               "A simple factor is missing, or too much."}};
+
+/// The slip that explains every row of every wrong column; null where none does.
+Json column_diagnosis(const TrajectoryItem& item, const TrajectoryTable& table, const Json& motion) {
+  for (const ColumnSlip& slip : column_slips) {
+    bool explains = true;
+    for (const std::string& name : item.columns) {
+      const std::vector<double> submitted = item.column(table, name);
+      auto expected = motion["trajectory"][name].get<std::vector<double>>();
+      if (compare_column(item, submitted, expected, 0).agreement == Agreement::yes) continue;
+      for (double& value : expected) value *= slip.factor;
+      explains = explains && slip.is_of(item.units.at(name)) &&
+                 compare_column(item, submitted, expected, 0).agreement == Agreement::yes;
+    }
+    if (explains) return {{"slip", slip.name}, {"text", slip.text}};
+  }
+  return nullptr;
+}
+
 Verdict compare_columns(const TrajectoryItem& item, const TrajectoryTable& table, const Json& motion) {
   Verdict verdict{.correct = true,
                   .decided_by = "rule",
                   .understood = {{"rows", table.t.size()}, {"columns", item.columns}}};
   for (const std::string& name : item.columns) {
-    const std::vector<double>& submitted = *item.column(table, name);
+    const std::vector<double> submitted = item.column(table, name);
     const auto expected = motion["trajectory"][name].get<std::vector<double>>();
     const Json& errors = motion["accuracy"]["max_abs_error"];
     const double error = errors.contains(name) && errors[name].is_number() ? errors[name].get<double>() : 0;
@@ -93,6 +145,7 @@ Verdict compare_columns(const TrajectoryItem& item, const TrajectoryTable& table
     if (agreement == Agreement::no) {
       verdict.correct = false;
       verdict.counterexample = {{"column", name}, {"t", table.t[row]}, {"value", submitted[row]}};
+      verdict.diagnosis = column_diagnosis(item, table, motion);
       return verdict;
     }
     if (agreement == Agreement::unknown) verdict.correct.reset();
@@ -106,7 +159,9 @@ Verdict grade_trajectory(const TrajectoryItem& item, const Json& submitted) {
   const TrajectoryTable table = trajectory_table(submitted);
   if (!table.unreadable.empty()) return unreadable(table.unreadable);
   for (const std::string& name : item.columns) {
-    if (item.column(table, name) == nullptr) return unreadable("A column " + in_quotes(name) + " is needed.");
+    if (item.word_for(table, name).empty()) return unreadable("A column " + in_quotes(name) + " is needed.");
+    if (!item.has_fitting_unit(table, name))
+      return unreadable("The unit of the column " + in_quotes(name) + " is one of another kind of quantity.");
   }
   if (const std::string fault = fault_of_times(item, table.t); !fault.empty()) return unreadable(fault);
   const auto motion = motion_at(item, table.t);
@@ -160,6 +215,7 @@ std::optional<Grader> read_trajectory_item(const CheckItem& item, const std::str
   if (!answer) return std::nullopt;
   TrajectoryItem read{
       .asking = &scope.asking, .request = item.expect[kind], .columns = {}, .names = item.names};
+  for (const auto& [name, unit] : (*answer)["units"].items()) read.units[name] = unit.get<std::string>();
   read.columns = columns_of(item.expect, (*answer)["trajectory"], expect.below("columns"), errors);
   if (errors.size() != mistakes) return std::nullopt;
   read.t_start = (*answer)["request"]["t_start"].get<double>();

@@ -1,17 +1,20 @@
 #pragma once
-// Submitted trajectories: CSV with a line of names first, or {"t": [...], "l": [...]}.
+// Submitted trajectories: CSV with a line of names first, which may have units, {"t": [...], "l": [...]}, or
+// [{"t": 0, "l": 0.5}, ...].
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include "api/answers/check/column_heading.hpp"
 #include "api/json/json.hpp"
 
 namespace qdot::api {
 
 struct TrajectoryTable {
-  std::vector<double> t{};
+  std::vector<double> t{};                               ///< in s
   std::map<std::string, std::vector<double>> columns{};  ///< by name, each as long as t
+  std::map<std::string, ColumnHeading> units{};          ///< of those columns
   std::string unreadable{};                              ///< why it could not be read
 };
 

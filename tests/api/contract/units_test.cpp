@@ -117,16 +117,25 @@ TEST(Units, WhatIsNoQuantityIsRefused) {
 // The names of core/mechanics/units.hpp.
 
 TEST(UnitNames, AreReadAsProductsQuotientsAndPowers) {
-  for (const char* text : {"N*s/m", "kg/s", "N/(m/s)", "kg*s^-1", " N * s / m "}) {
+  for (const char* text : {"N*s/m", "kg/s", "N/(m/s)", "kg*s^-1", " N * s / m ", "N s/m", "kg s^-1", "N m^-1 s"}) {
     const auto unit = parse_unit(text);
     ASSERT_TRUE(unit) << text;
     EXPECT_EQ(to_text(unit->dimension), "kg/s") << text;
     EXPECT_TRUE(unit->is_coherent());
   }
   for (const char* text :
-       {"", "m/", "*m", "kg m", "(m", "m)", "m^", "m^x", "m^1000", "m^(1/0)", "cm^(1/2)", "2", "M"}) {
+       {"", "m/", "*m", "kg  2", "(m", "m)", "m^", "m^x", "m^1000", "m^(1/0)", "cm^(1/2)", "2", "M"}) {
     EXPECT_FALSE(parse_unit(text)) << text;
   }
+}
+
+TEST(UnitNames, AreOfOtherSystemsToo) {
+  EXPECT_EQ(si("1 in", "m"), 0.0254);
+  EXPECT_EQ(si("3 feet", "m"), si("1 yd", "m"));
+  EXPECT_EQ(si("1 lbf", "N"), 4.4482216152605);
+  EXPECT_EQ(si("1 kWh", "J"), 3.6e6);
+  EXPECT_EQ(si("200 gon", "rad"), si("180 deg", "rad"));
+  EXPECT_EQ(si("2 /s", "1/s"), 2);
 }
 
 TEST(UnitNames, DefinitionsAgree) {

@@ -137,10 +137,47 @@ TEST(StudentParser, RefusesWhatHasTwoReadings) {
   }
 }
 
+TEST(StudentParser, KnowsAccelerationsOfOtherPrograms) {
+  expect_same(pendulum(),
+              {"theta_ddot", "theta\"", "theta``", "theta_tt", "theta_double_dot", "thetadoubledot",
+               "\\theta^{\\prime\\prime}", "D[theta[t],{t,2}]", "'diff(theta,t,2)", "d/dt(theta_t)"});
+}
+
+TEST(StudentParser, TakesNumbersAndNamesOfEquationsForLabels) {
+  const std::string first = "l'' = g", second = "l theta'' = 0";
+  for (const auto& [a, b] : std::vector<std::pair<std::string, std::string>>{
+           {"", ""}, {"(1) ", "(2) "}, {"1) ", "2) "}, {"1. ", "2. "}, {"a) ", "b) "}, {"l: ", "theta: "}}) {
+    Reader reader = pendulum();
+    const ReadSubmission read = reader.read(a + first + "\n" + b + second);
+    ASSERT_EQ(read.equations.size(), 2U) << a;
+    EXPECT_EQ(print_equation(read.equations[1].left, *read.equations[1].right, Form::text),
+              "l*theta_ddot = 0")
+        << b;
+  }
+  Reader reader = pendulum();
+  const ReadSubmission behind = reader.read("l'' = -k l (1)\nl theta'' = -g theta (2)");
+  EXPECT_EQ(print(*behind.equations[1].right, Form::text), "-g*theta");
+  EXPECT_EQ(pendulum()("l'' = (2) g"), "l_ddot = 2*g") << "no label: there is no first";
+  EXPECT_EQ(reader.read("l'' = g and\nl theta'' = 0.").equations.size(), 2U);
+  EXPECT_EQ(reader.read("l'' = g \\tag{1} \\\\[4pt] l\\ddot\\theta = 0 \\tag{2}").equations.size(), 2U);
+}
+
+TEST(StudentParser, DividesAFunctionOfAnAngleByWhatIsNoNumber) {
+  EXPECT_EQ(pendulum()("sin theta/(l + l0)"), pendulum()("sin(theta)/(l + l0)"));
+  EXPECT_THAT(pendulum()("sin theta/(2)"), HasSubstr("brackets around the argument"));
+  EXPECT_THAT(pendulum()("sin2theta"), HasSubstr("two readings"));
+}
+
+TEST(StudentParser, HasNoRatesOfAccelerations) {
+  EXPECT_THAT(pendulum()("d/dt(l theta'')"), HasSubstr("up to the second"));
+  EXPECT_THAT(pendulum()("(l' theta'')'"), HasSubstr("up to the second"));
+}
+
 TEST(StudentParser, SaysWhatItCannotRead) {
   EXPECT_THAT(pendulum()("m +"), HasSubstr("ends where"));
   EXPECT_THAT(pendulum()("(m"), HasSubstr("not closed"));
   EXPECT_THAT(pendulum()("m)"), HasSubstr("opening bracket"));
+  EXPECT_THAT(pendulum()("0,5 m"), HasSubstr("a decimal has a point"));
   EXPECT_THAT(pendulum()("l/0"), HasSubstr("division by zero"));
   EXPECT_THAT(pendulum()("\\foo"), HasSubstr("\\foo"));
   EXPECT_THAT(pendulum()("m'"), HasSubstr("up to the second"));
