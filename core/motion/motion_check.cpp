@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/compile/extended/expansion.hpp"
 #include "core/motion/extended_impacts.hpp"
@@ -20,7 +21,7 @@ constexpr double drift_of_rounding = 1e-14;  ///< relative
 constexpr double much_better = 0.05;
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
-constexpr double common_rounding = 0x1p-54;
+constexpr double common_rounding = 0x1p-53;
 constexpr std::uint64_t cost_of_digits = 3;  ///< of an evaluation in double-doubles
 
 /// Every number by one or two units in the last place, up and down in turn, so that the ratio of any two
@@ -60,6 +61,24 @@ bool keeps_better(const Simulation& motion, const Simulation& check) {
   if (most == nullptr) return true;
   const auto same = std::ranges::find(check.conserved, most->name, &ConservedRecord::name);
   return same == check.conserved.end() || same->max_abs_drift <= much_better * most->max_abs_drift;
+}
+
+/// What the coefficients that stay doubles may have in common with those of the motion, for each row. That of
+/// a velocity moves its coordinate on ever after.
+std::vector<double> rounding_in_common(const ComputedMotion& motion, std::span<const double> passed) {
+  const std::size_t width = motion.width(), n = width / 2;
+  std::vector<double> rounding(passed.size()), moved(n);
+  double before = motion.request.t_start;
+  for (std::size_t row = 0; row < passed.size() / width; ++row) {
+    const double span = motion.grid.t[row] - std::exchange(before, motion.grid.t[row]);
+    const std::size_t at = row * width;
+    for (std::size_t k = 0; k < width; ++k) rounding[at + k] = common_rounding * passed[at + k];
+    for (std::size_t i = 0; i < n; ++i) {
+      moved[i] += span * rounding[at + n + i];
+      rounding[at + i] += moved[i];
+    }
+  }
+  return rounding;
 }
 
 }  // namespace
@@ -134,7 +153,7 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
   Simulation& sharper = result.simulation.emplace();
   sharper.rows = run.rows;
   for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());
-  for (const double size : run.passed) sharper.unseen.push_back(common_rounding * size);
+  sharper.unseen = rounding_in_common(motion, run.passed);
   return result;
 }
 

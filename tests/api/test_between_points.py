@@ -85,7 +85,7 @@ class BetweenPoints(Service):
     def test_what_a_pulse_takes_back_leaves_its_rounding(self):
         """The speed after it is 0, and was a million times the rounding that is left."""
         draw = random.Random(17)
-        for _ in range(40):
+        for _ in range(240):
             a, c, w = (f"{value:.4g}" for value in (draw.uniform(5, 30), draw.uniform(3, 9), 10**draw.uniform(-4, -1.5)))
             u = f"((t-{c})/{w})"
             accuracy = draw.choice([{"accuracy": "accurate"}, {"max_evaluations": 20000}, {"rtol": 1e-14, "atol": 1e-17}])
