@@ -37,6 +37,13 @@ decltype(ExtendedSystem::hidden) hidden_of(const CompiledFunction& accelerations
   };
 }
 
+/// By the series in doubles that the expansion has taken anyway.
+decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<MixedExpansion>& expansion) {
+  return [expansion](double t, std::span<const double> y, double h, std::span<const double> allowed) {
+    return expansion->bound_defect(t, y, h, allowed);
+  };
+}
+
 std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
   std::vector<DoubleDouble> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
@@ -65,12 +72,14 @@ ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionReq
   };
   if (request.form == Form::full) {
     use(std::make_shared<ExtendedExpansion>(accelerations, request.parameters));
+    if (request.look_for_hidden) system.hidden = hidden_of(accelerations, request.parameters);
   } else {
-    use(std::make_shared<MixedExpansion>(accelerations, request.parameters));
+    const auto mixed = std::make_shared<MixedExpansion>(accelerations, request.parameters);
+    use(mixed);
     system.first_in_doubles = MixedExpansion::first_in_doubles;
     system.round_off = 1e-18;
+    if (request.look_for_hidden) system.hidden = hidden_of(mixed);
   }
-  if (request.look_for_hidden) system.hidden = hidden_of(accelerations, request.parameters);
   return system;
 }
 

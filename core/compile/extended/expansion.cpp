@@ -1,6 +1,7 @@
 #include "core/compile/extended/expansion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "core/compile/extended/translation.hpp"
@@ -57,24 +58,44 @@ MixedExpansion::MixedExpansion(const CompiledFunction& accelerations,
                                std::span<const DoubleDouble> parameters)
     : first_(accelerations, parameters), others_(accelerations, high_parts(parameters)) {}
 
+Evaluation MixedExpansion::expand_in_doubles(double t, std::span<const double> y, unsigned order) {
+  order_ = 0;
+  other_coefficients_.resize(y.size() * (order + 1));
+  const Evaluation evaluation = others_.expand(t, y, order, other_coefficients_);
+  if (evaluation != Evaluation::ok) return evaluation;
+  t_ = t;
+  order_ = order;
+  return evaluation;
+}
+
 Evaluation MixedExpansion::expand(const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
                                   std::span<DoubleDouble> coefficients) {
   const unsigned low_order = std::min(order, first_in_doubles - 1);
   first_coefficients_.resize(y.size() * (low_order + 1));
-  other_coefficients_.resize(y.size() * (order + 1));
-  y_.resize(y.size());
-  for (std::size_t i = 0; i < y.size(); ++i) y_[i] = y[i].high;
   const Evaluation evaluation = first_.expand(t, y, low_order, first_coefficients_);
   if (evaluation != Evaluation::ok) return evaluation;
-  const Evaluation other = others_.expand(t.high, y_, order, other_coefficients_);
+  y_.resize(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) y_[i] = y[i].high;
+  const Evaluation other = expand_in_doubles(t.high, y_, order);
   if (other != Evaluation::ok) return other;
   for (std::size_t i = 0; i < y.size(); ++i) {
-    for (unsigned k = 0; k <= order; ++k) {
-      coefficients[i * (order + 1) + k] = k <= low_order ? first_coefficients_[i * (low_order + 1) + k]
-                                                         : other_coefficients_[i * (order + 1) + k];
-    }
+    DoubleDouble* row = coefficients.data() + i * (order + 1);
+    std::copy_n(first_coefficients_.data() + i * (low_order + 1), low_order + 1, row);
+    const double* others = other_coefficients_.data() + i * (order + 1);
+    for (unsigned k = low_order + 1; k <= order; ++k) row[k] = others[k];
   }
   return Evaluation::ok;
+}
+
+double MixedExpansion::bound_defect(double t, std::span<const double> y, double h,
+                                    std::span<const double> allowed) {
+  constexpr unsigned highest = TaylorExpansion::highest_order;
+  if (order_ != highest || t != t_ || !std::ranges::equal(y, y_)) {
+    y_.assign(y.begin(), y.end());
+    if (expand_in_doubles(t, y_, highest) != Evaluation::ok) return std::numeric_limits<double>::infinity();
+  }
+  defect_.resize(y.size());
+  return others_.bound_defect(h, allowed, defect_);
 }
 
 }  // namespace qdot

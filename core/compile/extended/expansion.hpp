@@ -58,11 +58,20 @@ class MixedExpansion {
   [[nodiscard]] Evaluation expand(const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
                                   std::span<DoubleDouble> coefficients);
 
+  /// As TaylorExpansion::bound_defect, of the series of highest order in doubles through (t, y): mostly that
+  /// of the last expansion. Infinite where there is none.
+  [[nodiscard]] double bound_defect(double t, std::span<const double> y, double h,
+                                    std::span<const double> allowed);
+
  private:
+  [[nodiscard]] Evaluation expand_in_doubles(double t, std::span<const double> y, unsigned order);
+
   ExtendedExpansion first_;
   TaylorExpansion others_;
   std::vector<DoubleDouble> first_coefficients_;
-  std::vector<double> y_, other_coefficients_;
+  std::vector<double> y_, other_coefficients_, defect_;
+  double t_{};         ///< of the last series in doubles, as y_
+  unsigned order_{0};  ///< of that; 0: there is none
 };
 
 }  // namespace qdot

@@ -28,20 +28,25 @@ bool has_reached_limit(const extended::Step& step) {
   return value == 0 || std::abs(step.argument[0]) > huge;
 }
 
-/// Coefficients up to `order`, in all four runs.
-void clear(double* row, unsigned order) {
-  const std::size_t count = order + 1;
+/// In all four runs.
+[[gnu::always_inline]] inline void clear(double* row, unsigned count) {
   for (std::size_t part = 0; part < 2; ++part, row += extended::run_length) {
     std::fill_n(row, count, 0.0);
-    std::fill_n(row + 2 * extended::run_length + extended::last - order, count, 0.0);
+    std::fill_n(row + 2 * extended::run_length + extended::last - (count - 1), count, 0.0);
   }
+}
+
+/// Coefficients up to `order`; a few more where their number is then known here: most expansions are short.
+void clear_up_to(double* row, unsigned order) {
+  constexpr unsigned short_count = 8;
+  order < short_count ? clear(row, short_count) : clear(row, order + 1);
 }
 
 }  // namespace
 
 bool ExtendedTranslation::start(const ExtendedTape& tape, unsigned order) {
   const std::span<const DoubleDouble> slots = tape.slots();
-  for (std::size_t i = time_; i < rows_used_; ++i) clear(row(i), order_before_);
+  for (std::size_t i = time_; i < rows_used_; ++i) clear_up_to(row(i), order_before_);
   order_before_ = order;
   for (std::size_t slot = 0; slot < slots.size(); ++slot) set_first(row(slot), slots[slot]);
   double* t = row(time_);
