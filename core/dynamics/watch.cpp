@@ -1,5 +1,6 @@
 #include "core/dynamics/watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -42,14 +43,10 @@ void watch_component(Watch& watch, std::size_t i, double sign, double limit) {
   watch.value = [=](double, std::span<const double> y) { return sign * (y[i] - limit); };
   watch.series = [=](const MotionPiece& piece, unsigned order, std::span<double> coefficients) {
     const std::span<const double> row = piece.rows.subspan(i * (piece.order + 1), piece.order + 1);
-    double power = 1, rest = 0;
-    for (unsigned k = 0; k <= piece.order; ++k, power *= piece.h) {
-      if (k <= order) {
-        coefficients[k] = sign * row[k];
-      } else {
-        rest += std::abs(row[k]) * power;
-      }
-    }
+    double rest = 0;
+    for (unsigned k = piece.order; k > order; --k) rest = (rest + std::abs(row[k])) * piece.h;
+    for (unsigned k = 1; k <= order; ++k) rest *= piece.h;
+    for (unsigned k = 0; k <= std::min(order, piece.order); ++k) coefficients[k] = sign * row[k];
     coefficients[0] -= sign * limit;
     return rest;
   };

@@ -72,30 +72,31 @@ class Integration {
 
   // The rows up to and including t; on failure those of before.
   std::optional<Ending> sample_until(double t) {
-    const std::size_t n = request_.y_start.size();
-    const std::size_t rows_before = run_.rows;
-    for (; run_.rows < request_.grid.size() && request_.grid[run_.rows] <= t; ++run_.rows) {
-      run_.states.resize((run_.rows + 1) * n);
-      const auto row = std::span(run_.states).last(n);
-      const auto failed = stepper_->interpolate(request_.grid[run_.rows], row);
-      if (!failed) {
-        note_unseen();
-        continue;
-      }
-      run_.rows = rows_before;
+    std::size_t end = run_.rows;
+    while (end < request_.grid.size() && request_.grid[end] <= t) ++end;
+    if (end == run_.rows) return std::nullopt;
+    const std::size_t n = request_.y_start.size(), count = end - run_.rows;
+    run_.states.resize(end * n);
+    const auto failed =
+        stepper_->sample(request_.grid.subspan(run_.rows, count), std::span(run_.states).last(count * n));
+    if (failed) {
       run_.states.resize(run_.rows * n);
       return failed;
     }
+    note_unseen(count);
+    run_.rows = end;
     return std::nullopt;
   }
 
   // What the step may hide counts for all of its rows.
-  void note_unseen() {
+  void note_unseen(std::size_t count) {
     const std::span<const double> unseen = stepper_->unseen();
     if (unseen.empty()) return;
     const std::size_t n = request_.y_start.size();
     run_.unseen.resize(run_.rows * n);
-    run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
+    for (std::size_t i = 0; i < count; ++i) {
+      run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
+    }
   }
 
   const RunRequest& request_;

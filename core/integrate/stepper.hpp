@@ -31,6 +31,15 @@ class Stepper {
   /// evaluations and therefore fail with their Ending.
   [[nodiscard]] virtual std::optional<Ending> interpolate(double t, std::span<double> y_out) = 0;
 
+  /// The same at several increasing times, row by row, to the bit. What was written before a failure stays.
+  [[nodiscard]] virtual std::optional<Ending> sample(std::span<const double> times, std::span<double> rows) {
+    const std::size_t width = times.empty() ? 0 : rows.size() / times.size();
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (const auto failed = interpolate(times[i], rows.subspan(i * width, width))) return failed;
+    }
+    return std::nullopt;
+  }
+
   /// y(t) inside the last step roughly, at little cost: enough to see that nothing changes sign there.
   /// Methods whose dense output is cheap give that.
   [[nodiscard]] virtual std::optional<Ending> sketch(double t, std::span<double> y_out) {

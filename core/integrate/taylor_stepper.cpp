@@ -1,6 +1,7 @@
 #include "core/integrate/taylor_stepper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 
 #include "core/base/work.hpp"
 #include "core/integrate/evaluator.hpp"
+#include "core/integrate/series_at_four.hpp"
 #include "core/integrate/series_sums.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/rough_powers.hpp"
@@ -35,6 +37,14 @@ constexpr double visible = 1000;  ///< a defect so many times the last coefficie
 double log2_of_root(double w, double c, unsigned k) {
   if (c == 0) return infinity;
   return (rough_log2(w) - rough_log2(std::abs(c))) / k;
+}
+
+double powered(double x, unsigned k) {
+  double result = 1;
+  for (; k > 0; k /= 2, x *= x) {
+    if (k % 2 == 1) result *= x;
+  }
+  return result;
 }
 
 double relative_tolerance(const RunRequest& request) {
@@ -94,6 +104,16 @@ class TaylorStepper final : public Stepper {
     return std::nullopt;
   }
 
+  std::optional<Ending> sample(std::span<const double> times, std::span<double> rows) override {
+    constexpr std::size_t lanes = 4, worth_it = 2;
+    const std::size_t n = y_.size();
+    std::size_t i = 0;
+    for (; i + worth_it <= times.size(); i += lanes) {
+      sample_at_four(times.subspan(i, std::min(lanes, times.size() - i)), rows.subspan(i * n));
+    }
+    return i < times.size() ? interpolate(times[i], rows.subspan(i * n, n)) : std::nullopt;
+  }
+
   std::optional<MotionPiece> polynomials() const override {
     return MotionPiece{t_previous_, t_ - t_previous_, coefficients_, order_};
   }
@@ -108,6 +128,20 @@ class TaylorStepper final : public Stepper {
   std::uint64_t evaluations() const override { return evaluations_; }
 
  private:
+  /// Where there are less than four, the last one several times.
+  void sample_at_four(std::span<const double> times, std::span<double> rows) {
+    std::array<double, 4> s{};
+    for (std::size_t j = 0; j < s.size(); ++j) s[j] = times[std::min(j, times.size() - 1)] - t_previous_;
+    const std::size_t n = y_.size();
+    sums_.resize(s.size() * n);
+    sum_series_at_four(coefficients_.data(), order_, s.data(), sums_);
+    for (std::size_t j = 0; j < times.size(); ++j) {
+      double* row = rows.data() + j * n;
+      for (std::size_t i = 0; i < n; ++i) row[i] = y_previous_[i] + sums_[i * s.size() + j];
+      if (times[j] == t_) std::ranges::copy(y_, row);
+    }
+  }
+
   std::optional<Ending> limit() const {
     const Limits& limits = request_.limits;
     if (evaluations_ + order_ > limits.max_evaluations) return Ending::step_limit;
@@ -201,7 +235,8 @@ class TaylorStepper final : public Stepper {
 
   /// Where the bound tells of something hidden it may be a rough one: then the closest is taken.
   void look_closely(double h) {
-    if (!find_hidden(h)) return;
+    hides_ = find_hidden(h);
+    if (!hides_) return;
     std::ranges::fill(allowed_, std::numeric_limits<double>::min());
     (void)system_.defect(h, allowed_, defect_);
   }
@@ -220,7 +255,7 @@ class TaylorStepper final : public Stepper {
   /// reference may be off by anyway is much less, and only summed.
   void note_unseen(double h) {
     const std::size_t n = y_.size() / 2;
-    const bool hides = find_hidden(h);
+    const bool hides = hides_ && find_hidden(h);  // by the closest bound
     if (hides) hidden_so_far_.resize(y_.size());
     for (std::size_t i = 0; i < hidden_so_far_.size(); ++i) hidden_so_far_[i] += hidden_[i];
     for (std::size_t i = 0; i < n && !hidden_so_far_.empty(); ++i) {
@@ -235,8 +270,7 @@ class TaylorStepper final : public Stepper {
 
   /// hidden_: what of the bound of each component its last coefficients do not show. Whether there is any.
   bool find_hidden(double h) {
-    double power = 1;
-    for (unsigned k = 2; k < order_; ++k) power *= h;
+    const double power = powered(h, order_ - 2);
     bool hides = false;
     for (std::size_t i = 0; i < y_.size(); ++i) {
       const auto size = [&](unsigned k) { return std::abs(coefficient(next_, i, k)); };
@@ -323,10 +357,12 @@ class TaylorStepper final : public Stepper {
   std::vector<double> beyond_ = std::vector<double>(coefficients_.size());
   std::vector<double> rise_ = std::vector<double>(y_.size()), slope_ = rise_;
   std::vector<double> weights_ = rise_;
+  std::vector<double> sums_;  ///< of four samples
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
   std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
   bool bounded_{true};
-  double share_{1};  ///< of the length wanted, to begin with
+  bool hides_{false};  ///< the step that was just bounded
+  double share_{1};    ///< of the length wanted, to begin with
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
 };

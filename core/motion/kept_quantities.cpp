@@ -27,10 +27,12 @@ class Quantities {
   /// Not a number where there is no value.
   [[nodiscard]] std::vector<double> at(double t, std::span<const double> y) {
     std::vector<double> values(count());
-    if (conserved_->values->evaluate(t, y, workspace_, values) != Evaluation::ok) {
-      std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
-    }
+    take(t, y, values);
     return values;
+  }
+  void take(double t, std::span<const double> y, std::vector<double>& values) {
+    if (conserved_->values->evaluate(t, y, workspace_, values) == Evaluation::ok) return;
+    std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
   }
 
   /// Whether the errors of a state explain a change: no more is computed than it takes to know that they do.
@@ -84,7 +86,9 @@ class Comparison {
   Comparison(Quantities& quantities, const StatedRows& rows, std::span<const SectionRecord> sections)
       : quantities_(quantities), rows_(rows) {
     Place begin{rows.t_start, rows.start};
-    std::vector<double> before = quantities_.at(begin.t, begin.y);
+    std::vector<double> before = quantities_.at(begin.t, begin.y), now = before;
+    begins_.reserve(rows.t.size());
+    changes_.reserve(rows.t.size() * before.size());
     auto next = sections.begin();
     for (std::size_t i = 0; i < rows.t.size(); ++i) {
       if (i % 256 == 0) check_interruption();
@@ -93,7 +97,7 @@ class Comparison {
         before = quantities_.at(begin.t, begin.y);
       }
       begins_.push_back(begin);
-      const std::vector<double> now = quantities_.at(rows.t[i], state(i));
+      quantities_.take(rows.t[i], state(i), now);
       for (std::size_t k = 0; k < now.size(); ++k) changes_.push_back(std::abs(now[k] - before[k]));
     }
   }

@@ -14,15 +14,14 @@ namespace {
 constexpr double part = 0.1;     ///< of its own time, in which no difference changes its sign twice
 constexpr double useful = 1e-3;  ///< horizon: of a column's largest magnitude
 
-/// What the checks may have missed up to a row; empty where there is nothing.
-std::vector<double> unseen_at(const std::vector<Simulation>& others, std::size_t row, std::size_t width) {
-  std::vector<double> unseen;
+/// What the checks may have missed up to a row.
+void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::vector<double>& unseen) {
+  std::ranges::fill(unseen, 0.0);
   for (const Simulation& other : others) {
     if (other.unseen.empty()) continue;
-    unseen.resize(width);
-    for (std::size_t k = 0; k < width; ++k) unseen[k] = std::max(unseen[k], other.unseen[row * width + k]);
+    const double* of_row = other.unseen.data() + row * unseen.size();
+    for (std::size_t k = 0; k < unseen.size(); ++k) unseen[k] = std::max(unseen[k], of_row[k]);
   }
-  return unseen;
 }
 
 class Comparing {
@@ -34,21 +33,23 @@ class Comparing {
         largest_(largest_magnitudes(motion, Rows::all)),
         scale_(largest_magnitudes(motion, Rows::wanted)),
         errors_(largest_),
-        workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)) {}
+        workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)),
+        missed_(width_),
+        acceleration_(width_ / 2) {}
 
   RowComparison compare(double doubt) {
     RowComparison result;
     result.max_abs_error.resize(width_);
     std::size_t rows = motion_.simulation.rows;
     for (const Simulation& other : others_) rows = std::min(rows, other.rows);
-    std::vector<double> stated;  // of each row
+    std::vector<double> stated(rows * width_);  // of each row
     for (std::size_t i = 0; i < rows; ++i) {
-      std::vector<double> error = at(i);
-      for (std::size_t k = 0; k < width_; ++k) error[k] += doubt * largest_[k];
-      stated.insert(stated.end(), error.begin(), error.end());
+      add(i);
+      const std::span<double> error = std::span(stated).subspan(i * width_, width_);
+      for (std::size_t k = 0; k < width_; ++k) error[k] = errors_.so_far()[k] + doubt * largest_[k];
       if (!motion_.grid.wanted[i]) continue;
       if (!result.horizon && !is_useful(error)) result.horizon = motion_.grid.t[i];
-      result.max_abs_error = std::move(error);
+      std::ranges::copy(error, result.max_abs_error.begin());
     }
     result.changed = changed(stated);
     add_event_errors(stated, result);
@@ -60,53 +61,48 @@ class Comparing {
     return std::span(simulation.states).subspan(row * width_, width_);
   }
 
-  std::vector<double> at(std::size_t row) {
-    std::vector<std::span<const double>> same_row;
-    for (const Simulation& other : others_) same_row.push_back(row_of(other, row));
-    std::vector<double> missed = unseen_at(others_, row, width_);
-    add_rounding_of_instant(row, missed);
-    add_slopes_of_differences(row, same_row, missed);
-    errors_.add(row_of(motion_.simulation, row), same_row, missed);
-    return errors_.so_far();
+  void add(std::size_t row) {
+    same_row_.clear();
+    for (const Simulation& other : others_) same_row_.push_back(row_of(other, row));
+    take_unseen(others_, row, missed_);
+    add_rounding_of_instant(row);
+    add_slopes_of_differences(row);
+    errors_.add(row_of(motion_.simulation, row), same_row_, missed_);
   }
 
-  void add_rounding_of_instant(std::size_t row, std::vector<double>& missed) {
+  void add_rounding_of_instant(std::size_t row) {
     const double t = motion_.grid.t[row];
     const double in_parts = std::ldexp(t, 20);
     if (in_parts == std::nearbyint(in_parts)) return;  // as it was typed
     const std::size_t n = width_ / 2;
     const std::span<const double> y = row_of(motion_.simulation, row);
-    std::vector<double> acceleration(n);
-    if (motion_.dynamics.accelerations().evaluate(t, y, workspace_, acceleration) != Evaluation::ok) return;
-    missed.resize(width_);
+    if (motion_.dynamics.accelerations().evaluate(t, y, workspace_, acceleration_) != Evaluation::ok) return;
     const double rounded = (std::nextafter(std::abs(t), infinity) - std::abs(t)) / 2;
     for (std::size_t i = 0; i < n; ++i) {
-      missed[i] += rounded * std::abs(y[n + i]);
-      missed[n + i] += rounded * std::abs(acceleration[i]);
+      missed_[i] += rounded * std::abs(y[n + i]);
+      missed_[n + i] += rounded * std::abs(acceleration_[i]);
     }
   }
 
   /// A difference may be passing zero at a row, by chance, but then its slope is not zero: that of
   /// coordinates is the difference of velocities. So much it may be half-way to the next row, or a tenth of
   /// the motion's own time L_q / L_v away.
-  void add_slopes_of_differences(std::size_t row, const std::vector<std::span<const double>>& same_row,
-                                 std::vector<double>& missed) const {
+  void add_slopes_of_differences(std::size_t row) {
     const std::size_t n = width_ / 2;
     const std::span<const double> y = row_of(motion_.simulation, row);
     const std::vector<double>& t = motion_.grid.t;
     const double to_next = row + 1 < t.size() ? t[row + 1] - t[row] : row > 0 ? t[row] - t[row - 1] : 0;
     const auto difference = [&](std::size_t k) {
       double largest = 0;
-      for (const auto& other : same_row) largest = std::max(largest, std::abs(y[k] - other[k]));
+      for (const auto& other : same_row_) largest = std::max(largest, std::abs(y[k] - other[k]));
       return largest;
     };
-    missed.resize(width_);
     for (std::size_t i = 0; i < n; ++i) {
       const double tau = largest_[i] / largest_[n + i];
       if (!(tau > 0) || !std::isfinite(tau)) continue;
       const double away = std::min(to_next / 2, part * tau);
-      missed[i] += away * difference(n + i);
-      missed[n + i] += away / tau * (difference(i) / tau);
+      missed_[i] += away * difference(n + i);
+      missed_[n + i] += away / tau * (difference(i) / tau);
     }
   }
 
@@ -120,7 +116,7 @@ class Comparing {
     return time;
   }
 
-  [[nodiscard]] bool is_useful(const std::vector<double>& error) const {
+  [[nodiscard]] bool is_useful(std::span<const double> error) const {
     for (std::size_t k = 0; k < width_; ++k) {
       if (error[k] > useful * scale_[k]) return false;
     }
@@ -175,6 +171,8 @@ class Comparing {
   std::vector<double> largest_, scale_;
   RowErrors errors_;
   Workspace workspace_;
+  std::vector<std::span<const double>> same_row_;  ///< of the others
+  std::vector<double> missed_, acceleration_;
 };
 
 }  // namespace
@@ -182,9 +180,10 @@ class Comparing {
 std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which) {
   const std::size_t width = motion.width();
   std::vector<double> largest(width);
-  for (std::size_t i = 0; i < motion.simulation.rows * width; ++i) {
-    if (which == Rows::wanted && !motion.grid.wanted[i / width]) continue;
-    largest[i % width] = std::max(largest[i % width], std::abs(motion.simulation.states[i]));
+  for (std::size_t row = 0; row < motion.simulation.rows; ++row) {
+    if (which == Rows::wanted && !motion.grid.wanted[row]) continue;
+    const double* y = motion.simulation.states.data() + row * width;
+    for (std::size_t k = 0; k < width; ++k) largest[k] = std::max(largest[k], std::abs(y[k]));
   }
   return largest;
 }

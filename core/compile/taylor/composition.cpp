@@ -16,9 +16,9 @@ TaylorComposition::TaylorComposition(std::shared_ptr<const CompiledFunction> fun
                                      std::span<const double> parameters)
     : function_(std::move(function)),
       workspace_(function_->bind(parameters)),
+      kernels_(taylor::best_kernels()),
       translation_(std::make_unique<TaylorTranslation>(*function_, workspace_)),
-      remainder_(std::make_unique<taylor::Remainder>(translation_->composition())),
-      kernel_(taylor::best_kernel()),
+      remainder_(std::make_unique<taylor::Remainder>(translation_->composition(), kernels_)),
       start_(function_->variables()),
       left_out_(function_->variables()) {}
 
@@ -33,7 +33,7 @@ double TaylorComposition::expand(double t, std::span<const double> rows, unsigne
   put_state(rows, rows_order, h, order);
   taylor::Program alone = translation_->composition();
   alone.state.n = 0;  // the state's coefficients are there
-  kernel_(alone, order);
+  kernels_.expand(alone, order);
   const double* row = translation_->output();
   const double r = remainder_->distance(row, h, order, left_out_);
   std::copy_n(row, order, coefficients.begin());

@@ -40,9 +40,9 @@ class TaylorComposition {
 
   std::shared_ptr<const CompiledFunction> function_;
   Workspace workspace_;
+  taylor::Kernels kernels_;
   std::unique_ptr<TaylorTranslation> translation_;
   std::unique_ptr<taylor::Remainder> remainder_;
-  taylor::Kernel kernel_;
   std::vector<double> start_, left_out_;
 };
 

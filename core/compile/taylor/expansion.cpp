@@ -6,12 +6,16 @@
 
 namespace qdot {
 
-taylor::Kernel taylor::best_kernel() { return __builtin_cpu_supports("avx2") ? avx2::expand : plain::expand; }
+taylor::Kernels taylor::best_kernels() {
+  return __builtin_cpu_supports("avx2") ? Kernels{avx2::expand, avx2::measure} : plain_kernels();
+}
+
+taylor::Kernels taylor::plain_kernels() { return {plain::expand, plain::measure}; }
 
 TaylorExpansion::TaylorExpansion(const CompiledFunction& accelerations, std::span<const double> parameters,
                                  InstructionSet instruction_set)
     : tape_(accelerations),
-      kernel_(instruction_set == InstructionSet::plain ? taylor::plain::expand : taylor::best_kernel()),
+      kernels_(instruction_set == InstructionSet::plain ? taylor::plain_kernels() : taylor::best_kernels()),
       workspace_(accelerations.bind(parameters)),
       accelerations_(accelerations.outputs()),
       translation_(std::make_unique<TaylorTranslation>(tape_, workspace_)) {}
@@ -24,7 +28,7 @@ Evaluation TaylorExpansion::expand(double t, std::span<const double> y, unsigned
   if (evaluation != Evaluation::ok) return evaluation;
   if (!translation_->start(workspace_)) return Evaluation::singular_mass;
   const taylor::Program& program = translation_->program();
-  kernel_(program, order);
+  kernels_.expand(program, order);
   order_ = order;
   for (std::size_t i = 0; i < y.size(); ++i) {
     std::copy_n(program.state.rows + i * taylor::stride, order + 1,
@@ -34,7 +38,7 @@ Evaluation TaylorExpansion::expand(double t, std::span<const double> y, unsigned
 }
 
 double TaylorExpansion::bound_defect(double h, std::span<const double> allowed, std::span<double> defect) {
-  if (!remainder_) remainder_ = std::make_unique<taylor::Remainder>(translation_->program());
+  if (!remainder_) remainder_ = std::make_unique<taylor::Remainder>(translation_->program(), kernels_);
   return remainder_->bound(h, order_, allowed, defect);
 }
 

@@ -46,7 +46,7 @@ class TaylorExpansion {
 
  private:
   const CompiledFunction& tape_;
-  taylor::Kernel kernel_;
+  taylor::Kernels kernels_;
   Workspace workspace_;
   std::vector<double> accelerations_;
   std::unique_ptr<TaylorTranslation> translation_;

@@ -109,14 +109,39 @@ struct Program {
 /// others, rows of rates begin with what they get in the first pass.
 using Kernel = void (*)(const Program& program, unsigned order);
 
+/// How large a row is over 0 <= s <= h, roughly (remainder.hpp): g = h/rho.
+struct RowSizes {
+  const double* coefficients{};
+  unsigned degree{};        ///< the last order that counts; later ones may be no numbers
+  double norm{}, peak{};    ///< sum_{k>=1} |c_k| g^k, max_{k>=1} |c_k| g^k / (1 - rho) or the same
+  double t0{}, t2{};        ///< bounds of sum_{k>=0} |c_k| h^k and from k = 2 on
+  double lower{}, upper{};  ///< of the polynomial
+};
+struct SizeScales {
+  double h{}, h2{};         ///< and its square
+  double beyond{}, rho3{};  ///< 1/(1 - rho), rho^3
+  double rounding{};        ///< of a sum, as a share of its terms
+  const double* powers{};   ///< g^k, with room for four after the last
+};
+/// So many rows, a multiple of four; one may be there several times.
+using Measure = void (*)(RowSizes* const* rows, unsigned count, const SizeScales& scales);
+
+struct Kernels {
+  Kernel expand{};
+  Measure measure{};
+};
+
 /// The fastest that the processor has.
-[[nodiscard]] Kernel best_kernel();
+[[nodiscard]] Kernels best_kernels();
+[[nodiscard]] Kernels plain_kernels();
 
 namespace plain {
 void expand(const Program& program, unsigned order);
-}
+void measure(RowSizes* const* rows, unsigned count, const SizeScales& scales);
+}  // namespace plain
 namespace avx2 {
 void expand(const Program& program, unsigned order);
-}
+void measure(RowSizes* const* rows, unsigned count, const SizeScales& scales);
+}  // namespace avx2
 
 }  // namespace qdot::taylor

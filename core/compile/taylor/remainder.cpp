@@ -9,12 +9,23 @@ constexpr double by_far = 100;
 
 }  // namespace
 
-Remainder::Remainder(const Program& program) : n_(program.state.n) {
+Remainder::Remainder(const Program& program, const Kernels& kernels)
+    : n_(program.state.n), measure_(kernels.measure) {
   for (std::size_t i = 0; i < 2 * n_; ++i) state_.push_back(index_of(program.state.rows + i * stride));
   for (const Index i : state_) rows_[i].missing = 0;
   for (std::size_t i = 0; i < program.count; ++i) rules_.push_back(rule_for(program.steps[i]));
-  if (program.state.accelerations == nullptr) return;
-  for (std::size_t i = 0; i < n_; ++i) accelerations_.push_back(index_of(program.state.accelerations[i]));
+  if (program.state.accelerations != nullptr) {
+    for (std::size_t i = 0; i < n_; ++i) accelerations_.push_back(index_of(program.state.accelerations[i]));
+  }
+  collect_factors();
+}
+
+void Remainder::collect_factors() {
+  measured_.clear();
+  for (Row& row : rows_) {
+    if (row.is_factor) measured_.push_back(&row);
+  }
+  while (measured_.size() % 4 != 0) measured_.push_back(measured_.back());
 }
 
 Remainder::Index Remainder::index_of(const double* row) {
@@ -84,7 +95,10 @@ double Remainder::distance(const double* row, double h, unsigned order,
                            std::span<const double> missing_of_state) {
   begin(h, order);
   Row& result = rows_[index_of(row)];
-  result.is_factor = true;
+  if (!result.is_factor) {
+    result.is_factor = true;
+    collect_factors();
+  }
   take_norms();
   put_missing(missing_of_state);
   look(Effort::rough);

@@ -32,7 +32,7 @@ namespace qdot::taylor {
 class Remainder {
  public:
   /// Keeps pointers into the program, which must outlive it.
-  explicit Remainder(const Program& program);
+  Remainder(const Program& program, const Kernels& kernels);
 
   /// Bounds over 0 <= s <= h of |p_i'(s) - f_i(t + s, p(s))| for y = (q, v), for the rows of an expansion of
   /// that order; infinite where there is none. Returns the largest of h defect_i / allowed_i.
@@ -46,18 +46,16 @@ class Remainder {
   /// rough: products by norms. quick: by their terms. careful: ranges by interval operations too.
   enum class Effort { rough, quick, careful };
 
-  struct Row {
-    const double* coefficients{};
+  struct Row : RowSizes {
     unsigned missing{1};  ///< orders that the row lacks: 0 for a state, 2 for a rate
     bool is_factor{};     ///< its size counts, not only r
     double r{};
-    double argument_r{};    ///< of what the row is the rate of
-    double own_top{};       ///< A_N of a state: what a sum that contains it does not have
-    Range of_argument;      ///< of what it is the rate of, as far as that is known
-    Range of_row;           ///< of the polynomial
-    Range of_value;         ///< of what it stands for
-    double norm{}, peak{};  ///< sum_k |a_k| g^k, max_k |a_k| g^k / (1 - rho), without a_0
-    double t0{}, t2{}, t3{};
+    double argument_r{};  ///< of what the row is the rate of
+    double own_top{};     ///< A_N of a state: what a sum that contains it does not have
+    Range of_argument;    ///< of what it is the rate of, as far as that is known
+    Range of_row;         ///< of the polynomial
+    Range of_value;       ///< of what it stands for
+    double t3{};          ///< as t2, where the terms are known
     /// A_k; T_{N-k}, and T_0 once more. Not where norms will do.
     alignas(32) std::array<double, highest_order + 8> a{}, reversed_tails{};
   };
@@ -79,12 +77,12 @@ class Remainder {
   [[nodiscard]] Index index_of(const double* row);
   [[nodiscard]] Rule rule_for(const Step& step);
   void mark_factors(const Rule& rule);
+  void collect_factors();
   void begin(double h, unsigned order);
   void put_missing(std::span<const double> missing_of_state);
   /// rho: by the last and the first coefficients of the velocities.
   [[nodiscard]] double decay() const;
   void take_norms();
-  void take_norm(Row& row);
   void take_tails();
   void take_sizes(Row& row);
   template <std::size_t count>
@@ -128,9 +126,12 @@ class Remainder {
   std::size_t n_{};           ///< degrees of freedom
   std::vector<Index> state_;  ///< q, then v
   std::vector<Index> accelerations_;
-  std::array<double, highest_order + 1> powers_{};  ///< h^k
-  std::array<double, highest_order + 1> radii_{};   ///< g^k
-  double beyond_{};                                 ///< 1/(1 - rho)
+  using Powers = std::array<double, highest_order + 5>;
+  Powers powers_{};  ///< h^k
+  Powers radii_{};   ///< g^k
+  Measure measure_{};
+  std::vector<RowSizes*> measured_;  ///< factors, and the last of them again up to a multiple of four
+  double beyond_{};                  ///< 1/(1 - rho)
   double rho3_{}, rho_of_rate_{}, rho_of_value_{};  ///< powers 3, N - 1 and N of rho
   double h_{};
   unsigned order_{};

@@ -6,9 +6,12 @@
 #include <limits>
 
 #include "core/compile/taylor/remainder.hpp"
+#include "core/numerics/rough_powers.hpp"
 
 namespace qdot::taylor {
 namespace {
+
+constexpr double rounding_of_sums = 8 * std::numeric_limits<double>::epsilon();  // (t/w)^8 is 0 somewhere
 
 using Two [[gnu::vector_size(16)]] = double;
 
@@ -16,38 +19,6 @@ Two pair_at(const double* x) {
   Two v;
   std::memcpy(&v, x, sizeof v);
   return v;
-}
-
-Two magnitude(Two x) {
-  using Bits [[gnu::vector_size(16)]] = std::uint64_t;
-  return reinterpret_cast<Two>(reinterpret_cast<Bits>(x) & ~(std::uint64_t{1} << 63));
-}
-
-struct Weighted {
-  double sum{}, largest{};
-};
-
-/// Of |c_k| w_k with from <= k <= to.
-Weighted weighted(const double* c, const double* w, unsigned from, unsigned to) {
-  Two first{}, second{}, most{}, other{};
-  unsigned k = from;
-  for (; k + 3 <= to; k += 4) {
-    const Two x = magnitude(pair_at(c + k)) * pair_at(w + k);
-    const Two y = magnitude(pair_at(c + k + 2)) * pair_at(w + k + 2);
-    first += x;
-    second += y;
-    most = x > most ? x : most;
-    other = y > other ? y : other;
-  }
-  first += second;
-  most = other > most ? other : most;
-  Weighted result{first[0] + first[1], std::max(most[0], most[1])};
-  for (; k <= to; ++k) {
-    const double x = std::abs(c[k]) * w[k];
-    result.sum += x;
-    result.largest = std::max(result.largest, x);
-  }
-  return result;
 }
 
 /// sum over i < count of a_i b_i; count is a multiple of four.
@@ -76,8 +47,23 @@ unsigned padded(unsigned count) { return (count + 3) / 4 * 4; }
 
 double powered(double x, unsigned k) {
   double result = 1;
-  for (; k > 0; --k) result *= x;
+  for (; k > 0; k /= 2, x *= x) {
+    if (k % 2 == 1) result *= x;
+  }
   return result;
+}
+
+/// x^k for k up to order, four side by side: a chain of products would wait for each of them.
+template <std::size_t size>
+void fill_powers(std::array<double, size>& powers, double x, unsigned order) {
+  const double x2 = x * x, x4 = x2 * x2;
+  powers[0] = 1;
+  powers[1] = x;
+  powers[2] = x2;
+  powers[3] = x2 * x;
+  for (unsigned k = 4; k <= order; k += 4) {
+    for (unsigned i = 0; i < 4; ++i) powers[k + i] = powers[k + i - 4] * x4;
+  }
 }
 
 }  // namespace
@@ -85,8 +71,7 @@ double powered(double x, unsigned k) {
 void Remainder::begin(double h, unsigned order) {
   h_ = h;
   order_ = order;
-  powers_[0] = 1;
-  for (unsigned k = 1; k <= order; ++k) powers_[k] = powers_[k - 1] * h;
+  fill_powers(powers_, h, order);
 }
 
 double Remainder::size(const Row& row, unsigned k) const {
@@ -103,8 +88,8 @@ double Remainder::decay() const {
   }
   const double share = last / first;
   if (!(share < 1)) return 1;
-  const double exponent = evaluate(Function::log, std::max(share, 1e-40)) / (order_ - 2);
-  return evaluate(Function::exp, exponent);
+  const double rho = rough_exp2(rough_log2(std::max(share, 1e-40)) / (order_ - 2));
+  return rho < 1 ? rho : 1;
 }
 
 void Remainder::take_norms() {
@@ -114,25 +99,17 @@ void Remainder::take_norms() {
   rho_of_value_ = rho_of_rate_ * rho;
   beyond_ = 1 / (1 - rho);
   const double g = h_ / rho;
-  radii_[0] = 1;
-  for (unsigned k = 1; k <= order_; ++k) radii_[k] = radii_[k - 1] * g;
-  for (Row& row : rows_) {
-    if (row.is_factor) {
-      take_norm(row);
-    } else {
-      row.own_top = row.missing == 0 ? size(row, order_) : 0;
-    }
+  fill_powers(radii_, g, order_);
+  for (RowSizes* const sizes : measured_) {
+    const Row& row = static_cast<const Row&>(*sizes);
+    sizes->degree = order_ - std::min(order_, row.missing);
   }
-}
-
-void Remainder::take_norm(Row& row) {
-  const double* c = row.coefficients;
-  const Weighted rest = weighted(c, radii_.data(), 3, order_ - row.missing);
-  const double first = std::abs(c[1]) * radii_[1], second = std::abs(c[2]) * radii_[2];
-  row.norm = first + second + rest.sum;
-  row.peak = std::min(row.norm, std::max({first, second, rest.largest}) * beyond_);
-  row.t3 = rho3_ * std::min(rest.sum, rest.largest * beyond_);
-  take_range(row);
+  measure_(measured_.data(), static_cast<unsigned>(measured_.size()),
+           {h_, powers_[2], beyond_, rho3_, rounding_of_sums, radii_.data()});
+  for (Row& row : rows_) {
+    row.own_top = row.missing == 0 ? size(row, order_) : 0;
+    if (row.is_factor) row.of_row = row.of_value = range(row.lower, row.upper);
+  }
 }
 
 void Remainder::take_tails() {
@@ -166,8 +143,7 @@ void Remainder::take_range(Row& row) {
   const double* c = row.coefficients;
   row.t2 = row.t3 + size(row, 2);
   row.t0 = row.t2 + size(row, 1) + std::abs(c[0]);
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // (t/w)^8 is 0 somewhere
-  row.of_row = parabola(c[1] * h_, c[2] * powers_[2], row.t3 + rounding * row.t0) + c[0];
+  row.of_row = parabola(c[1] * h_, c[2] * powers_[2], row.t3 + rounding_of_sums * row.t0) + c[0];
   row.of_value = row.of_row;
   row.own_top = row.missing == 0 ? size(row, order_) : 0;
 }

@@ -67,6 +67,25 @@ double TaylorTranslation::slope_of_tangent(const Step& step) {
   return inverse * inverse;
 }
 
+/// What has_reached_limit() and start_own_rows() look at.
+bool TaylorTranslation::has_own_start(const Step& step) {
+  switch (step.kind) {
+    case Kind::quotient:
+    case Kind::power:
+    case Kind::root:
+    case Kind::exponential:
+    case Kind::tangent:
+    case Kind::hyperbolic:
+    case Kind::absolute:
+    case Kind::sign:
+      return true;
+    case Kind::sum_0_1:
+      return !is_row_of_slot(step.out);
+    default:
+      return false;
+  }
+}
+
 /// Rows that are no slots, and reciprocals of what a step divides by.
 void TaylorTranslation::start_own_rows(Step& step) {
   if (step.kind == Kind::still) step.kind = step.usual;
@@ -119,7 +138,8 @@ bool TaylorTranslation::start(const Workspace& slots) {
     ++entries;
   }
   auto partner = partners_.begin();
-  for (Step& step : steps_) {
+  for (const std::size_t i : begun_) {
+    Step& step = steps_[i];
     start_own_rows(step);
     if (step.kind != Kind::hyperbolic) continue;
     step.out2[0] = evaluate(partner->first, slots[partner->second]);

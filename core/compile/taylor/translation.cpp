@@ -61,6 +61,9 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   for (const Instruction& instruction : tape.body_) {
     if (is_needed(instruction)) translate(instruction);
   }
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if (has_own_start(steps_[i])) begun_.push_back(i);
+  }
   std::vector<const double*> accelerations;
   for (const Slot slot : tape.outputs_) accelerations.push_back(row(slot));
   const std::size_t n = accelerations.size();

@@ -87,6 +87,7 @@ class TaylorTranslation {
   [[nodiscard]] double* row(std::size_t index);
   [[nodiscard]] double* new_row() { return row(rows_used_++); }
   [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
+  [[nodiscard]] bool has_own_start(const taylor::Step& step);
   void start_own_rows(taylor::Step& step);
   [[nodiscard]] static bool has_reached_limit(const taylor::Step& step);
   [[nodiscard]] static double slope_of_tangent(const taylor::Step& step);
@@ -119,6 +120,7 @@ class TaylorTranslation {
   std::deque<System> systems_;
   std::deque<taylor::Solve> solves_;
   std::vector<taylor::Step> steps_;
+  std::vector<std::size_t> begun_;                   ///< steps that begin with more than a slot's value
   std::vector<std::pair<Function, Slot>> partners_;  ///< of hyperbolic steps, in their order: argument's slot
   taylor::Program program_;
 };

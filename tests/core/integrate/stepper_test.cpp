@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "core/integrate/initial_step.hpp"
+#include "core/integrate/series_at_four.hpp"
+#include "core/integrate/series_sums.hpp"
 #include "tests/core/integrate/systems.hpp"
+#include "tests/support/random.hpp"
 
 namespace qdot {
 namespace {
@@ -32,6 +36,71 @@ TEST(Stepper, DenseOutputMeetsTheStepsAtBothEndsToTheBit) {
       before.assign(stepper->y().begin(), stepper->y().end());
     }
     EXPECT_EQ(stepper->t(), 10);
+  }
+}
+
+/// x'' = -x with its Taylor coefficients.
+RightHandSide expanded_oscillator() {
+  RightHandSide system = oscillator();
+  system.expansion = [](double, std::span<const double> y, unsigned order, std::span<double> c) {
+    double *x = c.data(), *v = x + order + 1;
+    x[0] = y[0];
+    v[0] = y[1];
+    for (unsigned k = 1; k <= order; ++k) {
+      x[k] = v[k - 1] / k;
+      v[k] = -x[k - 1] / k;
+    }
+    return Evaluation::ok;
+  };
+  return system;
+}
+
+/// `count` times from the beginning of the last step on, the last of several at its end.
+std::vector<double> times_in(const Stepper& stepper, std::size_t count) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < count; ++i) {
+    times.push_back(std::lerp(stepper.t_previous(), stepper.t(), static_cast<double>(i) / 10));
+  }
+  if (count > 1) times.back() = stepper.t();
+  return times;
+}
+
+TEST(Stepper, SamplesAreWhatDenseOutputGivesToTheBit) {
+  const RightHandSide system = expanded_oscillator();
+  for (const Method method : {Method::adams, Method::erk, Method::taylor}) {
+    for (const unsigned order : {15U, 16U}) {
+      RunRequest request{.y_start = {2, 0}, .t_end = 8, .method = method, .tolerances = {1e-7, 1e-7}};
+      request.taylor_order = order;
+      const auto stepper = make_stepper(system, request);
+      while (stepper->t() < request.t_end) {
+        ASSERT_FALSE(stepper->step());
+        for (std::size_t count = 0; count <= 9; ++count) {
+          const std::vector<double> times = times_in(*stepper, count);
+          std::vector<double> rows(2 * count), row(2);
+          ASSERT_FALSE(stepper->sample(times, rows));
+          for (std::size_t i = 0; i < count; ++i) {
+            ASSERT_FALSE(stepper->interpolate(times[i], row));
+            EXPECT_TRUE(std::ranges::equal(row, std::span(rows).subspan(2 * i, 2))) << name(method) << i;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Stepper, SumsOfFourSeriesHaveTheSameBitsOnEveryProcessor) {
+  test::Random random(5);
+  for (std::size_t order = 1; order <= 24; ++order) {
+    std::vector<double> c(3 * (order + 1)), s(4), fastest(12), plain(12), alone(3);
+    for (double& x : c) x = random.real(-1, 1);
+    for (double& x : s) x = random.real(-2, 2);
+    sum_series_at_four(c.data(), order, s.data(), fastest);
+    sum_series_at_four_plainly(c.data(), order, s.data(), plain);
+    EXPECT_EQ(fastest, plain) << order;
+    for (std::size_t j = 0; j < 4; ++j) {
+      sum_all_series<SeriesSum::value>(c.data(), order, s[j], alone);
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(alone[i], plain[4 * i + j]) << order;
+    }
   }
 }
 
