@@ -10,12 +10,14 @@
 
 #include "core/base/work.hpp"
 #include "core/compile/compiled_function.hpp"
+#include "core/numerics/enclosed_system.hpp"
 
 namespace qdot {
 
-/// For one tape without `solve`, at one time, 0 at first, and one set of parameters.
+/// For one tape, at one time, 0 at first, and one set of parameters.
 /// T has T::literal(Real), +, *, /, square, sqrt, sin, cos, power(T, T) or power(T, Real) and
-/// evaluate(Function, T).
+/// evaluate(Function, T), and solve_linear as in core/numerics/enclosed_system.hpp; without it the tape has
+/// no `solve`.
 template <class T>
 class TapeEvaluator {
  public:
@@ -75,7 +77,7 @@ class TapeEvaluator {
           slots_[i.out] = evaluate(i.function, x);
           break;
         case Operation::solve:
-          assert(false);
+          solve(i, operand);
           break;
       }
     }
@@ -94,6 +96,20 @@ class TapeEvaluator {
       add(scaled(operand[0], operand[1] == operand[2] ? square(x) : x * slots_[operand[2]]));
     }
     return sum;
+  }
+
+  void solve(const Instruction& i, const Slot* operand) {
+    if constexpr (requires(std::span<T> b) { solve_linear(0, std::span<const T>(b), b); }) {
+      const std::size_t n = i.linear;
+      if (i.has_determinant) ++operand;
+      std::vector<T> matrix;
+      for (std::size_t k = 0; k < n * n; ++k) matrix.push_back(slots_[*operand++]);
+      const std::span<T> b(slots_.data() + i.out, n * i.products);
+      for (T& value : b) value = slots_[*operand++];
+      solve_linear(n, std::span<const T>(matrix), b);
+    } else {
+      assert(false);
+    }
   }
 
   /// Exponents are literals; an arithmetic whose own literals do not show a whole number takes them as they

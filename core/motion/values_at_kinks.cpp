@@ -3,14 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/column_errors.hpp"
 #include "core/motion/kink_modes.hpp"
 #include "core/numerics/root.hpp"
 
 namespace qdot {
 
-std::vector<double> values_at_kinks(const Dynamics& dynamics, const std::vector<Column>& columns,
-                                    std::span<const double> parameters, double t, std::span<const double> y) {
-  if (dynamics.kinks() == nullptr) return values_at(dynamics, columns, parameters, t, y);
+namespace {
+
+StatedValues stated(const CompiledFunction& function, const std::vector<Column>& columns,
+                    const Reals& parameters, double t, const Reals& y) {
+  StatedValues stated{.values = values_at(function, columns, parameters, t, y), .errors = {}};
+  stated.errors = value_errors(function, parameters, t, y, stated.values);
+  return stated;
+}
+
+}  // namespace
+
+StatedValues values_at_kinks(const Dynamics& dynamics, const std::vector<Column>& columns,
+                             const Reals& parameters, double t, const Reals& y) {
+  if (dynamics.kinks() == nullptr) return stated(*dynamics.columns(columns), columns, parameters, t, y);
   KinkModes modes(dynamics, parameters, 16 * time_round_off(std::max(1.0, std::abs(t))));
   const auto way = modes.way_on(t, y, std::vector<bool>(dynamics.kinks()->size()));
   if (!way) {
@@ -19,7 +31,9 @@ std::vector<double> values_at_kinks(const Dynamics& dynamics, const std::vector<
                 "tell how the motion goes on.");
   }
   const Staying staying = staying_on(way->sides);
-  return values_at(*dynamics.columns(columns, &staying), columns, modes.parameters(way->sides), t, y);
+  Reals with_sides = parameters;
+  for (const int side : way->sides) with_sides.push_back(side);
+  return stated(*dynamics.columns(columns, &staying), columns, with_sides, t, y);
 }
 
 }  // namespace qdot

@@ -28,6 +28,7 @@ struct Mode {
   /// In the coordinates' own units, all of the scene's coordinates in order; its first component that is not
   /// zero is 1. What is zero to within its error is exactly zero.
   std::vector<std::complex<double>> shape;
+  std::vector<double> shape_error;  ///< bound for each component; none where it could not be proven
   /// So many modes have this omega to within the rounding of the parameters: any combination of their shapes
   /// is a shape.
   std::size_t multiplicity{1};

@@ -188,8 +188,11 @@ class ModeSearch {
       }
       e.undamped = e.undamped || (at_.reduced.undamped() && held_by_potential());
       std::vector<Shape> shapes = kernel(dynamic_stiffness(e));
-      if (shapes.empty() || shapes.size() > e.members) shapes = {nearest_vector(vectors, e)};
+      const bool found = !shapes.empty() && shapes.size() <= e.members;
+      if (!found) shapes = {nearest_vector(vectors, e)};
+      const std::size_t before = modes_.size();
       add_exponent(e, shapes, zeros);
+      if (!found && modes_.size() > before) modes_.back().shape_error.clear();
     }
   }
 
@@ -279,7 +282,18 @@ class ModeSearch {
     for (std::size_t k = 0; k < modes.size(); ++k) {
       modes[k].shape.clear();
       for (const ComplexBall& entry : all[k]) modes[k].shape.emplace_back(entry.re.value(), entry.im.value());
+      if (modes[k].multiplicity == 1) modes[k].shape_error = errors_of(all[k]);
     }
+  }
+
+  /// None where the shape is not enclosed.
+  [[nodiscard]] static std::vector<double> errors_of(const Shape& shape) {
+    std::vector<double> errors;
+    for (const ComplexBall& entry : shape) {
+      errors.push_back(entry.re.error() + entry.im.error());
+      if (!std::isfinite(errors.back())) return {};
+    }
+    return errors;
   }
 
   [[nodiscard]] std::vector<std::pair<std::size_t, ComplexBall>> companions(const Shape& shape,

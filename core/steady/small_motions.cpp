@@ -183,8 +183,9 @@ Vectors echelon_form(Vectors vectors) {
   }
   for (auto& vector : vectors) {
     for (ComplexBall& entry : vector) {
-      if (entry.re.contains_zero()) entry.re = 0;
-      if (entry.im.contains_zero()) entry.im = 0;
+      for (Ball* part : {&entry.re, &entry.im}) {
+        if (part->contains_zero()) *part = Ball(DoubleDouble{}, part->magnitude());
+      }
     }
   }
   return vectors;

@@ -209,9 +209,9 @@ export class MotionView {
   /** @param {any} answer @returns {HTMLElement[]} */
   sentences(answer) {
     const { accuracy, diagnostics } = answer;
-    const worst = Object.entries(accuracy.max_abs_error ?? {}).map(
-      ([name, error]) => `${symbol(name)} ${plusMinus(error, answer.units[name])}`,
-    );
+    const worst = Object.entries(accuracy.max_abs_error ?? {})
+      .filter(([name]) => name in answer.request.initial)
+      .map(([name, error]) => `${symbol(name)} ${plusMinus(error, answer.units[name])}`);
     const said = [
       element(
         "p",

@@ -10,11 +10,18 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, textbook_scene  # noqa: E402
 
 ALL_DIGITS = 17
+COLUMNS = ["energy", "momenta", "positions", "accelerations", "validity", "T", "V"]
 SOME_DIGITS = (1, 2, 3, 5, 8, 12, 14, 15, 16)
 
 
 def state_pairs(state, errors):
     return [(state[name], errors[name]) for name in errors]
+
+
+def pairs_of_energy(answer):
+    values = {**answer, **answer["accelerations"], **answer.get("validity", {}), **answer.get("reports", {})}
+    yield from ((values[name], error) for name, error in answer["error"].items())
+    yield from ((kept["value"], kept["error"]) for kept in answer["conserved"])
 
 
 def pairs_of_turning_points(answer):
@@ -30,6 +37,8 @@ def pairs_of_modes(answer):
         for name in ("f", "period", "rate"):
             if name + "_error" in mode:
                 yield mode[name], mode[name + "_error"]
+        if all(isinstance(component, (int, float)) for component in mode["shape"].values()):
+            yield from state_pairs(mode["shape"], mode.get("shape_error", {}))
 
 
 def pairs_of_equilibria(answer):
@@ -74,19 +83,82 @@ class StatedErrors(Service):
                 count += 1
         return count
 
-    def test_energies_along_a_motion(self):
-        """T and V against a run in extended precision; their errors are not far from what they are of."""
-        for system in ("spring_pendulum", "cart_pendulum", "rod_pendulum", "whirling_pendulum", textbook_scene("driven_pivot")):
-            asked = {"system": system, "t_end": 4, "samples": 9, "include": ["T", "V"]}
-            true = self.ask("simulate", {**asked, "precision": "extended", "max_error": 1e-18})["trajectory"]
+    def extended_columns(self, request):
+        """Of a motion in extended precision, with all digits."""
+        answer = self.post("simulate", {**request, "precision": "extended"})
+        self.assertEqual(answer.status, 200, answer.data)
+        body = json.loads(answer.data, parse_float=Fraction)
+        return body["trajectory"], body["accuracy"]["max_abs_error"]
+
+    def first_row(self, request):
+        columns, _ = self.extended_columns({**request, "t_end": 1e-9, "samples": 2})
+        return {name: values[0] for name, values in columns.items()}
+
+    def test_columns_along_a_motion(self):
+        """Whatever is computed from a motion, against a run in extended precision; the errors are not far from what they
+        are of."""
+        for system in ("spring_pendulum", "cart_pendulum", "rod_spring_pendulum", "whirling_pendulum", "orbiting_pendulum",
+                       textbook_scene("driven_pivot")):
+            asked = {"system": system, "t_end": 2, "samples": 9, "include": COLUMNS}
+            true, stated = self.extended_columns({**asked, "max_error": 1e-18})
+            self.assertEqual(set(stated), set(true) - {"t"})
             for more in ({"accuracy": "fast"}, {"rtol": 1e-5, "method": "erk"}, {}, {"accuracy": "accurate"}, {"digits": 4}):
                 answer = self.ask("simulate", {**asked, **more})
-                for name in "TV":
-                    error = answer["accuracy"]["max_abs_error"][name]
-                    apart = max(abs(a - b) for a, b in zip(answer["trajectory"][name], true[name]))
+                errors = answer["accuracy"]["max_abs_error"]
+                self.assertEqual(set(errors), set(answer["trajectory"]) - {"t"})
+                for name, error in errors.items():
+                    apart = max(abs(Fraction(a) - b) for a, b in zip(answer["trajectory"][name], true[name]))
+                    size = max(abs(value) for value in true[name])
                     with self.subTest(system=answer["system"], name=name, **more):
                         self.assertLessEqual(apart, error)
-                        self.assertLess(error, 5e3*apart + 1e-13)
+                        self.assertLess(error, 5e3*apart + 1e-10*(1 + size))
+
+    def test_columns_in_extended_precision(self):
+        """Against a run to a hundred thousandth of the error."""
+        for system in ("spring_pendulum", "rod_spring_pendulum", textbook_scene("driven_pivot")):
+            asked = {"system": system, "t_end": 2, "samples": 9, "include": COLUMNS}
+            true, _ = self.extended_columns({**asked, "max_error": 1e-23})
+            for more in ({"max_error": 1e-16}, {"max_error": 1e-18, "digits": 12}):
+                columns, errors = self.extended_columns({**asked, **more})
+                for name, error in errors.items():
+                    with self.subTest(system=system, name=name, **more):
+                        self.assertLessEqual(max(abs(a - b) for a, b in zip(columns[name], true[name])), error)
+                        self.assertLess(error, 1e-9)
+
+    def test_values_at_a_state(self):
+        """Against the first row of a motion in extended precision, which starts from the decimals as they are written."""
+        count = 0
+        for system in ("spring_pendulum", "cart_pendulum", "rod_spring_pendulum", "whirling_pendulum", "orbiting_pendulum",
+                       "free_spin_pendulum", "rotating_l_bar"):
+            for turn in range(8):
+                coordinates = self.ask("energy", {"system": system})["request"]["initial"]
+                asked = {"system": system, "initial": {name: (3 + turn*k)/7 + 1e-9*turn for k, name in enumerate(coordinates, 1)}}
+                answer = self.ask("energy", asked)
+                values = {**answer, **answer["accelerations"], **answer.get("validity", {})}
+                row = self.first_row({**asked, "include": COLUMNS, "on_invalid": "continue"})
+                for name, error in answer["error"].items():
+                    if name in row:
+                        apart = abs(Fraction(values[name]) - row[name])
+                        with self.subTest(system=system, name=name, turn=turn):
+                            self.assertLessEqual(apart, error)
+                            self.assertLess(error, 1e-12*(1 + abs(values[name])))
+                        count += 1
+        self.assertGreater(count, 250)
+
+    def test_accelerations_of_a_nearly_singular_mass_matrix(self):
+        """A bob of 1e-9 kg on a heavy cart's string: the digits that the solution loses are in its error."""
+        masses = {"system": "rod_spring_pendulum", "parameters": {"m": 1e-9}, "initial": {"r": 1e-7, "theta": 0.3, "phi": 1.1}}
+        answer = self.ask("energy", masses)
+        row = self.first_row({**masses, "include": ["accelerations"]})
+        for name, value in answer["accelerations"].items():
+            self.assertLessEqual(abs(Fraction(value) - row[name]), answer["error"][name])
+
+    def test_energy(self):
+        count = 0
+        for system in ("spring_pendulum", "cart_pendulum", "rod_pendulum", "whirling_pendulum", "orbiting_pendulum",
+                       textbook_scene("kepler"), textbook_scene("driven_pivot")):
+            count += self.check("energy", {"system": system}, pairs_of_energy)
+        self.assertGreater(count, 600)
 
     def test_an_error_that_is_wanted_is_that_of_coordinates_and_velocities(self):
         stiff = {"system": "cart_pendulum", "parameters": {"k": 1e7}, "initial": {"x": 1e-3}, "t_end": 0.01, "include": ["T", "V"], "max_error": 1e-6}

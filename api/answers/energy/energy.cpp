@@ -1,4 +1,6 @@
 #include "api/answers/energy/request.hpp"
+#include "api/answers/stated.hpp"
+#include "core/motion/column_errors.hpp"
 #include "core/motion/values_at_kinks.hpp"
 
 namespace qdot::api {
@@ -23,19 +25,21 @@ std::vector<qdot::Column> energies(const Model& model) {
 
 class EnergyAnswer {
  public:
-  EnergyAnswer(const Dynamics& dynamics, const ResolvedState& state, double t)
-      : dynamics_(dynamics), state_(state), t_(t) {}
+  EnergyAnswer(const Dynamics& dynamics, const ResolvedState& state, double t, int digits)
+      : dynamics_(dynamics), state_(state), t_(t), digits_(digits) {}
 
   Json body() {
     const Model& model = dynamics_.model();
     if (!model.energy) no_energies();
-    body_.update(values(energies(model)));
-    body_.update(values(momentum_columns(model)));
-    body_["accelerations"] = values(acceleration_columns(model));
-    if (model.has_constraints()) body_["multipliers"] = values(multiplier_columns(model));
-    if (!model.scene.valid_while.empty()) body_["validity"] = values(validity_columns(model));
-    if (!model.scene.reports.empty()) body_["reports"] = values(report_columns(model));
+    compute();
+    put(body_, energies(model));
+    put(body_, momentum_columns(model));
+    put(body_["accelerations"], acceleration_columns(model));
+    if (model.has_constraints()) put(body_["multipliers"], multiplier_columns(model));
+    if (!model.scene.valid_while.empty()) put(body_["validity"], validity_columns(model));
+    if (!model.scene.reports.empty()) put(body_["reports"], report_columns(model));
     body_["conserved"] = conserved();
+    body_["error"] = std::move(errors_);
     body_["units"] = std::move(units_);
     return std::move(body_);
   }
@@ -47,14 +51,29 @@ class EnergyAnswer {
         "The scene gives only its Lagrangian, so kinetic and potential energy are not known apart.";
   }
 
-  Json values(const std::vector<qdot::Column>& columns) {
-    const std::vector<double> numbers = values_at_kinks(dynamics_, columns, state_.parameters, t_, state_.y);
-    Json json = Json::object();
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      json[columns[i].name] = numbers[i];
-      units_[columns[i].name] = columns[i].unit;
+  /// All values at once, since they have much in common.
+  void compute() {
+    const Model& model = dynamics_.model();
+    std::vector<qdot::Column> all;
+    for (const auto& columns : {energies(model), momentum_columns(model), acceleration_columns(model),
+                                multiplier_columns(model), validity_columns(model), report_columns(model)}) {
+      all.insert(all.end(), columns.begin(), columns.end());
     }
-    return json;
+    stated_ = values_at_kinks(dynamics_, all, state_.parameters, t_, state_.y);
+  }
+
+  [[nodiscard]] Json written_error(double value, double error) const {
+    return stated_error({value, error}, digits_);
+  }
+
+  /// The next of the values, in the order of compute().
+  void put(Json& json, const std::vector<qdot::Column>& columns) {
+    for (const qdot::Column& column : columns) {
+      const double value = stated_.values[next_];
+      json[column.name] = value;
+      errors_[column.name] = written_error(value, stated_.errors[next_++]);
+      units_[column.name] = column.unit;
+    }
   }
 
   Json conserved() {
@@ -68,27 +87,37 @@ class EnergyAnswer {
     std::vector<double> numbers(conserved.quantities.size());
     if (numbers.empty()) return;
     Workspace workspace = conserved.values->bind(state_.parameters);
-    const bool finite = conserved.values->evaluate(t_, state_.y, workspace, numbers) == Evaluation::ok;
-    for (std::size_t i = 0; finite && i < numbers.size(); ++i) {
+    if (conserved.values->evaluate(t_, state_.y, workspace, numbers) != Evaluation::ok) return;
+    const std::vector<double> errors =
+        value_errors(*conserved.values, state_.parameters, t_, state_.y, numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
       const ConservedQuantity& quantity = conserved.quantities[i];
-      array.push_back(
-          {{"name", quantity.name}, {"value", numbers[i]}, {"unit", quantity.unit}, {"why", quantity.why}});
+      array.push_back({{"name", quantity.name},
+                       {"value", numbers[i]},
+                       {"error", written_error(numbers[i], errors[i])},
+                       {"unit", quantity.unit},
+                       {"why", quantity.why}});
     }
   }
 
   const Dynamics& dynamics_;
   const ResolvedState& state_;
   double t_;
+  int digits_;
+  StatedValues stated_;
+  std::size_t next_{};
   Json body_ = Json::object();
+  Json errors_ = Json::object();
   Json units_ = Json::object();
 };
 
 Response answer_energy(const Resolved<EnergyRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, request.t);
-  const Json body = EnergyAnswer(*system.dynamics, system.state, request.t).body();
+  const int digits = request.digits.value_or(shortest_digits);
+  const Json body = EnergyAnswer(*system.dynamics, system.state, request.t, digits).body();
   call.timing.lap("solve");
-  return written_answer(call, system.scene(), system.echo, body, request.digits);
+  return written_answer(call, system.scene(), system.echo, body, digits);
 }
 
 }  // namespace

@@ -149,6 +149,7 @@ class ModesAnswer {
       json["lambda"] = *mode.lambda * *unit_of_time_ * *unit_of_time_;
     if (mode.multiplicity > 1) json["multiplicity"] = mode.multiplicity;
     json["shape"] = shape_json(mode.shape);
+    if (!mode.shape_error.empty()) json["shape_error"] = shape_errors(mode);
     if (has_one_unit()) json["shape_scaled"] = shape_json(scaled(mode.shape));
     return json;
   }
@@ -195,6 +196,13 @@ class ModesAnswer {
       component = shape[i].real();
       if (!in_step) component = {{"re", shape[i].real()}, {"im", shape[i].imag()}};
     }
+    return json;
+  }
+
+  [[nodiscard]] Json shape_errors(const Mode& mode) const {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < mode.shape.size(); ++i)
+      json[scene_.coordinates[i].name] = stated_error(mode.shape[i], mode.shape_error[i], digits_);
     return json;
   }
 

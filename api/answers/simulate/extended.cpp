@@ -11,6 +11,7 @@
 #include "core/base/work.hpp"
 #include "core/compile/extended/expansion.hpp"
 #include "core/compile/extended/tape.hpp"
+#include "core/motion/column_errors.hpp"
 #include "core/motion/extended_simulation.hpp"
 
 namespace qdot::api {
@@ -125,23 +126,24 @@ class ExtendedAnswer {
     for (std::size_t k = 0; k < state.size(); ++k) {
       std::vector<DoubleDouble> values;
       for (std::size_t i = 0; i < run.rows; ++i) values.push_back(run.states[i * width() + k]);
-      note_rounding(k, values);
+      if (is_measured()) state_errors_.push_back(with_rounding(result_.max_abs_error[k], values));
       add_column(state[k].name, state[k].unit, values);
     }
     add_extra_columns();
   }
 
+  [[nodiscard]] bool is_measured() const { return !result_.max_abs_error.empty(); }
+
   /// What `digits` rounds away is an error of the answer too: half a unit of the last digit.
-  void note_rounding(std::size_t k, const std::vector<DoubleDouble>& values) {
-    if (result_.max_abs_error.empty()) return;
+  [[nodiscard]] double with_rounding(double error, const std::vector<DoubleDouble>& values) const {
     double largest = 0;
     for (const DoubleDouble& value : values) largest = std::max(largest, std::abs(value.high));
-    if (largest == 0) return;
+    if (largest == 0) return error;
     double unit = 1;
     while (unit <= largest) unit *= 10;
     while (unit > 10 * largest) unit /= 10;
     for (int i = 0; i < digits(); ++i) unit /= 10;
-    result_.max_abs_error[k] = (result_.max_abs_error[k] + unit / 2) * (1 + 1e-12);
+    return (error + unit / 2) * (1 + 1e-12);
   }
 
   void add_extra_columns() {
@@ -152,6 +154,7 @@ class ExtendedAnswer {
       parameters.push_back(system_.state.parameters.exact(i).double_double());
     const auto function = system_.dynamics->columns(columns_);
     ExtendedTape tape(*function, parameters);
+    ColumnErrors errors(*system_.dynamics, columns_, system_.state.parameters);
     std::vector<std::vector<DoubleDouble>> values(columns_.size());
     std::vector<DoubleDouble> row(columns_.size());
     for (std::size_t i = 0; i < run.rows; ++i) {
@@ -159,9 +162,19 @@ class ExtendedAnswer {
       if (tape.evaluate(grid_[i], y, row) != Evaluation::ok)
         throw Error(ErrorCode::invalid_state, "One of the columns has no finite value along this motion.");
       for (std::size_t k = 0; k < row.size(); ++k) values[k].push_back(row[k]);
+      if (is_measured()) errors.add(instant(grid_[i]), around(y), row);
     }
-    for (std::size_t k = 0; k < columns_.size(); ++k)
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (is_measured()) column_errors_.push_back(with_rounding(errors.largest()[k], values[k]));
       add_column(columns_[k].name, columns_[k].unit, values[k]);
+    }
+  }
+
+  /// A row with its errors.
+  [[nodiscard]] std::vector<Ball> around(std::span<const DoubleDouble> y) const {
+    std::vector<Ball> balls;
+    for (std::size_t k = 0; k < y.size(); ++k) balls.emplace_back(y[k], result_.max_abs_error[k]);
+    return balls;
   }
 
   /// Whether both computations can be right, as far as doubles know the motion.
@@ -181,25 +194,28 @@ class ExtendedAnswer {
     return true;
   }
 
+  [[nodiscard]] Json stated_errors() const {
+    Json json = Json::object();
+    for (std::size_t k = 0; k < width(); ++k) json[table_[1 + k].name] = state_errors_[k];
+    for (std::size_t k = 0; k < column_errors_.size(); ++k) {
+      if (std::isfinite(column_errors_[k])) json[columns_[k].name] = column_errors_[k];
+    }
+    return json;
+  }
+
   [[nodiscard]] Json accuracy_json() const {
     Json json{{"method", "taylor"},          {"precision", "extended"},  {"rtol", result_.rtol},
               {"atol", result_.rtol * 1e-3}, {"max_abs_error", nullptr}, {"horizon", nullptr}};
     std::string reason = result_.reason;
     bool meets = result_.meets_request.value_or(false);
-    if (!result_.max_abs_error.empty()) {
-      Json errors = Json::object();
-      double largest = 0;
-      for (std::size_t k = 0; k < width(); ++k) {
-        errors[table_[1 + k].name] = result_.max_abs_error[k];
-        largest = std::max(largest, result_.max_abs_error[k]);
-      }
-      json["max_abs_error"] = errors;
+    if (is_measured()) {
+      json["max_abs_error"] = stated_errors();
       if (result_.horizon) json["horizon"] = grid_[*result_.horizon].high;
       json["verified_by"] = "taylor";
       json["bounded"] = result_.bounded;
       if (!result_.bounded && reason.empty()) reason = not_bounded;
       if (meets && !result_.bounded) meets = false;
-      if (meets && largest > *request_.max_error) {
+      if (meets && std::ranges::max(state_errors_) > *request_.max_error) {
         meets = false;
         reason = digits_round_away;
       }
@@ -277,6 +293,7 @@ class ExtendedAnswer {
   std::vector<qdot::Column> columns_;
   MeasuredSimulation watched_;
   ExtendedSimulation result_;
+  std::vector<double> state_errors_, column_errors_;  ///< with what `digits` rounds away
   std::vector<TextColumn> table_;
   Json units_ = Json::object();
 };

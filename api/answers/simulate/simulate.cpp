@@ -234,16 +234,17 @@ class SimulationAnswer {
     return json;
   }
 
-  /// The same and what these errors make of T and V.
+  /// The same and what these errors make of the other columns.
   [[nodiscard]] Json stated_errors() const {
     Json json = max_abs_errors();
     const RowsWithErrors rows{.t = grid_, .states = result_.states, .errors = measured_.max_abs_error};
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      if (columns_[k].name != "T" && columns_[k].name != "V") continue;
-      const Column& column = table_[1 + measured_.max_abs_error.size() + k];
-      const double error =
-          column_error(dynamics(), columns_[k], system_.state.parameters, rows, column.values);
-      if (std::isfinite(error)) json[column.name] = with_rounding(error, column);
+    const auto others = std::span(table_).subspan(1 + measured_.max_abs_error.size());
+    std::vector<std::span<const double>> values;
+    for (const Column& column : others) values.push_back(column.values);
+    const std::vector<double> errors =
+        column_errors(dynamics(), columns_, system_.state.parameters, rows, values);
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      if (std::isfinite(errors[k])) json[others[k].name] = with_rounding(errors[k], others[k]);
     }
     return json;
   }
