@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "server/output.hpp"
 #include "server/usage.hpp"
 
 namespace qdot::server {
@@ -94,7 +95,7 @@ void BatchOutput::write(std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(descriptor_, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw_errno("cannot write the answers");
+    if (count < 0) refuse_to_lose("the answers");
     text.remove_prefix(static_cast<std::size_t>(count));
   }
 }

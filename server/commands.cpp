@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <thread>
 
 #include "api/about/examples.hpp"
@@ -18,6 +17,7 @@
 #include "api/json/text.hpp"
 #include "api/scenes/catalogue.hpp"
 #include "api/service.hpp"
+#include "server/output.hpp"
 #include "server/people.hpp"
 #include "server/progress.hpp"
 #include "server/spread.hpp"
@@ -72,6 +72,11 @@ bool gives(const Arguments& arguments, std::string_view name) {
   });
 }
 
+/// "-" alone is stdin, as without a word.
+bool has_no_words(const Arguments& arguments) {
+  return arguments.words.empty() || (arguments.words.size() == 1 && arguments.words.front() == "-");
+}
+
 void add_body(const Arguments& arguments, api::Request& request) {
   request.method = "POST";
   request.headers["content-type"] = "application/json";
@@ -79,7 +84,7 @@ void add_body(const Arguments& arguments, api::Request& request) {
   if (has_sheets) {
     request.body = graded_body(arguments);
   } else {
-    request.body = arguments.words.empty() ? request_body(arguments.request_file) : arguments.words.front();
+    request.body = has_no_words(arguments) ? request_body(arguments.request_file) : arguments.words.front();
   }
 }
 
@@ -98,7 +103,7 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
   } else if (command.words == Words::request) {
     if (!arguments.words.empty() && !arguments.request_file.empty())
       throw UsageError("give key=value or --request, not both");
-    if (arguments.words.empty() || is_body(arguments.words)) {
+    if (has_no_words(arguments) || is_body(arguments.words)) {
       add_body(arguments, request);
     } else if (command.endpoint != nullptr && command.endpoint->roads == api::Roads::body) {
       const auto& words = arguments.words;
@@ -113,6 +118,9 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
         query += "digits=" + std::to_string(digits_for_people) + "&";
     }
   }
+  if (!arguments.format.empty() && command.endpoint != nullptr && !has_formats(command) &&
+      arguments.format != "table" && arguments.format != "json")
+    throw UsageError("--format is table or json here; csv and ndjson are for the rows of simulate and sweep");
   const bool is_ours = arguments.format == "table" || (arguments.format == "json" && !has_formats(command));
   if (!arguments.format.empty() && !is_ours) query += "format=" + percent_encoded(arguments.format) + "&";
   if (arguments.pretty) query += "pretty&";
@@ -269,8 +277,7 @@ ExitCode run(const Command& command, const Arguments& arguments) {
     const std::string text = printed(response, code, arguments);
     if (code == ExitCode::ok && arguments.strict && !is_all_right(response.body))
       code = ExitCode::not_all_right;
-    stream << text << std::flush;
-    if (!stream) throw std::runtime_error("cannot write the answer");
+    write_out(stream, text);
     return is_stopped ? ExitCode::stopped : code;
   } catch (const UsageError& error) {
     std::cerr << "qdot " << command.name << ": " << error.what() << "\n";

@@ -20,7 +20,8 @@ enum class ExitCode {
   failed = 4,
   internal = 5,
   unreachable = 6,
-  stopped = 130  ///< by Ctrl-C, as shells have it
+  unwritten = 7,  ///< the answer is there and could not be written: a disk is full
+  stopped = 130   ///< by Ctrl-C, as shells have it
 };
 
 /// What the words after a command are.

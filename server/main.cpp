@@ -8,14 +8,17 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "api/contract/version.hpp"
+#include "api/scenes/catalogue.hpp"
 #include "api/service.hpp"
 #include "server/batch.hpp"
 #include "server/commands.hpp"
 #include "server/listener.hpp"
 #include "server/manual.hpp"
+#include "server/output.hpp"
 #include "server/probe.hpp"
 #include "server/serve.hpp"
 #include "server/usage.hpp"
@@ -167,13 +170,37 @@ void add_documents(CLI::App& app, Action& action) {
   const auto add = [&](const char* name, const char* help, std::string (*text)(const CLI::App&)) {
     app.add_subcommand(name, help)->callback([&app, &action, text] {
       action = [&app, text] {
-        std::cout << text(app) << std::flush;
+        write_out(std::cout, text(app));
         return ExitCode::ok;
       };
     });
   };
   add("manual", "This program's manual page, in roff", manual_page);
   add("completion", "Completion for bash: source <(qdot completion)", bash_completion);
+}
+
+/// The help that was asked for, or what CLI11 finds wrong.
+ExitCode print_usage(const CLI::App& app, const CLI::ParseError& error) {
+  if (app.exit(error) != 0) return ExitCode::usage;
+  write_out(std::cout, "");
+  return ExitCode::ok;
+}
+
+ExitCode run_words(CLI::App& app, std::vector<std::string> words, const Action& action) {
+  words = in_known_words(app, std::move(words));
+  check_words(app, words);
+  std::ranges::reverse(words);  // the order in which CLI11 wants them
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    return print_usage(app, error);
+  }
+  return action();
+}
+
+int report(const std::exception& error, ExitCode code) {
+  std::cerr << "qdot: " << error.what() << "\n";
+  return static_cast<int>(code);
 }
 
 }  // namespace
@@ -196,21 +223,16 @@ int main(int argc, char** argv) {
   add_probes(app, probe_options, patience, action);
   add_documents(app, action);
   try {
-    std::vector<std::string> words = in_known_words(app, {argv + 1, argv + argc});
-    check_words(app, words);
-    std::ranges::reverse(words);  // the order in which CLI11 wants them
-    app.parse(words);
-    return static_cast<int>(action());
+    return static_cast<int>(run_words(app, {argv + 1, argv + argc}, action));
   } catch (const UsageError& error) {
-    std::cerr << "qdot: " << error.what() << "\n";
-    return static_cast<int>(ExitCode::usage);
+    return report(error, ExitCode::usage);
   } catch (const CannotListen& error) {
-    std::cerr << "qdot: " << error.what() << "\n";
-    return static_cast<int>(ExitCode::usage);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    return report(error, ExitCode::usage);
+  } catch (const qdot::api::BadScenes& error) {
+    return report(error, ExitCode::usage);
+  } catch (const CannotWrite& error) {
+    return report(error, ExitCode::unwritten);
   } catch (const std::exception& error) {
-    std::cerr << "qdot: " << error.what() << "\n";
-    return static_cast<int>(ExitCode::internal);
+    return report(error, ExitCode::internal);
   }
 }

@@ -22,6 +22,7 @@ constexpr auto exit_codes = std::to_array<std::pair<int, std::string_view>>({
     {4, "the computation failed"},
     {5, "our own mistake"},
     {6, "no server answers"},
+    {7, "the answer could not be written: a disk is full, say"},
     {130, "stopped by Ctrl-C"},
 });
 

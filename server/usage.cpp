@@ -24,7 +24,9 @@ constexpr auto other_commands = std::to_array<std::pair<std::string_view, std::s
     {"problem", "problems"}, {"exercise", "problems"}, {"sheet", "problems"},      {"status", "health"},
     {"ping", "health"},      {"api", "openapi"},       {"spec", "openapi"},        {"man", "manual"},
     {"docs", "--help"},      {"usage", "--help"},      {"complete", "completion"}, {"plot", "serve"},
-    {"show", "serve"},       {"gui", "serve"},         {"draw", "serve"},
+    {"show", "systems"},     {"gui", "serve"},         {"draw", "serve"},          {"info", "systems"},
+    {"describe", "systems"}, {"scenes", "systems"},    {"classics", "systems"},    {"catalogue", "systems"},
+    {"catalog", "systems"},
 });
 
 /// Options of other programs, and what does it here.
@@ -81,8 +83,21 @@ std::string turned_round(const CLI::App& app, WordSpan words) {
   std::string meant = turned_round(app, words);
   if (meant.empty()) meant = command_meant(app, words[0]);
   const std::string what = "there is no command " + api::in_quotes(words[0]);
-  throw UsageError(what + (meant.empty() ? "" : "; did you mean qdot " + meant + "?") +
-                   " qdot --help lists the commands");
+  throw UsageError(what + (meant.empty() ? "; " : "; did you mean qdot " + meant + "? ") +
+                   "qdot --help lists the commands");
+}
+
+bool is_field_of(const std::string& command, const std::string& name) {
+  const auto& all = api::endpoints();
+  const auto found = std::ranges::find(all, command, &api::Endpoint::name);
+  return found != all.end() && found->question.fields->find(name) != nullptr;
+}
+
+/// -p is of a port where there is one.
+std::string_view option_of_others(const CLI::App& command, std::string_view name) {
+  if (name == "-p" && command.get_option_no_throw("--port") != nullptr) return "--port";
+  const auto other = std::ranges::find(other_options, name, [](const auto& pair) { return pair.first; });
+  return other == other_options.end() ? std::string_view() : other->second;
 }
 
 bool serves_with(std::string_view option) {
@@ -95,8 +110,8 @@ bool serves_with(std::string_view option) {
   const std::string& word = words[0];
   const std::string name = word.substr(0, word.find('='));
   std::string what = "there is no option " + api::in_quotes(name);
-  const auto other = std::ranges::find(other_options, name, [](const auto& pair) { return pair.first; });
-  if (other != other_options.end()) throw UsageError(what + "; type " + std::string(other->second));
+  if (const std::string_view other = option_of_others(command, name); !other.empty())
+    throw UsageError(what + "; type " + std::string(other));
   if (command.get_parent() == nullptr && serves_with(name))
     throw UsageError(what + " before a command: type qdot serve " +
                      api::printable(words.size() > 1 ? word + " " + words[1] : word));
@@ -105,13 +120,16 @@ bool serves_with(std::string_view option) {
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
     if (option->nonpositional()) known.push_back("--" + option->get_single_name());
-  if (const std::string near = api::closest(name, known); !near.empty() && near.size() > 4)
+  const std::string field = name.substr(name.find_first_not_of('-'));
+  const bool is_field = is_field_of(command.get_name(), field);
+  if (const std::string near = api::closest(name, known); !is_field && !near.empty() && near.size() > 4)
     throw UsageError(what + "; did you mean " + near + "?");
+  if (command.get_parent() == nullptr)
+    throw UsageError(what + "; there are " + api::enumerated(known) + ", and each command has its own");
   if (std::ranges::find(commands_of_a_server, command.get_name()) != commands_of_a_server.end())
     throw UsageError(what + "; there are " + api::enumerated(known));
   std::string value = word.find('=') == std::string::npos ? "" : word.substr(word.find('=') + 1);
   if (value.empty() && words.size() > 1 && !words[1].starts_with('-')) value = words[1];
-  const std::string field = name.substr(name.find_first_not_of('-'));
   throw UsageError(
       what + "; fields have no dashes: " + api::printable(field + "=" + (value.empty() ? "VALUE" : value)));
 }
@@ -124,6 +142,9 @@ void check_server_word(const std::string& word) {
   if (equals != std::string::npos && equals > 0)
     throw UsageError("options have dashes here: --" +
                      api::printable(word.substr(0, equals) + " " + word.substr(equals + 1)));
+  if (const std::size_t colon = word.rfind(':'); colon != std::string::npos && colon > 0)
+    throw UsageError("an address is given in two parts: --host " + api::printable(word.substr(0, colon)) +
+                     " --port " + api::printable(word.substr(colon + 1)));
   throw UsageError("the word " + api::in_quotes(word) + " means nothing here; --help lists the options");
 }
 

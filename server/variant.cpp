@@ -1,10 +1,10 @@
 #include "server/variant.hpp"
 
 #include <iostream>
-#include <stdexcept>
 #include <variant>
 
 #include "api/service.hpp"
+#include "server/output.hpp"
 #include "server/words.hpp"
 
 namespace qdot::server {
@@ -17,8 +17,7 @@ ExitCode print_variant(const VariantOptions& options) {
     std::cerr << "qdot variant: " << error->text << "\n";
     return ExitCode::invalid_request;
   }
-  std::cout << std::get<std::string>(drawn) << std::flush;
-  if (!std::cout) throw std::runtime_error("cannot write the answer");
+  write_out(std::cout, std::get<std::string>(drawn));
   return ExitCode::ok;
 }
 

@@ -44,7 +44,8 @@ bool has_value(const std::string& word) { return word.find('=') != std::string::
 /// The first word without a value is the system's name.
 std::string system_in(const std::string& word) {
   if (word.ends_with(".json"))
-    throw UsageError("a request in a file is given with --request: --request " + api::printable(word));
+    throw UsageError("a request in a file is given with --request: --request " +
+                     api::printable(word.substr(word.starts_with('@') ? 1 : 0)));
   return "system=" + percent_encoded(word) + "&";
 }
 

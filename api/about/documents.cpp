@@ -23,6 +23,21 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+/// What stands between backticks as code.
+std::string with_code(std::string_view text) {
+  std::string result;
+  bool is_code = false;
+  for (const char c : text) {
+    if (c == '`') {
+      result += is_code ? "</code>" : "<code>";
+      is_code = !is_code;
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 /// A whole page, with the header that all pages have.
 std::string page_around(std::string_view title, const std::string& body) {
   const std::string shown = escaped(title);
@@ -104,7 +119,7 @@ Response problem_page(const ProblemType& type, std::string_view detail) {
   std::string body = "<p>Status " + std::to_string(type.status) + ", <code>/errors/" +
                      std::string(type.name) + "</code></p>\n";
   if (!detail.empty()) body += "<p>" + escaped(detail) + "</p>\n";
-  body += "<p>" + escaped(type.explanation) + "</p>\n";
+  body += "<p>" + with_code(escaped(type.explanation)) + "</p>\n";
   return {.content_type = "text/html; charset=utf-8", .body = page_around(type.title, body)};
 }
 

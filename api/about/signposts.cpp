@@ -73,6 +73,8 @@ class Finder {
     if (segments_.empty()) return {"/", true};
     if (segments_.size() > longest) return {};
     if (const std::string same = same_address(); !same.empty()) return {same, true};
+    if (const std::string address = endpoint_called(without_ending(segments_.back())); !address.empty())
+      return {address};
     if (std::string found = with_system(); !found.empty()) return {std::move(found)};
     std::string found = known_by_other_name(segments_.front());
     if (found.empty()) found = nearest(segments_.front());
@@ -135,6 +137,13 @@ class Finder {
     }
     if (system.empty()) return {};
     return question.empty() ? "/v1/systems/" + system : question + "?system=" + system;
+  }
+
+  /// "modes.json", as if the answer were a file, asks for "modes".
+  static std::string without_ending(std::string_view segment) {
+    for (const std::string_view ending : {".json", ".csv"})
+      if (segment.ends_with(ending)) segment.remove_suffix(ending.size());
+    return std::string(segment);
   }
 
   static std::string endpoint_called(const std::string& word) {

@@ -22,7 +22,9 @@ the cells of a notebook or in any other test.
 
 from __future__ import annotations
 
+import decimal
 import difflib
+import fractions
 import json
 import math
 import os
@@ -47,9 +49,11 @@ __all__ = ["Qdot", "Key", "Problem", "Unreachable"]
 
 
 def _plain(value: Any) -> Any:
-    """Arrays and numbers of other libraries, such as numpy's, as JSON has them."""
+    """Arrays and numbers of other libraries, such as numpy's, as JSON has them; decimals and fractions as they are."""
     if hasattr(value, "tolist"):
         return value.tolist()
+    if isinstance(value, (decimal.Decimal, fractions.Fraction)):
+        return str(value)
     raise TypeError(f"a {type(value).__name__} has no place in a request")
 
 

@@ -6,6 +6,22 @@
 namespace qdot::api {
 namespace {
 
+/// What a body that curl -d sends, and that is no object, was meant to be.
+std::string advice_on_form(std::string_view body) {
+  const std::string_view text = trimmed(body);
+  if (text.empty())
+    return " The body is empty: a request is an object, -d '{\"system\": \"cart_pendulum\"}'.";
+  if (text.starts_with('\''))
+    return " This body begins with a single quote, which the cmd of Windows does not take away: put the body "
+           "in double quotes there, with a backslash before each one inside.";
+  if (text.starts_with("%7B")) return " --data-urlencode has encoded the JSON: send it with -d.";
+  if (text.find('=') != std::string_view::npos)
+    return " Fields of a form go into the address of a GET: curl -G.";
+  if (text.ends_with(".json"))
+    return " To send a file, write @ before its name: -d @" + printable(text) + ".";
+  return " A request is a JSON object, {...}.";
+}
+
 Problem unsupported(const std::string& content_type, std::string_view body) {
   std::string detail = "A body is JSON in UTF-8, Content-Type: application/json; this one says " +
                        in_quotes(content_type) + ".";
@@ -13,7 +29,9 @@ Problem unsupported(const std::string& content_type, std::string_view body) {
   if (first != std::string_view::npos && (body[first] == '[' || body[first] == '"')) {
     detail += " A request is a JSON object, {...}.";
   } else if (content_type.starts_with("application/x-www-form-urlencoded")) {
-    detail += " Fields of a form go into the address of a GET: curl -G.";
+    detail += advice_on_form(body);
+  } else if (content_type.starts_with("multipart/")) {
+    detail += " A file is sent with curl --json @request.json.";
   }
   return {.kind = ProblemKind::unsupported_media_type, .detail = std::move(detail)};
 }

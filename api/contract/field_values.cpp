@@ -61,24 +61,30 @@ Real real_of(std::string_view decimal) {
   return (negative ? -size : size).rounded();
 }
 
-std::optional<std::int64_t> whole_number(const Json& value, Road road) {
+std::optional<std::int64_t> whole_number(double number) {
   constexpr double exact = 9007199254740992;  // 2^53: beyond it doubles leave integers out
+  if (!(std::abs(number) <= exact) || number != std::trunc(number)) return std::nullopt;
+  return static_cast<std::int64_t>(number);
+}
+
+std::optional<std::int64_t> whole_number(const Json& value, Road road) {
   if (value.is_number_unsigned()) {
     const auto number = value.get<std::uint64_t>();
     return static_cast<std::int64_t>(
         std::min<std::uint64_t>(number, std::numeric_limits<std::int64_t>::max()));
   }
   if (value.is_number_integer()) return value.get<std::int64_t>();
-  if (value.is_number_float()) {
-    const auto number = value.get<double>();
-    if (std::abs(number) > exact || number != std::trunc(number)) return std::nullopt;
-    return static_cast<std::int64_t>(number);
-  }
+  if (value.is_number_float()) return whole_number(value.get<double>());
   if (road != Road::query) return std::nullopt;
   const std::string_view text = trimmed(value.get_ref<const std::string&>());
+  const auto read = [&](auto& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size();
+  };
   std::int64_t number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+  if (read(number)) return number;
+  double decimal{};  // "1e3"
+  return read(decimal) ? whole_number(decimal) : std::nullopt;
 }
 
 }  // namespace
@@ -172,8 +178,11 @@ std::optional<Json> read_value(const IntegerKind& kind, const std::string& name,
 std::optional<Json> read_value(const BooleanKind&, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
   if (value.is_boolean()) return value;
-  if (place.road() == Road::query && (value == "true" || value == "false")) return value == "true";
-  return refuse_type(place, errors, name, "true or false", value);
+  if (place.road() != Road::query) return refuse_type(place, errors, name, "true or false", value);
+  const std::string word = lower_case(value.get_ref<const std::string&>());  // Python says "True"
+  if (word == "true" || word == "false") return word == "true";
+  return refuse(place, errors, "wrong_type",
+                "'" + name + "' needs true or false, not " + in_quotes(word) + ".");
 }
 
 std::optional<Json> read_value(const TextKind& kind, const std::string& name, const Json& value,
@@ -237,6 +246,20 @@ std::string meant_option(const std::string& word, const std::vector<std::string>
   return closest(word, options);
 }
 
+/// "energy;momenta" as "energy,momenta"; empty where that is no list of options.
+std::string with_commas(std::string_view words, const std::vector<std::string>& options) {
+  std::string list;
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find_first_of(" ;|+"), words.size());
+    const std::string word(words.substr(0, end));
+    words.remove_prefix(std::min(end + 1, words.size()));
+    if (word.empty()) continue;
+    if (std::ranges::find(options, word) == options.end()) return {};
+    list += (list.empty() ? "" : ",") + word;
+  }
+  return list;
+}
+
 }  // namespace
 
 std::optional<Json> read_value(const ChoiceKind& kind, const std::string& name, const Json& value,
@@ -246,6 +269,10 @@ std::optional<Json> read_value(const ChoiceKind& kind, const std::string& name, 
   if (std::ranges::find(kind.options, word) != kind.options.end()) return value;
   FieldError error = place.error("not_allowed", "'" + name + "' cannot be " + in_quotes(word) + ".");
   error.did_you_mean = meant_option(word, kind.options);
+  if (const std::string list = with_commas(word, kind.options); !list.empty()) {
+    error.detail += " Between the words of a list stand commas.";
+    error.did_you_mean = list;
+  }
   error.allowed = kind.options;
   errors.push_back(std::move(error));
   return std::nullopt;

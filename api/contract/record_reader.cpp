@@ -49,7 +49,7 @@ std::string meant(const FieldSet& set, const Scene* scene, const std::string& na
                   std::span<const std::string> allowed) {
   // "&amp;k=1" is an & of HTML.
   if (name.starts_with("amp;")) return same_letters(std::string_view(name).substr(4), allowed);
-  std::string found = same_letters(name, allowed);
+  std::string found = same_letters(with_dot_for_prime(name), allowed);
   if (found.empty()) found = known_by_alias(set, name);
   const auto among_symbols = [&](auto search) {
     for (const FieldInfo& field : set.fields) {
@@ -64,13 +64,36 @@ std::string meant(const FieldSet& set, const Scene* scene, const std::string& na
   return found.empty() ? among_symbols(closest_name) : found;
 }
 
-FieldError unknown_field(const FieldSet& set, const Scene* scene, const std::string& name,
+bool has_system(const FieldSet& set) {
+  return std::ranges::any_of(
+      set.fields, [](const FieldInfo& field) { return std::holds_alternative<SystemKind>(field.kind); });
+}
+
+/// What the name of an unknown field, or what stands in it, tells of what was meant.
+std::string advice_on_field(const FieldSet& set, const Scene* scene, const std::string& name,
+                            const Json& value) {
+  const std::optional<SymbolRole> role = scene == nullptr ? std::nullopt : role_of(*scene, name);
+  if (role && field_of(set, *role) != nullptr)
+    return " " + scene->name + " has it: it belongs in '" + field_of(set, *role)->name + "'.";
+  const bool is_group = name == field_name(SymbolRole::parameter) || name == field_name(SymbolRole::initial);
+  const bool has_values =
+      scene != nullptr && (is_group || role.value_or(SymbolRole::input) != SymbolRole::input);
+  if (has_values) return " The answer is the same for all values: leave it out.";
+  if (value.is_object() && value.contains("system") && has_system(set))
+    return " What it has inside stands by itself: {\"system\": ...}.";
+  const bool is_of_a_scene = name == "coordinates" || name == "bodies" || name == "lagrangian";
+  if (scene == nullptr && is_of_a_scene && has_system(set))
+    return " A scene stands in 'system': {\"system\": {...}}.";
+  return scene != nullptr && names_friction(name) ? std::string(advice_on_friction) : "";
+}
+
+FieldError unknown_field(const FieldSet& set, const Scene* scene, const std::string& name, const Json& value,
                          const Place& object) {
   const Place place = object.below(name);
-  std::string detail = "There is no field " + in_quotes(name) + ".";
   const std::optional<SymbolRole> role = scene == nullptr ? std::nullopt : role_of(*scene, name);
   const FieldInfo* home = role ? field_of(set, *role) : nullptr;
-  if (home != nullptr) detail += " " + scene->name + " has it: it belongs in '" + home->name + "'.";
+  std::string detail =
+      "There is no field " + in_quotes(name) + "." + advice_on_field(set, scene, name, value);
   FieldError error = place.error("unknown_field", std::move(detail));
   error.allowed = field_names(set, scene, place.road());
   error.did_you_mean = meant(set, scene, name, place.road(), error.allowed);
@@ -169,7 +192,7 @@ class RecordReader {
       if (any_may_be_a_symbol && same_letters(name, field_names(set, nullptr, Road::query)).empty() &&
           known_by_alias(set, name).empty())
         continue;
-      report(errors_, unknown_field(set, scene(), name, place));
+      report(errors_, unknown_field(set, scene(), name, value, place));
     }
   }
 

@@ -14,6 +14,9 @@ namespace {
 constexpr std::string_view velocity = "_dot";
 constexpr auto marks_of_the_start =
     std::to_array<std::string_view>({"initial", "init", "start", "zero", "0"});
+constexpr auto primes = std::to_array<std::string_view>({"'", "’", "′", "\u0307"});
+constexpr auto words_of_friction = std::to_array<std::string_view>(
+    {"damping", "friction", "drag", "viscosity", "dampingcoefficient", "dampingratio", "dissipation"});
 
 std::vector<std::string> names_of(std::span<const Symbol> symbols) {
   std::vector<std::string> names;
@@ -55,13 +58,14 @@ std::string velocity_of_a_coordinate(const std::string& word, std::span<const st
   return {};
 }
 
-/// The first velocity in the unit that the word speaks of.
+/// The first symbol in the unit that the word speaks of; of lengths a second, a velocity.
 std::string velocity_in_words(std::string_view word, std::span<const Symbol> symbols) {
+  if (word.ends_with('0')) word.remove_suffix(1);
   const bool turns = word == "omega" || word == "w" || word == "angularvelocity" || word == "angularspeed";
   if (!turns && word != "v" && word != "velocity" && word != "speed") return {};
   const std::string_view unit = turns ? "rad/s" : "m/s";
   const auto found = std::ranges::find_if(
-      symbols, [&](const Symbol& s) { return s.name.ends_with(velocity) && s.unit == unit; });
+      symbols, [&](const Symbol& s) { return (turns || s.name.ends_with(velocity)) && s.unit == unit; });
   return found == symbols.end() ? "" : found->name;
 }
 
@@ -108,6 +112,17 @@ std::string meant_symbol(std::string_view name, std::span<const Symbol> symbols)
   if (found.empty()) found = velocity_in_words(word, symbols);
   if (found.empty()) found = symbol_with_meaning(word, symbols);
   return found;
+}
+
+std::string with_dot_for_prime(std::string_view name) {
+  for (const std::string_view prime : primes)
+    if (name.ends_with(prime)) return std::string(name.substr(0, name.size() - prime.size())) + "_dot";
+  return std::string(name);
+}
+
+bool names_friction(std::string_view name) {
+  return name.size() <= limits::name_bytes &&
+         std::ranges::find(words_of_friction, lower_case(letters_of(name))) != words_of_friction.end();
 }
 
 }  // namespace qdot::api

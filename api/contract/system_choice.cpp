@@ -40,9 +40,11 @@ FieldError unknown_symbol(const Scene& scene, SymbolRole role, const std::string
                              " " + in_quotes(name) + ".";
   const std::optional<SymbolRole> other = role_of(scene, name);
   if (!other) {
-    FieldError error = unknown_name(place, detail, name, std::move(allowed));
-    const std::string meant = meant_symbol(name, symbols(scene, role));
-    const bool is_exact = !same_letters(name, error.allowed).empty();
+    const std::string plain = with_dot_for_prime(name);
+    FieldError error = unknown_name(place, detail, plain, std::move(allowed));
+    const std::string meant = meant_symbol(plain, symbols(scene, role));
+    const bool is_exact = !same_letters(plain, error.allowed).empty();
+    if (names_friction(name)) error.detail += advice_on_friction;
     if (!meant.empty() && !is_exact) error.did_you_mean = meant;
     return error;
   }

@@ -1,6 +1,7 @@
 #include "api/contract/units.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -48,15 +49,6 @@ std::string example(std::string_view expected_unit) {
   return "a number of " + std::string(expected_unit) + also;
 }
 
-/// The name of the unit that was meant, one that fits before others; empty where none is near.
-std::string nearest_unit(std::string_view text, const Unit& expected) {
-  std::string near = closest(text, unit_names_like(expected));
-  constexpr std::size_t too_short = 2;  // for a likeness to say much: ft is no tesla
-  if (near.empty() && text.size() > too_short) near = closest(text, unit_names());
-  if (near.empty() && text.size() > too_short) near = unit_name_of(closest(text, unit_words()));
-  return near;
-}
-
 /// The units that may stand behind a number.
 std::vector<std::string> fitting_units(std::string_view expected_unit) {
   if (expected_unit == "1") return {};
@@ -65,43 +57,83 @@ std::vector<std::string> fitting_units(std::string_view expected_unit) {
   return names;
 }
 
+/// The only one of `names` that begins with the letter.
+std::string beginning_with(char letter, const std::vector<std::string>& names) {
+  const auto begins = [&](const std::string& name) { return lower_case(name).front() == letter; };
+  return std::ranges::count_if(names, begins) == 1 ? *std::ranges::find_if(names, begins) : "";
+}
+
+/// The name of the unit that was meant and fits; empty where none is near.
+std::string nearest_unit(std::string_view text, std::string_view expected_unit) {
+  const std::vector<std::string> fitting = fitting_units(expected_unit);
+  if (std::string same = same_letters(text, fitting); !same.empty()) return same;  // "m/s2"
+  const bool is_word = std::ranges::all_of(text, [](unsigned char c) { return std::isalpha(c) != 0; });
+  if (!is_word) return {};  // "kg*2", "d-1"
+  if (text.size() == 1) return beginning_with(lower_case(text).front(), fitting);
+  std::string near = closest(text, fitting);
+  constexpr std::size_t too_short = 2;  // for a likeness to say much: ft is no tesla
+  if (near.empty() && text.size() > too_short) near = unit_name_of(closest(text, unit_words()));
+  const std::optional<Unit> unit = parse_unit(near);
+  return unit && unit->dimension == declared_unit(expected_unit).dimension ? near : "";
+}
+
 bool is_whole_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// "A product is written with *: 2*pi.", and 2*pi as what was meant.
+QuantityError misspelled(std::string_view sentence, const std::string& meant) {
+  return {.code = "syntax",
+          .detail = std::string(sentence) + ": " + printable(meant) + ".",
+          .did_you_mean = printable(meant)};
+}
+
+/// Another way to write a number than ours.
+std::optional<QuantityError> number_of_others(std::string_view digits, std::string_view rest) {
+  const std::string before(digits);
+  const std::string_view tail = rest.substr(1);
+  const std::string_view exponent = trimmed(tail).starts_with('-') ? trimmed(tail).substr(1) : trimmed(tail);
+  const char first = lower_case(rest).front();
+  if (first == 'e' && is_whole_number(trimmed(tail)))
+    return misspelled("A + of an exponent is a blank in a URL; leave it out, or write %2B",
+                      before + "e" + std::string(trimmed(tail)));
+  if (first == 'd' && is_whole_number(exponent))
+    return misspelled("An exponent is written with e", before + "e" + std::string(trimmed(tail)));
+  if (first == ',' && is_whole_number(tail)) {
+    std::string whole = before;  // "1.000,5" has points between its thousands
+    std::erase(whole, '.');
+    return misspelled("Decimals have a point, not a comma", whole + "." + std::string(tail));
+  }
+  if ((first == '_' || first == '\'') && is_whole_number(tail))
+    return misspelled("The digits of a number stand together", before + std::string(tail));
+  if (first == 'x' && tail.starts_with("10^"))
+    return misspelled("A product is written with *", before + "*" + std::string(tail));
+  if (greek_by_name(rest) == "pi") return misspelled("A product is written with *", before + "*pi");
+  return std::nullopt;
+}
+
+/// "grad" is a degree in some languages and a gon, a tenth less, in others.
+bool is_ambiguous(std::string_view unit) {
+  const std::string word = lower_case(unit);
+  return word == "grad" || word == "gon" || word == "gradian" || word == "gradians";
+}
+
 /// What stands behind the number is no unit.
 QuantityError unknown_unit(std::string_view digits, std::string_view rest, std::string_view expected_unit) {
-  const bool is_exponent = rest.starts_with('e') || rest.starts_with('E');
-  if (is_exponent && is_whole_number(trimmed(rest.substr(1)))) {
-    return {.code = "syntax",
-            .detail = "A + of an exponent is a blank in a URL: leave it out, or write %2B.",
-            .did_you_mean = std::string(digits) + "e" + std::string(trimmed(rest.substr(1)))};
-  }
-  if (rest.starts_with(',') && is_whole_number(rest.substr(1))) {
-    std::string meant = std::string(digits) + "." + std::string(rest.substr(1));
-    std::string detail = "Decimals have a point, not a comma: " + printable(meant) + ".";
-    return {.code = "syntax", .detail = std::move(detail), .did_you_mean = printable(meant)};
-  }
-  if (rest == "pi") {
-    std::string meant = std::string(digits) + "*pi";
-    return {.code = "syntax",
-            .detail = "A product is written with *: " + printable(meant) + ".",
-            .did_you_mean = printable(meant)};
-  }
+  if (std::optional<QuantityError> error = number_of_others(digits, rest)) return *std::move(error);
   if (rest.starts_with(':')) return {.code = "syntax", .detail = std::string(advice_on_ranges)};
   if (std::string_view("*/+^").find(rest.front()) != std::string_view::npos)
     return {.code = "unknown_unit",
             .detail = "An expression has only numbers, pi and functions in it here; write " +
                       example(expected_unit) + "."};
-  const Unit expected = declared_unit(expected_unit);
-  const std::string near = nearest_unit(rest, expected);
-  const std::string advice = near.empty() ? " write " : " did you mean " + near + "? Write ";
+  const std::string near = is_ambiguous(rest) ? "" : nearest_unit(rest, expected_unit);
+  std::string advice = near.empty() ? " write " : " did you mean " + near + "? Write ";
+  if (is_ambiguous(rest)) advice = " a degree is deg, a gon 0.9 deg;" + advice;
   QuantityError error{
       .code = "unknown_unit",
       .detail = in_quotes(rest) + " is not a unit known here;" + advice + example(expected_unit) + ".",
       .allowed = fitting_units(expected_unit)};
-  if (const Unit* unit = find_unit(near); unit != nullptr && unit->dimension == expected.dimension)
-    error.did_you_mean = printable(digits) + " " + near;
+  if (!near.empty()) error.did_you_mean = printable(digits) + " " + near;
   return error;
 }
 

@@ -36,6 +36,11 @@ bool is_unbounded(std::string_view word) {
   return lower == "inf" || lower == "infinity" || lower == "nan";
 }
 
+/// What programs write where a value is missing.
+bool is_nothing(std::string_view word) {
+  return word == "null" || word == "undefined" || word == "None" || word == "nil";
+}
+
 QuantityError wrong_text(const ParseError& error, const ParameterScope& scope) {
   if (error.code != ErrorCode::unknown_symbol) return {"syntax", error.message + ".", {}};
   if (find_unit(error.symbol) != nullptr) {
@@ -45,6 +50,8 @@ QuantityError wrong_text(const ParseError& error, const ParameterScope& scope) {
             " is none of the parameters. A quantity is a number with its unit behind it, such as '30 deg'.",
         scope.names()};
   }
+  if (is_nothing(error.symbol))
+    return {.code = "wrong_type", .detail = in_quotes(error.symbol) + " is no value: leave the field out."};
   if (is_unbounded(error.symbol))
     return {.code = "out_of_range", .detail = in_quotes(error.symbol) + " is no finite number."};
   return {.code = "unknown_symbol",

@@ -33,7 +33,17 @@ constexpr auto unbounded_words = std::to_array<std::string_view>(
 
 constexpr auto quotes_of_typographers = std::to_array<std::string_view>({"“", "”", "„", "‘", "’", "«", "»"});
 
+constexpr auto blanks_of_others =
+    std::to_array<std::string_view>({"\xC2\xA0", "\xE2\x80\x8B", "\xE2\x80\xAF", "\xE3\x80\x80"});
+constexpr auto dashes = std::to_array<std::string_view>({"−", "–", "—"});
+constexpr std::string_view doubled_quotes =
+    "Two double quotes stand together here: one on each side of a text is enough, \"system\".";
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_plain(std::string_view number) {
+  return std::ranges::all_of(number, [](char c) { return is_digit(c) || c == '.' || c == '-'; });
+}
 
 bool is_word_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -52,6 +62,8 @@ class SlipFinder {
   explicit SlipFinder(std::string_view text) : text_(text), at_(text.starts_with("\xEF\xBB\xBF") ? 3 : 0) {}
 
   std::string find() {
+    if (rest().starts_with("[object "))
+      return "This is what JavaScript calls an object, not the object: send JSON.stringify(...) of it.";
     while (slip_.empty()) {
       at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
       if (at_ == text_.size()) return next_ == Next::nothing ? "" : early_end();
@@ -78,6 +90,10 @@ class SlipFinder {
       return say("Between single quotes of a shell, double quotes need no backslash: '{\"system\": ...}'.");
     if (begins_with_one_of(rest(), quotes_of_typographers))
       return say("JSON has straight double quotes, \", around its strings, not typographic ones.");
+    if (begins_with_one_of(rest(), blanks_of_others))
+      return say("Here stands a blank that is no ordinary one, such as web pages have: type it anew.");
+    if (begins_with_one_of(rest(), dashes)) return say("A minus is the sign -, not a dash.");
+    if (c == '`') return say("JSON has double quotes around its strings, not `.");
     switch (next_) {
       case Next::value:
       case Next::value_or_end:
@@ -120,6 +136,9 @@ class SlipFinder {
     if (c != '"') {
       const std::string_view word = word_here();
       if (word.empty()) return false;
+      if (last_is_number_ && std::ranges::all_of(word, is_digit))
+        return say("Decimals have a point, not a comma: " + printable(last_number_) + "." + printable(word) +
+                   ".");
       return say("Names stand in double quotes: \"" + printable(word) + "\"." + std::string(shell_hint));
     }
     next_ = Next::colon;
@@ -127,6 +146,7 @@ class SlipFinder {
   }
 
   bool take_colon(char c) {
+    if (c != ':' && last_is_empty_) return say(std::string(doubled_quotes));
     if (c != ':')
       return say(std::string("Between a name and its value stands a colon") +
                  (c == '=' ? ", not =: " : "; it is missing: ") + "\"name\": value.");
@@ -143,6 +163,8 @@ class SlipFinder {
       next_ = open_.back() == '{' ? Next::key : Next::value;
       return true;
     }
+    if (c == ';') return say("Between two parts stands a comma, not a semicolon.");
+    if (last_is_empty_ && !last_is_number_ && is_word_character(c)) return say(std::string(doubled_quotes));
     if (last_is_number_ && c != '"' && c != '{' && c != '[')
       return say("A number with a unit, and an expression, stand in double quotes: \"30 deg\", \"2*m*g/l\".");
     return say("A comma is missing before " +
@@ -205,6 +227,9 @@ class SlipFinder {
       return say("Numbers in JSON are decimal.");
     if (!whole.empty() && tail.starts_with('.') && (tail.size() == 1 || !is_digit(tail[1])))
       return say("A number has a digit after its point: " + std::string(whole) + ".0.");
+    if (digits.empty()) return say("A number has a digit after its minus.");
+    if (std::string plain(word); tail.starts_with('_') && std::erase(plain, '_') > 0 && is_plain(plain))
+      return say("The digits of a number stand together: " + printable(plain) + ".");
     if (!tail.empty() && tail[0] != '.' && tail[0] != 'e' && tail[0] != 'E')
       return say("A number with a unit, and an expression, stand in double quotes: \"" + printable(word) +
                  "\".");
@@ -214,15 +239,18 @@ class SlipFinder {
     at_ += word.size();
     value_is_over();
     last_is_number_ = true;
+    last_number_ = word;
     return true;
   }
 
   bool take_string() {
     for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
       if (text_[i] == '"') {
+        last_is_empty_ = i == at_ + 1;
         at_ = i + 1;
         return true;
       }
+      if (text_[i] == '\t') return say("A tab in a text is written \\t.");
       if (text_[i] == '\n' || text_[i] == '\r')
         return say("A text ends on the line on which it begins: a double quote is missing, or write \\n.");
       if (text_[i] != '\\') continue;
@@ -247,7 +275,9 @@ class SlipFinder {
   Next next_{Next::value};
   bool after_comma_{false};
   bool last_is_number_{false};
-  std::string open_;  ///< brackets that are not closed yet
+  bool last_is_empty_{false};     ///< of the texts
+  std::string_view last_number_;  ///< as it is written
+  std::string open_;              ///< brackets that are not closed yet
   std::string slip_;
 };
 

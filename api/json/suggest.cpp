@@ -12,11 +12,11 @@ namespace qdot::api {
 namespace {
 
 constexpr auto greek = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"θ", "theta"},   {"ϑ", "theta"},  {"φ", "phi"},   {"ϕ", "phi"},  {"ψ", "psi"},
-    {"ω", "omega"},   {"Ω", "Omega"},  {"α", "alpha"}, {"β", "beta"}, {"γ", "gamma"},
-    {"δ", "delta"},   {"λ", "lambda"}, {"μ", "mu"},    {"ρ", "rho"},  {"τ", "tau"},
-    {"χ", "chi"},     {"η", "eta"},    {"ξ", "xi"},    {"π", "pi"},   {"Δ", "Delta"},
-    {"ε", "epsilon"}, {"σ", "sigma"},  {"κ", "kappa"}, {"ζ", "zeta"}, {"−", "-"},
+    {"θ", "theta"}, {"ϑ", "theta"}, {"φ", "phi"},     {"ϕ", "phi"},   {"ψ", "psi"},   {"ω", "omega"},
+    {"Ω", "Omega"}, {"α", "alpha"}, {"β", "beta"},    {"γ", "gamma"}, {"δ", "delta"}, {"λ", "lambda"},
+    {"μ", "mu"},    {"ρ", "rho"},   {"τ", "tau"},     {"χ", "chi"},   {"η", "eta"},   {"ξ", "xi"},
+    {"π", "pi"},    {"Δ", "Delta"}, {"ε", "epsilon"}, {"σ", "sigma"}, {"κ", "kappa"}, {"ζ", "zeta"},
+    {"−", "-"},     {"–", "-"},     {"Ω", "Omega"},
 });
 
 constexpr std::size_t largest_distance = 2;

@@ -45,7 +45,7 @@ std::vector<std::filesystem::path> json_files(const std::filesystem::path& direc
   for (; !error && entry != std::filesystem::directory_iterator{}; entry.increment(error)) {
     if (entry->path().extension() == ".json") files.push_back(entry->path());
   }
-  if (error) throw std::runtime_error("Cannot read the scenes directory " + directory.string() + ".");
+  if (error) throw BadScenes("Cannot read the scenes directory " + directory.string() + ".");
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -82,7 +82,7 @@ Catalogue Catalogue::with_directory(const std::filesystem::path& directory) cons
     const auto text = contents(path);
     mistakes += text ? catalogue.add(file, *text) : mistake(file, "", "The file cannot be read.");
   }
-  if (!mistakes.empty()) throw std::runtime_error(mistakes);
+  if (!mistakes.empty()) throw BadScenes(mistakes);
   return catalogue;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,11 @@
 #include "core/mechanics/scene.hpp"
 
 namespace qdot::api {
+
+/// A directory of scenes that cannot be used; what() says all mistakes of all files, a line each.
+struct BadScenes : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct CatalogueEntry {
   std::string file;  ///< name of the file, for messages
@@ -29,9 +35,8 @@ class Catalogue {
   /// name.
   [[nodiscard]] static Catalogue built_in();
 
-  /// This catalogue and every *.json of `directory` after it, by file name. Throws std::runtime_error with
-  /// all mistakes of all files, a line each, when a file cannot be read, is no scene, or has a name that is
-  /// taken.
+  /// This catalogue and every *.json of `directory` after it, by file name. Throws BadScenes when a
+  /// file cannot be read, is no scene, or has a name that is taken.
   [[nodiscard]] Catalogue with_directory(const std::filesystem::path& directory) const;
 
   /// nullptr for a name that is none.

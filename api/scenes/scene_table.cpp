@@ -102,7 +102,7 @@ BoundField<Struct> length_field() {
 template <class Struct>
 BoundField<Struct> between_field() {
   return value("between", &Struct::between, ListKind{PositionKind{}, 2, 2}, "the two places that it joins",
-               {.aliases = {"points", "ends"}});
+               {.aliases = {"points", "ends", "from", "to"}});
 }
 template <class Struct>
 BoundField<Struct> angle_field() {
@@ -116,9 +116,10 @@ const Table<Spring> springs(
     "stiffness*(angle - rest_angle)^2/2.",
     {value("name", &Spring::name, NameKind{}, "what it is called"),
      value("stiffness", &Spring::stiffness, ExpressionKind{}, "force by length, or torque by angle",
-           required),
+           {.need = Need::required, .aliases = {"k", "constant"}}),
      length_field<Spring>(),
-     value("rest_length", &Spring::rest_length, ExpressionKind{}, "how long it is without a force", zero),
+     value("rest_length", &Spring::rest_length, ExpressionKind{}, "how long it is without a force",
+           {.default_value = "0", .aliases = {"l0", "l_0", "natural_length", "free_length"}}),
      between_field<Spring>(), angle_field<Spring>(),
      value("rest_angle", &Spring::rest_angle, ExpressionKind{}, "the angle without a torque", zero)},
     {{.ways = {{"length"}, {"between"}, {"angle", "rest_angle"}}, .need = Need::required},
@@ -129,7 +130,8 @@ const Table<Damper> dampers(
     "A force against the rate of a length, of the distance between two places, of an angle, or against the "
     "velocity of a point.",
     {value("name", &Damper::name, NameKind{}, "what it is called"),
-     value("coefficient", &Damper::coefficient, ExpressionKind{}, "c in -c*v, or in -c*|v|*v", required),
+     value("coefficient", &Damper::coefficient, ExpressionKind{}, "c in -c*v, or in -c*|v|*v",
+           {.need = Need::required, .aliases = {"c", "b", "damping"}}),
      choice("law", &Damper::law, {{"linear", Damper::Law::linear}, {"quadratic", Damper::Law::quadratic}},
             "linear: -c*v; quadratic: -c*|v|*v, as of air", {.default_value = "linear"}),
      length_field<Damper>(), between_field<Damper>(), angle_field<Damper>(),
@@ -141,7 +143,8 @@ const Table<Force> forces(
     "A force applied at a point, a force or torque along one quantity, or a torque on a body in space. Each may "
     "depend on the state and the time.",
     {value("name", &Force::name, NameKind{}, "what it is called"),
-     value("vector", &Force::vector, VectorKind{}, "the components of a force"),
+     value("vector", &Force::vector, VectorKind{}, "the components of a force",
+           {.aliases = {"force", "components", "f"}}),
      value("point", &Force::point, PositionKind{}, "where it is applied"),
      value("value", &Force::value, ExpressionKind{},
            "a force that pushes along a length, or a torque that turns an angle"),
@@ -306,9 +309,10 @@ Table<Scene> make_table() {
        value(
            "dissipation", &Scene::dissipation, ExpressionKind{},
            "Rayleigh's function D, a power: the generalized force on q is -dD/dq_dot, so D = b*x_dot^2/2 is "
-           "a damper b"),
+           "a damper b",
+           {.aliases = {"damping", "friction", "rayleigh"}}),
        value("lagrangian", &Scene::lagrangian, ExpressionKind{},
-             "the Lagrangian itself, instead of bodies, gravity, springs and potential"),
+             "the Lagrangian itself, instead of bodies, gravity, springs and potential", {.aliases = {"l"}}),
        records("valid_while", &Scene::valid_while, conditions, 0, most::conditions,
                "the conditions under which the model holds"),
        records("reports", &Scene::reports, reports, 0, most::conditions, "quantities to know"),

@@ -25,7 +25,9 @@ std::shared_ptr<const Scene> named(const Catalogue& catalogue, const std::string
   if (const auto classic = read_classic(name)) return {classic, &classic->scene};
   std::vector<std::string> all = catalogue.names();
   std::ranges::move(classic_names(), std::back_inserter(all));
-  FieldError error = unknown_name(place, "There is no system " + in_quotes(name) + ".", name, all);
+  const std::string_view bare = std::string_view(name).substr(0, name.rfind(".json"));
+  FieldError error =
+      unknown_name(place, "There is no system " + in_quotes(name) + ".", std::string(bare), all);
   error.code = "unknown_system";
   if (const std::string meant = system_of_problem(catalogue, name); !meant.empty())
     error.did_you_mean = meant;
@@ -41,7 +43,27 @@ void report_missing(const Catalogue& catalogue, const Place& place, Errors& erro
   report(errors, std::move(error));
 }
 
-std::shared_ptr<const Scene> carried(const Json& value, const Place& place, Errors& errors) {
+/// {"name": "cart_pendulum"} and nothing of a scene: the name alone was meant.
+bool only_names(const Json& value) {
+  const auto name = value.find("name");
+  return name != value.end() && name->is_string() && !value.contains("coordinates") &&
+         !value.contains("bodies") && !value.contains("lagrangian");
+}
+
+std::shared_ptr<const Scene> carried(const Catalogue& catalogue, const Json& value, const Place& place,
+                                     Errors& errors) {
+  if (only_names(value)) {
+    const auto& name = value["name"].get_ref<const std::string&>();
+    Errors of_name;
+    if (named(catalogue, name, place, of_name) != nullptr) {
+      FieldError error = place.error(
+          "wrong_type", "A system that is there already is given by its name alone, \"system\": \"" + name +
+                            "\"; values stand beside it, in 'parameters' and 'initial'.");
+      error.did_you_mean = name;
+      report(errors, std::move(error));
+      return nullptr;
+    }
+  }
   SceneReading reading = read_scene(value, place);
   if (reading.errors.empty()) return std::make_shared<const Scene>(std::move(reading.scene));
   std::ranges::move(reading.errors, std::back_inserter(errors));
@@ -53,7 +75,7 @@ std::shared_ptr<const Scene> carried(const Json& value, const Place& place, Erro
 FindSystem find_system_in(const Catalogue& catalogue) {
   return [&catalogue](const Json& value, const Place& place, Errors& errors) -> std::shared_ptr<const Scene> {
     if (value.is_string()) return named(catalogue, value.get<std::string>(), place, errors);
-    if (value.is_object()) return carried(value, place, errors);
+    if (value.is_object()) return carried(catalogue, value, place, errors);
     if (value.is_null()) {
       report_missing(catalogue, place, errors);
       return nullptr;

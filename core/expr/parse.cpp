@@ -1,8 +1,10 @@
 #include "core/expr/parse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "core/expr/parse_tokens.hpp"
 
@@ -10,6 +12,28 @@ namespace qdot {
 namespace {
 
 bool is_function(std::string_view name) { return name == "sqrt" || function_named(name).has_value(); }
+
+/// Functions of other programs and of books, and how to write them here.
+constexpr auto other_functions = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"ln", "log(...)"},
+    {"arcsin", "asin(...)"},
+    {"arccos", "acos(...)"},
+    {"arctan", "atan(...)"},
+    {"arctg", "atan(...)"},
+    {"tg", "tan(...)"},
+    {"sgn", "sign(...)"},
+    {"fabs", "abs(...)"},
+    {"radians", "30*deg"},
+    {"deg2rad", "30*deg"},
+    {"rad", "a number alone, which is in radians"},
+    {"pow", "x^2"},
+    {"cot", "1/tan(...)"},
+    {"sec", "1/cos(...)"},
+    {"csc", "1/sin(...)"},
+    {"heaviside", "(1 + sign(...))/2"},
+    {"Heaviside", "(1 + sign(...))/2"},
+    {"step", "(1 + sign(...))/2"},
+});
 
 /// The number an expression is or is multiplied with.
 Number coefficient(const Expression& e) {
@@ -145,6 +169,9 @@ class Parser {
     }
     const std::string text(name.text);
     const bool known = is_known(text);
+    if (!known && is_function(text) && at(TokenKind::power)) {
+      throw Error(ErrorCode::syntax, "write " + text + "(x)^2, not " + text + "^2(x)", token().offset);
+    }
     if (!known && is_function(text)) {
       throw Error(ErrorCode::syntax, "expected '(' after the function " + excerpt(text), token().offset);
     }
@@ -187,12 +214,17 @@ class Parser {
   void note_unknown(const std::string& name, std::size_t offset) {
     const bool noted =
         std::any_of(unknown_.begin(), unknown_.end(), [&](const auto& e) { return e.symbol == name; });
-    if (!noted)
-      unknown_.push_back({ErrorCode::unknown_symbol, offset, "unknown symbol " + excerpt(name), name});
+    if (noted) return;
+    const char* const advice = name == "e" ? ": the exponential function is exp(...)" : "";
+    unknown_.push_back({ErrorCode::unknown_symbol, offset, "unknown symbol " + excerpt(name) + advice, name});
   }
 
   [[noreturn]] void reject_juxtaposition(const Token& number) const {
     const std::string left(number.text.substr(0, 17));
+    const bool is_unit = at(TokenKind::name) && !is_known(token().text) && !is_function(token().text);
+    if (is_unit && token().text != "deg")
+      fail("a number in an expression is in SI, with no unit behind it; " + excerpt(token().text) +
+           " is none of the symbols");
     const std::string right = at(TokenKind::name) ? std::string(token().text.substr(0, 17)) : "(...)";
     fail("write " + left + "*" + right + ", not " + left + right);
   }
@@ -200,6 +232,10 @@ class Parser {
   [[noreturn]] void reject_call(const Token& name) const {
     std::string message = "unknown function " + excerpt(name.text) + ", there are sqrt";
     for (const std::string_view known : function_names) message += ", " + std::string(known);
+    const auto* const other =
+        std::ranges::find(other_functions, name.text, [](const auto& pair) { return pair.first; });
+    if (other != other_functions.end())
+      message = "write " + std::string(other->second) + ", not " + std::string(name.text) + "(...)";
     if (is_known(name.text))
       message = "write " + std::string(name.text.substr(0, 36)) + "*(...) for a product";
     throw Error(ErrorCode::syntax, message, name.offset);

@@ -1,7 +1,9 @@
 #include "core/expr/parse_tokens.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.hpp"
 
@@ -67,11 +69,32 @@ std::optional<TokenKind> operator_kind(char c) {
   }
 }
 
+/// What a sign of books and word processors is in ASCII.
+constexpr auto signs_of_books = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"½", "write 1/2 for the fraction"},
+    {"⅓", "write 1/3 for the fraction"},
+    {"¼", "write 1/4 for the fraction"},
+    {"¾", "write 3/4 for the fraction"},
+    {"√", "write sqrt(...) for the root"},
+    {"—", "write - for a minus"},
+    {"÷", "write / for a division"},
+});
+
+std::string advice_on(std::string_view rest) {
+  const auto sign =
+      std::ranges::find_if(signs_of_books, [&](const auto& pair) { return rest.starts_with(pair.first); });
+  return sign == signs_of_books.end() ? "expressions are ASCII: write theta for the Greek letter"
+                                      : std::string(sign->second);
+}
+
 [[noreturn]] void reject_character(std::string_view rest, std::size_t offset) {
   const char c = rest.front();
   std::string message = "an expression cannot contain " + excerpt(rest.substr(0, 1));
-  if (static_cast<unsigned char>(c) >= 0x80)
-    message = "expressions are ASCII: write theta for the Greek letter";
+  if (static_cast<unsigned char>(c) >= 0x80) message = advice_on(rest);
+  if (c == '\\') message = "leave out LaTeX's backslashes: names stand alone, pi, theta or sin(...)";
+  if (c == '|') message = "write abs(...) for the absolute value";
+  if (c == '<' || c == '>')
+    message = "an expression compares nothing; (1 + sign(t - 1))/2 is 0 before t = 1 and 1 after it";
   if (c == '=') message = "expected an expression, not an equation: '='";
   if (c == '[' || c == '{') message = "write ( and ) for brackets";
   if (c == ',') message = "every function takes one argument: unexpected ','; decimals have a point";

@@ -111,6 +111,8 @@ constexpr auto words = std::to_array<std::pair<std::string_view, std::string_vie
 
 constexpr auto signs = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"°", "deg"},
+    {"º", "deg"},  // what Spanish keyboards have
+    {"˚", "deg"},
     {"²", "^2"},
     {"³", "^3"},
     {"⁻¹", "^-1"},
@@ -161,12 +163,6 @@ std::string in_ascii(std::string_view text) {
     }
   }
   return result;
-}
-
-std::vector<std::string> unit_names() {
-  std::vector<std::string> names;
-  for (const NamedUnit& unit : units()) names.emplace_back(unit.name);
-  return names;
 }
 
 std::vector<std::string> unit_words() {

@@ -18,7 +18,6 @@ namespace qdot {
 [[nodiscard]] std::string in_ascii(std::string_view text);
 
 /// The names of units, without words for them.
-[[nodiscard]] std::vector<std::string> unit_names();
 
 /// The words for units, "degree", in the singular.
 [[nodiscard]] std::vector<std::string> unit_words();

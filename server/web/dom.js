@@ -32,16 +32,26 @@ export function element(name, attributes = {}, ...children) {
   return node;
 }
 
+/** Each cell of a full row says the head of its column, for a phone, where the cells of a row stand below each other. @param {Child[]} heads @param {Child[]} rows */
+function nameCells(heads, rows) {
+  const names = heads.map((head) => (head instanceof Node ? head.textContent : String(head)) ?? "");
+  for (const row of rows) {
+    const cells = row instanceof HTMLTableRowElement && row.cells.length === names.length ? [...row.cells] : [];
+    cells.forEach((cell, i) => (cell.dataset.head = names[i]));
+  }
+}
+
 /**
- * A table that is moved sideways in its frame where it is too wide for the page.
+ * A table that is moved sideways in its frame where it is too wide for the page; with heads, a phone stacks its cells.
  * @param {{class?: string, heads?: Child[]}} options @param {...Child} rows
  */
-export function table({ class: name, heads = [] }, ...rows) {
+export function table({ class: name = "", heads = [] }, ...rows) {
+  nameCells(heads, rows);
   const head = element("thead", {}, element("tr", {}, ...heads.map((text) => element("th", { scope: "col" }, text))));
   return element(
     "div",
     { class: "table-frame", tabindex: "0" },
-    element("table", { class: name }, heads.length ? head : null, element("tbody", {}, ...rows)),
+    element("table", { class: heads.length ? `${name} stack`.trim() : name }, heads.length ? head : null, element("tbody", {}, ...rows)),
   );
 }
 

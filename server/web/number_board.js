@@ -7,6 +7,12 @@ import { defaultsOf } from "./system.js";
 /** @typedef {import("./subject.js").Subject} Subject */
 /** @typedef {(name: string, text: string | null) => void} Change */
 
+/** The unit of a velocity; a scene without units has none. @param {string | undefined} unit */
+function rateUnit(unit) {
+  if (unit === undefined) return undefined;
+  return unit === "1" ? "1/s" : `${unit}/s`;
+}
+
 export class NumberBoard {
   /** @param {Subject} subject @param {Change} change */
   constructor(subject, change) {
@@ -62,7 +68,7 @@ export class NumberBoard {
     return (this.subject.scene.coordinates ?? []).flatMap((/** @type {any} */ q) => [
       this.control(q, compiled(q.initial)(defaults)),
       this.control(
-        { name: `${q.name}_dot`, unit: q.unit === "1" ? "1/s" : `${q.unit}/s`, meaning: "its rate" },
+        { name: `${q.name}_dot`, unit: rateUnit(q.unit), meaning: "its rate" },
         compiled(q.initial_rate)(defaults),
       ),
     ]);

@@ -130,6 +130,25 @@ function raised(text) {
   return found ? [found[1], element("sup", {}, found[2].replace("-", "−"))] : [text];
 }
 
+const phone = globalThis.matchMedia?.("(max-width: 30rem)");
+const digitsOnPhone = 5;
+
+/** The beginning of a long number, for a phone: a tap, or Enter, shows the whole. @param {HTMLElement} whole @param {number} value @param {string} unit */
+function beginningOf(whole, value, unit) {
+  const show = () => {
+    button.replaceWith(whole);
+    whole.tabIndex = -1;
+    whole.focus();
+  };
+  const button = element(
+    "button",
+    { type: "button", class: "number beginning", title: whole.title, onclick: show },
+    ...raised(withPowerShort(value, digitsOnPhone)),
+    unit,
+  );
+  return button;
+}
+
 /**
  * A number with its unit, as far as its error allows; all its digits are in its title.
  * @param {number | null | undefined} value @param {{ unit?: string, error?: number, digits?: number }} [options]
@@ -138,9 +157,11 @@ export function quantity(value, { unit, error, digits } = {}) {
   if (value === null || value === undefined) return element("span", { class: "number" }, "–");
   const isFiner = error !== undefined && digits !== undefined && error < Math.abs(value) * 10 ** -digits;
   const text = error === undefined || isFiner ? withPowerShort(value, digits ?? 6) : withError(value, error);
-  const shown = unitText(unit);
+  const shown = unitText(unit) ? `\u202F${unitText(unit)}` : "";
   const said = error === undefined ? String(value) : `${value} ± ${error}`;
-  return element("span", { class: "number", title: said }, ...raised(text), shown ? `\u202F${shown}` : "");
+  const whole = element("span", { class: "number", title: said }, ...raised(text), shown);
+  const isLong = text.replace(/[^0-9]/g, "").length > digitsOnPhone + 3;
+  return phone?.matches && isLong ? beginningOf(whole, value, shown) : whole;
 }
 
 /** @param {number} value @param {number} digits */

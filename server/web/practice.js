@@ -31,7 +31,7 @@ const at = (root, pointer) =>
 
 /** @param {string} name @param {Node | string} shown */
 function row(name, shown) {
-  return element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, shown));
+  return element("tr", {}, element("th", { scope: "row" }, prose(name)), element("td", {}, shown));
 }
 
 /** A number, an expression or a list as rows of a table; what an object says of its errors is with its numbers. @param {string} name @param {any} value @param {any} typeset the same as mathematics @param {string} [unit] @returns {HTMLElement[]} */
@@ -71,8 +71,10 @@ function rows(name, value, typeset, unit = "") {
 /** @param {any} part @param {any} typeset the same answer as mathematics, of equations */
 function result(part, typeset) {
   const units = part.answer?.units ?? {};
-  const all = Object.entries(part.result ?? {}).flatMap(([pointer, value]) =>
-    rows(title(pointer), value, at(typeset, pointer), units[pointer.split("/").pop() ?? ""]),
+  const found = Object.entries(part.result ?? {});
+  const isOnly = found.filter(([pointer]) => pointer.startsWith("/equations_of_motion/")).length === 1;
+  const all = found.flatMap(([pointer, value]) =>
+    rows(isOnly ? title(pointer).replace(/^equation of motion 1$/, "equation of motion") : title(pointer), value, at(typeset, pointer), units[pointer.split("/").pop() ?? ""]),
   );
   return all.length ? table({ class: "answers" }, ...all) : "";
 }

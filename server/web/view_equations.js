@@ -35,9 +35,9 @@ function part(title, children) {
   return children.length ? element("section", {}, element("h2", {}, title), ...children) : "";
 }
 
-/** Names with their expressions. @param {Record<string, string>} entries @param {string} form */
+/** Names with their expressions; what is not known is left out. @param {Record<string, string | null>} entries @param {string} form */
 function list(entries, form) {
-  const rows = Object.entries(entries ?? {});
+  const rows = /** @type {[string, string][]} */ (Object.entries(entries ?? {}).filter(([, text]) => text !== null));
   return rows.length
     ? [
         element(
@@ -50,6 +50,12 @@ function list(entries, form) {
         ),
       ]
     : [];
+}
+
+/** Why the answer does not have this, where it says so. @param {any} answer @param {string} name */
+function reason(answer, name) {
+  const words = answer.reasons?.[name];
+  return words ? [element("p", { class: "quiet-words" }, prose(words))] : [];
 }
 
 export class EquationsView {
@@ -93,15 +99,15 @@ export class EquationsView {
         "Equations of motion",
         answer.equations_of_motion.map((/** @type {any} */ motion) => one(motion.equation)),
       ),
-      part("Solved for the accelerations", list(answer.accelerations, form)),
-      part("Energies", [...list({ T: answer.T, V: answer.V, L: answer.L }, form)]),
+      part("Solved for the accelerations", [...list(answer.accelerations, form), ...reason(answer, "accelerations")]),
+      part("Energies", [...list({ T: answer.T, V: answer.V, L: answer.L }, form), ...reason(answer, "T")]),
       part(
         "What is conserved",
         answer.conserved.length
           ? answer.conserved.map((/** @type {any} */ kept) =>
               element("div", {}, element("p", {}, symbolNode(kept.name), ": ", prose(kept.why)), one(kept.value)),
             )
-          : [element("p", {}, "Nothing that follows from the form of L.")],
+          : [element("p", {}, "Nothing that follows from the form of L."), ...reason(answer, "energy_not_conserved")],
       ),
       answer.routhian
         ? part("Ignorable coordinates", [
@@ -115,7 +121,7 @@ export class EquationsView {
           ])
         : "",
       part("Momenta", list(answer.momenta, form)),
-      answer.hamiltonian ? part("Hamiltonian", [one(answer.hamiltonian)]) : "",
+      part("Hamiltonian", [...(answer.hamiltonian ? [one(answer.hamiltonian)] : []), ...reason(answer, "hamiltonian")]),
       part("Mass matrix", [this.matrix(answer.mass_matrix, form)]),
       this.forces(answer, form),
       this.dimensionless(answer.dimensionless, form),

@@ -4,7 +4,7 @@ import { element, fill, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { foot } from "./foot.js";
 import { Motion } from "./motion.js";
-import { quantity, short, symbol } from "./numbers.js";
+import { quantity, short, symbol, unitText } from "./numbers.js";
 import { Plot } from "./plot.js";
 
 /** @typedef {import("./system.js").SystemPage} SystemPage */
@@ -62,10 +62,12 @@ export class GaitView {
     return table(
       {},
       row("gait", pick),
-      row("step time", (gait) => quantity(gait.step_time, { unit: "s", error: gait.error.step_time })),
-      row("step length", (gait) => quantity(gait.step_length, { unit: "m", error: gait.error.step_length })),
+      row("step time / s", (gait) => quantity(gait.step_time, { error: gait.error.step_time })),
+      row("step length / m", (gait) => quantity(gait.step_length, { error: gait.error.step_length })),
       ...Object.keys(answer.gaits[0].state).map((name) =>
-        row(symbol(name), (gait) => quantity(gait.state[name], { unit: answer.units[name], error: gait.error.state[name] })),
+        row(`${symbol(name)} / ${unitText(answer.units[name])}`, (gait) =>
+          quantity(gait.state[name], { error: gait.error.state[name] }),
+        ),
       ),
       row("multipliers", (gait) =>
         gait.multipliers

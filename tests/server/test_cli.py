@@ -1,15 +1,17 @@
 """The command line: the same bytes as over HTTP, and exit codes that scripts can rely on."""
 
 import json
+import pathlib
 import re
 import socket
+import subprocess
 import tempfile
 import unittest
 
-from running_qdot import RunningQdot, qdot
+from running_qdot import QDOT, RunningQdot, qdot
 
 REQUEST = {"system": "spring_pendulum", "t_end": 2, "samples": 5}
-OK, USAGE, INVALID, FAILED, UNREACHABLE = 0, 2, 3, 4, 6
+OK, USAGE, INVALID, FAILED, UNREACHABLE, UNWRITTEN = 0, 2, 3, 4, 6, 7
 
 
 class SameBytes(unittest.TestCase):
@@ -116,6 +118,23 @@ class ExitCodes(unittest.TestCase):
         run = qdot("simulate", "system=spring_pendulum", "l=1e150", "t_end=1")
         self.assertEqual((run.returncode, run.stdout), (FAILED, b""))
         self.assertEqual(json.loads(run.stderr)["type"], "/errors/integration-failed")
+
+    def test_an_answer_that_cannot_be_written(self):
+        line = '{"id": 1, "modes": {"system": "cart_pendulum"}}'
+        for command in (["modes", "cart_pendulum"], ["systems"], ["openapi"], ["manual"], ["--help"], ["batch"]):
+            with self.subTest(command=command), open("/dev/full", "wb") as full:
+                run = subprocess.run([QDOT, *command], input=line.encode(), stdout=full, stderr=subprocess.PIPE, check=False, timeout=60)
+                self.assertEqual(run.returncode, UNWRITTEN)
+                self.assertRegex(run.stderr, b"cannot write the answers?: No space left")
+
+    def test_scenes_that_cannot_be_used(self):
+        run = qdot("systems", "--scenes", "/nowhere")
+        self.assertEqual((run.returncode, run.stdout), (USAGE, b""))
+        with tempfile.TemporaryDirectory() as directory:
+            (pathlib.Path(directory) / "mine.json").write_text('{"name": "mine"')
+            run = qdot("systems", "--scenes", directory)
+        self.assertEqual((run.returncode, run.stdout), (USAGE, b""))
+        self.assertIn(b"mine.json", run.stderr)
 
     def test_health_and_wait(self):
         with RunningQdot() as server:

@@ -86,6 +86,23 @@ export async function shell(line) {
   return stdout;
 }
 
+/** Where the first body stands in the window at the start of the motion, which is then shown. */
+export async function placeOfBody(page) {
+  await page.locator(".scrub").evaluate((range) => {
+    range.value = range.min;
+    range.dispatchEvent(new Event("input"));
+  });
+  await page.evaluate(() => window.scrollTo(0, 0));
+  return page.evaluate(async () => {
+    const { pictures } = await import("/page/stage.js");
+    const canvas = document.querySelector("canvas.drawing");
+    const picture = pictures.get(canvas);
+    const box = canvas.getBoundingClientRect();
+    const [x, y] = picture.pixel(picture.figure.masses[0].at, picture.figure.known(picture.motion.at(0)), [0, 0]);
+    return [box.left + x, box.top + y];
+  });
+}
+
 /** A phone shows the page without scrolling sideways. */
 export async function noSidewaysScroll(page) {
   const [wide, seen] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);

@@ -1,7 +1,7 @@
 // What is drawn is what was answered, at once and smoothly.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { idle, launch, newPage, open, origin } from "./browser.mjs";
+import { idle, launch, newPage, open, origin, placeOfBody } from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -94,18 +94,7 @@ test("a slider moves the drawing, the plots and the curl line", async () => {
 test("a body is taken by hand to where the motion shall begin", async () => {
   const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/spring_pendulum", ".plot");
-  await page.locator(".scrub").evaluate((range) => {
-    range.value = range.min;
-    range.dispatchEvent(new Event("input"));
-  });
-  const place = await page.evaluate(async () => {
-    const { pictures } = await import("/page/stage.js");
-    const canvas = document.querySelector("canvas.drawing");
-    const picture = pictures.get(canvas);
-    const box = canvas.getBoundingClientRect();
-    const [x, y] = picture.pixel(picture.figure.masses[0].at, picture.figure.known(picture.motion.at(0)), [0, 0]);
-    return [box.left + x, box.top + y];
-  });
+  const place = await placeOfBody(page);
   await page.mouse.move(...place);
   await page.mouse.down();
   await page.mouse.move(place[0] + 60, place[1] - 30, { steps: 6 });

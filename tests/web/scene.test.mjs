@@ -1,7 +1,7 @@
 // A scene of one's own: messages at their places, nothing injected, everything drawn.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { idle, launch, newPage, open } from "./browser.mjs";
+import { idle, launch, newPage, noSidewaysScroll, open } from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -66,6 +66,29 @@ test("text that is no JSON is told where it breaks", async () => {
       said.source,
     );
   }
+  await context.close();
+});
+
+test("a scene without units has none beside its numbers, on a phone too", async () => {
+  const { page, complaints, context } = await newPage(browser, { width: 360, height: 740, motion: "reduce" });
+  await open(page, "#/scene", ".plot");
+  const scene = {
+    name: "duffing",
+    title: "Duffing's oscillator",
+    units: "none",
+    coordinates: [{ name: "x", initial: "0.1" }],
+    inputs: [{ name: "F", default: "0.3*cos(1.2*t)" }],
+    lagrangian: "x_dot^2/2 + x^2/2 - x^4/4",
+    forces: [{ value: "F - 0.2*x_dot", along: "x" }],
+  };
+  await write(page, JSON.stringify(scene, null, 1));
+  await page.waitForFunction(() => document.querySelector("h1").textContent.startsWith("Duffing"));
+  await idle(page);
+  assert.doesNotMatch(await page.locator("main").innerText(), /undefined|null/);
+  await noSidewaysScroll(page);
+  await page.locator(".views").getByRole("link", { name: "Equations" }).click();
+  await page.locator(".view", { hasText: "only its Lagrangian" }).waitFor();
+  assert.deepEqual(complaints, []);
   await context.close();
 });
 

@@ -1,7 +1,7 @@
 // What a student does with an answer: closed forms, practice, sweeps, the forces of strings, a body taken by a finger.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { findings, idle, launch, newPage, noSidewaysScroll, open, origin, shell } from "./browser.mjs";
+import { findings, idle, launch, newPage, noSidewaysScroll, open, origin, placeOfBody, shell } from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -208,19 +208,7 @@ for (const [name, column] of [
 test("a finger takes a body up and down, and beside it moves the page", async () => {
   const { page, complaints, context } = await newPage(browser, { width: 360, height: 740, motion: "reduce", touch: true });
   await open(page, "#/systems/spring_pendulum", ".plot");
-  await page.locator(".scrub").evaluate((range) => {
-    range.value = range.min;
-    range.dispatchEvent(new Event("input"));
-  });
-  await page.evaluate(() => window.scrollTo(0, 0));
-  const place = await page.evaluate(async () => {
-    const { pictures } = await import("/page/stage.js");
-    const canvas = document.querySelector("canvas.drawing");
-    const picture = pictures.get(canvas);
-    const box = canvas.getBoundingClientRect();
-    const [x, y] = picture.pixel(picture.figure.masses[0].at, picture.figure.known(picture.motion.at(0)), [0, 0]);
-    return [box.left + x, box.top + y];
-  });
+  const place = await placeOfBody(page);
   const session = await page.context().newCDPSession(page);
   const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   const drag = async ([x, y], [dx, dy]) => {

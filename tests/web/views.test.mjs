@@ -55,6 +55,18 @@ test("every view of every system opens, and its words are there", async () => {
   await context.close();
 });
 
+test("a scene of which only the Lagrangian is known says why T and V are missing", async () => {
+  const { page, complaints, context } = await newPage(browser);
+  await open(page, "#/systems/charged_particle/equations", "pre.curl");
+  const words = await page.locator(".view").innerText();
+  assert.match(words, /only its Lagrangian, so T and V are not known/);
+  assert.doesNotMatch(words, /null/);
+  await open(page, "#/systems/two_bodies/equations", "pre.curl");
+  assert.match(await page.locator(".view").innerText(), /Solved for the accelerations\s+\S+/);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("tabs are one line, and no table of modes is wider than its column, on a desk", async () => {
   const { page, context } = await newPage(browser);
   for (const { name, capabilities } of systems.filter((one) => one.capabilities.includes("modes"))) {
@@ -67,6 +79,29 @@ test("tabs are one line, and no table of modes is wider than its column, on a de
     assert.ok(wide <= seen, `${name}: a table of ${wide} pixels in ${seen}`);
     assert.ok(capabilities.length > 0);
   }
+  await context.close();
+});
+
+test("on a phone no table is wider than the screen, and a long number shows all its digits at a tap", async () => {
+  const { page, complaints, context } = await newPage(browser, { width: 360, height: 740, motion: "reduce", touch: true });
+  for (const { name, capabilities } of systems) {
+    for (const needs of ["modes", "equilibria", "turning_points", "gait"].filter((one) => capabilities.includes(one))) {
+      await open(page, `#/systems/${name}/${parts[needs]}`, `pre.curl[data-endpoint=${needs}]`);
+      const frames = page.locator(".table-frame");
+      const widths = await frames.evaluateAll((all) => all.map((frame) => [frame.scrollWidth, frame.clientWidth]));
+      for (const [wide, seen] of widths) assert.ok(wide <= seen, `${name} ${needs}: a table of ${wide} pixels in ${seen}`);
+    }
+  }
+  await open(page, "#/systems/free_spin_pendulum/turning", "button.beginning");
+  const { theta_max } = await (await fetch(`${origin}/v1/turning_points?system=free_spin_pendulum&coordinate=theta`)).json();
+  const first = page.locator("button.beginning").first();
+  const beginning = (await first.innerText()).replace(/[^0-9.]/g, "");
+  assert.equal(Number(beginning), Number(theta_max.toPrecision(5)));
+  await first.tap();
+  const whole = page.locator(".number:focus");
+  assert.equal((await whole.innerText()).replace(/[^0-9.]/g, ""), String(theta_max).slice(0, 17));
+  assert.deepEqual(await findings(page), []);
+  assert.deepEqual(complaints, []);
   await context.close();
 });
 

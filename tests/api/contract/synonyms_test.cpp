@@ -37,7 +37,14 @@ TEST(Synonyms, MarksOfTheStartAreLeftOut) {
 TEST(Synonyms, VelocitiesHaveManySpellings) {
   expect_meant("theta_dot", {"dtheta", "dtheta_dt", "d_theta", "theta_prime", "theta'dot", "omega_theta",
                              "dθ", "omega", "ω"});
-  expect_meant("x_dot", {"dx", "vx", "v_x", "x_velocity", "v", "velocity"});
+  expect_meant("x_dot", {"dx", "vx", "v_x", "x_velocity", "v", "v0", "velocity"});
+  EXPECT_EQ(with_dot_for_prime("theta'"), "theta_dot");
+  EXPECT_EQ(with_dot_for_prime("theta"), "theta");
+}
+
+TEST(Synonyms, ARateIsFirstThatOfAParameter) {
+  const std::vector<Symbol> known{{"Omega", "rad/s", {}, "rate of the arm"}, {"theta_dot", "rad/s", {}}};
+  for (const char* word : {"w", "angular_velocity"}) EXPECT_EQ(meant_symbol(word, known), "Omega") << word;
 }
 
 TEST(Synonyms, MeaningsAreWordsForSymbols) {

@@ -93,6 +93,26 @@ TEST(Units, AMisspelledUnitIsToldTheOneMeantAndAllThatFit) {
   EXPECT_EQ(error_of("3 §", "m/s^2").detail, "'§' is not a unit known here; write a number of m/s^2.");
 }
 
+TEST(Units, AUnitIsSuggestedOnlyWhereItFits) {
+  EXPECT_EQ(error_of("9.81 m/s2", "m/s^2").did_you_mean, "9.81 m/s^2");
+  EXPECT_EQ(error_of("9.81ms-2", "m/s^2").did_you_mean, "9.81 m/s^2");
+  EXPECT_EQ(error_of("30d", "rad").did_you_mean, "30 deg");
+  EXPECT_EQ(error_of("1 KG", "kg").did_you_mean, "1 kg");
+  EXPECT_EQ(error_of("1 kg*2", "kg").did_you_mean, "");
+  EXPECT_EQ(error_of("10 gal", "m/s^2").detail, "'gal' is not a unit known here; write a number of m/s^2.");
+  EXPECT_EQ(error_of("10 grad", "rad").did_you_mean, "");
+  EXPECT_EQ(si("180º", "rad"), pi);
+}
+
+TEST(Units, NumbersOfOtherCountriesAndLanguagesAreToldHowTheyAreWrittenHere) {
+  EXPECT_EQ(error_of("1,5", "m").did_you_mean, "1.5");
+  EXPECT_EQ(error_of("1.000,5", "m").did_you_mean, "1000.5");
+  EXPECT_EQ(error_of("1_000", "m").did_you_mean, "1000");
+  EXPECT_EQ(error_of("1'000", "m").did_you_mean, "1000");
+  EXPECT_EQ(error_of("1d-3", "m").did_you_mean, "1e-3");
+  EXPECT_EQ(error_of("2π", "rad").did_you_mean, "2*pi");
+}
+
 TEST(Units, AWrongDimensionNamesBoth) {
   const QuantityError error = error_of("3 kg", "m");
   EXPECT_EQ(error.code, "wrong_dimension");

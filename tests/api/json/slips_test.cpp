@@ -34,6 +34,19 @@ TEST(JsonSlips, NamesQuotes) {
   expect_named("\"C:\\q\"", "\\q means nothing");
 }
 
+TEST(JsonSlips, NamesSignsThatLookLikeOthers) {
+  expect_named("{\"\"a\"\": 1}", "Two double quotes");
+  expect_named("{\"a\": \"\"b\"\"}", "Two double quotes");
+  expect_named("{\"a\": `b`}", "double quotes");
+  expect_named("{\"a\": 1; \"b\": 2}", "not a semicolon");
+  expect_named(
+      "{\"a\":\xC2\xA0"
+      "1}",
+      "no ordinary one");
+  expect_named("[\"a\tb\"]", "\\t");
+  expect_named("[object Object]", "JSON.stringify");
+}
+
 TEST(JsonSlips, NamesWordsOfOtherLanguages) {
   expect_named("[NaN]", "no NaN");
   expect_named("[-Infinity]", "no -Infinity");
@@ -53,6 +66,10 @@ TEST(JsonSlips, NamesWhatNumbersDoNotHave) {
   expect_named("[2*m*g/l]", "in double quotes");
   expect_named("[30 deg]", "in double quotes");
   expect_named("[30deg]", "\"30deg\"");
+  expect_named("[-]", "digit after its minus");
+  expect_named("[1_000]", "1000");
+  expect_named("[−5]", "the sign -");
+  expect_named("{\"a\": 9,81}", "9.81");
 }
 
 TEST(JsonSlips, NamesBracketsAndColons) {

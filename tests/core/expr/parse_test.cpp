@@ -141,6 +141,13 @@ TEST(ParseErrors, SayWhatToWriteAndWhere) {
   expect_error("(x)(y)", syntax, 3, "expected an operator, found '(': a product is written with *");
   expect_error("x(y)", syntax, 0, "write x*(...) for a product");
   expect_error("sin x", syntax, 4, "expected '(' after the function 'sin'");
+  expect_error("sin^2(x)", syntax, 3, "write sin(x)^2, not sin^2(x)");
+  expect_error("1 kg", syntax, 2,
+               "a number in an expression is in SI, with no unit behind it; 'kg' is none of the symbols");
+  expect_error("30deg", syntax, 2, "write 30*deg, not 30deg");
+  expect_error("ln(x)", syntax, 0, "write log(...), not ln(...)");
+  expect_error("|x|", syntax, 0, "write abs(...) for the absolute value");
+  expect_error("½*x", syntax, 0, "write 1/2 for the fraction");
   expect_error("(x + y", syntax, 6, "expected ')' to close the '(' at byte 0");
   expect_error("x + y)", syntax, 5, "there is no '(' for this ')'");
   expect_error("()", syntax, 1, "expected a number, a symbol or '(', found ')'");
