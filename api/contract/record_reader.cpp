@@ -69,22 +69,26 @@ bool has_system(const FieldSet& set) {
       set.fields, [](const FieldInfo& field) { return std::holds_alternative<SystemKind>(field.kind); });
 }
 
+/// What is to be said of an unknown field that has the name of a symbol, or of all of them.
+std::string advice_on_symbol(const FieldSet& set, const Scene& scene, const std::string& name) {
+  const std::optional<SymbolRole> role = role_of(scene, name);
+  const FieldInfo* home = role ? field_of(set, *role) : nullptr;
+  if (home != nullptr) return " " + scene.name + " has it: it belongs in '" + home->name + "'.";
+  const bool is_input = role && *role == SymbolRole::input;
+  const bool is_group = name == field_name(SymbolRole::parameter) || name == field_name(SymbolRole::initial);
+  if (is_group || (role && !is_input)) return " The answer is the same for all values: leave it out.";
+  return names_friction(name) ? std::string(advice_on_friction) : "";
+}
+
 /// What the name of an unknown field, or what stands in it, tells of what was meant.
 std::string advice_on_field(const FieldSet& set, const Scene* scene, const std::string& name,
                             const Json& value) {
-  const std::optional<SymbolRole> role = scene == nullptr ? std::nullopt : role_of(*scene, name);
-  if (role && field_of(set, *role) != nullptr)
-    return " " + scene->name + " has it: it belongs in '" + field_of(set, *role)->name + "'.";
-  const bool is_group = name == field_name(SymbolRole::parameter) || name == field_name(SymbolRole::initial);
-  const bool has_values =
-      scene != nullptr && (is_group || role.value_or(SymbolRole::input) != SymbolRole::input);
-  if (has_values) return " The answer is the same for all values: leave it out.";
-  if (value.is_object() && value.contains("system") && has_system(set))
+  if (scene != nullptr) return advice_on_symbol(set, *scene, name);
+  if (!has_system(set)) return {};
+  if (value.is_object() && value.contains("system"))
     return " What it has inside stands by itself: {\"system\": ...}.";
   const bool is_of_a_scene = name == "coordinates" || name == "bodies" || name == "lagrangian";
-  if (scene == nullptr && is_of_a_scene && has_system(set))
-    return " A scene stands in 'system': {\"system\": {...}}.";
-  return scene != nullptr && names_friction(name) ? std::string(advice_on_friction) : "";
+  return is_of_a_scene ? " A scene stands in 'system': {\"system\": {...}}." : "";
 }
 
 FieldError unknown_field(const FieldSet& set, const Scene* scene, const std::string& name, const Json& value,

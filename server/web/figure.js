@@ -103,6 +103,8 @@ export class Figure {
         });
       }
     }
+    // Of a Lagrangian alone the masses are not known: its points are what moves.
+    if (!this.scene.bodies?.length) for (const [name, at] of this.points) this.masses.push({ name, at, mass: 0 });
   }
 
   /** @returns {Place[]} every place that has a name or a body */
