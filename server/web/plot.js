@@ -93,10 +93,13 @@ export class Plot {
   /** @param {KeyboardEvent} event */
   key(event) {
     const [low, high] = [this.x.value(this.x.from), this.x.value(this.x.to)];
-    const at = this.cursorAt ?? (low + high) / 2;
-    const step = (high - low) / 200;
-    if (event.key === "ArrowLeft") this.options.onSeek?.(at - step);
-    else if (event.key === "ArrowRight") this.options.onSeek?.(at + step);
+    const at = this.cursorAt ?? this.x.value((this.x.from + this.x.to) / 2);
+    const beside = (/** @type {number} */ share) => this.x.value(this.x.pixel(at) + share * (this.x.to - this.x.from));
+    const { onSeek, onPick } = this.options;
+    const move = onSeek ?? (onPick && ((/** @type {number} */ x) => this.showCursor(x)));
+    if (event.key === "ArrowLeft") move?.(beside(-1 / 200));
+    else if (event.key === "ArrowRight") move?.(beside(1 / 200));
+    else if (event.key === "Enter" && onPick) onPick(at, NaN);
     else if (event.key === "+" && !this.x.isLogarithmic) this.zoom([at - (high - low) / 4, at + (high - low) / 4]);
     else if (event.key === "-" || event.key === "0") this.zoom(null);
     else return;

@@ -126,7 +126,7 @@ export class BifurcationsView {
       this.words(answer),
       this.table(answer),
       ...this.plots.map((/** @type {Plot} */ plot) => plot.node),
-      element("p", { class: "quiet-words" }, "Heavy lines are stable, dashed ones unstable. A click takes the parameter there."),
+      element("p", { class: "quiet-words" }, "Heavy lines are stable, dashed ones unstable. A click takes the parameter there, as do the arrow keys and Enter."),
       foot({ endpoint: "bifurcations", body }),
     );
     this.plots.forEach((/** @type {Plot} */ plot) => plot.resize());

@@ -51,6 +51,18 @@ test("by keyboard: from the start to the frequency of a cart with a stiffer spri
   await context.close();
 });
 
+test("by keyboard: a bifurcation's parameter is taken from the diagram", async () => {
+  const { page, context } = await newPage(browser, { motion: "reduce" });
+  await open(page, "#/systems/whirling_pendulum/bifurcations", "canvas.plot");
+  await page.locator("canvas.plot").focus();
+  for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => /Omega=/.test(location.hash));
+  const taken = Number(new URLSearchParams(new URL(page.url()).hash.split("?")[1]).get("Omega"));
+  assert.ok(taken > 6.15 && taken < 7.5, String(taken));
+  await context.close();
+});
+
 test("a wrong number is told at its field, and the drawing stays", async () => {
   const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/cart_pendulum", ".plot");
