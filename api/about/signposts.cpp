@@ -73,9 +73,9 @@ class Finder {
     if (segments_.empty()) return {"/", true};
     if (segments_.size() > longest) return {};
     if (const std::string same = same_address(); !same.empty()) return {same, true};
-    if (const std::string address = endpoint_called(without_ending(segments_.back())); !address.empty())
-      return {address};
     if (std::string found = with_system(); !found.empty()) return {std::move(found)};
+    if (std::string found = endpoint_called(without_ending(segments_.back())); !found.empty())
+      return {std::move(found)};
     std::string found = known_by_other_name(segments_.front());
     if (found.empty()) found = nearest(segments_.front());
     if (found.empty()) return {};

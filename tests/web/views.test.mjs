@@ -85,7 +85,7 @@ test("tabs are one line, and no table of modes is wider than its column, on a de
 test("on a phone no table is wider than the screen, and a long number shows all its digits at a tap", async () => {
   const { page, complaints, context } = await newPage(browser, { width: 360, height: 740, motion: "reduce", touch: true });
   for (const { name, capabilities } of systems) {
-    for (const needs of ["modes", "equilibria", "turning_points", "gait"].filter((one) => capabilities.includes(one))) {
+    for (const needs of ["modes", "equilibria", "gait"].filter((one) => capabilities.includes(one))) {
       await open(page, `#/systems/${name}/${parts[needs]}`, `pre.curl[data-endpoint=${needs}]`);
       const frames = page.locator(".table-frame");
       const widths = await frames.evaluateAll((all) => all.map((frame) => [frame.scrollWidth, frame.clientWidth]));
