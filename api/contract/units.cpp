@@ -113,10 +113,7 @@ std::optional<QuantityError> number_of_others(std::string_view digits, std::stri
 }
 
 /// "grad" is a degree in some languages and a gon, a tenth less, in others.
-bool is_ambiguous(std::string_view unit) {
-  const std::string word = lower_case(unit);
-  return word == "grad" || word == "gon" || word == "gradian" || word == "gradians";
-}
+bool is_ambiguous(std::string_view unit) { return lower_case(unit) == "grad"; }
 
 /// What stands behind the number is no unit.
 QuantityError unknown_unit(std::string_view digits, std::string_view rest, std::string_view expected_unit) {
@@ -128,7 +125,7 @@ QuantityError unknown_unit(std::string_view digits, std::string_view rest, std::
                       example(expected_unit) + "."};
   const std::string near = is_ambiguous(rest) ? "" : nearest_unit(rest, expected_unit);
   std::string advice = near.empty() ? " write " : " did you mean " + near + "? Write ";
-  if (is_ambiguous(rest)) advice = " a degree is deg, a gon 0.9 deg;" + advice;
+  if (is_ambiguous(rest)) advice = " a degree is deg, a gradian gon;" + advice;
   QuantityError error{
       .code = "unknown_unit",
       .detail = in_quotes(rest) + " is not a unit known here;" + advice + example(expected_unit) + ".",

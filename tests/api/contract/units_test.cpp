@@ -137,7 +137,8 @@ TEST(Units, WhatIsNoQuantityIsRefused) {
 // The names of core/mechanics/units.hpp.
 
 TEST(UnitNames, AreReadAsProductsQuotientsAndPowers) {
-  for (const char* text : {"N*s/m", "kg/s", "N/(m/s)", "kg*s^-1", " N * s / m ", "N s/m", "kg s^-1", "N m^-1 s"}) {
+  for (const char* text :
+       {"N*s/m", "kg/s", "N/(m/s)", "kg*s^-1", " N * s / m ", "N s/m", "kg s^-1", "N m^-1 s"}) {
     const auto unit = parse_unit(text);
     ASSERT_TRUE(unit) << text;
     EXPECT_EQ(to_text(unit->dimension), "kg/s") << text;
