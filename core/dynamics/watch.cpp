@@ -52,15 +52,40 @@ void watch_component(Watch& watch, std::size_t i, double sign, double limit) {
   };
 }
 
-Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const std::string& text) {
+using SharedFunction = std::shared_ptr<const CompiledFunction>;
+
+/// An event: the function whose zero it is, and where that counts; null where it counts everywhere.
+struct EventFunctions {
+  SharedFunction value, when;
+  Crossing direction{};
+};
+
+/// A scene's own events are compiled once for all motions, as columns are; others for this one.
+EventFunctions functions_of(const Dynamics& dynamics, const WatchRequest& request, const std::string& text) {
+  const Model& model = dynamics.model();
+  const auto kept = [&](const Expression& value) {
+    const Column column{text, "", value};
+    return dynamics.columns({column}, request.staying);
+  };
+  for (std::size_t i = 0; i < model.scene.events.size(); ++i) {
+    if (model.scene.events[i].name != text) continue;
+    const ParsedSceneEvent& event = model.parsed.events[i];
+    return {kept(event.value), event.when ? kept(*event.when) : nullptr, model.scene.events[i].direction};
+  }
   CompiledEvent event = dynamics.event(text, request.staying);
+  return {std::make_shared<const CompiledFunction>(std::move(event.value)),
+          event.when ? std::make_shared<const CompiledFunction>(std::move(*event.when)) : nullptr,
+          event.direction};
+}
+
+Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const std::string& text) {
+  const EventFunctions event = functions_of(dynamics, request, text);
   Watch watch;
   watch.name = text;
   watch.direction = event.direction;
-  watch_function(watch, std::make_shared<const CompiledFunction>(std::move(event.value)), request.parameters);
+  watch_function(watch, event.value, request.parameters);
   if (event.when) {
-    const Quantity when =
-        quantity(std::make_shared<const CompiledFunction>(std::move(*event.when)), request.parameters);
+    const Quantity when = quantity(event.when, request.parameters);
     watch.condition = [when](double t, std::span<const double> y) { return when(t, y) > 0; };
   }
   return watch;
