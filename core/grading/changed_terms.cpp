@@ -98,4 +98,16 @@ std::vector<ChangedTerm> changes_of_whole(const Expression& e, const std::option
   return changes;
 }
 
+std::vector<ChangedTerm> changes_by_cancelled(const Expression& term, std::span<const Expression> symbols) {
+  std::vector<ChangedTerm> changes;
+  for (const Expression& symbol : symbols) {
+    if (depends_on(term, symbol)) continue;
+    for (const int step : {1, -1}) {
+      const Expression to = term * pow(symbol, Number(step));
+      changes.push_back({Slip::exponent, to - term, to});
+    }
+  }
+  return changes;
+}
+
 }  // namespace qdot

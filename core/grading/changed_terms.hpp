@@ -24,4 +24,9 @@ struct ChangedTerm {
 [[nodiscard]] std::vector<ChangedTerm> changes_of_whole(const Expression& e,
                                                         const std::optional<Expression>& gravity);
 
+/// What the term of an equation may have had of symbols that it has no more: an equation stands divided by
+/// what its terms have in common, and F l cos(phi) may be F cos(phi), whose l was forgotten or squared.
+[[nodiscard]] std::vector<ChangedTerm> changes_by_cancelled(const Expression& term,
+                                                            std::span<const Expression> symbols);
+
 }  // namespace qdot

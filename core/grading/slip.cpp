@@ -9,6 +9,7 @@
 #include "core/expr/polynomial.hpp"
 #include "core/grading/ball_values.hpp"
 #include "core/grading/changed_terms.hpp"
+#include "core/grading/term_groups.hpp"
 #include "core/grading/vanishing.hpp"
 
 namespace qdot {
@@ -55,7 +56,7 @@ class SlipSearch {
     const auto change = first_change();
     // 1/12 for 1/3 is a factor of one term, too, and says less than where it comes from.
     if (is_odd && !(change && change->slip == Slip::moment_of_inertia)) return multiple;
-    return change;
+    return change ? change : first_group();
   }
 
  private:
@@ -72,7 +73,14 @@ class SlipSearch {
   [[nodiscard]] std::optional<FoundSlip> first_change() const {
     for (std::size_t i = 0; i < changes_.size(); ++i) {
       if (explains(i) && confirms(changes_[i].change))
-        return FoundSlip{changes_[i].slip, changes_[i].term, {}};
+        return FoundSlip{changes_[i].slip, changes_[i].term, {}, {}};
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<FoundSlip> first_group() const {
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      if (auto found = as_group(i)) return found;
     }
     return std::nullopt;
   }
@@ -105,14 +113,19 @@ class SlipSearch {
   void gather() {
     terms_ = terms_of(question_.expected);
     if (terms_.size() > most_terms) terms_.resize(most_terms, terms_.front());
-    std::vector<Expression> in_arguments;
+    std::vector<Expression> in_arguments, spoken;
     for (const SymbolDomain& symbol : question_.symbols) {
       const bool is_bounded = std::isfinite(symbol.domain.lower) || std::isfinite(symbol.domain.upper);
       if (depends_on(question_.expected, symbol.symbol) && !is_bounded) in_arguments.push_back(symbol.symbol);
     }
+    for (const SymbolDomain& symbol : symbols_) {
+      if (depends_on(question_.expected, symbol.symbol)) spoken.push_back(symbol.symbol);
+    }
     changes_ = changes_of_whole(question_.expected, question_.gravity);
     for (const Expression& term : terms_) {
       for (ChangedTerm& change : changes_of_term(term, in_arguments)) changes_.push_back(std::move(change));
+      if (question_.accelerations.empty()) continue;
+      for (ChangedTerm& change : changes_by_cancelled(term, spoken)) changes_.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes_, {}, &ChangedTerm::slip);
     std::vector<ChangedTerm> inertia;
@@ -121,9 +134,11 @@ class SlipSearch {
       inertia.push_back({Slip::moment_of_inertia, -d, std::nullopt});
     }
     changes_.insert(changes_.begin(), inertia.begin(), inertia.end());
+    groups_ = groups_of_terms(terms_, spoken, question_.accelerations);
     parts_ = {part(question_.submitted), part(question_.expected)};
     for (const Expression& term : terms_) parts_.push_back(part(term));
     for (const ChangedTerm& change : changes_) parts_.push_back(part(change.change));
+    for (const TermGroup& group : groups_) parts_.push_back(part(group.sum));
   }
 
   struct Sight {
@@ -174,9 +189,21 @@ class SlipSearch {
     const auto mu = multiple_of(2 + term);
     if (!mu || mu->is_zero() || !confirms(*mu * terms_[term])) return std::nullopt;
     const Number factor = Number(1) + *mu;
-    if (factor.is_zero()) return FoundSlip{Slip::dropped_term, std::nullopt, {}};
+    if (factor.is_zero()) return FoundSlip{Slip::dropped_term, {}, {}, {}};
     const Slip slip = factor == Number(-1) ? Slip::sign : Slip::factor;
-    return FoundSlip{slip, terms_[term], factor};
+    return FoundSlip{slip, terms_[term], factor, {}};
+  }
+
+  [[nodiscard]] std::optional<FoundSlip> as_group(std::size_t i) const {
+    const auto mu = multiple_of(2 + terms_.size() + changes_.size() + i);
+    if (!mu) return std::nullopt;
+    const Number factor = Number(1) + *mu;
+    const bool is_known = factor == Number(-1) || factor.is_zero() || is_plain(factor);
+    if (!is_known || !confirms(*mu * groups_[i].sum)) return std::nullopt;
+    const Slip slip = factor.is_zero()       ? Slip::dropped_term
+                      : factor == Number(-1) ? Slip::sign
+                                             : Slip::factor;
+    return FoundSlip{.slip = slip, .term = {}, .factor = factor, .shared = groups_[i].symbol};
   }
 
   [[nodiscard]] std::optional<FoundSlip> as_whole_multiple() {
@@ -185,7 +212,7 @@ class SlipSearch {
     if (!mu || mu->is_zero() || !confirms(*mu * question_.expected)) return std::nullopt;
     const Number factor = Number(1) + *mu;
     if (factor.is_zero()) return std::nullopt;
-    return FoundSlip{factor == Number(-1) ? Slip::whole_sign : Slip::whole_factor, std::nullopt, factor};
+    return FoundSlip{factor == Number(-1) ? Slip::whole_sign : Slip::whole_factor, {}, factor, {}};
   }
 
   [[nodiscard]] bool explains(std::size_t change) const {
@@ -220,7 +247,8 @@ class SlipSearch {
   std::vector<Expression> slopes_in_;  ///< by which equations are compared; none: they are formulas
   std::vector<Expression> terms_;
   std::vector<ChangedTerm> changes_;
-  std::vector<Part> parts_;  ///< the submission, the right formula, its terms, their changes
+  std::vector<TermGroup> groups_;
+  std::vector<Part> parts_;  ///< the submission, the right formula, its terms, their changes, their groups
   std::vector<Sight> sights_;
 };
 

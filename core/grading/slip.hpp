@@ -1,13 +1,13 @@
 #pragma once
 // The one slip that explains a wrong formula or equation exactly, where there is one.
 //
-// The right formula is multiplied out into terms t. A slip turns one of them, or all, into something else:
-// E -> E + d. For a formula S the slip is found where S = E + d. For an equation r = 0, which may have been
-// multiplied by anything, it is found where r is a multiple of rho + d, rho being the right residual:
-// r d(rho + d)/dq'' = (rho + d) dr/dq''. Where they share no acceleration, because the slip has taken it
-// away, r may have been multiplied by parameters and numbers: the same then holds for every x that changes in
-// time in the place of q''. Number factors are not guessed: E -> E + mu t gives mu at one state, and others
-// confirm it.
+// The right formula is multiplied out into terms t. A slip turns one of them, those of one symbol, or all,
+// into something else: E -> E + d. For a formula S the slip is found where S = E + d. For an equation r = 0,
+// which may have been multiplied by anything, it is found where r is a multiple of rho + d, rho being the
+// right residual: r d(rho + d)/dq'' = (rho + d) dr/dq''. Where they share no acceleration, because the slip
+// has taken it away, r may have been multiplied by parameters and numbers: the same then holds for every x
+// that changes in time in the place of q''. Number factors are not guessed: E -> E + mu t gives mu at one
+// state, and others confirm it.
 
 #include <optional>
 #include <span>
@@ -20,8 +20,9 @@ namespace qdot {
 
 struct FoundSlip {
   Slip slip{};
-  std::optional<Expression> term;  ///< as it stands in the submission, up to a factor; none: all of it
-  std::optional<Number> factor;    ///< of a wrong factor: what stands there over what should
+  std::optional<Expression> term;      ///< as it stands in the submission, up to a factor; none: all of it
+  std::optional<Number> factor;        ///< of a wrong factor: what stands there over what should
+  std::optional<Expression> shared{};  ///< the symbol that several wrong terms have in common
 };
 
 struct SlipQuestion {

@@ -296,6 +296,24 @@ class Formulas(Check):
         item, = self.verdicts({"equation": {"system": "spring_pendulum"}}, ["k l - k l0 - m g cos(theta) = m l theta'^2; l theta'' + 2 l' theta' + g sin(theta) = 0"])
         self.assertEqual((item["feedback"], item["diagnosis"]["slip"]), (["Equation 1: The motion does not obey it."], "dropped_term"))
 
+    def test_a_forgotten_lever_is_told(self):
+        for submitted in ("m l^2 theta'' + 2 m l l' theta' + m g l sin theta = F cos theta", "l theta'' + 2 l' theta' + g sin theta = F cos theta",
+                          "l theta'' + 2 l' theta' + g sin theta = F/m^2 cos theta"):
+            item, = self.verdicts({"equation": {"system": "forced_spring_pendulum"}, "of": "theta"}, [submitted])
+            self.assertEqual((item["correct"], item["diagnosis"]["slip"]), (False, "exponent"))
+
+    def test_a_slip_in_all_terms_of_one_symbol_is_told(self):
+        for system, of, submitted, slip, text in (
+                ("spring_pendulum", "l", "m l'' = m l theta'^2 + m g cos theta + k (l - l0)", "sign", "The terms with k have the wrong sign."),
+                ("spring_pendulum", "l", "m l'' = m l theta'^2 + m g cos theta", "dropped_term", "Several terms are missing."),
+                ("free_spin_pendulum", "theta", "theta'' = -psi'^2 (1/2 + sin theta) cos theta - g/l sin theta", "sign", "The terms with psi_dot have the wrong sign."),
+                ("free_spin_pendulum", "theta", "theta'' = 2 psi'^2 (1/2 + sin theta) cos theta - g/l sin theta", "factor", "The number in front of the terms with psi_dot is wrong."),
+                ("free_spin_pendulum", "theta", "theta'' = 3 psi'^2 (1/2 + sin theta) cos theta + g/l sin theta", None, None)):
+            item, = self.verdicts({"equation": {"system": system}, "of": of}, [submitted])
+            with self.subTest(submitted=submitted):
+                self.assertIs(item["correct"], False)
+                self.assertEqual(item["diagnosis"], slip and {"slip": slip, "text": text})
+
     def test_a_line_that_is_missing_or_says_nothing_is_told(self):
         first, second = "(M + m) x'' + m l theta'' cos(theta) - m l theta'^2 sin(theta) + k x = 0", "l theta'' + x'' cos(theta) + g sin(theta) = 0"
         one, idle, twice = self.verdicts({"equation": {"system": "cart_pendulum"}}, [first, [first, "0 = 0"], [second, second]])

@@ -228,11 +228,21 @@ class Variants(Service):
                      for w in right.atoms(sp.sin, sp.cos)}
             whole = [right.subs(other, simultaneous=True)]
         else:
-            whole = []
+            whole = [right - group + changed for group in self.terms_of_one_symbol(right) for changed in self.ways(slip, group, several=True)]
+        if slip == "exponent" and "coordinate" in formula.expect:  # of what the equation was divided by, too
+            whole = [right - term + term * s ** n for term in terms for s in sorted(right.free_symbols, key=str) for n in (-1, 1)]
         return whole + [right - term + changed for term in terms for changed in self.ways(slip, term)]
 
     @staticmethod
-    def ways(slip, term):
+    def terms_of_one_symbol(right):
+        terms = sp.Add.make_args(right)
+        groups = [[term for term in terms if symbol in term.free_symbols] for symbol in sorted(right.free_symbols, key=str)]
+        return [sp.Add(*group) for group in groups if 1 < len(group) < len(terms)]
+
+    @staticmethod
+    def ways(slip, term, several=False):
+        if several and slip not in ("sign", "dropped_term"):
+            return []
         waves = sorted(term.atoms(sp.sin, sp.cos), key=str)
         if slip in ("sign", "dropped_term"):
             return [-term if slip == "sign" else sp.Integer(0)]
@@ -265,7 +275,7 @@ class Variants(Service):
 
     def is_multiple_of_a_term(self, formula, submitted):
         right = sp.expand(formula.value)
-        for term in sp.Add.make_args(right):
+        for term in [*sp.Add.make_args(right), *self.terms_of_one_symbol(right)]:
             mu = sp.Symbol("mu")
             if "coordinate" not in formula.expect:
                 found = [((submitted - right) / term).subs(place).evalf(40) for place in self.places(submitted, right)]

@@ -66,10 +66,19 @@ bool stands_in(const Expression& part, const Expression& submitted) {
   return std::ranges::all_of(product->factors, [&](NodeId id) { return known.contains(id); });
 }
 
+/// Of several terms that have a symbol in common.
+SlipSentence sentence_of_several(Slip slip) {
+  if (slip == Slip::sign)
+    return {"The terms with {} have the wrong sign.", "Several terms have the wrong sign."};
+  if (slip == Slip::dropped_term) return {"", "Several terms are missing."};
+  return {"The number in front of the terms with {} is wrong.",
+          "The number in front of several terms is wrong."};
+}
+
 std::string in_words(const FormulaSystem& formula, const FoundSlip& found, const Expression& submitted) {
-  const SlipSentence words = sentence(found.slip);
-  if (!found.term || *words.with_term == '\0') return words.without;
-  const Expression part = changing_part(formula, *found.term);
+  const SlipSentence words = found.shared ? sentence_of_several(found.slip) : sentence(found.slip);
+  if ((!found.term && !found.shared) || *words.with_term == '\0') return words.without;
+  const Expression part = found.shared ? *found.shared : changing_part(formula, *found.term);
   if (!stands_in(part, submitted)) return words.without;
   std::string text = words.with_term;
   text.replace(text.find("{}"), 2, print(part, Form::text, formula.notation));
