@@ -113,19 +113,22 @@ class SlipSearch {
   void gather() {
     terms_ = terms_of(question_.expected);
     if (terms_.size() > most_terms) terms_.resize(most_terms, terms_.front());
-    std::vector<Expression> in_arguments, spoken;
-    for (const SymbolDomain& symbol : question_.symbols) {
-      const bool is_bounded = std::isfinite(symbol.domain.lower) || std::isfinite(symbol.domain.upper);
-      if (depends_on(question_.expected, symbol.symbol) && !is_bounded) in_arguments.push_back(symbol.symbol);
-    }
+    std::vector<Expression> spoken, in_arguments, sizes;
     for (const SymbolDomain& symbol : symbols_) {
-      if (depends_on(question_.expected, symbol.symbol)) spoken.push_back(symbol.symbol);
+      if (!depends_on(question_.expected, symbol.symbol)) continue;
+      const bool is_bounded = std::isfinite(symbol.domain.lower) || std::isfinite(symbol.domain.upper);
+      spoken.push_back(symbol.symbol);
+      (is_bounded ? sizes : in_arguments).push_back(symbol.symbol);
     }
+    const auto is_acceleration = [&](const Expression& x) {
+      return std::ranges::find(question_.accelerations, x) != question_.accelerations.end();
+    };
+    std::erase_if(in_arguments, is_acceleration);
     changes_ = changes_of_whole(question_.expected, question_.gravity);
     for (const Expression& term : terms_) {
       for (ChangedTerm& change : changes_of_term(term, in_arguments)) changes_.push_back(std::move(change));
       if (question_.accelerations.empty()) continue;
-      for (ChangedTerm& change : changes_by_cancelled(term, spoken)) changes_.push_back(std::move(change));
+      for (ChangedTerm& change : changes_by_cancelled(term, sizes)) changes_.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes_, {}, &ChangedTerm::slip);
     std::vector<ChangedTerm> inertia;
