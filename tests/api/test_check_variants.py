@@ -265,7 +265,8 @@ class Variants(Service):
             return all(abs((one - other).subs(place).evalf(40)) < 1e-20 for place in self.places(one, other))
         in_either = sorted(one.free_symbols | other.free_symbols, key=str)
         varying = ([s for s in in_either if str(s).endswith("_ddot")]
-                   or [s for s in in_either if str(s).endswith("_dot")])
+                   or [s for s in in_either if str(s).endswith("_dot")]
+                   or [s for s in in_either if self.moves(formula, str(s))])
         wronskian = [one * other.diff(a) - other * one.diff(a) for a in varying]
         return bool(varying) and all(abs(w.subs(place).evalf(40)) < 1e-20 for w in wronskian for place in self.places(one, other))
 
