@@ -210,7 +210,7 @@ export class MotionView {
   sentences(answer) {
     const { accuracy, diagnostics } = answer;
     const worst = Object.entries(accuracy.max_abs_error ?? {})
-      .filter(([name]) => name in answer.request.initial)
+      .filter(([name]) => name in answer.request.initial || this.chosen().includes(name))
       .map(([name, error]) => `${symbol(name)} ${plusMinus(error, answer.units[name])}`);
     const said = [
       element(
