@@ -18,7 +18,7 @@ constexpr std::size_t most_coordinates = 6;
 const ModeForms* of_mode(const std::vector<ModeForms>& options, const Mode& mode, const ExactValues& values) {
   const bool oscillates = mode.kind == ModeKind::oscillation;
   const bool grows = mode.kind == ModeKind::growth || mode.kind == ModeKind::decay;
-  if (!mode.lambda || (!oscillates && !grows)) return nullptr;
+  if (!oscillates && !(grows && mode.lambda)) return nullptr;
   const std::optional<double>& error = oscillates ? mode.omega_error : mode.rate_error;
   if (!error) return nullptr;
   const double number = oscillates ? mode.omega : mode.rate;

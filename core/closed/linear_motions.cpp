@@ -19,7 +19,8 @@ Matrix derivatives(const Reduction& reduction, const std::vector<Expression>& ro
 }
 
 /// Groups of coordinates that no entry couples to others.
-std::vector<std::vector<std::size_t>> groups(const Entries& mass, const Entries& stiffness) {
+std::vector<std::vector<std::size_t>> groups(const Entries& mass, const Entries& damping,
+                                             const Entries& stiffness) {
   const std::size_t n = mass.size();
   std::vector<std::size_t> group(n);
   std::iota(group.begin(), group.end(), 0);
@@ -28,7 +29,7 @@ std::vector<std::vector<std::size_t>> groups(const Entries& mass, const Entries&
   };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (group[i] != group[j] && (coupled(mass, i, j) || coupled(stiffness, i, j)))
+      if (group[i] != group[j] && (coupled(mass, i, j) || coupled(damping, i, j) || coupled(stiffness, i, j)))
         std::ranges::replace(group, std::max(group[i], group[j]), std::min(group[i], group[j]));
     }
   }
@@ -42,18 +43,27 @@ const RationalFunction number_one{{{Monomial{}, Number(1)}}};
 
 class Pair {
  public:
-  Pair(const Entries& mass, const Entries& stiffness, std::size_t first, std::size_t second)
-      : m_(mass), k_(stiffness), i_(first), j_(second) {}
+  Pair(const Entries& mass, const Entries& damping, const Entries& stiffness, std::size_t first,
+       std::size_t second)
+      : m_(mass), d_(damping), k_(stiffness), i_(first), j_(second) {}
+
+  /// Whether what is in front of odd powers of s vanishes in det(M s^2 + D s + K): s^2 is real or complex as
+  /// lambda is.
+  [[nodiscard]] bool is_even() const {
+    const auto mixed = [&](const Entries& a) { return d_[i_][j_] * a[j_][i_] + d_[j_][i_] * a[i_][j_]; };
+    return d_[i_][i_].is_zero() && d_[j_][j_].is_zero() && mixed(m_).is_zero() && mixed(k_).is_zero();
+  }
 
   [[nodiscard]] std::vector<LinearMode> modes() const {
     const RationalFunction a = m_[i_][i_] * m_[j_][j_] - m_[i_][j_] * m_[j_][i_];
-    const RationalFunction b =
-        m_[i_][j_] * k_[j_][i_] + m_[j_][i_] * k_[i_][j_] - m_[i_][i_] * k_[j_][j_] - m_[j_][j_] * k_[i_][i_];
+    const RationalFunction gyroscopic = d_[i_][j_] * d_[j_][i_];
+    const RationalFunction b = m_[i_][j_] * k_[j_][i_] + m_[j_][i_] * k_[i_][j_] - m_[i_][i_] * k_[j_][j_] -
+                               m_[j_][j_] * k_[i_][i_] + gyroscopic;
     const RationalFunction c = k_[i_][i_] * k_[j_][j_] - k_[i_][j_] * k_[j_][i_];
     std::vector<LinearMode> found;
     for (Surd& lambda : quadratic_roots(a, b, c)) {
-      std::vector<Surd> shape = shape_of(lambda);
-      found.push_back({std::move(lambda), std::move(shape)});
+      std::vector<Surd> shape = gyroscopic.is_zero() ? shape_of(lambda) : std::vector<Surd>{};
+      found.push_back({std::move(lambda), std::move(shape), {i_, j_}});
     }
     return found;
   }
@@ -77,6 +87,7 @@ class Pair {
   }
 
   const Entries& m_;
+  const Entries& d_;
   const Entries& k_;
   std::size_t i_, j_;
 };
@@ -89,12 +100,6 @@ Entries entries(const Matrix& matrix, const ExactPlace& place, std::span<const R
       result.back().push_back(rational_function(substitute(place.at(e), relations)));
   }
   return result;
-}
-
-bool vanishes(const Entries& matrix) {
-  return std::ranges::all_of(matrix, [](const auto& row) {
-    return std::ranges::all_of(row, [](const RationalFunction& f) { return f.is_zero(); });
-  });
 }
 
 }  // namespace
@@ -151,19 +156,21 @@ PlaceProblem place_problem(const LinearMotions& motions, const Statics& statics,
 
 std::vector<LinearMode> modes_at(const LinearMotions& motions, const ExactPlace& place,
                                  std::span<const Replacement> relations) {
-  if (!vanishes(entries(motions.damping, place, relations))) return {};
+  const Entries damping = entries(motions.damping, place, relations);
   const Entries mass = entries(motions.mass, place, relations);
   const Entries stiffness = entries(motions.stiffness, place, relations);
   std::vector<LinearMode> found;
-  for (const std::vector<std::size_t>& group : groups(mass, stiffness)) {
+  for (const std::vector<std::size_t>& group : groups(mass, damping, stiffness)) {
     if (group.size() == 1) {
       const std::size_t i = group[0];
-      LinearMode mode{stiffness[i][i] / mass[i][i], std::vector<Surd>(mass.size())};
+      if (!damping[i][i].is_zero()) continue;
+      LinearMode mode{stiffness[i][i] / mass[i][i], std::vector<Surd>(mass.size()), group};
       mode.shape[i] = number_one;
       found.push_back(std::move(mode));
     } else if (group.size() == 2) {
-      for (LinearMode& mode : Pair(mass, stiffness, group[0], group[1]).modes())
-        found.push_back(std::move(mode));
+      const Pair pair(mass, damping, stiffness, group[0], group[1]);
+      if (!pair.is_even()) continue;
+      for (LinearMode& mode : pair.modes()) found.push_back(std::move(mode));
     }
   }
   return found;

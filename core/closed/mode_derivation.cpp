@@ -92,6 +92,10 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
   trial.set(motions_.x, place_.x());
   for (const Expression& force : motions_.forces) trial.vanishes({force});
   const Expression lambda = plain_expression(graph_, mode.lambda);
+  if (mode.shape.empty()) {
+    trial.vanishes(characteristic_terms(mode.group[0], mode.group[1], lambda));
+    return trial.passes();
+  }
   for (std::size_t i = 0; i < motions_.x.size(); ++i) {
     std::vector<Expression> terms;
     for (std::size_t j = 0; j < motions_.x.size(); ++j) {
@@ -103,6 +107,15 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
     trial.vanishes(std::move(terms));
   }
   return trial.passes();
+}
+
+/// Of det(K - lambda M) with what gyroscopic terms add to it.
+std::vector<Expression> ModeDerivation::characteristic_terms(std::size_t i, std::size_t j,
+                                                             const Expression& lambda) const {
+  const Matrix &m = motions_.mass, &d = motions_.damping, &k = motions_.stiffness;
+  return {k[i][i] * k[j][j], -(k[i][j] * k[j][i]),
+          lambda * (m[i][j] * k[j][i] + m[j][i] * k[i][j] - m[i][i] * k[j][j] - m[j][j] * k[i][i]),
+          lambda * d[i][j] * d[j][i], lambda * lambda * (m[i][i] * m[j][j] - m[i][j] * m[j][i])};
 }
 
 std::optional<ClosedForm> ModeDerivation::period(const Surd& square) {
@@ -120,6 +133,7 @@ std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
 
 /// With the ignored coordinates, whose velocities follow those of the others where no momentum holds them.
 std::vector<Surd> ModeDerivation::whole_shape(const LinearMode& mode) const {
+  if (mode.shape.empty()) return {};
   std::vector<Surd> shape(values_.model().scene.coordinates.size());
   const auto entry = [&](const Expression& e) {
     return rational_function(substitute(place_.at(e), relations_.replacements));

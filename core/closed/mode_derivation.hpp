@@ -1,7 +1,7 @@
 #pragma once
 // The modes at an equilibrium known in closed form, with some relations between parameters put in, as
 // formulas: lambda = omega^2, omega, the period and the shape, each held against the linearized equations K v
-// = lambda M v at other values of the parameters.
+// = lambda M v, or their determinant, at other values of the parameters.
 
 #include <optional>
 #include <utility>
@@ -37,6 +37,8 @@ class ModeDerivation {
  private:
   [[nodiscard]] bool oscillates(const LinearMode& mode) const;
   [[nodiscard]] bool is_true(const LinearMode& mode) const;
+  [[nodiscard]] std::vector<Expression> characteristic_terms(std::size_t i, std::size_t j,
+                                                             const Expression& lambda) const;
   [[nodiscard]] Expression root_of(const Polynomial& n);
   [[nodiscard]] Expression written(const Surd& x);
   [[nodiscard]] Expression root(const Surd& x);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/expr/special_angles.hpp"
+
 namespace qdot {
 namespace {
 
@@ -24,6 +26,10 @@ Vector turned_once(const Vector& n, const Expression& cosine, const Expression& 
   return plus(plus(along, times(cosine, across)), times(sine, cross(n, v)));
 }
 
+/// A quarter of a turn leaves no cos(pi/2).
+Expression cosine(const Turn& turn) { return with_special_angles(cos(turn.angle)); }
+Expression sine(const Turn& turn) { return with_special_angles(sin(turn.angle)); }
+
 Vector zero(Graph& graph) { return Vector(3, graph.number(0)); }
 
 }  // namespace
@@ -31,14 +37,14 @@ Vector zero(Graph& graph) { return Vector(3, graph.number(0)); }
 Vector turned(std::span<const Turn> turns, const Vector& v) {
   Vector result = v;
   for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn)
-    result = turned_once(turn->axis, cos(turn->angle), sin(turn->angle), result);
+    result = turned_once(turn->axis, cosine(*turn), sine(*turn), result);
   return result;
 }
 
 Vector body_angular_velocity(Graph& graph, std::span<const Turn> turns, std::span<const Replacement> rates) {
   Vector omega = zero(graph);
   for (const Turn& turn : turns) {
-    omega = turned_once(turn.axis, cos(turn.angle), -sin(turn.angle), omega);
+    omega = turned_once(turn.axis, cosine(turn), -sine(turn), omega);
     omega = plus(omega, times(total_derivative(turn.angle, rates), turn.axis));
   }
   return omega;

@@ -10,6 +10,7 @@
 #include "core/integrate/integrate.hpp"
 #include "core/motion/impact_map.hpp"
 #include "core/motion/motion_sections.hpp"
+#include "core/motion/start_from_rest.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/root.hpp"
 
@@ -26,7 +27,7 @@ constexpr double negligible = 1e-9;  ///< of the span: what is left of the serie
 class Simulator {
  public:
   Simulator(const Dynamics& dynamics, const SimulationRequest& request)
-      : dynamics_(dynamics), request_(request), sections_(dynamics, request) {
+      : dynamics_(dynamics), request_(request), sections_(dynamics, request), from_rest_(dynamics, request) {
     result_.t = request.t_start;
     result_.y = request.y_start;
     result_.method = request.method;
@@ -93,7 +94,9 @@ class Simulator {
     while (is_determined_) {
       const Run done = section();
       if (record_events(done)) return true;
-      if (result_.stop || done.ending != Ending::event) return false;
+      if (result_.stop) return false;
+      if (leaves_rest(done)) continue;
+      if (done.ending != Ending::event) return false;
       if (done.t >= request_.t_end) {
         result_.ending = Ending::reached_end;
         return false;
@@ -104,7 +107,14 @@ class Simulator {
     return false;
   }
 
-  /// Integrates to the next kink or impact.
+  /// Whether the motion goes on by a step away from a place where a speed is zero, or after one.
+  [[nodiscard]] bool leaves_rest(const Run& done) const {
+    if (done.ending == Ending::event) return false;
+    if (done.ending == Ending::reached_end) return done.t < request_.t_end;
+    return done.steps > 0 && from_rest_.length(done.t, done.y, sections_.system()).has_value();
+  }
+
+  /// Integrates to the next kink or impact, or by one short step away from rest.
   Run section() {
     RunRequest run;
     run.t_start = result_.t;
@@ -112,6 +122,13 @@ class Simulator {
     run.t_end = request_.t_end;
     run.grid = std::span(request_.grid).subspan(result_.rows);
     run.method = request_.method;
+    const std::optional<double> step = from_rest_.length(run.t_start, run.y_start, sections_.system());
+    if (step) {
+      run.method = Method::erk;
+      run.t_end = std::min(run.t_end, run.t_start + *step);
+      run.grid = run.grid.first(
+          static_cast<std::size_t>(std::ranges::upper_bound(run.grid, run.t_end) - run.grid.begin()));
+    }
     run.taylor_order = request_.taylor_order;
     run.is_reference = request_.is_reference;
     run.tolerances = request_.tolerances;
@@ -122,6 +139,7 @@ class Simulator {
     for (const Watch& watch : sections_.watches()) run.events.push_back(watch.event());
     for (EventFunction& end : sections_.ends()) run.events.push_back(std::move(end));
     Run done = integrate(sections_.system(), run);
+    if (step) enclose(run, done);
     add_unseen(done);
     result_.rows += done.rows;
     if (result_.states.empty()) {
@@ -145,6 +163,16 @@ class Simulator {
       if (occurrence.event >= first && occurrence.t == done.t) met[occurrence.event - first] = true;
     }
     return met;
+  }
+
+  /// A step away from rest is not Taylor's; what it may be off by is known otherwise.
+  void enclose(const RunRequest& run, Run& done) const {
+    const auto off = from_rest_.bound(run.t_start, run.y_start, done.t - run.t_start);
+    done.bounded = off.has_value();
+    if (!off) return;
+    done.unseen_at_end = *off;
+    done.unseen.resize(done.states.size());
+    for (std::size_t i = 0; i < done.unseen.size(); ++i) done.unseen[i] = (*off)[i % off->size()];
   }
 
   /// What a section may hide stays in doubt after it.
@@ -296,6 +324,7 @@ class Simulator {
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
   MotionSections sections_;
+  StartFromRest from_rest_;
   bool is_determined_{true};
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;

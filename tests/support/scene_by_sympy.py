@@ -2,7 +2,7 @@
 
 import numpy
 import sympy
-from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
 T = dynamicsymbols._t
 
@@ -43,10 +43,29 @@ class BySympy:
             elif body["kind"] == "rod":
                 a, b = self.place(body["start"]).diff(T), self.place(body["end"]).diff(T)
                 total += mass / 6 * (a.dot(a) + a.dot(b) + b.dot(b))
+            elif "orientation" in body:
+                v, turn = self.place(body["centre"]).diff(T), self.angular_velocity(body["orientation"])
+                moments = [self.read(moment) for moment in self.moments(body)]
+                total += mass / 2 * v.dot(v) + sum(moment / 2 * w**2 for moment, w in zip(moments, turn))
             else:
                 v, turn = self.place(body["centre"]).diff(T), self.read(body["angle"]).diff(T)
                 total += mass / 2 * v.dot(v) + mass * self.read(body["radius"])**2 / 4 * turn**2
         return total
+
+    def angular_velocity(self, orientation):
+        """In the axes of the body, by SymPy's frames."""
+        space = ReferenceFrame("N")
+        frame = space
+        for k, (letter, angle) in enumerate(zip(orientation["sequence"], orientation["angles"])):
+            frame = frame.orientnew(f"B{k}", "Axis", [self.read(angle), getattr(frame, letter.lower())])
+        return frame.ang_vel_in(space).to_matrix(frame)
+
+    @staticmethod
+    def moments(body):
+        if body["kind"] == "ring":
+            about_axis = f"({body['mass']})*({body['radius']})^2"
+            return [f"{about_axis}/2", f"{about_axis}/2", about_axis]
+        return body["principal_moments"]
 
     def potential(self):
         total = self.read(self.scene.get("potential", "0"))
