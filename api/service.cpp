@@ -221,6 +221,7 @@ struct Service::Impl {
   /// POST and its GET twin.
   void add_endpoints() {
     for (const CatalogueEntry& entry : catalogue.entries()) models.add(entry.scene);
+    models.add(catalogue.classics());
     const FindSystem find_system = find_system_in(catalogue);
     draw = [this, find_system](std::string_view key, std::uint64_t seed) {
       return drawn_variant(key, seed, find_system, models);

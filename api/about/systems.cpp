@@ -83,7 +83,7 @@ Json system_description(const CatalogueEntry& entry, const Json& capabilities) {
   json["events"] = array_of(scene.events, [](const SceneEvent& e) {
     return Json{{"name", e.name}, {"meaning", e.meaning}};
   });
-  json["has_impacts"] = scene.impact.has_value();
+  json["has_impacts"] = scene.has_impacts();
   json.update(capabilities);
   json["scene"] = entry.json;
   return json;

@@ -51,7 +51,7 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
     if (inputs.empty()) return shared_->of(choice);
     return driven_.get({&scene, inputs}, [&] { return shared_->of(choice); });
   }
-  if (!catalogue_.contains(&scene)) return std::make_shared<const Dynamics>(build_model(scene), inputs);
+  if (!is_kept(scene)) return std::make_shared<const Dynamics>(build_model(scene), inputs);
   const std::shared_ptr<const Dynamics>& plain =
       systems_.get(&scene, [&] { return std::make_shared<const Dynamics>(build_model(scene)); });
   if (inputs.empty()) return plain;
@@ -60,7 +60,7 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
 
 Json Models::remembered(const Scene& scene, const std::string& name, const std::function<Json()>& make) {
   if (shared_ != nullptr) return shared_->remembered(scene, name, make);
-  return catalogue_.contains(&scene) ? documents_.get({&scene, name}, make) : make();
+  return is_kept(scene) ? documents_.get({&scene, name}, make) : make();
 }
 
 Problem problem_of(const Error& error, const Place& whole) {

@@ -1,6 +1,6 @@
 #pragma once
-// Compiled systems. Those of the catalogue are compiled once, on first use; a scene that a request carries is
-// compiled for that request.
+// Compiled systems. Those of the catalogue and the classics are compiled once, on first use; a scene that a
+// request carries is compiled for that request.
 
 #include <functional>
 #include <memory>
@@ -11,6 +11,7 @@
 
 #include "api/contract/system_choice.hpp"
 #include "api/http/problem.hpp"
+#include "api/scenes/catalogue.hpp"
 #include "core/base/made_once.hpp"
 #include "core/dynamics/dynamics.hpp"
 
@@ -25,6 +26,8 @@ class Models {
 
   /// `scene` belongs to the catalogue and stays where it is.
   void add(const Scene& scene) { catalogue_.insert(&scene); }
+  /// Classics stay, too, once they are read.
+  void add(std::shared_ptr<Classics> classics) { classics_ = std::move(classics); }
 
   /// Throws SceneError for a wrong scene, and Error for an input that does not parse.
   [[nodiscard]] std::shared_ptr<const Dynamics> of(const SystemChoice& choice);
@@ -34,8 +37,13 @@ class Models {
                                 const std::function<Json()>& make);
 
  private:
+  [[nodiscard]] bool is_kept(const Scene& scene) const {
+    return catalogue_.contains(&scene) || (classics_ && classics_->owns(scene));
+  }
+
   Models* shared_{};
   std::set<const Scene*> catalogue_;
+  std::shared_ptr<Classics> classics_;
   MadeOnce<const Scene*, std::shared_ptr<const Dynamics>> systems_;
   MadeOnce<std::pair<const Scene*, std::vector<std::string>>, std::shared_ptr<const Dynamics>> driven_;
   MadeOnce<std::pair<const Scene*, std::string>, Json> documents_;

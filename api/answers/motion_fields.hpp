@@ -63,7 +63,7 @@ RequestField<R> impacts_field() {
 template <class R>
 void check_impacts(const R& request, Findings& findings) {
   const Scene& scene = *request.system.scene;
-  if (request.impacts || scene.impact) return;
+  if (request.impacts || scene.has_impacts()) return;
   findings.report("impacts", "not_applicable", scene.name + " has no impacts to leave out.");
 }
 

@@ -110,7 +110,18 @@ const CatalogueEntry* Catalogue::find(std::string_view name) const {
 
 std::shared_ptr<const CatalogueEntry> Catalogue::find_anywhere(std::string_view name) const {
   if (const CatalogueEntry* entry = find(name)) return {std::shared_ptr<void>(), entry};
-  return read_classic(name);
+  return classics_->find(name);
+}
+
+std::shared_ptr<const CatalogueEntry> Classics::find(std::string_view name) {
+  const bool is_known = std::ranges::find(classic_files(), std::string{name} + ".json",
+                                          &EmbeddedFile::name) != classic_files().end();
+  return is_known ? entries_.get(std::string{name}, [&] { return read_classic(name); }) : nullptr;
+}
+
+bool Classics::owns(const Scene& scene) {
+  const std::shared_ptr<const CatalogueEntry> entry = find(scene.name);
+  return entry && &entry->scene == &scene;
 }
 
 std::vector<std::string> classic_names() {

@@ -2,8 +2,8 @@
 // The systems that requests can name: the scenes built into the program, in practice-sheet order, and those
 // of a directory that the user gives. A new system is a new file in api/scenes/systems/.
 //
-// Beside them stand the classics of textbooks, api/scenes/classics/. They are no part of a catalogue: each is
-// read when it is asked for, and nothing of it is kept, so that they cost nobody anything else.
+// Beside them stand the classics of textbooks, api/scenes/classics/. They are not among a catalogue's
+// entries: each is read when it is first asked for, so that it costs nobody else anything.
 
 #include <filesystem>
 #include <memory>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "api/json/json.hpp"
+#include "core/base/made_once.hpp"
 #include "core/mechanics/scene.hpp"
 
 namespace qdot::api {
@@ -29,6 +30,18 @@ struct CatalogueEntry {
   Scene scene;
 };
 
+/// The classics that were asked for; shared by threads.
+class Classics {
+ public:
+  /// It lives as long as this; nullptr for a name that is none.
+  [[nodiscard]] std::shared_ptr<const CatalogueEntry> find(std::string_view name);
+  /// Whether the scene is that of a classic, and no other one of the same name.
+  [[nodiscard]] bool owns(const Scene& scene);
+
+ private:
+  MadeOnce<std::string, std::shared_ptr<const CatalogueEntry>> entries_;
+};
+
 class Catalogue {
  public:
   /// The scenes of api/scenes/systems/: problems 1 to 10 by their number, then those of no problem, by file
@@ -42,8 +55,9 @@ class Catalogue {
   /// nullptr for a name that is none.
   [[nodiscard]] const CatalogueEntry* find(std::string_view name) const;
 
-  /// The entry of this name, which lives as long as the catalogue, or a classic, freshly read; else nullptr.
+  /// The entry of this name, or a classic, both living as long as the catalogue; else nullptr.
   [[nodiscard]] std::shared_ptr<const CatalogueEntry> find_anywhere(std::string_view name) const;
+  [[nodiscard]] const std::shared_ptr<Classics>& classics() const { return classics_; }
 
   [[nodiscard]] std::span<const CatalogueEntry> entries() const { return entries_; }
   [[nodiscard]] std::vector<std::string> names() const;
@@ -53,6 +67,7 @@ class Catalogue {
   std::string add(std::string file, std::string_view text);
 
   std::vector<CatalogueEntry> entries_;
+  std::shared_ptr<Classics> classics_ = std::make_shared<Classics>();
 };
 
 /// Names of the classics, in alphabetical order.

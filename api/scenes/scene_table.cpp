@@ -320,10 +320,13 @@ Table<Scene> make_table() {
                "where the coordinates fail"),
        records("events", &Scene::events, events, 0, most::events, "what happens during a motion"),
        record("impact", &Scene::impact, impacts, "the jump at one of the events"),
+       records("impacts", &Scene::impacts, impacts, 0, most::events,
+               "the jumps at several events; those of one instant follow each other in this order"),
        record("scales", &Scene::scales, scales, "the units of the dimensionless form"),
        value("lines", &Scene::lines, ListKind{ListKind{NameKind{}, most::lines, 2}, most::lines},
              "for a drawing: chains of points to join")},
-      {{.ways = {{"lagrangian"}, {"bodies", "gravity", "springs", "potential"}}, .need = Need::required}}};
+      {{.ways = {{"lagrangian"}, {"bodies", "gravity", "springs", "potential"}}, .need = Need::required},
+       {.ways = {{"impact"}, {"impacts"}}}}};
 }
 
 }  // namespace

@@ -19,10 +19,7 @@ std::string system_of_problem(const Catalogue& catalogue, const std::string& num
 
 std::shared_ptr<const Scene> named(const Catalogue& catalogue, const std::string& name, const Place& place,
                                    Errors& errors) {
-  if (const CatalogueEntry* entry = catalogue.find(name)) {
-    return {std::shared_ptr<void>(), &entry->scene};  // the catalogue owns it
-  }
-  if (const auto classic = read_classic(name)) return {classic, &classic->scene};
+  if (const auto entry = catalogue.find_anywhere(name)) return {entry, &entry->scene};
   std::vector<std::string> all = catalogue.names();
   std::ranges::move(classic_names(), std::back_inserter(all));
   const std::string_view bare = std::string_view(name).substr(0, name.rfind(".json"));

@@ -146,16 +146,17 @@ EventFunction Watch::event() const {
 std::vector<Watch> watches(const Dynamics& dynamics, const WatchRequest& request) {
   std::vector<Watch> all;
   const Model& model = dynamics.model();
-  const bool with_impacts = model.scene.impact && request.impacts == Impacts::apply;
+  const std::span impacts =
+      request.impacts == Impacts::apply ? std::span(model.parsed.impacts) : std::span<const ParsedImpact>();
   for (const std::string& text : request.events) {
-    if (!with_impacts || text != model.scene.impact->event)
+    if (std::ranges::find(impacts, text, &ParsedImpact::event) == impacts.end())
       all.push_back(watch_event(dynamics, request, text));
   }
   if (request.on_invalid == OnInvalid::stop) add_validity(dynamics, request, all);
   add_domains(dynamics, all);
   add_singularities(dynamics, request, all);
-  if (with_impacts) {
-    all.push_back(watch_event(dynamics, request, model.scene.impact->event));
+  for (const ParsedImpact& impact : impacts) {
+    all.push_back(watch_event(dynamics, request, impact.event));
     all.back().kind = Watch::Kind::impact;
   }
   return all;

@@ -156,7 +156,7 @@ void name_kinds(std::vector<Gait>& gaits) {
   gaits[1].kind = Gait::Kind::long_step;
 }
 
-std::string reason(GaitSearch::Outcome outcome, const Impact& impact) {
+std::string reason(GaitSearch::Outcome outcome, const ParsedImpact& impact) {
   switch (outcome) {
     case GaitSearch::Outcome::found:
       return "There are motions that repeat, but in none of them the next " + impact.event +
@@ -245,7 +245,7 @@ Gaits periodic_gaits(const Dynamics& dynamics, std::span<const double> parameter
     if (gait && std::ranges::none_of(result.gaits, is_same)) result.gaits.push_back(std::move(*gait));
   }
   name_kinds(result.gaits);
-  if (result.gaits.empty()) result.reason = reason(search.outcome, *dynamics.model().scene.impact);
+  if (result.gaits.empty()) result.reason = reason(search.outcome, dynamics.model().parsed.impacts.front());
   return result;
 }
 

@@ -29,7 +29,7 @@ std::vector<Expression> state_symbols(const Symbols& symbols) {
 std::vector<Expression> jump_expressions(const ParsedScene& parsed) {
   std::vector<Expression> after = state_symbols(parsed.symbols);
   for (Expression& component : after) {
-    for (const auto& [symbol, value] : parsed.impact) {
+    for (const auto& [symbol, value] : parsed.impacts.front().map) {
       if (symbol == component) {
         component = value;
         break;
@@ -41,7 +41,7 @@ std::vector<Expression> jump_expressions(const ParsedScene& parsed) {
 
 const ParsedSceneEvent& impact_event(const Model& model) {
   const auto& events = model.scene.events;
-  const auto found = std::ranges::find(events, model.scene.impact->event, &SceneEvent::name);
+  const auto found = std::ranges::find(events, model.parsed.impacts.front().event, &SceneEvent::name);
   return model.parsed.events[static_cast<std::size_t>(found - events.begin())];
 }
 
@@ -54,7 +54,7 @@ bool depends_on_time(const Model& model) {
   bool any = varies(impact_event(model).value);
   for (const Expression& e : model.equations.forcing) any = any || varies(e);
   for (const auto& row : model.equations.mass_matrix) any = any || std::ranges::any_of(row, varies);
-  for (const auto& [symbol, value] : model.parsed.impact) any = any || varies(value);
+  for (const auto& [symbol, value] : model.parsed.impacts.front().map) any = any || varies(value);
   return any;
 }
 
@@ -64,9 +64,15 @@ Index to_index(std::size_t i) { return static_cast<Index>(i); }
 
 SectionMap::SectionMap(const Dynamics& dynamics) : dynamics_(dynamics) {
   const Model& model = dynamics.model();
-  if (!model.scene.impact) {
+  if (model.parsed.impacts.size() != 1) {
     throw Error(ErrorCode::not_applicable,
-                "A gait is a motion from impact to impact, and " + model.scene.name + " has no impact.");
+                "A gait is a motion from one impact to the next of the same kind, and " + model.scene.name +
+                    (model.parsed.impacts.empty() ? " has no impact." : " has several impacts."));
+  }
+  if (model.has_constraints()) {
+    throw Error(ErrorCode::not_applicable,
+                "A gait is searched among states that are free, and the constraints of " + model.scene.name +
+                    " bind them: write it in coordinates that need none.");
   }
   if (depends_on_time(model)) {
     throw Error(ErrorCode::not_applicable,

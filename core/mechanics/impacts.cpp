@@ -16,10 +16,14 @@ namespace {
       "singular.");
 }
 
-/// x with m x = b by elimination in order, as m is symmetric and positive definite.
+/// x with m x = b by elimination in order, as the part of m that has masses is positive definite.
 std::vector<Expression> eliminated(Matrix m, std::vector<Expression> b) {
   const std::size_t n = m.size();
   for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k + 1; m[k][k].is_zero() && i < n; ++i) {  // a coordinate without mass
+      std::swap(m[k], m[i]);
+      std::swap(b[k], b[i]);
+    }
     if (m[k][k].is_zero()) refuse_undetermined();
     for (std::size_t i = k + 1; i < n; ++i) {
       if (m[i][k].is_zero()) continue;
@@ -43,9 +47,9 @@ std::vector<Expression> solution(const Matrix& m, const std::vector<Expression>&
 
 class ImpactDerivation {
  public:
-  ImpactDerivation(const ParsedScene& scene, const Lagrangian& lagrangian)
+  ImpactDerivation(const ParsedScene& scene, const ParsedContact& contact, const Lagrangian& lagrangian)
       : scene_(scene),
-        contact_(*scene.contact),
+        contact_(contact),
         lagrangian_(lagrangian),
         graph_(*lagrangian.graph),
         q_(scene.symbols.coordinates),
@@ -55,9 +59,12 @@ class ImpactDerivation {
     const Expression distance = held(contact_.distance);
     std::vector<Expression> slope;
     for (const Expression& x : q_.value) slope.push_back(simplify(differentiate(distance, x)));
-    const std::vector<Expression> push = solution(mass_matrix(lagrangian_), slope);
+    std::vector<Expression> push = pushed(slope);
+    push.resize(slope.size());
+    const Expression resistance = dot(slope, push);
+    if (simplify(resistance).is_zero()) refuse_undetermined();
     const Expression speed = total_derivative(distance, rates_);
-    const Expression impulse = (graph_.number(1) + *contact_.restitution) * speed / dot(slope, push);
+    const Expression impulse = (graph_.number(1) + *contact_.restitution) * speed / resistance;
     std::vector<Replacement> map;
     for (std::size_t i = 0; i < push.size(); ++i) {
       if (!push[i].is_zero()) map.emplace_back(q_.rate[i], q_.rate[i] - impulse * push[i]);
@@ -92,6 +99,19 @@ class ImpactDerivation {
   }
 
  private:
+  /// w with M w = a + A^T nu, A w = 0; then -nu.
+  [[nodiscard]] std::vector<Expression> pushed(std::vector<Expression> slope) const {
+    Matrix matrix = mass_matrix(lagrangian_);
+    const std::size_t n = slope.size();
+    for (const ConstraintEquation& constraint : lagrangian_.constraints) {
+      for (std::size_t i = 0; i < n; ++i) matrix[i].push_back(constraint.slope[i]);
+      matrix.push_back(constraint.slope);
+      slope.push_back(graph_.number(0));
+    }
+    for (auto& row : matrix) row.resize(slope.size(), graph_.number(0));
+    return solution(matrix, slope);
+  }
+
   [[nodiscard]] Expression held(const Expression& e) const { return substitute(e, lagrangian_.holding); }
 
   [[nodiscard]] Expression dot(const std::vector<Expression>& a, const std::vector<Expression>& b) const {
@@ -213,10 +233,10 @@ class ImpactDerivation {
 
 }  // namespace
 
-std::vector<Replacement> derived_impact(const ParsedScene& scene, const Lagrangian& lagrangian) {
-  if (!scene.contact) return {};
-  const ImpactDerivation derivation(scene, lagrangian);
-  return scene.contact->restitution ? derivation.with_restitution() : derivation.of_contacts();
+std::vector<Replacement> derived_impact(const ParsedScene& scene, const ParsedContact& contact,
+                                        const Lagrangian& lagrangian) {
+  const ImpactDerivation derivation(scene, contact, lagrangian);
+  return contact.restitution ? derivation.with_restitution() : derivation.of_contacts();
 }
 
 }  // namespace qdot

@@ -8,6 +8,12 @@
 //
 //   v+ = v- - (1 + e) (a.v- + phi_t) / (a.M^-1 a) M^-1 a,   so that phi'+ = -e phi'-
 //
+// Where constraints A q' + b = 0 hold, they push too, and what they keep stays kept:
+//
+//   M (v+ - v-) = a Lambda + A^T nu,   A (v+ - v-) = 0,
+//
+// so that M^-1 a stands for the w with M w = a + A^T nu, A w = 0.
+//
 // With a contact that is made at the point s while the one at the point p, which rested, is left without a
 // push: after it s rests, and p may go. In the frame of s the impulse does no work on any velocity, so the
 // momenta
@@ -26,9 +32,9 @@
 
 namespace qdot {
 
-/// The state after the impact of the scene as functions of the one before, in place of a map that is not
-/// written. Nothing where the scene has none. Throws Error(not_applicable) where the velocities are not
-/// determined.
-[[nodiscard]] std::vector<Replacement> derived_impact(const ParsedScene& scene, const Lagrangian& lagrangian);
+/// The state after an impact of the scene that has a contact, as functions of the one before. Throws
+/// Error(not_applicable) where the velocities are not determined.
+[[nodiscard]] std::vector<Replacement> derived_impact(const ParsedScene& scene, const ParsedContact& contact,
+                                                      const Lagrangian& lagrangian);
 
 }  // namespace qdot

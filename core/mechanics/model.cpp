@@ -48,13 +48,18 @@ void check_constraints(const Scene& scene, const Lagrangian& lagrangian) {
                          "Leave one of them out."}});
 }
 
-void derive_impact(Model& model) {
-  if (!model.parsed.contact) return;
-  try {
-    model.parsed.impact = derived_impact(model.parsed, model.lagrangian);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::not_applicable) throw;
-    throw SceneError({{"/impact", "not_applicable", error.what()}});
+void derive_impacts(Model& model) {
+  for (ParsedImpact& impact : model.parsed.impacts) {
+    if (!impact.contact) continue;
+    Expression& distance = impact.contact->distance;
+    distance = substitute(distance, model.lagrangian.holding);
+    impact.contact->rate = total_derivative(distance, model.parsed.symbols.rates());
+    try {
+      impact.map = derived_impact(model.parsed, *impact.contact, model.lagrangian);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::not_applicable) throw;
+      throw SceneError({{impact.place, "not_applicable", error.what()}});
+    }
   }
 }
 
@@ -80,7 +85,7 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   check_constraints(scene, model->lagrangian);
   model->system = augmented(model->equations, model->lagrangian);
   check_inertia(scene, model->system);
-  derive_impact(*model);
+  derive_impacts(*model);
   if (const auto& kinetic = model->lagrangian.kinetic_energy) {
     for (const int degree : {2, 1, 0}) {
       model->kinetic_parts.push_back(simplify(velocity_degree(*kinetic, model->parsed.symbols, degree)));

@@ -205,7 +205,7 @@ class SceneParser {
           {text_.read(event.expression, Context::motion, place + "/expression", std::nullopt),
            text_.read_optional(event.when, Context::motion, place + "/when", std::nullopt)});
     });
-    if (scene_.impact) read_impact(*scene_.impact);
+    parsed_.impacts = parse_impacts(scene_, parsed_.symbols, parsed_.events, text_);
   }
 
   ParsedCondition read_quantity(const std::variant<Reaction, std::string>& quantity, const std::string& unit,
@@ -222,87 +222,6 @@ class SceneParser {
     text_.complain(place + "/reaction/length", "unknown_symbol",
                    "There is no held length '" + reaction.length + "' in this scene.");
     return {};
-  }
-
-  void read_impact(const Impact& impact) {
-    const auto event = std::ranges::find(scene_.events, impact.event, &SceneEvent::name);
-    if (event == scene_.events.end()) {
-      text_.complain("/impact/event", "unknown_event",
-                     "There is no event '" + impact.event + "' in this scene.");
-    }
-    parsed_.impact = read_map(impact.map, "/impact/map", Context::state);
-    if (event == scene_.events.end() || (impact.restitution.empty() && impact.contact_made.empty())) return;
-    ParsedContact contact;
-    contact.distance = parsed_.events[static_cast<std::size_t>(event - scene_.events.begin())].value;
-    if (!impact.restitution.empty()) {
-      contact.restitution =
-          text_.read(impact.restitution, Context::parameters, "/impact/restitution", Dimension{});
-      const Number* e = contact.restitution->number();
-      if (e != nullptr && (e->is_negative() || (Number(1) - *e).is_negative()))
-        text_.complain("/impact/restitution", "domain", "A restitution is between 0 and 1.");
-      check_distance(contact.distance);
-    } else {
-      if (impact.contact_left.empty()) {
-        text_.complain("/impact", "missing",
-                       "'contact_left' is missing: the point that rested until the impact, and leaves.");
-        return;
-      }
-      contact.made = text_.read_position({impact.contact_made, {}}, "/impact/contact_made");
-      contact.left = text_.read_position({impact.contact_left, {}}, "/impact/contact_left");
-      contact.renamed = read_map(impact.renamed, "/impact/renamed", Context::configuration);
-      check_contacts(contact);
-    }
-    parsed_.contact = std::move(contact);
-  }
-
-  std::vector<Replacement> read_map(const std::vector<std::pair<std::string, std::string>>& map,
-                                    const std::string& at, Context context) {
-    std::vector<Replacement> result;
-    const Symbols::Varying& q = parsed_.symbols.coordinates;
-    for (const auto& [name, text] : map) {
-      const std::string place = at + "/" + name;
-      const Expression symbol = parsed_.graph->symbol(name);
-      const bool is_coordinate = std::ranges::find(q.value, symbol) != q.value.end();
-      const bool is_state =
-          is_coordinate || (context == Context::state && std::ranges::find(q.rate, symbol) != q.rate.end());
-      if (!is_state) {
-        text_.complain(
-            place, "unknown_symbol",
-            "'" + name + "' is " +
-                (context == Context::state ? "neither a coordinate nor a velocity." : "no coordinate."));
-      }
-      const auto expected = is_state ? text_.dimension_of_symbol(symbol) : std::nullopt;
-      result.emplace_back(symbol, text_.read(text, context, place, expected));
-    }
-    return result;
-  }
-
-  /// What is touched with restitution is a place: its distance has a gradient, and nothing else moves it.
-  void check_distance(const Expression& distance) {
-    const Symbols& symbols = parsed_.symbols;
-    if (depends_on(distance, symbols.coordinates.rate) || !depends_on(distance, symbols.coordinates.value)) {
-      text_.complain("/impact/restitution", "not_applicable",
-                     "The expression of '" + scene_.impact->event +
-                         "' is to be a distance, of the coordinates and without velocities: its slope is the "
-                         "direction of the impulse.");
-    }
-  }
-
-  void check_contacts(const ParsedContact& contact) {
-    if (!parsed_.lagrangian && scene_.bodies.empty()) return;  // told already
-    if (parsed_.lagrangian) {
-      text_.complain("/impact/contact_made", "not_applicable",
-                     "This impact is derived from bodies, and the scene has a lagrangian.");
-    }
-    const Symbols& symbols = parsed_.symbols;
-    for (const Expression& component : contact.left) {
-      if (depends_on(component, symbols.coordinates.value) || depends_on(component, symbols.t)) {
-        text_.complain(
-            "/impact/contact_left", "not_applicable",
-            "'" + scene_.impact->contact_left + "' moves: the contact that is left is to rest until then.");
-        return;
-      }
-    }
   }
 
   void check_whole() {
@@ -326,11 +245,6 @@ class SceneParser {
       text_.complain("/constraints", "redundant",
                      std::to_string(scene_.constraints.size()) + " constraints are too many for " +
                          std::to_string(n) + " coordinates.");
-    }
-    if (scene_.impact && !scene_.constraints.empty()) {
-      text_.complain(
-          "/impact", "not_applicable",
-          "The state after an impact would have to obey the constraints: a scene has one of the two.");
     }
   }
 

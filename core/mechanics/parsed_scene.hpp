@@ -8,6 +8,7 @@
 
 #include "core/mechanics/parsed_body.hpp"
 #include "core/mechanics/parsed_force.hpp"
+#include "core/mechanics/parsed_impact.hpp"
 #include "core/mechanics/scene.hpp"
 #include "core/mechanics/symbols.hpp"
 
@@ -25,17 +26,6 @@ struct ParsedReaction {
 };
 using ParsedCondition = std::variant<ParsedReaction, Expression>;
 
-struct ParsedSceneEvent {
-  Expression value;
-  std::optional<Expression> when;
-};
-/// What an impact is derived from where its map is not written.
-struct ParsedContact {
-  std::optional<Expression> restitution;
-  Expression distance;  ///< the event's expression, of an impact with restitution
-  Vector made, left;    ///< places of the points of contact, of one without
-  std::vector<Replacement> renamed;
-};
 struct ParsedScales {
   Expression mass, length, time;
 };
@@ -59,8 +49,7 @@ struct ParsedScene {
   std::vector<ParsedCondition> reports;
   std::vector<Expression> singular_where;
   std::vector<ParsedSceneEvent> events;
-  std::vector<Replacement> impact;  ///< the map, written or derived (impacts.hpp)
-  std::optional<ParsedContact> contact;
+  std::vector<ParsedImpact> impacts;
   std::optional<ParsedScales> scales;
 };
 

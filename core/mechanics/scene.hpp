@@ -262,9 +262,12 @@ struct Scene {
   std::vector<Report> reports;
   std::vector<Singularity> singular_where;
   std::vector<SceneEvent> events;
-  std::optional<Impact> impact;
+  std::optional<Impact> impact;  ///< where there is one only
+  std::vector<Impact> impacts;   ///< where there are several: those of one instant follow in this order
   std::optional<Scales> scales;
   std::vector<std::vector<std::string>> lines;  ///< drawing hint: chains of points to join
+
+  [[nodiscard]] bool has_impacts() const { return impact || !impacts.empty(); }
 };
 
 /// One mistake in a scene.

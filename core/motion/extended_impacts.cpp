@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/motion/impact_map.hpp"
@@ -20,16 +21,34 @@ bool has_solve(const CompiledFunction& function) {
                              [](const Instruction& i) { return i.operation == Operation::solve; });
 }
 
+std::vector<Ball> balls(std::span<const DoubleDouble> numbers) {
+  std::vector<Ball> result;
+  for (const DoubleDouble& x : numbers) result.emplace_back(x, 0.0);
+  return result;
+}
+
+/// One of the scene's impacts.
+struct Passage {
+  ImpactMap map;
+  CompiledFunction event;
+  std::shared_ptr<const CompiledFunction> components;
+  TapeEvaluator<Ball> event_at, components_at;
+
+  Passage(const Dynamics& dynamics, const ParsedImpact& impact, std::span<const DoubleDouble> parameters)
+      : map(impact_map(dynamics.model(), impact)),
+        event(dynamics.event(impact.event).value),
+        components(dynamics.columns(map.components)),
+        event_at(event, balls(parameters)),
+        components_at(*components, balls(parameters)) {}
+};
+
 class ThroughImpacts {
  public:
   ThroughImpacts(std::span<const SectionRecord> sections, const Dynamics& dynamics,
-                 const ExtendedMotionRequest& request, const CompiledFunction& event,
-                 const CompiledFunction& components)
+                 const ExtendedMotionRequest& request, std::vector<std::unique_ptr<Passage>>& passages)
       : sections_(sections),
         system_(extended_system(dynamics, request)),
-        map_(impact_map(dynamics.model())),
-        event_(event, balls(request.parameters)),
-        components_(components, balls(request.parameters)),
+        passages_(passages),
         piece_(request),
         grid_(request.grid) {
     run_.bounded = true;
@@ -45,12 +64,6 @@ class ThroughImpacts {
   }
 
  private:
-  static std::vector<Ball> balls(std::span<const DoubleDouble> numbers) {
-    std::vector<Ball> result;
-    for (const DoubleDouble& x : numbers) result.emplace_back(x, 0.0);
-    return result;
-  }
-
   static std::vector<DoubleDouble> at(TapeEvaluator<Ball>& function, std::size_t outputs,
                                       const DoubleDouble& t, std::span<const DoubleDouble> y) {
     std::vector<Ball> values(outputs);
@@ -102,6 +115,7 @@ class ThroughImpacts {
 
   /// From just beside the impact to the state after it.
   [[nodiscard]] bool pass(const SectionRecord& section) {
+    Passage& passage = *passages_[section.impacts.front()];
     const std::size_t n = piece_.y_start.size();
     std::vector<DoubleDouble> c(n * (order_beside + 1));
     if (system_.expansion(piece_.t_start, piece_.y_start, order_beside, c) != Evaluation::ok) return false;
@@ -114,12 +128,15 @@ class ThroughImpacts {
     };
     const double reach = farthest * section.duration;
     const auto d = zero_near(
-        [&](const DoubleDouble& s) { return at(event_, 1, piece_.t_start + s, state_after(s)).front(); },
+        [&](const DoubleDouble& s) {
+          return at(passage.event_at, 1, piece_.t_start + s, state_after(s)).front();
+        },
         reach);
     if (!d || has_row_within(section.t, 2 * std::abs(d->high))) return false;
     piece_.y_start = state_after(*d);
     piece_.t_start = piece_.t_start + *d;
-    map_.assign(at(components_, map_.places.size(), piece_.t_start, piece_.y_start), piece_.y_start);
+    passage.map.assign(at(passage.components_at, passage.map.places.size(), piece_.t_start, piece_.y_start),
+                       piece_.y_start);
     return true;
   }
 
@@ -149,8 +166,7 @@ class ThroughImpacts {
 
   std::span<const SectionRecord> sections_;
   ExtendedSystem system_;
-  ImpactMap map_;
-  TapeEvaluator<Ball> event_, components_;
+  std::vector<std::unique_ptr<Passage>>& passages_;
   ExtendedMotionRequest piece_;
   std::span<const DoubleDouble> grid_;
   ExtendedRun run_;
@@ -162,10 +178,15 @@ class ThroughImpacts {
 std::optional<ExtendedRun> extended_states_through(std::span<const SectionRecord> sections,
                                                    const Dynamics& dynamics,
                                                    const ExtendedMotionRequest& request) {
-  const CompiledEvent event = dynamics.event(dynamics.model().scene.impact->event);
-  const auto components = dynamics.columns(impact_map(dynamics.model()).components);
-  if (has_solve(event.value) || has_solve(*components)) return std::nullopt;
-  return ThroughImpacts(sections, dynamics, request, event.value, *components).run();
+  const auto is_one = [](const SectionRecord& section) { return section.impacts.size() == 1; };
+  if (!std::ranges::all_of(sections, is_one)) return std::nullopt;
+  std::vector<std::unique_ptr<Passage>> passages;
+  for (const ParsedImpact& impact : dynamics.model().parsed.impacts) {
+    const auto components = dynamics.columns(impact_map(dynamics.model(), impact).components);
+    if (has_solve(dynamics.event(impact.event).value) || has_solve(*components)) return std::nullopt;
+    passages.push_back(std::make_unique<Passage>(dynamics, impact, request.parameters));
+  }
+  return ThroughImpacts(sections, dynamics, request, passages).run();
 }
 
 }  // namespace qdot

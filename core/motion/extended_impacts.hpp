@@ -16,8 +16,8 @@
 namespace qdot {
 
 /// The states on the grid. None where an impact is not found next to the one that is known, where a row lies
-/// between the two, so that it may belong to either side, or where the scene's event or its map contains
-/// accelerations.
+/// between the two, so that it may belong to either side, where several impacts are of one instant, or where
+/// an event of the scene or its map contains accelerations.
 [[nodiscard]] std::optional<ExtendedRun> extended_states_through(std::span<const SectionRecord> sections,
                                                                  const Dynamics& dynamics,
                                                                  const ExtendedMotionRequest& request);

@@ -20,7 +20,7 @@ struct ImpactMap {
   }
 };
 
-/// That of the scene; nothing moves where it has none.
-[[nodiscard]] ImpactMap impact_map(const Model& model);
+/// That of one of the model's impacts.
+[[nodiscard]] ImpactMap impact_map(const Model& model, const ParsedImpact& impact);
 
 }  // namespace qdot

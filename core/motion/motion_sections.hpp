@@ -32,6 +32,8 @@ class MotionSections {
   /// Where the section ends by itself: one event for each kink.
   [[nodiscard]] std::vector<EventFunction> ends() const;
   [[nodiscard]] std::size_t kinks() const { return names_.size(); }
+  /// What happens in so short a time is one instant.
+  [[nodiscard]] double resolution() const { return resolution_; }
 
   /// Functions of the state in the section; they may contain q''.
   struct Columns {

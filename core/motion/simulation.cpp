@@ -8,7 +8,8 @@
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/integrate.hpp"
-#include "core/motion/impact_map.hpp"
+#include "core/motion/accumulation.hpp"
+#include "core/motion/instant_impacts.hpp"
 #include "core/motion/motion_sections.hpp"
 #include "core/motion/start_from_rest.hpp"
 #include "core/numerics/constants.hpp"
@@ -18,11 +19,10 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
-constexpr std::size_t similar_sections = 6;  ///< their durations show a geometric series
-constexpr double similar = 1e-2;
+/// Of the terms of a constraint: what rounding leaves of it, and no more.
+constexpr double kept_by_impacts = 1e-9;
 constexpr const char* accumulation =
     "The impacts follow each other faster and faster, and accumulate at this time.";
-constexpr double negligible = 1e-9;  ///< of the span: what is left of the series
 
 class Simulator {
  public:
@@ -47,8 +47,8 @@ class Simulator {
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
     fill_columns();
-    fill_conserved();
-    fill_constraints();
+    result_.conserved = conserved_along(dynamics_, request_, result_.states, segments_);
+    result_.constraints = constraints_along(dynamics_, request_, result_.states);
     return std::move(result_);
   }
 
@@ -190,15 +190,17 @@ class Simulator {
 
   bool record_events(const Run& done) {
     bool impact = false;
+    const std::size_t impacts = dynamics_.model().parsed.impacts.size();
+    met_impacts_.assign(impacts, false);
     for (const EventOccurrence& occurrence : done.events) {
       if (occurrence.event >= sections_.watches().size()) continue;  // a kink
       const Watch& watch = sections_.watches()[occurrence.event];
       const bool last = done.ending == Ending::event && occurrence.t == done.t;
       if (watch.kind == Watch::Kind::event || watch.kind == Watch::Kind::impact) {
-        result_.events.push_back({watch.name, occurrence.t, occurrence.y});
-        if (result_.events.size() > most_occurrences)
-          throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
-        impact = impact || watch.kind == Watch::Kind::impact;
+        record_event({watch.name, occurrence.t, occurrence.y});
+        if (watch.kind != Watch::Kind::impact) continue;
+        impact = true;
+        met_impacts_[occurrence.event + impacts - sections_.watches().size()] = true;
       } else if (last && !result_.stop) {
         result_.stop = Stop{watch.reason, occurrence.t, watch.message};
       }
@@ -206,44 +208,66 @@ class Simulator {
     return impact && !result_.stop;
   }
 
+  void record_event(EventRecord event) {
+    result_.events.push_back(std::move(event));
+    if (result_.events.size() > most_occurrences)
+      throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
+  }
+
+  /// All impacts of this instant. Those that others have started are told as events here.
+  [[nodiscard]] InstantImpacts::Passed pass_impacts() {
+    const std::vector<ParsedImpact>& impacts = dynamics_.model().parsed.impacts;
+    if (!impacts_) impacts_.emplace(dynamics_, request_.parameters, sections_.resolution());
+    InstantImpacts::Passed passed = impacts_->pass(result_.t, result_.y, met_impacts_,
+                                                   std::span(sections_.watches()).last(impacts.size()));
+    for (const auto& [impact, before] : passed.all) {
+      if (met_impacts_[impact]) {
+        met_impacts_[impact] = false;  // told already
+      } else {
+        record_event({impacts[impact].event, result_.t, before});
+      }
+    }
+    return passed;
+  }
+
   /// Goes on from the state after the impact; false when the motion is over there anyway.
   bool apply_impact() {
-    const ImpactMap map = impact_map(dynamics_.model());
-    std::vector<double> after = result_.y;
-    map.assign(values_at(dynamics_, map.components, request_.parameters, result_.t, result_.y), after);
+    InstantImpacts::Passed passed = pass_impacts();
     const double begin = result_.sections.empty() ? request_.t_start : result_.sections.back().t;
-    result_.sections.push_back({result_.t, result_.t - begin, result_.y, after});
+    result_.sections.push_back({result_.t, result_.t - begin, result_.y, passed.after, {}});
+    for (const auto& [impact, before] : passed.all) result_.sections.back().impacts.push_back(impact);
     if (result_.t >= request_.t_end || result_.sections.size() == request_.end_after_impacts) {
       result_.ending = Ending::reached_end;
       return false;
     }
-    if (const auto rest = rest_of_impacts()) {
+    const auto rest = passed.is_over ? rest_of_impacts(result_.sections, request_.t_end - request_.t_start)
+                                     : std::optional(0.0);
+    if (rest) {
       result_.t += *rest;
       result_.stop = Stop{"impacts_accumulate", result_.t, accumulation};
       return false;
     }
-    result_.y = std::move(after);
+    if (!obeys_constraints(passed.after)) return false;
+    result_.y = std::move(passed.after);
     is_determined_ = sections_.begin(result_.t, result_.y);
     return true;
   }
 
-  /// How long all further impacts take together, where they follow each other faster and faster: sections
-  /// that are each q times as long as the one before leave d q/(1 - q).
-  [[nodiscard]] std::optional<double> rest_of_impacts() const {
-    const std::vector<SectionRecord>& sections = result_.sections;
-    const double last = sections.back().duration;
-    if (last <= 16 * time_round_off(result_.t)) return 0;
-    if (sections.size() < similar_sections) return std::nullopt;
-    double least = infinity, most = 0;
-    for (std::size_t i = sections.size() - similar_sections + 1; i < sections.size(); ++i) {
-      const double ratio = sections[i].duration / sections[i - 1].duration;
-      least = std::min(least, ratio);
-      most = std::max(most, ratio);
+  /// An impact that is derived keeps what constraints ask for; one that is written has to.
+  [[nodiscard]] bool obeys_constraints(std::vector<double> after) const {
+    const ConstraintSurface* surface = dynamics_.constraint_surface();
+    if (surface == nullptr) return true;
+    ConstrainedStates states(*surface, request_.parameters);
+    if (!states.evaluate(result_.t, result_.y)) return true;
+    const std::vector<double> before(states.residuals().begin(), states.residuals().end());
+    bool obeys = states.evaluate(result_.t, after);
+    for (std::size_t k = 0; obeys && k < before.size(); ++k) {
+      const double allowed = kept_by_impacts * states.size_of_terms(k, after) + 2 * std::abs(before[k]);
+      obeys = std::abs(states.residuals()[k]) <= allowed;
     }
-    if (!(most < 1) || most - least > similar * (1 - most)) return std::nullopt;
-    const double rest = last * most / (1 - most);
-    if (rest > negligible * (request_.t_end - request_.t_start)) return std::nullopt;
-    return rest;
+    if (obeys) return true;
+    throw Error(ErrorCode::invalid_state,
+                "The state after an impact, as its map says, does not obey the constraints.");
   }
 
   [[nodiscard]] std::span<const double> row(std::size_t i) const {
@@ -263,68 +287,12 @@ class Simulator {
     }
   }
 
-  /// Drift is counted from the beginning of each segment: what an impact takes is no drift.
-  void fill_conserved() {
-    const auto conserved = dynamics_.conserved(request_.parameters);
-    const std::size_t count = conserved->quantities.size();
-    if (count == 0 || result_.rows == 0) return;
-    Workspace workspace = conserved->values->bind(request_.parameters);
-    std::vector<double> reference(count), value(count), drift(count);
-    const auto evaluate = [&](double t, std::span<const double> y, std::vector<double>& out) {
-      return conserved->values->evaluate(t, y, workspace, out) == Evaluation::ok;
-    };
-    std::vector<double> initial(count);
-    if (!evaluate(request_.t_start, request_.y_start, initial)) return;
-    for (std::size_t i = 0, next = 0; i < result_.rows; ++i) {
-      if (i % 256 == 0) check_interruption();
-      for (; next < segments_.size() && segments_[next].first_row <= i; ++next) {
-        if (!evaluate(segments_[next].t, segments_[next].y, reference)) return;
-      }
-      if (!evaluate(request_.grid[i], row(i), value)) return;
-      for (std::size_t k = 0; k < count && next > 0; ++k) {
-        drift[k] = std::max(drift[k], std::abs(value[k] - reference[k]));
-      }
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const ConservedQuantity& quantity = conserved->quantities[k];
-      ConservedRecord record{quantity.name, quantity.unit, initial[k], drift[k], {}};
-      const double relative = drift[k] / std::abs(initial[k]);
-      if (std::isfinite(relative)) record.max_rel_drift = relative;
-      result_.conserved.push_back(std::move(record));
-    }
-  }
-
-  void fill_constraints() {
-    const ConstraintSurface* surface = dynamics_.constraint_surface();
-    if (surface == nullptr) return;
-    ConstrainedStates states(*surface, request_.parameters);
-    for (const Constraint& constraint : dynamics_.model().scene.constraints)
-      result_.constraints.push_back({constraint.name, {}, 0});
-    for (const std::size_t j : surface->position_of()) result_.constraints[j].max_abs_value = 0;
-    for (std::size_t i = 0; i < result_.rows; ++i) {
-      if (!states.evaluate(request_.grid[i], row(i))) continue;
-      const std::span<const double> residuals = states.residuals();
-      std::size_t k = 0;
-      for (const std::size_t j : surface->position_of()) {
-        double& value = *result_.constraints[j].max_abs_value;
-        value = std::max(value, std::abs(residuals[k++]));
-      }
-      for (ConstraintRecord& record : result_.constraints)
-        record.max_abs_rate = std::max(record.max_abs_rate, std::abs(residuals[k++]));
-    }
-  }
-
-  /// What lies between two impacts.
-  struct Segment {
-    std::size_t first_row;
-    double t;
-    std::vector<double> y;
-  };
-
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
   MotionSections sections_;
   StartFromRest from_rest_;
+  std::optional<InstantImpacts> impacts_;
+  std::vector<bool> met_impacts_;  ///< at the end of the section
   bool is_determined_{true};
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/drift.hpp"
+#include "core/motion/section_record.hpp"
 #include "core/motion/simulation_request.hpp"
 
 namespace qdot {
@@ -15,33 +17,11 @@ struct EventRecord {
   std::vector<double> y;  ///< before the impact, where the event is one
 };
 
-/// A section of the motion that an impact ended.
-struct SectionRecord {
-  double t{};                         ///< of that impact
-  double duration{};                  ///< since the impact before, or since t_start
-  std::vector<double> before, after;  ///< the state just before the impact and just after it
-};
-
 /// Why a motion ended before t_end in the nature of the system.
 struct Stop {
   std::string reason;  ///< "string_slack", "lift_off", "fall", "coordinate_singularity"
   double t{};
   std::string message;
-};
-
-struct ConservedRecord {
-  std::string name;
-  std::string unit;
-  double initial{};
-  double max_abs_drift{};               ///< over the returned rows
-  std::optional<double> max_rel_drift;  ///< over |initial|; no value where that is 0
-};
-
-/// How far the returned rows are from a constraint.
-struct ConstraintRecord {
-  std::string name;
-  std::optional<double> max_abs_value;  ///< of phi; none of a constraint in the velocities
-  double max_abs_rate{};                ///< of w
 };
 
 struct Simulation {

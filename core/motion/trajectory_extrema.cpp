@@ -61,9 +61,12 @@ class Follower {
   /// The coordinate after the impact, where the impact map changes it.
   [[nodiscard]] double after_impact(const EventRecord& event) const {
     const Expression q = dynamics_.model().parsed.symbols.coordinates.value[request_.coordinate];
-    for (const auto& [symbol, value] : dynamics_.model().parsed.impact) {
-      if (symbol == q)
-        return values_at(dynamics_, {{"", "", value}}, request_.parameters, event.t, event.y)[0];
+    for (const ParsedImpact& impact : dynamics_.model().parsed.impacts) {
+      if (impact.event != event.name) continue;
+      for (const auto& [symbol, value] : impact.map) {
+        if (symbol == q)
+          return values_at(dynamics_, {{"", "", value}}, request_.parameters, event.t, event.y)[0];
+      }
     }
     return event.y[request_.coordinate];
   }

@@ -122,7 +122,7 @@ class Wording {
     }
     const std::string kept =
         words.kept.empty() || !change.gauge.is_zero() || has_work ? "" : words.kept + ", ";
-    const std::string until = scene_.impact ? " is constant between impacts." : " is constant.";
+    const std::string until = scene_.has_impacts() ? " is constant between impacts." : " is constant.";
     return words.doing + " " + effect + ", so " + kept + formula(change) + (kept.empty() ? "" : ",") + until;
   }
 

@@ -48,7 +48,7 @@ class BifurcationsAnswer {
     units_ = steady_units(scene_);
     for (const char* name : {"value", "error"}) units_[name] = scene_.parameters[index_].unit;
     units_[request_.parameter] = scene_.parameters[index_].unit;
-    Json body = scene_.impact ? of_gaits() : of_equilibria();
+    Json body = dynamics_.model().parsed.impacts.size() == 1 ? of_gaits() : of_equilibria();
     body["units"] = std::move(units_);
     return body;
   }

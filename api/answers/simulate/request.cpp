@@ -83,7 +83,7 @@ void check_extended(const SimulateRequest& request, Findings& findings) {
   refuse("events", !request.events.empty(), "Events are located in double precision only.");
   refuse("steps", request.steps.has_value(), "Strides are followed in double precision only.");
   const Scene* scene = request.system.scene.get();
-  refuse("impacts", scene != nullptr && scene->impact && request.impacts,
+  refuse("impacts", scene != nullptr && scene->has_impacts() && request.impacts,
          "Impacts are applied in double precision only: with precision extended give impacts=false.");
 }
 
@@ -140,10 +140,11 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
   check_step(request, findings);
   complete_tolerances(request, findings);
   check_precision(request, findings);
-  if (request.steps && (!scene->impact || !request.impacts)) {
+  if (request.steps && (!scene->has_impacts() || !request.impacts)) {
     findings.report("steps", "not_applicable",
-                    scene->impact ? "Without impacts there are no strides."
-                                  : scene->name + " does not walk: 'steps' are strides. Rows are 'samples'.");
+                    scene->has_impacts()
+                        ? "Without impacts there are no strides."
+                        : scene->name + " does not walk: 'steps' are strides. Rows are 'samples'.");
   }
   const bool has_goal = request.accuracy || request.max_error || request.max_evaluations;
   if (!request.verify && has_goal) {

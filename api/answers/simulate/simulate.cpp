@@ -109,7 +109,7 @@ class SimulationAnswer {
     writer.member("units", with_units_of(scene(), Json{{"units", units_}})["units"]);
     if (writer.wants("events")) write_events(writer);
     if (!result_.stays.empty()) writer.member("sticking", sticking_json(), digits());
-    if (scene().impact && request_.impacts) writer.member("strides", strides_json(), digits());
+    if (scene().has_impacts() && request_.impacts) writer.member("strides", strides_json(), digits());
     if (writer.wants("accuracy")) writer.member("accuracy", accuracy_json());
     if (writer.wants("diagnostics")) writer.member("diagnostics", with_units_of(scene(), diagnostics_json()));
     writer.end_object();

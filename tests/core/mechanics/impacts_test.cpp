@@ -25,7 +25,7 @@ Expression meaning(const Model& model, const std::string& text) {
 }
 
 Expression after(const Model& model, const std::string& name) {
-  for (const auto& [symbol, value] : model.parsed.impact) {
+  for (const auto& [symbol, value] : model.parsed.impacts.front().map) {
     if (std::get<Symbol>(symbol.node()).name == name) return value;
   }
   return model.parsed.graph->symbol(name);
@@ -72,6 +72,34 @@ TEST(Impacts, ReturnPartOfTheSpeedAlongTheNormalOnly) {
       simplify(after(*slope, "x_dot") - meaning(*slope, "x_dot + (1 + e)*(y_dot - x_dot)/2")).is_zero());
   const auto lift = build_model(ball_over("y - v*t"));  // relative to what moves
   EXPECT_TRUE(simplify(after(*lift, "y_dot") - meaning(*lift, "(1 + e)*v - e*y_dot")).is_zero());
+}
+
+TEST(Impacts, LeaveWhatConstraintsKeep) {
+  Scene scene = ball_over("y");
+  scene.constraints = {{"wire", "y - x", "", ""}};
+  const auto model = build_model(scene);  // along the wire nothing but the speed turns round
+  for (const char* rate : {"x_dot", "y_dot"}) {
+    const Expression difference = after(*model, rate) - meaning(*model, "-e*(x_dot + y_dot)/2");
+    const auto& q = model->parsed.symbols.coordinates;
+    const Replacement along{q.rate[1], q.rate[0]};
+    EXPECT_TRUE(simplify(substitute(difference, {&along, 1})).is_zero()) << rate;
+  }
+  scene.constraints = {{"rail", "y", "", ""}};
+  EXPECT_THROW((void)build_model(scene), SceneError) << "the floor is never reached";
+}
+
+TEST(Impacts, OfSeveralEventsHaveTheirOwnMaps) {
+  Scene scene = ball_over("y");
+  scene.events.push_back({"wall", "x", Crossing::falling, "", ""});
+  scene.impacts = {*scene.impact, {.event = "wall", .map = {{"x_dot", "0"}}}};
+  scene.impact.reset();
+  const auto model = build_model(scene);
+  ASSERT_EQ(model->parsed.impacts.size(), 2U);
+  EXPECT_TRUE(simplify(after(*model, "y_dot") - meaning(*model, "-e*y_dot")).is_zero());
+  EXPECT_EQ(model->parsed.impacts[1].event, "wall");
+  EXPECT_TRUE(model->parsed.impacts[1].map.front().second.is_zero());
+  scene.impacts[1].event = "touch";
+  EXPECT_THROW((void)build_model(scene), SceneError) << "an event has one impact";
 }
 
 TEST(Impacts, ThatTouchNothingAreRefused) {

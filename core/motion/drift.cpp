@@ -1,0 +1,76 @@
+#include "core/motion/drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/work.hpp"
+#include "core/dynamics/constraint_surface.hpp"
+
+namespace qdot {
+namespace {
+
+std::span<const double> row_of(std::span<const double> states, std::size_t i, std::size_t width) {
+  return states.subspan(i * width, width);
+}
+
+}  // namespace
+
+std::vector<ConservedRecord> conserved_along(const Dynamics& dynamics, const SimulationRequest& request,
+                                             std::span<const double> states,
+                                             std::span<const Segment> segments) {
+  const auto conserved = dynamics.conserved(request.parameters);
+  const std::size_t count = conserved->quantities.size(), width = request.y_start.size();
+  const std::size_t rows = states.size() / width;
+  if (count == 0 || rows == 0) return {};
+  Workspace workspace = conserved->values->bind(request.parameters);
+  std::vector<double> reference(count), value(count), drift(count);
+  const auto evaluate = [&](double t, std::span<const double> y, std::vector<double>& out) {
+    return conserved->values->evaluate(t, y, workspace, out) == Evaluation::ok;
+  };
+  std::vector<double> initial(count);
+  if (!evaluate(request.t_start, request.y_start, initial)) return {};
+  for (std::size_t i = 0, next = 0; i < rows; ++i) {
+    if (i % 256 == 0) check_interruption();
+    for (; next < segments.size() && segments[next].first_row <= i; ++next) {
+      if (!evaluate(segments[next].t, segments[next].y, reference)) return {};
+    }
+    if (!evaluate(request.grid[i], row_of(states, i, width), value)) return {};
+    for (std::size_t k = 0; k < count && next > 0; ++k)
+      drift[k] = std::max(drift[k], std::abs(value[k] - reference[k]));
+  }
+  std::vector<ConservedRecord> records;
+  for (std::size_t k = 0; k < count; ++k) {
+    const ConservedQuantity& quantity = conserved->quantities[k];
+    ConservedRecord& record = records.emplace_back();
+    record = {quantity.name, quantity.unit, initial[k], drift[k], {}};
+    const double relative = drift[k] / std::abs(initial[k]);
+    if (std::isfinite(relative)) record.max_rel_drift = relative;
+  }
+  return records;
+}
+
+std::vector<ConstraintRecord> constraints_along(const Dynamics& dynamics, const SimulationRequest& request,
+                                                std::span<const double> all) {
+  const ConstraintSurface* surface = dynamics.constraint_surface();
+  if (surface == nullptr) return {};
+  const std::size_t width = request.y_start.size();
+  ConstrainedStates states(*surface, request.parameters);
+  std::vector<ConstraintRecord> records;
+  for (const Constraint& constraint : dynamics.model().scene.constraints)
+    records.push_back({constraint.name, {}, 0});
+  for (const std::size_t j : surface->position_of()) records[j].max_abs_value = 0;
+  for (std::size_t i = 0; i < all.size() / width; ++i) {
+    if (!states.evaluate(request.grid[i], row_of(all, i, width))) continue;
+    const std::span<const double> residuals = states.residuals();
+    std::size_t k = 0;
+    for (const std::size_t j : surface->position_of()) {
+      double& value = *records[j].max_abs_value;
+      value = std::max(value, std::abs(residuals[k++]));
+    }
+    for (ConstraintRecord& record : records)
+      record.max_abs_rate = std::max(record.max_abs_rate, std::abs(residuals[k++]));
+  }
+  return records;
+}
+
+}  // namespace qdot

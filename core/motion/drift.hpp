@@ -1,0 +1,44 @@
+#pragma once
+// How far what a motion keeps has drifted over its rows: conserved quantities and constraints.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/motion/simulation_request.hpp"
+
+namespace qdot {
+
+struct ConservedRecord {
+  std::string name;
+  std::string unit;
+  double initial{};
+  double max_abs_drift{};               ///< over the returned rows
+  std::optional<double> max_rel_drift;  ///< over |initial|; no value where that is 0
+};
+
+/// How far the returned rows are from a constraint.
+struct ConstraintRecord {
+  std::string name;
+  std::optional<double> max_abs_value;  ///< of phi; none of a constraint in the velocities
+  double max_abs_rate{};                ///< of w
+};
+
+/// What lies between two impacts: drift is counted from its beginning, as what an impact takes is no drift.
+struct Segment {
+  std::size_t first_row{};
+  double t{};
+  std::vector<double> y;
+};
+
+/// Of the first rows of the request's grid, `states` being their states.
+[[nodiscard]] std::vector<ConservedRecord> conserved_along(const Dynamics& dynamics,
+                                                           const SimulationRequest& request,
+                                                           std::span<const double> states,
+                                                           std::span<const Segment> segments);
+[[nodiscard]] std::vector<ConstraintRecord> constraints_along(const Dynamics& dynamics,
+                                                              const SimulationRequest& request,
+                                                              std::span<const double> states);
+
+}  // namespace qdot

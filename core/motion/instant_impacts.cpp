@@ -1,0 +1,78 @@
+#include "core/motion/instant_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t most_in_an_instant = 1000;
+/// Of a state's numbers: their own rounding, and that of the steps that led to them.
+constexpr double rounding_of_state = 16 * std::numeric_limits<double>::epsilon();
+
+Ball rounded(double x) { return {DoubleDouble(x), rounding_of_state * std::abs(x)}; }
+
+std::vector<Ball> rounded(std::span<const double> numbers) {
+  std::vector<Ball> balls;
+  for (const double x : numbers) balls.push_back(rounded(x));
+  return balls;
+}
+
+}  // namespace
+
+InstantImpacts::InstantImpacts(const Dynamics& dynamics, std::span<const double> parameters,
+                               double resolution)
+    : parameters_(parameters), resolution_(resolution) {
+  for (const ParsedImpact& impact : dynamics.model().parsed.impacts) {
+    Rule& rule = rules_.emplace_back();
+    rule.map = impact_map(dynamics.model(), impact);
+    rule.after = dynamics.columns(rule.map.components);
+    if (!impact.has_restitution()) continue;
+    rule.approach =
+        dynamics.columns({{"distance", "", impact.contact->distance}, {"rate", "", impact.contact->rate}});
+    rule.enclosed_approach = std::make_unique<TapeEvaluator<Ball>>(*rule.approach, rounded(parameters));
+  }
+}
+
+InstantImpacts::Passed InstantImpacts::pass(double t, const std::vector<double>& y,
+                                            const std::vector<bool>& met, std::span<const Watch> watches) {
+  Passed passed{{}, y, true};
+  for (std::size_t k = 0; k < rules_.size(); ++k) {
+    if (!met[k]) continue;
+    const bool is_certain = passed.all.empty() || !rules_[k].approach;
+    if (is_certain || follows(k, t, passed.after, watches[k])) apply(k, t, passed);
+  }
+  for (;;) {
+    std::size_t next = 0;
+    while (next < rules_.size() && !follows(next, t, passed.after, watches[next])) ++next;
+    if (next == rules_.size()) return passed;
+    if (passed.all.size() >= most_in_an_instant) break;
+    apply(next, t, passed);
+  }
+  passed.is_over = false;
+  return passed;
+}
+
+/// Whether its distance is 0 there and falls, neither in doubt for its rounding.
+bool InstantImpacts::follows(std::size_t impact, double t, const std::vector<double>& y,
+                             const Watch& watch) const {
+  const Rule& rule = rules_[impact];
+  if (!rule.approach || watch.direction == Crossing::either) return false;
+  rule.enclosed_approach->set_time(rounded(t));
+  Ball values[2];
+  (*rule.enclosed_approach)(rounded(y), values);
+  const auto& [distance, rate] = values;
+  if (!distance.is_finite() || !rate.is_finite() || rate.contains_zero()) return false;
+  if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return false;
+  if (std::abs(distance.value()) > distance.radius + std::abs(rate.value()) * resolution_) return false;
+  return !watch.condition || watch.condition(t, y);
+}
+
+void InstantImpacts::apply(std::size_t impact, double t, Passed& passed) const {
+  const Rule& rule = rules_[impact];
+  passed.all.push_back({impact, passed.after});
+  rule.map.assign(values_at(*rule.after, rule.map.components, parameters_, t, passed.after), passed.after);
+}
+
+}  // namespace qdot

@@ -1,0 +1,55 @@
+#pragma once
+// What impacts of one instant do to a state: one after the other, in the order in which the scene has them.
+//
+// One may start the next: of three balls in a row the second, hit by the first, hits the third. So after
+// each, an impact with restitution follows in the same instant where its distance is zero but for rounding
+// and falls; the first such in order, until none falls any more. What comes out may depend on the order, as
+// it does in nature on what gives way first (Newton's cradle). Source: D. E. Stewart, Rigid-body dynamics
+// with friction and impact, SIAM Review 42 (2000): several contacts.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/compile/tape_evaluator.hpp"
+#include "core/dynamics/watch.hpp"
+#include "core/motion/impact_map.hpp"
+#include "core/numerics/ball.hpp"
+
+namespace qdot {
+
+class InstantImpacts {
+ public:
+  /// `resolution`: what happens in so short a time is one instant. Keeps the reference.
+  InstantImpacts(const Dynamics& dynamics, std::span<const double> parameters, double resolution);
+
+  struct Happened {
+    std::size_t impact{};        ///< its number in the model
+    std::vector<double> before;  ///< the state
+  };
+  struct Passed {
+    std::vector<Happened> all;
+    std::vector<double> after;
+    bool is_over{true};  ///< false: they start each other again and again
+  };
+  /// From (t, y). `met`: the impacts whose events have happened; `watches`: one for each impact.
+  [[nodiscard]] Passed pass(double t, const std::vector<double>& y, const std::vector<bool>& met,
+                            std::span<const Watch> watches);
+
+ private:
+  struct Rule {
+    ImpactMap map;
+    std::shared_ptr<const CompiledFunction> after;
+    std::shared_ptr<const CompiledFunction> approach;  ///< distance and its rate; null without restitution
+    std::unique_ptr<TapeEvaluator<Ball>> enclosed_approach;
+  };
+  [[nodiscard]] bool follows(std::size_t impact, double t, const std::vector<double>& y,
+                             const Watch& watch) const;
+  void apply(std::size_t impact, double t, Passed& passed) const;
+
+  std::span<const double> parameters_;
+  double resolution_;
+  std::vector<Rule> rules_;
+};
+
+}  // namespace qdot

@@ -1,0 +1,204 @@
+"""Several impacts in one scene, impacts of one instant, and impacts under constraints."""
+
+import math
+import pathlib
+import sys
+import unittest
+
+import numpy
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from constrained_scenes import DOUBLE_PENDULUM, coordinates, parameters  # noqa: E402
+from service import Service  # noqa: E402
+
+
+def bounces(*events, restitution="e"):
+    return {"events": [{"name": name, "expression": distance, "direction": "falling"} for name, distance in events],
+            "impacts": [{"event": name, "restitution": restitution} for name, _ in events]}
+
+
+def balls(masses, places, speeds):
+    """In a row, each as large as nothing; those at one place touch."""
+    count = len(masses)
+    return {
+        "name": "balls",
+        "parameters": parameters(**{f"m{i}": ("kg", str(m)) for i, m in enumerate(masses)}, e=("1", "1")),
+        "coordinates": coordinates(**{f"x{i}": ("m", str(x), str(v)) for i, (x, v) in enumerate(zip(places, speeds))}),
+        "bodies": [{"kind": "particle", "mass": f"m{i}", "position": [f"x{i}", 0]} for i in range(count)],
+    } | bounces(*((f"hit{i}", f"x{i + 1} - x{i}") for i in range(count - 1)))
+
+
+ROOM = {
+    "name": "room",
+    "parameters": parameters(m=("kg", "0.3"), e=("1", "1"), b=("m", "2"), g=("m/s^2", "0")),
+    "coordinates": coordinates(x=("m", "0.5", "1"), y=("m", "0.5", "0.7")),
+    "bodies": [{"kind": "particle", "mass": "m", "position": ["x", "y"]}],
+    "gravity": [0, "-g"],
+} | bounces(("left", "x"), ("right", "b - x"), ("floor", "y"), ("ceiling", "b - y"))
+
+
+class SeveralImpacts(Service):
+    def last(self, scene, t_end=1.0, **fields):
+        answer = self.ask("simulate", {"system": scene, "t_end": t_end, "samples": 2, **fields})
+        self.assertEqual(answer["status"], "complete", answer.get("stop"))
+        return {name: values[-1] for name, values in answer["trajectory"].items()}, answer
+
+    def test_a_ball_in_a_room_moves_as_its_images_do(self):
+        answer = self.ask("simulate", {"system": ROOM, "t_end": 20, "samples": 41, "max_error": 1e-9})
+        self.assertTrue(answer["accuracy"]["meets_request"])
+        for i, t in enumerate(answer["trajectory"]["t"]):
+            for name, start, speed in (("x", 0.5, 1), ("y", 0.5, 0.7)):
+                image = (start + speed * t) % 4
+                self.assertAlmostEqual(answer["trajectory"][name][i], min(image, 4 - image), 11)
+        self.assertEqual({e["name"] for e in answer["events"]}, {"left", "right", "floor", "ceiling"})
+
+    def test_both_walls_of_a_corner_count(self):
+        at, answer = self.last(ROOM, initial={"x": 1, "y": 1, "x_dot": 1, "y_dot": 1}, t_end=1.5)
+        self.assertEqual([e["name"] for e in answer["events"]], ["right", "ceiling"])
+        self.assertEqual(len(answer["strides"]), 1)
+        for name, value in (("x", 1.5), ("y", 1.5), ("x_dot", -1), ("y_dot", -1)):
+            self.assertAlmostEqual(at[name], value, 12)
+
+    def test_a_cradle_hands_the_push_on(self):
+        for count in (3, 5):
+            scene = balls([1] * count, [-1] + [0] * (count - 1), [2] + [0] * (count - 1))
+            at, answer = self.last(scene)
+            speeds = [at[f"x{i}_dot"] for i in range(count)]
+            numpy.testing.assert_allclose(speeds, [0] * (count - 1) + [2], atol=1e-12)
+            self.assertEqual([e["name"] for e in answer["events"]], [f"hit{i}" for i in range(count - 1)])
+            self.assertTrue(all(e["t"] == 0.5 for e in answer["events"]))
+
+    def test_balls_that_touch_follow_their_collisions(self):
+        masses, e = [2, 1, 3], 0.4
+        speeds = numpy.array([1.0, 0, 0])
+        while True:  # each pair in turn, as long as it approaches
+            pairs = [i for i in range(2) if speeds[i] - speeds[i + 1] > 1e-14]
+            if not pairs:
+                break
+            i = pairs[0]
+            a, b = masses[i], masses[i + 1]
+            push = (1 + e) * (speeds[i] - speeds[i + 1]) * a * b / (a + b)
+            speeds[i] -= push / a
+            speeds[i + 1] += push / b
+        at, _ = self.last(balls(masses, [-0.3, 0, 0], [1, 0, 0]), parameters={"e": e})
+        numpy.testing.assert_allclose([at[f"x{i}_dot"] for i in range(3)], speeds, atol=1e-12)
+
+    def test_balls_apart_meet_one_after_the_other(self):
+        at, answer = self.last(balls([1, 1, 1], [0, 1, 1.5], [2, 0, 0]), t_end=2)
+        self.assertEqual([(e["name"], e["t"]) for e in answer["events"]], [("hit0", 0.5), ("hit1", 0.75)])
+        numpy.testing.assert_allclose([at[f"x{i}"] for i in range(3)], [1, 1.5, 4], atol=1e-12)
+
+    def test_rest_comes_in_time_and_place_between_walls(self):
+        scene = ROOM | bounces(("left", "x"), ("right", "b - x"))
+        scene["events"] += [{"name": "floor", "expression": "y", "direction": "falling"}]
+        scene["impacts"][0]["restitution"] = scene["impacts"][1]["restitution"] = 1
+        scene["impacts"] += [{"event": "floor", "restitution": "e"}]
+        answer = self.ask("simulate", {"system": scene, "parameters": {"e": 0.5, "g": 10}, "t_end": 20, "samples": 3,
+                                       "initial": {"y": 1.25, "y_dot": 0, "x_dot": 3}})
+        self.assertEqual(answer["stop"]["reason"], "impacts_accumulate")
+        self.assertAlmostEqual(answer["stop"]["t"], 0.5 * 3, 7)
+        last = answer["strides"][-1]["state"]
+        image = (0.5 + 3 * 1.5) % 4
+        self.assertAlmostEqual(last["x"], min(image, 4 - image), 6)
+        self.assertAlmostEqual(last["y"], 0, 7)
+
+    def test_taking_turns_accumulates_too(self):
+        # along the slopes of a groove at right angles each bounce keeps half of its speed
+        scene = ROOM | bounces(("left", "(y - x)/sqrt(2)"), ("right", "(y + x)/sqrt(2)"))
+        answer = self.ask("simulate", {"system": scene, "parameters": {"e": 0.5, "g": 10}, "t_end": 20, "samples": 3,
+                                       "initial": {"x": 0.1, "y": 0.6, "x_dot": 0, "y_dot": 0}})
+        self.assertEqual((answer["status"], answer["stop"]["reason"]), ("stopped", "impacts_accumulate"))
+        # of each slope alone: a fall of (y -+ x)/sqrt(2) at g/sqrt(2), the later one rests last
+        rest = max(math.sqrt(2 * d / 10) for d in (0.5, 0.7)) * (1 + 2 * 0.5 / (1 - 0.5))
+        self.assertLess(answer["stop"]["t"], rest * (1 + 1e-6))
+
+    def test_extrema_see_every_impact(self):
+        answer = self.ask("turning_points", {"system": ROOM, "coordinate": "x", "t_end": 10})
+        self.assertAlmostEqual(answer["x_max"], 2, 12)
+        self.assertAlmostEqual(answer["x_min"], 0, 12)
+
+    def test_mistakes_are_told_at_their_places(self):
+        one = {"event": "left", "restitution": "e"}
+        for scene, pointer in (
+            (ROOM | {"impacts": [one, {"event": "wall", "restitution": "e"}]}, "/impacts/1/event"),
+            (ROOM | {"impacts": [one, one]}, "/impacts/1/event"),
+            (ROOM | {"impacts": [one, {"event": "right", "restitution": 2}]}, "/impacts/1/restitution"),
+            (ROOM | {"impact": one}, "/impacts"),
+        ):
+            self.refused_at("energy", {"system": scene}, "#/system" + pointer)
+        self.assertIn("several impacts", self.refused("gait", {"system": ROOM})["detail"])
+
+
+class Constrained(Service):
+    def test_a_pendulum_hits_a_wall_by_angle_and_by_constraint(self):
+        wall = bounces(("wall", "x + b"))
+        common = {"gravity": [0, "-g"], "bodies": [{"kind": "particle", "mass": "m", "position": ["x", "y"]}]}
+        bound = common | {
+            "name": "bound", "parameters": parameters(m=("kg", "1"), l=("m", "1"), g=("m/s^2", "10"), b=("m", "0.2"), e=("1", "0.7")),
+            "coordinates": coordinates(x=("m", "0.6", "0"), y=("m", "-0.8", "0")),
+            "constraints": [{"name": "rod", "expression": "x^2 + y^2 - l^2"}]} | wall
+        free = common | {
+            "name": "free", "parameters": bound["parameters"],
+            "coordinates": coordinates(a=("rad", "asin(3/5)", "0")),
+            "bodies": [{"kind": "particle", "mass": "m", "position": ["l*sin(a)", "-l*cos(a)"]}],
+        } | bounces(("wall", "l*sin(a) + b"))
+        found = self.ask("simulate", {"system": bound, "t_end": 5, "samples": 31, "max_error": 1e-11})
+        known = self.ask("simulate", {"system": free, "t_end": 5, "samples": 31, "max_error": 1e-11})
+        self.assertGreater(len(found["events"]), 2)
+        for one, other in zip(found["events"], known["events"]):
+            self.assertAlmostEqual(one["t"], other["t"], 9)
+        numpy.testing.assert_allclose(found["trajectory"]["x"], numpy.sin(known["trajectory"]["a"]), atol=1e-8)
+        for kept in found["diagnostics"]["constraints"]:
+            self.assertLess(kept["max_abs_rate"], 1e-12)
+
+    def test_what_hangs_together_takes_the_push_together(self):
+        place, speed = (0.6, -0.8, 1.4, -1.4), (0.8, 0.6, 1.1, 1.0)
+        names = [c["name"] for c in DOUBLE_PENDULUM["coordinates"]]
+        scene = DOUBLE_PENDULUM | bounces(("wall", "1.400000001*l - x2"), restitution="1/2")
+        request = {"system": scene, "parameters": {"g": 0}, "t_end": 1e-7, "times": [1e-7],
+                   "initial": dict(zip(names, place)) | dict(zip((n + "_dot" for n in names), speed))}
+        # the two rods keep their lengths: M (v+ - v-) = a Lambda + A^T nu, with A v+ = 0
+        a1 = numpy.array([place[0], place[1], 0, 0])
+        d = (place[2] - place[0], place[3] - place[1])
+        a2 = numpy.array([-d[0], -d[1], d[0], d[1]])
+        self.assertLess(abs(a1 @ speed) + abs(a2 @ speed), 1e-12)
+        mass = numpy.eye(4)
+        matrix = numpy.zeros((7, 7))
+        matrix[:4, :4] = mass
+        for k, row in enumerate((a1, a2, numpy.array([0, 0, 1.0, 0]))):
+            matrix[4 + k, :4] = matrix[:4, 4 + k] = row
+        after = numpy.linalg.solve(matrix, numpy.concatenate([mass @ speed, [0, 0, -speed[2] / 2]]))[:4]
+        answer = self.ask("simulate", request)
+        self.assertEqual(len(answer["events"]), 1)
+        numpy.testing.assert_allclose([answer["trajectory"][n + "_dot"][-1] for n in names], after, atol=1e-6)
+
+    def test_a_written_map_has_to_keep_the_constraints(self):
+        scene = {"name": "bead", "parameters": parameters(m=("kg", "1")),
+                 "coordinates": coordinates(x=("m", "1", "-1"), y=("m", "1", "-1")),
+                 "bodies": [{"kind": "particle", "mass": "m", "position": ["x", "y"]}],
+                 "constraints": [{"name": "wire", "expression": "y - x"}],
+                 "events": [{"name": "stop", "expression": "x", "direction": "falling"}]}
+        good = scene | {"impact": {"event": "stop", "map": {"x_dot": "-x_dot/2", "y_dot": "-y_dot/2"}}}
+        bad = scene | {"impact": {"event": "stop", "map": {"x_dot": "-x_dot/2"}}}
+        answer = self.ask("simulate", {"system": good, "t_end": 2, "samples": 2})
+        self.assertAlmostEqual(answer["trajectory"]["y"][-1], 0.5, 12)
+        problem = self.refused("simulate", {"system": bad, "t_end": 2, "samples": 2})
+        self.assertIn("constraints", problem["errors"][0]["detail"])
+
+    def test_a_wall_that_the_constraints_hide_is_refused(self):
+        scene = {"name": "bead", "parameters": parameters(m=("kg", "1"), e=("1", "1")),
+                 "coordinates": coordinates(x=("m", "1", "-1"), y=("m", "0", "0")),
+                 "bodies": [{"kind": "particle", "mass": "m", "position": ["x", "y"]}],
+                 "constraints": [{"name": "wire", "expression": "y"}]} | bounces(("floor", "y"))
+        self.refused_at("energy", {"system": scene}, "#/system/impacts/0")
+
+    def test_gaits_under_constraints_are_refused(self):
+        scene = {"name": "bead", "parameters": parameters(m=("kg", "1"), e=("1", "1")),
+                 "coordinates": coordinates(x=("m", "1", "-1"), y=("m", "1", "-1")),
+                 "bodies": [{"kind": "particle", "mass": "m", "position": ["x", "y"]}],
+                 "constraints": [{"name": "wire", "expression": "y - x"}]} | bounces(("floor", "y"))
+        self.assertIn("constraints", self.refused("gait", {"system": scene})["detail"])
+
+
+if __name__ == "__main__":
+    unittest.main()
