@@ -32,12 +32,12 @@ class EnergyAnswer {
     const Model& model = dynamics_.model();
     if (!model.energy) no_energies();
     compute();
-    put(body_, energies(model));
-    put(body_, momentum_columns(model));
-    put(body_["accelerations"], acceleration_columns(model));
-    if (model.has_constraints()) put(body_["multipliers"], multiplier_columns(model));
-    if (!model.scene.valid_while.empty()) put(body_["validity"], validity_columns(model));
-    if (!model.scene.reports.empty()) put(body_["reports"], report_columns(model));
+    body_.update(next(energies(model)));
+    body_.update(next(momentum_columns(model)));
+    body_["accelerations"] = next(acceleration_columns(model));
+    if (model.has_constraints()) body_["multipliers"] = next(multiplier_columns(model));
+    if (!model.scene.valid_while.empty()) body_["validity"] = next(validity_columns(model));
+    if (!model.scene.reports.empty()) body_["reports"] = next(report_columns(model));
     body_["conserved"] = conserved();
     body_["error"] = std::move(errors_);
     body_["units"] = std::move(units_);
@@ -67,13 +67,15 @@ class EnergyAnswer {
   }
 
   /// The next of the values, in the order of compute().
-  void put(Json& json, const std::vector<qdot::Column>& columns) {
+  Json next(const std::vector<qdot::Column>& columns) {
+    Json json = Json::object();
     for (const qdot::Column& column : columns) {
       const double value = stated_.values[next_];
       json[column.name] = value;
       errors_[column.name] = written_error(value, stated_.errors[next_++]);
       units_[column.name] = column.unit;
     }
+    return json;
   }
 
   Json conserved() {
