@@ -56,6 +56,11 @@ class CriticalSearch {
     }
     trace();
     if (!result_.complete && !gave_up_ && add_missed()) trace();
+    if (result_.complete && changes_between(result_.branches, result_.critical)) {
+      incomplete(
+          "The stability of an equilibrium changes where no equilibrium meets another: oscillations about it begin "
+          "to grow, and the value at which they do is not looked for. The branches show between which it is.");
+    }
     return std::move(result_);
   }
 

@@ -174,4 +174,20 @@ std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, doubl
   return Tracer(equilibria_at, critical, turns).run(from, to);
 }
 
+bool changes_between(std::span<const EquilibriumBranch> branches, std::span<const CriticalValue> critical) {
+  return std::ranges::any_of(branches, [&](const EquilibriumBranch& branch) {
+    const std::vector<double>& p = branch.parameter;
+    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+      if (branch.stability[i] == branch.stability[i + 1]) continue;
+      // Next to a critical value rounding may hide which it is.
+      const auto [low, high] = std::minmax(p[i > 0 ? i - 1 : 0], p[std::min(i + 2, p.size() - 1)]);
+      const auto is_near = [low = low, high = high](const CriticalValue& c) {
+        return c.value + c.error >= low && c.value - c.error <= high;
+      };
+      if (std::ranges::none_of(critical, is_near)) return true;
+    }
+    return false;
+  });
+}
+
 }  // namespace qdot

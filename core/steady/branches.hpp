@@ -27,4 +27,9 @@ using EquilibriaAt = std::function<std::vector<SteadyState>(double parameter)>;
                                                       double to, std::span<const CriticalValue> critical,
                                                       const std::vector<bool>& turns);
 
+/// Whether a branch's stability changes where no critical value is, as where gyroscopic or damping forces
+/// hold what the potential does not.
+[[nodiscard]] bool changes_between(std::span<const EquilibriumBranch> branches,
+                                   std::span<const CriticalValue> critical);
+
 }  // namespace qdot

@@ -47,6 +47,15 @@ class Gyroscopic(Service):
             self.assertEqual(answer["equilibrium"]["stability"], "unstable")
             self.assertFalse(any("exact" in mode for mode in answer["modes"]))
 
+    def test_where_the_top_falls_asleep_is_no_bifurcation_of_equilibria(self):
+        asked = {"system": TOP, "parameter": "w", "from": 1}
+        threshold = math.sqrt(4 * (0.002 + 0.4 * 0.04**2) * 0.4 * 9.81 * 0.04) / 0.001
+        answer = self.ask("bifurcations", {**asked, "to": 60})
+        self.assertEqual((answer["critical"], answer["complete"]), ([], 60 < threshold))
+        answer = self.ask("bifurcations", {**asked, "to": 3 * threshold})
+        self.assertEqual((answer["critical"], answer["complete"]), ([], False))
+        self.assertIn("oscillations about it begin to grow", answer["reason"])
+
     def test_a_charge_on_springs_in_a_magnetic_field(self):
         scene = {"name": "charge", "parameters": parameters(m=("kg", "1"), k=("N/m", "4"), B=("kg/s", "0.8")),
                  "coordinates": coordinates(x=("m", "0", "0"), y=("m", "0", "0")),
