@@ -65,10 +65,10 @@ class Ladder {
   using Kind = AccuracyGoal::Kind;
 
   /// A tolerance that is likely to do: errors are ten to a thousand times the tolerance. Where it would be so
-  /// tight that the check takes double-doubles, ten times that is tried first.
+  /// tight that the check takes double-doubles, a little more than that is tried first.
   [[nodiscard]] Tolerances start() const {
     if (goal_.kind == Kind::work) return with_rtol(loosest);
-    const double likely = std::max(goal_.value * 1e-3, std::min(goal_.value * 1e-2, 10 * near_round_off));
+    const double likely = std::max(goal_.value * 1e-3, std::min(goal_.value * 1e-2, 2 * near_round_off));
     return with_rtol(std::clamp(likely, tightest_tolerance, loosest));
   }
 

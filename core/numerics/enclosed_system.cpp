@@ -48,7 +48,7 @@ void solve_linear(std::size_t n, std::span<const Ball> m, std::span<Ball> b) noe
       for (std::size_t j = 0; j < n; ++j) sum = sum - m[i * n + j] * Ball(x[j], 0);
       rest[i] = sum.magnitude();
     }
-    bound_solution(n, near.middle, near.radius, rest, bound);
+    bound_solution(n, {near.middle, near.radius}, rest, bound);
     for (std::size_t i = 0; i < n; ++i) right[i] = Ball(x[i], bound[i]);
   }
 }

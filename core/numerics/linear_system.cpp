@@ -30,6 +30,28 @@ void pivot(std::size_t n, std::size_t k, std::span<const double> m, const Scale&
   std::swap(row[k], row[best]);
 }
 
+using SmallMatrix = std::array<double, largest_system * largest_system>;  // n x n of it are used
+
+/// |1 - Y M| at most, Y by columns: Y_ij = y[j n + i].
+void bound_rest(std::size_t n, const SmallMatrix& y, const MatrixFamily& matrices, SmallMatrix& rest) {
+  const std::size_t count = matrices.moving.size() / (n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      double off = i == j ? -1 : 0, spread = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        off += y[k * n + i] * matrices.middle[k * n + j];
+        spread += std::abs(y[k * n + i]) * matrices.radius[k * n + j];
+      }
+      for (std::size_t m = 0; m < count; ++m) {
+        double sum = 0;
+        for (std::size_t k = 0; k < n; ++k) sum += y[k * n + i] * matrices.moving[(m * n + k) * n + j];
+        spread += std::abs(sum);
+      }
+      rest[i * n + j] = std::abs(off) + spread;
+    }
+  }
+}
+
 }  // namespace
 
 bool factor_linear(std::size_t n, std::span<double> m, RowOrder& row) noexcept {
@@ -71,35 +93,28 @@ bool solve_linear(std::size_t n, std::span<double> m, std::span<double> b) noexc
   return true;
 }
 
-void bound_solution(std::size_t n, std::span<const double> middle, std::span<const double> radius,
-                    std::span<const double> rho, std::span<double> bound) noexcept {
+void bound_solution(std::size_t n, const MatrixFamily& matrices, std::span<const double> rho,
+                    std::span<double> bound) noexcept {
   constexpr int most_rounds = 20;
   constexpr double inflation = 1.1;
   constexpr double least = 1e-300;  // above 0, so that a bound that holds also shows M to have an inverse
-  std::array<double, largest_system * largest_system> m, y, rest;  // n x n of each are used
-  std::copy_n(middle.begin(), n * n, m.begin());
+  SmallMatrix m, y, rest;
+  std::copy_n(matrices.middle.begin(), n * n, m.begin());
   std::fill_n(y.begin(), n * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) y[i * n + i] = 1;
   std::fill_n(bound.begin(), n, infinity);
   if (!solve_linear(n, std::span(m).first(n * n), std::span(y).first(n * n))) return;
-  // y is by columns: Y_ij = y[j n + i].
+  bound_rest(n, y, matrices, rest);
   std::array<double, largest_system> base{}, x{};
   for (std::size_t i = 0; i < n; ++i) {
     base[i] = least;
-    for (std::size_t j = 0; j < n; ++j) {
-      base[i] += std::abs(y[j * n + i]) * rho[j];
-      double off = i == j ? -1 : 0, spread = 0;
-      for (std::size_t k = 0; k < n; ++k) {
-        off += y[k * n + i] * middle[k * n + j];
-        spread += std::abs(y[k * n + i]) * radius[k * n + j];
-      }
-      rest[i * n + j] = std::abs(off) + spread;
-    }
+    for (std::size_t j = 0; j < n; ++j) base[i] += std::abs(y[j * n + i]) * rho[j];
   }
   for (int round = 0; round < most_rounds; ++round) {
     bool holds = true;
-    std::array<double, largest_system> next = base;
+    std::array<double, largest_system> next;  // n of them are used
     for (std::size_t i = 0; i < n; ++i) {
+      next[i] = base[i];
       for (std::size_t j = 0; j < n; ++j) next[i] += rest[i * n + j] * x[j];
       holds = holds && next[i] <= x[i];
     }

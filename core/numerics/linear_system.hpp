@@ -25,10 +25,18 @@ void substitute_linear(std::size_t n, std::span<const double> m, const RowOrder&
 /// |pivot| <= 4 n eps of its row's scale.
 [[nodiscard]] bool solve_linear(std::size_t n, std::span<double> m, std::span<double> b) noexcept;
 
-/// A bound of |x_i| for all x with M x = b, over every M with |M - middle| <= radius in each entry and every
-/// b with |b| <= rho; infinite where none is found. For Y near the inverse of `middle`, |x| <= |Y| rho + |1 -
-/// Y M| |x|. Source: Rump, Verification methods, Acta Numerica 19 (2010) 287, section 10.
-void bound_solution(std::size_t n, std::span<const double> middle, std::span<const double> radius,
-                    std::span<const double> rho, std::span<double> bound) noexcept;
+/// Matrices middle + sum_k w_k moving_k + E over all |w_k| <= 1 and |E| <= radius in each entry, n x n by
+/// rows.
+struct MatrixFamily {
+  std::span<const double> middle, radius;
+  std::span<const double> moving{};  ///< one matrix after another
+};
+
+/// A bound of |x_i| for all x with M x = b, over every M of a family and every b with |b| <= rho; infinite
+/// where none is found. For Y near the inverse of `middle`, |x| <= |Y| rho + |1 - Y M| |x|. What moves
+/// together is taken together: |Y moving_k| is much less than |Y| |moving_k|. Source: Rump, Verification
+/// methods, Acta Numerica 19 (2010) 287, section 10.
+void bound_solution(std::size_t n, const MatrixFamily& matrices, std::span<const double> rho,
+                    std::span<double> bound) noexcept;
 
 }  // namespace qdot

@@ -107,6 +107,8 @@ class Remainder {
   void apply_arc(const Rule& rule);
   void apply_kink(const Rule& rule);
   void apply_solve(const Rule& rule);
+  bool bound_pair(const Rule& rule, std::span<const double> rho);
+  void bound_unknowns(const Rule& rule, std::span<const double> rho);
 
   /// sum_{i+j >= N} |a_i b_j| h^(i+j), and the same from N - 1 on.
   [[nodiscard]] double tail(const Row& a, const Row& b) const;
@@ -116,6 +118,8 @@ class Remainder {
   [[nodiscard]] double beyond_kink(const Row& x, double side) const;
   /// How far an argument moves from its value at s = 0, by its rate.
   [[nodiscard]] Range variation(const Row& rate) const;
+  /// How far what a row stands for is from its first three terms.
+  [[nodiscard]] double beyond_second(const Row& row) const;
   [[nodiscard]] Range argument(const Rule& rule) const;
   void conclude(Row& row, double r) const;
   void meet(Row& row, const Range& by_operation) const;

@@ -4,7 +4,6 @@
 // order N - 1 and more grows over the step to no more than h/N times its bound, since it starts as s^(N-1).
 
 #include "core/compile/taylor/remainder.hpp"
-#include "core/numerics/linear_system.hpp"
 
 namespace qdot::taylor {
 namespace {
@@ -279,33 +278,6 @@ void Remainder::apply_kink(const Rule& rule) {
   } else {
     conclude(rows_[rule.out], side == 0 ? beyond : x.r + x.own_top + 2 * beyond);
   }
-}
-
-/// M x = f. With e = x - x_row and the residual rho of the rows, M e = rho for every M of the step: for Y
-/// near the inverse of a middle one, |e| <= |Y| rho + |1 - Y M| |e|. Source: Rump, Verification methods, Acta
-/// Numerica 19 (2010) 287, section 10.
-void Remainder::apply_solve(const Rule& rule) {
-  const std::size_t n = rule.right.size();
-  std::array<double, largest_system * largest_system> middle, radius;  // n x n of each are used
-  std::array<double, largest_system> rho{}, error{};
-  for (std::size_t i = 0; i < n; ++i) {
-    rho[i] = rows_[rule.right[i]].r + rows_[rule.right[i]].own_top;
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t at = i * n + j;
-      middle[at] = *rule.solve->start[at];
-      radius[at] = 0;
-      const Entry& entry = rule.solve->matrix[at];
-      if (entry.m == nullptr) continue;
-      const Row &m = rows_[rule.matrix[at]], &x = rows_[rule.unknowns[j]];
-      const double factor = std::abs(entry.factor);
-      rho[i] += factor * (tail(m, x) + m.r * x.of_row.magnitude());
-      const Range moved = entry.factor * (m.of_value - m.coefficients[0]);
-      middle[at] += 0.5 * (moved.lower + moved.upper);
-      radius[at] = 0.5 * (moved.upper - moved.lower);
-    }
-  }
-  bound_solution(n, middle, radius, rho, error);
-  for (std::size_t i = 0; i < n; ++i) conclude(rows_[rule.unknowns[i]], error[i]);
 }
 
 }  // namespace qdot::taylor

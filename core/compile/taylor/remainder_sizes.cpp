@@ -170,4 +170,8 @@ Range Remainder::variation(const Row& rate) const {
   return parabola(c[0] * h_, 0.5 * c[1] * powers_[2], h_ / 3 * rate.t2);
 }
 
+double Remainder::beyond_second(const Row& row) const {
+  return row.t2 - size(row, 2) + rounding_of_sums * row.t0 + row.r;
+}
+
 }  // namespace qdot::taylor

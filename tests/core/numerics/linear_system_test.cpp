@@ -127,5 +127,45 @@ TEST(LinearSystem, WithAnEntryThatIsNoNumberIsNotSolved) {
   EXPECT_TRUE(!x.has_value() || x->hasNaN());
 }
 
+std::vector<double> by_rows(const MatrixXd& m) {
+  std::vector<double> result;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) result.push_back(m(i, j));
+  }
+  return result;
+}
+
+TEST(LinearSystem, ABoundHoldsForEveryMatrixOfItsFamily) {
+  test::Random random(14);
+  int finite = 0;
+  for (int i = 0; i < 300; ++i) {
+    const MatrixXd middle = random_matrix(random, 3, 3) + 2 * MatrixXd::Identity(3, 3);
+    const MatrixXd moving = random.real(0, 0.6) * random_matrix(random, 3, 3);
+    const MatrixXd radius = random.real(0, 0.1) * random_matrix(random, 3, 3).cwiseAbs();
+    const VectorXd rho = random_matrix(random, 3, 1).cwiseAbs();
+    VectorXd bound(3);
+    const std::vector<double> m = by_rows(middle), a = by_rows(moving), r = by_rows(radius);
+    bound_solution(3, {m, r, a}, {rho.data(), 3}, {bound.data(), 3});
+    if (!std::isfinite(bound(0))) continue;
+    ++finite;
+    for (int k = 0; k < 50; ++k) {
+      const MatrixXd one =
+          middle + random.real(-1, 1) * moving + radius.cwiseProduct(random_matrix(random, 3, 3));
+      const VectorXd x = one.fullPivLu().solve(rho.cwiseProduct(random_matrix(random, 3, 1)));
+      for (Eigen::Index j = 0; j < 3; ++j) EXPECT_LE(std::abs(x(j)), bound(j));
+    }
+  }
+  EXPECT_GT(finite, 150);
+}
+
+TEST(LinearSystem, WhatMovesTogetherIsTakenTogether) {
+  const std::vector<double> middle{2, 1, 1, 1}, moving{1.6, 0.8, 0.8, 0.8}, none(4), rho{1, 1};
+  std::vector<double> bound(2);
+  bound_solution(2, {middle, none, moving}, rho, bound);  // (1 + 0.8 w) M
+  EXPECT_LT(bound[1], 5 * 3 * 1.2);
+  bound_solution(2, {middle, moving}, rho, bound);
+  EXPECT_FALSE(std::isfinite(bound[1]));
+}
+
 }  // namespace
 }  // namespace qdot

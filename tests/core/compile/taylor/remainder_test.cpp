@@ -189,6 +189,20 @@ TEST_P(RemainderOfSystems, IsNeverBelowTheDefectAndFoundForUsualSteps) {
   EXPECT_GT(finite, 60);
 }
 
+TEST(Remainder, IsFoundWhereTheMassMatrixMovesFar) {
+  const Dynamics dynamics(test::model_of("rod_spring_pendulum"));
+  const std::vector<double> parameters{0.5, 0.5, 40, 0.4, 9.81};
+  test::Random random(15);
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    std::vector<double> y{random.real(-0.7, 0.7), random.real(-0.7, 0.7), random.real(0.4, 0.8)};
+    for (const double fastest : {4, 4, 3}) y.push_back(random.real(-fastest, fastest));
+    const Step step(dynamics.accelerations(), parameters, 0, y, 18, 0.035);
+    found += std::isfinite(step.defect[3]) ? 1 : 0;
+  }
+  EXPECT_GE(found, 98);
+}
+
 /// g along the polynomials of a motion.
 TEST(Composition, IsWithinItsBound) {
   test::Random random(9);
