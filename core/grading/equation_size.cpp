@@ -9,42 +9,37 @@
 namespace qdot {
 
 EquationSize::EquationSize(const ExpectedSystem& system, RightMotion& right, const Expression& residual)
-    : right_(right),
-      degrees_(system.degrees_of_freedom()),
-      roots_(roots(system, residual)),
-      values_(roots_) {}
+    : right_(right), unknowns_(system.unknowns().size()), roots_(roots(system, residual)), values_(roots_) {}
 
-double EquationSize::operator()(const State& state) {
-  for (std::size_t i = 0; i < state.size(); ++i) values_.set(right_.symbols()[i].symbol, state[i]);
+double EquationSize::operator()(State state) {
   if (!right_.set(state, values_)) return 0;
   values_.evaluate();
   std::vector<Ball> slopes;
-  for (std::size_t j = 0; j < degrees_; ++j) slopes.push_back(values_.of(roots_[j]));
-  const BallMatrix mass = right_.mass();
-  const auto parts = solved(transposed(mass), slopes);
+  for (std::size_t j = 0; j < unknowns_; ++j) slopes.push_back(values_.of(roots_[j]));
+  const BallMatrix matrix = right_.matrix();
+  const auto parts = solved(transposed(matrix), slopes);
   if (!parts) return 0;
   double size = 0;
-  for (std::size_t i = 0; i < degrees_; ++i) size += std::abs((*parts)[i].value()) * size_of_row(i, mass[i]);
+  for (std::size_t i = 0; i < unknowns_; ++i)
+    size += std::abs((*parts)[i].value()) * size_of_row(i, matrix[i]);
   return size;
 }
 
 std::vector<Expression> EquationSize::roots(const ExpectedSystem& system, const Expression& residual) {
   std::vector<Expression> all;
-  for (const Expression& a : system.symbols().coordinates.second_rate)
-    all.push_back(differentiate(residual, a));
-  for (const Expression& forcing : system.forcing()) {
+  for (const Expression& a : system.unknowns()) all.push_back(differentiate(residual, a));
+  for (const Expression& forcing : system.right()) {
     for (const Expression& term : terms_of(forcing)) all.push_back(term);
     ends_.push_back(all.size());
   }
   return all;
 }
 
-double EquationSize::size_of_row(std::size_t i, const std::vector<Ball>& mass) const {
+double EquationSize::size_of_row(std::size_t i, const std::vector<Ball>& row) const {
   double size = 0;
-  for (std::size_t k = i == 0 ? degrees_ : ends_[i - 1]; k < ends_[i]; ++k)
+  for (std::size_t k = i == 0 ? unknowns_ : ends_[i - 1]; k < ends_[i]; ++k)
     size += std::abs(values_.of(roots_[k]).value());
-  for (std::size_t j = 0; j < degrees_; ++j)
-    size += std::abs(mass[j].value() * right_.accelerations()[j].value());
+  for (std::size_t j = 0; j < unknowns_; ++j) size += std::abs(row[j].value() * right_.solution()[j].value());
   return size;
 }
 

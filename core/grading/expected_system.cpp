@@ -20,27 +20,42 @@ Expression required(const std::optional<Expression>& e, std::string_view what) {
 }  // namespace
 
 ExpectedSystem::ExpectedSystem(const Model& model) : model_(model), own_(copied(model.lagrangian)) {
-  if (model.has_constraints()) {
-    throw Error(
-        ErrorCode::not_applicable,
-        "Formulas and equations of a scene with constraints are not graded yet: their multipliers may be "
-        "eliminated in many ways.");
+  for (const auto& row : model.system.matrix) {
+    matrix_.emplace_back();
+    for (const Expression& entry : row) matrix_.back().push_back(graph().adopt(entry));
   }
-  for (const auto& row : model.equations.mass_matrix) {
-    mass_.emplace_back();
-    for (const Expression& entry : row) mass_.back().push_back(graph().adopt(entry));
-  }
-  for (const Expression& force : model.equations.forcing) forcing_.push_back(graph().adopt(force));
+  for (const Expression& e : model.system.right) right_.push_back(graph().adopt(e));
+  for (const Expression& e : model.system.unknowns) unknowns_.push_back(graph().adopt(e));
 }
 
 void ExpectedSystem::fix(std::size_t parameter, const Expression& value) {
   const Replacement replacement{own_.symbols.parameters[parameter], value};
   for (Replacement& other : fixed_) other.second = substitute(other.second, std::array{replacement});
   fixed_.push_back(replacement);
-  for (auto& row : mass_) {
+  for (auto& row : matrix_) {
     for (Expression& entry : row) entry = with_fixed(entry);
   }
-  for (Expression& force : forcing_) force = with_fixed(force);
+  for (Expression& e : right_) e = with_fixed(e);
+}
+
+std::vector<ConstraintEquation> ExpectedSystem::constraints() const {
+  std::vector<ConstraintEquation> constraints = own_.constraints;
+  for (ConstraintEquation& constraint : constraints) {
+    if (constraint.position) constraint.position = with_fixed(*constraint.position);
+    constraint.rate = with_fixed(constraint.rate);
+    for (Expression& slope : constraint.slope) slope = with_fixed(slope);
+    constraint.rest = with_fixed(constraint.rest);
+  }
+  return constraints;
+}
+
+std::vector<Expression> ExpectedSystem::plain_multipliers() const {
+  std::vector<Expression> plain;
+  for (std::size_t j = 0; j < model_.scene.constraints.size(); ++j) {
+    if (multiplier_name(model_.scene.constraints[j]).starts_with("lambda"))
+      plain.push_back(own_.symbols.multipliers[j]);
+  }
+  return plain;
 }
 
 Expression ExpectedSystem::with_fixed(const Expression& e) const {
@@ -72,11 +87,23 @@ std::optional<Expression> ExpectedSystem::by_coordinate(std::string_view name) c
     const std::string& q = model_.scene.coordinates[i].name;
     if (name == "p_" + q) return graph().adopt(model_.momenta[i]);
     if (name == "Q_" + q) return own_.generalized_forces[i];
-    if (name != q + "_ddot") continue;
-    // Too long to write out; its symbol has the value of the right motion where formulas are compared.
-    if (degrees_of_freedom() > largest_written_system) return own_.symbols.coordinates.second_rate[i];
-    const std::vector<Expression> solution = cramer(mass_, forcing_);
-    return solution[i];
+    if (name == q + "_ddot") return unknown_written_out(i);
+  }
+  return std::nullopt;
+}
+
+/// Where it is too long to write out, its symbol has the value of the right motion where formulas are
+/// compared.
+Expression ExpectedSystem::unknown_written_out(std::size_t i) const {
+  if (unknowns_.size() > largest_written_system) return unknowns_[i];
+  const std::vector<Expression> solution = cramer(matrix_, right_);
+  return solution[i];
+}
+
+std::optional<Expression> ExpectedSystem::multiplier(std::string_view name) const {
+  for (std::size_t j = 0; j < model_.scene.constraints.size(); ++j) {
+    if (multiplier_name(model_.scene.constraints[j]) == name)
+      return unknown_written_out(degrees_of_freedom() + j);
   }
   return std::nullopt;
 }
@@ -94,6 +121,7 @@ std::optional<Expression> ExpectedSystem::condition(std::string_view name) const
 std::optional<Expression> ExpectedSystem::quantity(std::string_view name) const {
   std::optional<Expression> found = energy_named(name);
   if (!found) found = by_coordinate(name);
+  if (!found) found = multiplier(name);
   if (!found) found = condition(name);
   return found ? std::optional(with_fixed(*found)) : std::nullopt;
 }
@@ -103,6 +131,7 @@ std::vector<std::string> ExpectedSystem::quantity_names() const {
   for (const Coordinate& q : model_.scene.coordinates) {
     for (const std::string& name : {"p_" + q.name, "Q_" + q.name, q.name + "_ddot"}) names.push_back(name);
   }
+  for (const Constraint& constraint : model_.scene.constraints) names.push_back(multiplier_name(constraint));
   for (const ValidityCondition& condition : model_.scene.valid_while) names.push_back(condition.name);
   for (const Report& report : model_.scene.reports) names.push_back(report.name);
   return names;

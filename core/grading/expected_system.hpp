@@ -31,14 +31,23 @@ class ExpectedSystem {
   /// Whether e speaks of a fixed parameter.
   [[nodiscard]] bool speaks_of_fixed(const Expression& e) const;
 
-  /// T, V, L, E, h, H, R, p_theta, Q_theta, theta_ddot, a condition's or report's name. Throws
+  /// T, V, L, E, h, H, R, p_theta, Q_theta, theta_ddot, a multiplier's, condition's or report's name. Throws
   /// Error(not_applicable) where the system has none of that; none for a name that means nothing.
   [[nodiscard]] std::optional<Expression> quantity(std::string_view name) const;
   [[nodiscard]] std::vector<std::string> quantity_names() const;
 
-  /// M and f of M(q,t) q'' = f(q,q',t), rows divided by their common factors.
-  [[nodiscard]] const Matrix& mass_matrix() const { return mass_; }
-  [[nodiscard]] const std::vector<Expression>& forcing() const { return forcing_; }
+  /// S and r of S u = r, with the rows of the coordinates divided by their common factors: M q'' = f, and
+  /// with constraints [M, -C; A, 0] (q'', lambda) = (f, -rest).
+  [[nodiscard]] const Matrix& matrix() const { return matrix_; }
+  [[nodiscard]] const std::vector<Expression>& right() const { return right_; }
+  /// u: the accelerations, then the multipliers.
+  [[nodiscard]] const std::vector<Expression>& unknowns() const { return unknowns_; }
+
+  [[nodiscard]] bool has_constraints() const { return model_.has_constraints(); }
+  /// With fixed parameters put in.
+  [[nodiscard]] std::vector<ConstraintEquation> constraints() const;
+  /// Multipliers that have no other name than lambda, so that their sign is free.
+  [[nodiscard]] std::vector<Expression> plain_multipliers() const;
 
   /// p_theta and the like.
   [[nodiscard]] std::vector<Expression> momenta() const;
@@ -50,12 +59,14 @@ class ExpectedSystem {
  private:
   [[nodiscard]] std::optional<Expression> energy_named(std::string_view name) const;
   [[nodiscard]] std::optional<Expression> by_coordinate(std::string_view name) const;
+  [[nodiscard]] Expression unknown_written_out(std::size_t i) const;
+  [[nodiscard]] std::optional<Expression> multiplier(std::string_view name) const;
   [[nodiscard]] std::optional<Expression> condition(std::string_view name) const;
 
   const Model& model_;
   Lagrangian own_;
-  Matrix mass_;
-  std::vector<Expression> forcing_;
+  Matrix matrix_;
+  std::vector<Expression> right_, unknowns_;
   std::vector<Replacement> fixed_;
 };
 

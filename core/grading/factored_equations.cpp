@@ -77,7 +77,7 @@ bool is_above_zero(const Expression& e) {
 class FactoredEquations {
  public:
   FactoredEquations(const ExpectedSystem& system, RightMotion& right, std::uint64_t seed)
-      : accelerations_(system.symbols().coordinates.second_rate), right_(right), seed_(seed) {}
+      : accelerations_(system.unknowns()), right_(right), seed_(seed) {}
 
   /// Takes an equation apart; false where a factor is left that may vanish and is not linear.
   bool add(const Expression& residual) {
@@ -115,8 +115,7 @@ class FactoredEquations {
     bool is_determined = true;
     std::vector<int> dependent(choices_.size());
     for (int i = 0; i < 2 * states_of_choices && seen < states_of_choices; ++i) {
-      const State state = states.next();
-      for (std::size_t k = 0; k < state.size(); ++k) values.set(right_.symbols()[k].symbol, state[k]);
+      State state = states.next();
       if (!right_.set(state, values)) continue;
       values.evaluate();
       ++seen;
@@ -138,12 +137,11 @@ class FactoredEquations {
   enum class Sight { the_right_one, another, dependent, unclear };
 
   Decision on_the_right_motion(const Expression& e) {
-    return vanishing(
-               {.value = e,
-                .symbols = right_.symbols(),
-                .seed = seed_,
-                .complete = [&](const State& state, BallValues& values) { return right_.set(state, values); },
-                .in_symbols = [&] { return right_.in_letters(e); }})
+    return vanishing({.value = e,
+                      .symbols = right_.symbols(),
+                      .seed = seed_,
+                      .complete = [&](State& state, BallValues& values) { return right_.set(state, values); },
+                      .in_symbols = [&] { return right_.in_letters(e); }})
         .decision;
   }
 

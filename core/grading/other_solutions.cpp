@@ -24,11 +24,11 @@ class Line {
       : right_(right), along_(residual.graph().symbol("way along the line")) {
     Graph& graph = residual.graph();
     std::vector<Replacement> moved;
-    for (const Expression& a : system.symbols().coordinates.second_rate) {
+    for (const Expression& a : system.unknowns()) {
       direction_.push_back(graph.symbol("direction of " + std::get<Symbol>(a.node()).name));
       moved.emplace_back(a, a + along_ * direction_.back());
     }
-    if (!has_kink_in(residual, system.symbols().coordinates.second_rate))
+    if (!has_kink_in(residual, system.unknowns()))
       coefficients_ = coefficients_of(substitute(residual, moved));
     if (is_polynomial()) values_.emplace(coefficients_);
   }
@@ -36,12 +36,11 @@ class Line {
   [[nodiscard]] bool is_polynomial() const { return !coefficients_.empty(); }
 
   /// False where something has no value.
-  bool look(const State& state, std::size_t coordinate) {
-    for (std::size_t i = 0; i < state.size(); ++i) values_->set(right_.symbols()[i].symbol, state[i]);
+  bool look(State& state, std::size_t coordinate) {
     if (!right_.set(state, *values_)) return false;
     std::vector<Ball> unit(direction_.size(), Ball(0.0));
     unit[coordinate] = Ball(1.0);
-    const auto d = qdot::solved(right_.mass(), unit);
+    const auto d = qdot::solved(right_.matrix(), unit);
     if (!d) return false;
     for (std::size_t i = 0; i < d->size(); ++i) values_->set(direction_[i], (*d)[i]);
     values_->set(along_, Ball(0.0));
@@ -96,7 +95,7 @@ OtherSolutionsAnswer at_seeded_states(Line& line, RightMotion& right, std::size_
   SampledStates states(right.symbols(), seed);
   int without = 0, free = 0;
   for (int i = 0; i < 2 * states_of_lines; ++i) {
-    const State state = states.next();
+    State state = states.next();
     if (!line.look(state, coordinate)) continue;
     const OtherSolutions here = line.others();
     if (here == OtherSolutions::some) return {here, state};

@@ -33,7 +33,7 @@ class RootSearch {
  public:
   RootSearch(const ExpectedSystem& system, RightMotion& right, std::span<const Expression> residuals,
              std::uint64_t seed)
-      : unknowns_(system.symbols().coordinates.second_rate),
+      : unknowns_(system.unknowns()),
         right_(right),
         random_(seed),
         residuals_(residuals.begin(), residuals.end()),
@@ -41,11 +41,10 @@ class RootSearch {
         values_(roots_) {}
 
   /// Whether another root than the right one is proven at the state.
-  bool finds_another(const State& state) {
-    for (std::size_t k = 0; k < state.size(); ++k) values_.set(right_.symbols()[k].symbol, state[k]);
-    if (!right_.at(state)) return false;
+  bool finds_another(State& state) {
+    if (!right_.set(state, values_)) return false;
     std::vector<double> known;
-    for (const Ball& a : right_.accelerations()) known.push_back(a.value());
+    for (const Ball& a : right_.solution()) known.push_back(a.value());
     for (int start = 0; start < starts_at_a_state; ++start) {
       std::vector<double> x = known;
       for (double& component : x) component = start == 0 ? -component : away(component, size_of(known));
@@ -98,45 +97,21 @@ class RootSearch {
     return false;
   }
 
-  /// The columns of dr/dx at x, inverted; none where that is singular.
-  [[nodiscard]] std::optional<BallMatrix> inverse_of_slopes() const {
-    const BallMatrix slopes = seen_slopes();
-    BallMatrix columns;
-    for (std::size_t j = 0; j < slopes.size(); ++j) {
-      std::vector<Ball> unit(slopes.size(), Ball(0.0));
-      unit[j] = Ball(1.0);
-      const auto column = solved(slopes, unit);
-      if (!column) return std::nullopt;
-      columns.push_back(*column);
-    }
-    return transposed(columns);
-  }
-
   /// Krawczyk's test on the box about x, when that does not hold the right accelerations.
   bool is_another_root(const std::vector<double>& x) {
     const double radius = box_size * size_of(x);
     bool is_apart = false;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const Ball gap = right_.accelerations()[i] - Ball(x[i]);
+      const Ball gap = right_.solution()[i] - Ball(x[i]);
       is_apart = is_apart || std::abs(gap.value()) > gap.radius + 2 * radius;
     }
     if (!is_apart) return false;
     evaluate_at(as_balls(x, 0));
-    const auto inverse = inverse_of_slopes();
+    const auto inverse = inverted(seen_slopes());
     if (!inverse) return false;
     const std::vector<Ball> residuals = seen_residuals();
     evaluate_at(as_balls(x, radius));
-    const BallMatrix slopes = seen_slopes();
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      Ball image(0.0);  // K - x
-      for (std::size_t j = 0; j < x.size(); ++j) {
-        Ball rest(i == j ? 1.0 : 0.0);
-        for (std::size_t k = 0; k < x.size(); ++k) rest = rest - (*inverse)[i][k] * slopes[k][j];
-        image = image - (*inverse)[i][j] * residuals[j] + rest * Ball(DoubleDouble(0.0), radius);
-      }
-      if (!image.is_finite() || !(image.magnitude() < radius)) return false;
-    }
-    return true;
+    return krawczyk_image(*inverse, residuals, seen_slopes(), radius).has_value();
   }
 
   std::vector<Expression> unknowns_;
@@ -155,7 +130,7 @@ OtherSolutionsAnswer proven_other_root(const ExpectedSystem& system, RightMotion
     RootSearch search(system, right, residuals, seed);
     SampledStates states(right.symbols(), seed + 1);
     for (int i = 0; i < states_of_search; ++i) {
-      const State state = states.next();
+      State state = states.next();
       if (search.finds_another(state)) return {OtherSolutions::some, state};
     }
     return {};

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/expr/linear.hpp"
+#include "core/expr/zeroness.hpp"
 #include "core/grading/ball_system.hpp"
 
 namespace qdot {
@@ -10,19 +11,19 @@ namespace {
 
 constexpr std::uint64_t work_in_letters = 60'000;
 
-std::vector<Expression> roots(const ExpectedSystem& system) {
-  std::vector<Expression> all = system.forcing();
-  for (const auto& row : system.mass_matrix()) all.insert(all.end(), row.begin(), row.end());
+std::vector<Expression> entries(const ExpectedSystem& system) {
+  std::vector<Expression> all = system.right();
+  for (const auto& row : system.matrix()) all.insert(all.end(), row.begin(), row.end());
   return all;
 }
 
 /// Cramer's rule, not simplified.
-std::vector<Expression> written_out(const ExpectedSystem& system) {
-  const Expression below = determinant(system.mass_matrix());
+std::vector<Expression> by_determinants(const ExpectedSystem& system) {
+  const Expression below = determinant(system.matrix());
   std::vector<Expression> solution;
-  for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
-    Matrix m = system.mass_matrix();
-    for (std::size_t k = 0; k < m.size(); ++k) m[k][i] = system.forcing()[k];
+  for (std::size_t i = 0; i < system.unknowns().size(); ++i) {
+    Matrix m = system.matrix();
+    for (std::size_t k = 0; k < m.size(); ++k) m[k][i] = system.right()[k];
     solution.push_back(determinant(m) / below);
   }
   return solution;
@@ -31,38 +32,45 @@ std::vector<Expression> written_out(const ExpectedSystem& system) {
 }  // namespace
 
 RightMotion::RightMotion(const ExpectedSystem& system)
-    : system_(system), symbols_(system.domains()), values_(roots(system)) {}
+    : system_(system), symbols_(system.domains()), values_(entries(system)) {
+  if (system.has_constraints()) surface_.emplace(system);
+}
 
-bool RightMotion::at(const State& state) {
-  for (std::size_t i = 0; i < state.size(); ++i) values_.set(symbols_[i].symbol, state[i]);
+bool RightMotion::set(State& state, BallValues& values) {
+  if (surface_ && !surface_->move(state)) return false;
+  for (BallValues* all : {&values_, &values}) {
+    for (std::size_t i = 0; i < state.size(); ++i) all->set(symbols_[i].symbol, state[i]);
+    if (!surface_) continue;
+    for (const auto& [symbol, value] : surface_->place()) all->set(symbol, value);
+  }
   values_.evaluate();
-  auto solution = qdot::solved(mass(), of(system_.forcing()));
+  auto solution = qdot::solved(matrix(), of(system_.right()));
   if (!solution) return false;
-  accelerations_ = std::move(*solution);
+  solution_ = std::move(*solution);
+  for (std::size_t i = 0; i < solution_.size(); ++i) values.set(system_.unknowns()[i], solution_[i]);
   return true;
 }
 
-BallMatrix RightMotion::mass() const {
+BallMatrix RightMotion::matrix() const {
   BallMatrix m;
-  for (const auto& row : system_.mass_matrix()) m.push_back(of(row));
+  for (const auto& row : system_.matrix()) m.push_back(of(row));
   return m;
 }
 
-bool RightMotion::set(const State& state, BallValues& values) {
-  if (!at(state)) return false;
-  const std::vector<Expression>& symbols = system_.symbols().coordinates.second_rate;
-  for (std::size_t i = 0; i < symbols.size(); ++i) values.set(symbols[i], accelerations_[i]);
-  return true;
+std::optional<Expression> RightMotion::in_letters(const Expression& e) const {
+  const auto written = written_out(e);
+  const bool says_nothing = written && system_.has_constraints() && zeroness(*written) != Zeroness::zero;
+  return says_nothing ? std::nullopt : written;
 }
 
-std::optional<Expression> RightMotion::in_letters(const Expression& e) const {
-  if (system_.degrees_of_freedom() > largest_written_system) return std::nullopt;
+std::optional<Expression> RightMotion::written_out(const Expression& e) const {
+  if (system_.unknowns().size() > largest_written_system) return std::nullopt;
   try {
     const WorkScope scope(work_in_letters);
-    const std::vector<Expression> solution = written_out(system_);
+    const std::vector<Expression> solution = by_determinants(system_);
     std::vector<Replacement> replacements;
     for (std::size_t i = 0; i < solution.size(); ++i)
-      replacements.emplace_back(system_.symbols().coordinates.second_rate[i], solution[i]);
+      replacements.emplace_back(system_.unknowns()[i], solution[i]);
     return substitute(e, replacements);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::too_large) throw;

@@ -1,5 +1,6 @@
 #pragma once
-// The accelerations of the right motion, M q'' = f, at sampled states and in letters.
+// The accelerations of the right motion, M q'' = f, and with constraints their multipliers
+// (expected_system.hpp), at sampled states and in letters.
 
 #include <optional>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "core/grading/ball_values.hpp"
 #include "core/grading/expected_system.hpp"
+#include "core/grading/surface_states.hpp"
 #include "core/grading/vanishing.hpp"
 
 namespace qdot {
@@ -21,26 +23,28 @@ class RightMotion {
   /// What a state is made of.
   [[nodiscard]] std::span<const SymbolDomain> symbols() const { return symbols_; }
 
-  /// False where M is singular or something has no value.
-  [[nodiscard]] bool at(const State& state);
-  /// Of the last state.
-  [[nodiscard]] const std::vector<Ball>& accelerations() const { return accelerations_; }
-  [[nodiscard]] BallMatrix mass() const;
+  /// Sets a state and the unknowns of the motion there; with constraints the state is moved to their surface
+  /// first. False where S is singular or something has no value.
+  [[nodiscard]] bool set(State& state, BallValues& values);
+  // Of the last state:
+  /// The system's unknowns.
+  [[nodiscard]] const std::vector<Ball>& solution() const { return solution_; }
+  /// S.
+  [[nodiscard]] BallMatrix matrix() const;
 
-  /// Sets the accelerations of a state; false as for at().
-  [[nodiscard]] bool set(const State& state, BallValues& values);
-
-  /// e with the accelerations written out by Cramer's rule; none for more coordinates than that is done for,
-  /// or where it grows too long.
+  /// e with the unknowns written out by Cramer's rule; none for more than that is done for, or where it grows
+  /// too long; with constraints also where that does not vanish, because on their surface it may.
   [[nodiscard]] std::optional<Expression> in_letters(const Expression& e) const;
 
  private:
   [[nodiscard]] std::vector<Ball> of(const std::vector<Expression>& expressions) const;
+  [[nodiscard]] std::optional<Expression> written_out(const Expression& e) const;
 
   const ExpectedSystem& system_;
   std::vector<SymbolDomain> symbols_;
   BallValues values_;
-  std::vector<Ball> accelerations_;
+  std::optional<SurfaceStates> surface_;
+  std::vector<Ball> solution_;
 };
 
 }  // namespace qdot

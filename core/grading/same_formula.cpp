@@ -10,8 +10,8 @@
 namespace qdot {
 namespace {
 
-bool speaks_of_accelerations(const ExpectedSystem& system, const Expression& e) {
-  return depends_on(e, system.symbols().coordinates.second_rate);
+bool speaks_of_motion(const ExpectedSystem& system, const Expression& e) {
+  return depends_on(e, system.unknowns());
 }
 
 /// The sum of the sizes of a formula's terms at a state.
@@ -20,7 +20,7 @@ class FormulaSize {
   FormulaSize(const Expression& formula, std::span<const SymbolDomain> symbols)
       : terms_(terms_of(formula)), symbols_(symbols), values_(terms_) {}
 
-  double operator()(const State& state, RightMotion* right) {
+  double operator()(State state, RightMotion* right) {
     for (std::size_t i = 0; i < state.size(); ++i) values_.set(symbols_[i].symbol, state[i]);
     if (right != nullptr && !right->set(state, values_)) return 0;
     values_.evaluate();
@@ -37,7 +37,7 @@ class FormulaSize {
 
 VanishingAnswer compare_on_motion(const ExpectedSystem& system, const Expression& difference,
                                   const Expression& expected, std::uint64_t seed, double tolerance) {
-  const bool is_of_motion = speaks_of_accelerations(system, difference);
+  const bool is_of_motion = system.has_constraints() || speaks_of_motion(system, difference);
   const std::vector<SymbolDomain> symbols = system.domains();
   std::optional<RightMotion> right;
   if (is_of_motion) right.emplace(system);
@@ -46,7 +46,7 @@ VanishingAnswer compare_on_motion(const ExpectedSystem& system, const Expression
   VanishingQuestion question{.value = difference, .symbols = symbols, .seed = seed, .tolerance = tolerance};
   question.size = [&](const State& state) { return (*size)(state, right ? &*right : nullptr); };
   if (is_of_motion) {
-    question.complete = [&](const State& state, BallValues& values) { return right->set(state, values); };
+    question.complete = [&](State& state, BallValues& values) { return right->set(state, values); };
     question.in_symbols = [&] { return right->in_letters(difference); };
   }
   return vanishing(question);
@@ -106,7 +106,7 @@ FormulaVerdict compare_formulas(const ExpectedSystem& system, std::string_view n
 }
 
 std::optional<double> value_at(const ExpectedSystem& system, const Expression& formula, const State& state) {
-  if (speaks_of_accelerations(system, formula)) return std::nullopt;  // they are the right ones
+  if (speaks_of_motion(system, formula)) return std::nullopt;  // they are the right ones
   const std::vector<SymbolDomain> symbols = system.domains();
   BallValues values(std::array{formula});
   for (std::size_t i = 0; i < state.size(); ++i) values.set(symbols[i].symbol, state[i]);

@@ -8,6 +8,12 @@
 // c_i is not zero, because then it says the same as the right one together with those of the other
 // coordinates. As many equations as coordinates are right together where det dr/dq'' is not zero. What is not
 // linear in the accelerations must have no other solution (other_solutions.hpp).
+//
+// Under constraints the same is said of S u = r, u the accelerations and the multipliers, at states on the
+// surface. There an equation of positions or velocities that holds is a constraint or follows from some, and
+// counts as its derivative does. Equations are right together where they determine, with those of the
+// constraints, the accelerations and the multipliers that they speak of: so multipliers may be eliminated.
+// The sign of one that is only called lambda is free, if it is the same everywhere.
 
 #include <optional>
 #include <span>
@@ -21,9 +27,11 @@ enum class MotionFault {
   none,
   not_true,          ///< the right motion does not obey it; see the counterexample
   holds_always,      ///< it says nothing of the accelerations, and every motion obeys it
+  of_constraints,    ///< it is a constraint, or follows from the constraints alone
   other_coordinate,  ///< it is true, but says nothing of this coordinate's equation
   other_solutions,   ///< it holds for other motions, too; see the counterexample
   dependent,         ///< the equations follow from fewer of them
+  undetermined,      ///< with the constraints they leave accelerations or multipliers free
   not_linear,        ///< in the accelerations, and what else it allows cannot be told
   undecided          ///< too few states where everything has a value
 };
@@ -38,7 +46,8 @@ struct MotionVerdict {
 };
 
 /// `residuals`: left - right of each equation, fixed parameters put in. `coordinate`: whose equation it is;
-/// none: all of them are asked for, and there are as many residuals as coordinates. `tolerance` is that of
+/// none: all of them are asked for, and there are as many residuals as coordinates, if nothing constrains
+/// them. `tolerance` is that of
 /// rounded numbers, as a part of the sizes of the right equations' terms.
 [[nodiscard]] MotionVerdict compare_motion(const ExpectedSystem& system,
                                            std::span<const Expression> residuals,

@@ -56,7 +56,7 @@ class Vanishing {
     int seen = 0;
     const int wanted = question_.tolerance > 0 ? enough_of_rounded : enough;
     for (int i = 0; i < most_tries && seen < wanted; ++i) {
-      const State state = states.next();
+      State state = states.next();
       const Sight sight = look(state);
       if (sight == Sight::not_zero) return {Decision::counterexample, state};
       if (sight == Sight::zero) ++seen;
@@ -68,7 +68,7 @@ class Vanishing {
  private:
   enum class Sight { zero, not_zero, nothing };
 
-  Sight look(const State& state) {
+  Sight look(State& state) {
     for (std::size_t i = 0; i < state.size(); ++i) values_.set(question_.symbols[i].symbol, state[i]);
     if (question_.complete && !question_.complete(state, values_)) return Sight::nothing;
     values_.evaluate();

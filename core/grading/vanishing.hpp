@@ -27,8 +27,9 @@ struct VanishingQuestion {
   Expression value;
   std::span<const SymbolDomain> symbols;
   std::uint64_t seed{};
-  /// Sets what follows from a state, such as the accelerations; false where it does not exist there.
-  std::function<bool(const State& state, BallValues& values)> complete{};
+  /// Sets what follows from a state, such as the accelerations, and may move it, to the surface of
+  /// constraints; false where it does not exist there.
+  std::function<bool(State& state, BallValues& values)> complete{};
   /// The value in the symbols alone, for the algebra, when it is not `value` itself; none: too long.
   std::function<std::optional<Expression>()> in_symbols{};
   double tolerance{0};

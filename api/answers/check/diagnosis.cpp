@@ -97,7 +97,8 @@ std::optional<Expression> gravity_of(const FormulaSystem& formula) {
 }  // namespace
 
 Json diagnosis_json(const FormulaSystem& formula, const Compared& compared, std::uint64_t seed, bool reveal) {
-  const std::vector<SymbolDomain> symbols = formula.system.domains();
+  std::vector<SymbolDomain> symbols = formula.system.domains();
+  for (const Expression& lambda : formula.system.symbols().multipliers) symbols.push_back({lambda, {}});
   SlipQuestion question{.submitted = formula.system.with_fixed(compared.submitted),
                         .expected = compared.expected,
                         .accelerations = {},

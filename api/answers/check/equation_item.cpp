@@ -20,7 +20,14 @@ struct EquationItem {
   std::uint64_t seed{};
   bool reveal{};
 
-  [[nodiscard]] std::size_t count() const { return coordinate ? 1 : formula->system.degrees_of_freedom(); }
+  /// How many equations can answer: as many as coordinates; under constraints fewer, where multipliers are
+  /// eliminated, or more, where those of the constraints and their derivatives stand beside.
+  [[nodiscard]] std::size_t fewest() const {
+    return coordinate ? 1 : degrees() - std::min(degrees(), of_constraints());
+  }
+  [[nodiscard]] std::size_t most() const { return coordinate ? 1 : degrees() + 3 * of_constraints(); }
+  [[nodiscard]] std::size_t degrees() const { return formula->system.degrees_of_freedom(); }
+  [[nodiscard]] std::size_t of_constraints() const { return formula->scene().constraints.size(); }
 };
 
 /// One text with an equation a line, from a text or from an array of them.
@@ -35,9 +42,14 @@ std::optional<std::string> text_of_equations(const Json& submitted) {
   return text;
 }
 
-std::string how_many(std::size_t wanted, std::size_t found) {
-  const std::string asked = wanted == 1 ? "one equation is asked for"
-                                        : std::to_string(wanted) + " equations are asked for, one a line";
+std::string how_many(const EquationItem& item, std::size_t found) {
+  std::string asked = item.fewest() == 1
+                          ? "one equation is asked for"
+                          : std::to_string(item.fewest()) + " equations are asked for, one a line";
+  if (item.fewest() != item.most())
+    asked =
+        std::to_string(item.degrees()) +
+        " equations are asked for, one a line, or fewer without multipliers, or more with the constraints";
   return asked + ", and " + std::to_string(found) + (found == 1 ? " is here" : " are here");
 }
 
@@ -61,12 +73,16 @@ const char* sentence(MotionFault fault) {
       return "The motion does not obey it.";
     case MotionFault::holds_always:
       return "It holds whatever the motion is, so it says nothing about it.";
+    case MotionFault::of_constraints:
+      return "It is a constraint, or follows from the constraints alone, so it says nothing of what moves the system.";
     case MotionFault::other_coordinate:
       return "It is true, but it is not the equation of this coordinate.";
     case MotionFault::other_solutions:
       return "The motion obeys it, but another acceleration would, too.";
     case MotionFault::dependent:
       return "One of the equations follows from the others.";
+    case MotionFault::undetermined:
+      return "With the constraints they leave accelerations or multipliers free.";
     case MotionFault::not_linear:
       return "It is not linear in the accelerations, so that it may have other solutions, too: solve it for them.";
     case MotionFault::undecided:
@@ -147,7 +163,25 @@ Json expected_equations(const EquationItem& item) {
     const Equation& equation = model.equations.equations[i];
     equations.push_back({graph.adopt(equation.left), graph.adopt(equation.right)});
   }
+  if (!item.coordinate) {
+    for (const ConstraintEquation& constraint : model.lagrangian.constraints) {
+      Graph& graph = item.formula->graph();
+      equations.push_back({graph.adopt(constraint.position.value_or(constraint.rate)), graph.number(0)});
+    }
+  }
   return all_written(*item.formula, equations);
+}
+
+/// Q_i; without the forces of constraints where L has them in it, as L + lambda phi.
+Expression force_beside(const EquationItem& item, const Expression& lagrangian, std::size_t i) {
+  const ExpectedSystem& system = item.formula->system;
+  const std::vector<Expression>& multipliers = system.symbols().multipliers;
+  Expression force = *system.quantity("Q_" + item.formula->scene().coordinates[i].name);
+  if (!depends_on(lagrangian, multipliers)) return force;
+  const std::vector<ConstraintEquation> constraints = system.constraints();
+  for (std::size_t j = 0; j < multipliers.size(); ++j)
+    force = force - multipliers[j] * constraints[j].slope[i];
+  return force;
 }
 
 /// "L = ..." stands for the equations that follow from it: d/dt dL/dq' - dL/dq = Q.
@@ -159,7 +193,7 @@ std::vector<ReadEquation> equations_of_lagrangian(const EquationItem& item, cons
     const Expression momentum = differentiate(lagrangian, q.rate[i]);
     const Expression left =
         total_derivative(momentum, item.formula->vocabulary.rates()) - differentiate(lagrangian, q.value[i]);
-    equations.push_back({left, system.quantity("Q_" + item.formula->scene().coordinates[i].name)});
+    equations.push_back({left, force_beside(item, lagrangian, i)});
   }
   return equations;
 }
@@ -222,7 +256,8 @@ Verdict grade_equations(const EquationItem& item, const Json& submitted) {
   if (!text) return unreadable("Write the equation as a text.");
   const ReadMotion read = read_motion(item, *text);
   if (!read.errors.empty()) return {.format_errors = read.errors};
-  if (read.equations.size() != item.count()) return unreadable(how_many(item.count(), read.equations.size()));
+  if (read.equations.size() < item.fewest() || read.equations.size() > item.most())
+    return unreadable(how_many(item, read.equations.size()));
   for (const ReadEquation& equation : read.equations) {
     if (!equation.right) return unreadable("an equation has an equals sign");
   }

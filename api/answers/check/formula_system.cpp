@@ -145,11 +145,37 @@ void refuse_other_members(const Json& request, const Place& place, Errors& error
 
 }  // namespace
 
+namespace {
+
+/// Momenta and multipliers, which submissions may speak of.
+std::vector<Expression> further_words(const ExpectedSystem& system) {
+  std::vector<Expression> words = system.momenta();
+  const std::vector<Expression>& multipliers = system.symbols().multipliers;
+  words.insert(words.end(), multipliers.begin(), multipliers.end());
+  return words;
+}
+
+/// "lambda", or "lambda_1" and so on, unless the scene has symbols of these names.
+void add_lambdas(const Symbols& symbols, Vocabulary& vocabulary) {
+  const std::vector<Expression>& multipliers = symbols.multipliers;
+  for (std::size_t j = 0; j < multipliers.size(); ++j) {
+    const std::string& name = std::get<qdot::Symbol>(multipliers[j].node()).name;
+    const std::string number = std::to_string(j + 1);
+    for (const std::string& word : {"lambda_" + number, "lambda" + number, std::string("lambda")}) {
+      const bool is_one_of_many = word == "lambda" && multipliers.size() > 1;
+      if (!is_one_of_many && !vocabulary.find(word)) (void)vocabulary.add(word, name);
+    }
+  }
+}
+
+}  // namespace
+
 FormulaSystem::FormulaSystem(std::shared_ptr<const Dynamics> of)
     : dynamics(std::move(of)),
       system(dynamics->model()),
-      vocabulary(system.symbols(), system.momenta()),
+      vocabulary(system.symbols(), further_words(system)),
       notation(notation_of(dynamics->model().scene)) {
+  add_lambdas(system.symbols(), vocabulary);
   for (std::size_t i = 0; i < scene().coordinates.size(); ++i) {
     if (scene().coordinates[i].unit == "rad") vocabulary.mark_angle(system.symbols().coordinates.value[i]);
   }
