@@ -260,13 +260,49 @@ std::string with_commas(std::string_view words, const std::vector<std::string>& 
   return list;
 }
 
+/// The number in a choice's place, "accuracy": 1e-9.
+std::optional<double> number_in(const Json& value) {
+  if (value.is_number()) return value.get<double>();
+  const auto number = value.is_string() ? Number::written(trimmed(value.get_ref<const std::string&>()))
+                                        : std::optional<Number>();
+  return number ? std::optional(number->value()) : std::optional<double>();
+}
+
+/// The field that a number belongs in which stands in the place of `accuracy` or `precision`; empty: none.
+std::string field_of_number(const std::string& choice, double number) {
+  if (choice != "accuracy" && choice != "precision") return {};
+  return number > 0 && number <= 1 ? "max_error" : number > 1 && number <= 31 ? "digits" : "";
+}
+
+/// A number in the place of a word; false where that says nothing.
+bool refuse_number(const ChoiceKind& kind, const std::string& name, const Json& value, const Place& place,
+                   Errors& errors) {
+  const auto number = number_in(value);
+  const std::string field = number ? field_of_number(name, *number) : "";
+  if (field.empty()) return false;
+  const std::string digits =
+      value.is_string() ? printable(trimmed(value.get_ref<const std::string&>())) : place.written(value);
+  FieldError error = place.error(
+      "not_allowed", "'" + name + "' is a word. " +
+                         (field == "digits" ? "How many digits are written is 'digits'."
+                                            : "The error that you accept, as a number, is 'max_error'."));
+  error.did_you_mean = place.road() == Road::query ? field + "=" + digits : field;
+  error.allowed = kind.options;
+  report(errors, std::move(error));
+  return true;
+}
+
 }  // namespace
 
 std::optional<Json> read_value(const ChoiceKind& kind, const std::string& name, const Json& value,
                                const Place& place, Errors& errors) {
+  const auto is_value = [&](const std::string& option) {
+    return value.is_string() && value.get_ref<const std::string&>() == option;
+  };
+  if (std::ranges::any_of(kind.options, is_value)) return value;
+  if (refuse_number(kind, name, value, place, errors)) return std::nullopt;
   if (!value.is_string()) return refuse_type(place, errors, name, enumerated(kind.options), value);
   const auto& word = value.get_ref<const std::string&>();
-  if (std::ranges::find(kind.options, word) != kind.options.end()) return value;
   FieldError error = place.error("not_allowed", "'" + name + "' cannot be " + in_quotes(word) + ".");
   error.did_you_mean = meant_option(word, kind.options);
   if (const std::string list = with_commas(word, kind.options); !list.empty()) {

@@ -14,6 +14,7 @@ class RequestReader {
   RequestReader(const FieldSet& set, const Submission& submission, const FindSystem& find_system)
       : set_(set), find_system_(find_system), root_(submission), fields_(submission.fields) {
     reading_.errors = submission.errors;
+    for (FieldError& error : reading_.errors) advise_on_twice(error);
   }
 
   Reading read() {
@@ -27,6 +28,20 @@ class RequestReader {
 
  private:
   [[nodiscard]] const Scene* scene() const { return reading_.system.scene.get(); }
+
+  /// What is given twice in a query may be meant as a list.
+  void advise_on_twice(FieldError& error) const {
+    const FieldInfo* field = error.code == "duplicate_field" ? set_.find(error.parameter) : nullptr;
+    if (field == nullptr) return;
+    if (std::holds_alternative<ListKind>(field->kind)) {
+      error.detail += " A list stands in one field, with commas.";
+    } else if (std::holds_alternative<SystemKind>(field->kind)) {
+      error.detail +=
+          " A question is about one system: ask again for another, or POST a line for each to /v1/batch.";
+    } else {
+      error.detail += " Give it once.";
+    }
+  }
 
   void refuse(const std::string& name, std::string code, std::string detail) {
     report(reading_.errors, root_.below(name).error(std::move(code), std::move(detail)));

@@ -67,9 +67,7 @@ Submission submission_of_query(const std::vector<std::pair<std::string, std::str
       submission.errors.push_back(
           Place(Road::query)
               .below(name)
-              .error("duplicate_field",
-                     in_quotes(name) +
-                         " is given twice in the query; a list stands in one field, with commas."));
+              .error("duplicate_field", in_quotes(name) + " is given twice in the query."));
     } else {
       submission.fields[name] = value;
     }

@@ -154,6 +154,7 @@ class LatexReader {
     if (contains(named, name)) return " " + std::string(name) + " " + index();
     if (name == "dot") return dotted("_dot");
     if (name == "ddot") return dotted("_ddot");
+    if (name == "overset" || name == "stackrel") return dotted_above();
     if (name == "frac" || name == "dfrac" || name == "tfrac" || name == "cfrac") return fraction();
     if (name == "sqrt") return root();
     if (name == "begin" || name == "end" || name == "tag" || name == "label") {
@@ -183,6 +184,17 @@ class LatexReader {
     const std::string after = index();
     const std::string number = after.empty() ? "" : without_blanks(after).substr(1);
     return " " + inside + number + suffix + " ";
+  }
+
+  /// "\overset{..}{\theta}": points above a letter.
+  std::string dotted_above() {
+    std::string points = without_blanks(argument());
+    std::erase(points, '(');
+    std::erase(points, ')');
+    const bool are_points = points.find_first_not_of(".*") == std::string::npos;
+    if (!are_points || points.empty() || points.size() > 2)
+      refuse("over a letter stand one point or two here: \\dot, \\ddot");
+    return dotted(points.size() == 1 ? "_dot" : "_ddot");
   }
 
   std::string fraction() {

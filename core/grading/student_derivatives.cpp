@@ -88,6 +88,10 @@ Expression StudentGrammar::called_derivative() {
     if (at_word("t")) {
       ++next_;
       ++order;
+      if (!is_pair && at_number(2, 0)) {  // Maple's t$2, whose $ is a blank
+        ++next_;
+        ++order;
+      }
       if (!is_pair) continue;
       if (!accept(Mark::comma)) refuse("a derivative is by t here", token().offset);
     }

@@ -6,6 +6,7 @@
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/impacts.hpp"
 #include "core/mechanics/inertia_check.hpp"
+#include "core/mechanics/negative_inertia.hpp"
 
 namespace qdot {
 namespace {
@@ -85,6 +86,8 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   check_constraints(scene, model->lagrangian);
   model->system = augmented(model->equations, model->lagrangian);
   check_inertia(scene, model->system);
+  if (auto negative = negative_inertia(scene, model->parsed, model->lagrangian); !negative.empty())
+    throw SceneError(std::move(negative));
   derive_impacts(*model);
   if (const auto& kinetic = model->lagrangian.kinetic_energy) {
     for (const int degree : {2, 1, 0}) {

@@ -52,6 +52,8 @@ class Scanner {
     if (here === "'") return "JSON has double quotes.";
     if (here === "/") return "JSON has no comments.";
     if (here === "}" || here === "]") return "A comma too many, or something is missing here.";
+    const word = /^[\p{L}_][\w.-]*/u.exec(this.text.slice(this.offset, this.offset + 40))?.[0];
+    if (word) return `A text stands in double quotes: "${word}".`;
     return `Here should be ${wanted}.`;
   }
 

@@ -58,6 +58,7 @@ test("text that is no JSON is told where it breaks", async () => {
     ["{\n  'name': 1}", /line 2 .*double quotes/],
     ['{"name": "a",\n}', /line 2/],
     ['{"a": 1 // x\n}', /line 1/],
+    ['{"units": none}', /line 1 .*double quotes: "none"/],
     ["", /ends/],
   ]) {
     await write(page, text);

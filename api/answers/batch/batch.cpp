@@ -25,8 +25,25 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// What is wrong with the whole: its type, its length.
-std::optional<Problem> problem_of_body(const Call& call, std::size_t lines) {
+/// A list of requests in JSON, or one request over several lines, where a line each is meant.
+bool is_no_batch(const std::vector<std::string_view>& lines) {
+  const auto first =
+      std::ranges::find_if(lines, [](std::string_view line) { return !trimmed(line).empty(); });
+  if (first == lines.end()) return false;
+  const std::string_view begin = trimmed(*first);
+  const bool is_only = std::all_of(first + 1, lines.end(), [](auto line) { return trimmed(line).empty(); });
+  return begin == "{" || begin == "[" || (begin.starts_with('[') && (is_only || !begin.ends_with(']')));
+}
+
+/// What is wrong with the whole: its type, its form, its length.
+std::optional<Problem> problem_of_body(const Call& call, const std::vector<std::string_view>& lines) {
+  if (is_no_batch(lines))
+    return invalid_request(
+        {Place(Road::body)
+             .error(
+                 "wrong_type",
+                 "A batch is lines, each a whole request on one line, {\"id\": 1, \"modes\": {...}}, without [ ] "
+                 "around them and without commas between them: jq -c '.[]' makes lines of a list.")});
   const auto header = call.request.headers.find("content-type");
   const std::string type = header == call.request.headers.end() ? "" : header->second;
   const std::string plain = lower_case(trimmed(std::string_view(type).substr(0, type.find(';'))));
@@ -38,9 +55,9 @@ std::optional<Problem> problem_of_body(const Call& call, std::size_t lines) {
                        "The lines of a batch are JSON in UTF-8, Content-Type: application/x-ndjson; this "
                        "one says " +
                        in_quotes(type) + "."};
-  if (lines > limits::batch_lines)
+  if (lines.size() > limits::batch_lines)
     return Problem{.kind = ProblemKind::limit_exceeded,
-                   .detail = "The batch has " + std::to_string(lines) + " lines; at most " +
+                   .detail = "The batch has " + std::to_string(lines.size()) + " lines; at most " +
                              std::to_string(limits::batch_lines) +
                              " are answered at once. qdot batch has no "
                              "such limit."};
@@ -82,7 +99,7 @@ Endpoint batch_endpoint(std::span<const Endpoint> asked) {
   const auto handler = [asked](const FindSystem& find_system, Models& models) {
     return [asking = Asking(asked, find_system, models)](Call& call) {
       const std::vector<std::string_view> lines = lines_of(call.request.body);
-      if (const auto problem = problem_of_body(call, lines.size()))
+      if (const auto problem = problem_of_body(call, lines))
         return to_response(*problem, call.target.path, call.layout);
       Response response{.content_type = lines_type, .body = answers_to(lines, fields, call, asking)};
       call.timing.lap("solve");

@@ -1,11 +1,13 @@
 #include "api/answers/check/formula_item.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "api/answers/check/diagnosis.hpp"
 #include "api/json/text.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/expr/simplify.hpp"
 #include "core/grading/inertia_changes.hpp"
 #include "core/grading/same_formula.hpp"
 
@@ -105,6 +107,23 @@ bool speaks_of_itself(const FormulaItem& item, const Expression& submitted) {
   });
 }
 
+/// No verdict where the terms of a submission do not add up; whether that is so.
+bool refuse_dimension(const FormulaItem& item, const Expression& submitted, Verdict& verdict) {
+  const std::string mistake = mistake_of_dimension(*item.formula, submitted);
+  if (mistake.empty()) return false;
+  verdict.correct.reset();
+  verdict.decided_by.clear();
+  verdict.format_errors.push_back("its terms are of different dimensions: " + mistake);
+  return true;
+}
+
+/// A number that is added to an energy has no dimension, whichever energy it is.
+bool adds_a_number(const FormulaItem& item, const Expression& formula) {
+  constexpr std::array<std::string_view, 5> energies{"V", "L", "E", "h", "H"};
+  return std::ranges::find(energies, item.name) != energies.end() &&
+         simplify(formula - item.expected).number() != nullptr;
+}
+
 void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdict) {
   const ExpectedSystem& system = item.formula->system;
   const Expression formula = system.with_fixed(submitted);
@@ -124,6 +143,7 @@ void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdi
       verdict.decided_by = "rule";
       break;
     case Decision::counterexample:
+      if (adds_a_number(item, formula) && refuse_dimension(item, submitted, verdict)) return;
       verdict.correct = false;
       verdict.decided_by = "counterexample";
       verdict.counterexample = counterexample_json(item, submitted, found.counterexample);
@@ -135,13 +155,8 @@ void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdi
       break;
   }
   if (!found.differs_by_constant) return;
-  if (const std::string mistake = mistake_of_dimension(*item.formula, submitted); !mistake.empty()) {
-    verdict.correct.reset();
-    verdict.decided_by.clear();
-    verdict.format_errors.push_back("its terms are of different dimensions: " + mistake);
-  } else {
+  if (!refuse_dimension(item, submitted, verdict))
     verdict.feedback.emplace_back("It has another zero of the potential energy, which is free.");
-  }
 }
 
 Verdict grade_formula(const FormulaItem& item, const Json& submitted) {

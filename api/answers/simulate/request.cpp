@@ -196,7 +196,8 @@ RequestTable<SimulateRequest> make_simulate_table() {
       number("rtol", &SimulateRequest::rtol, {"1", {limits::least_rtol, limits::largest_rtol}},
              "relative local tolerance",
              {.default_value = 1e-9,
-              .aliases = {"reltol", "rel_tol", "tol", "tolerance", "relative_tolerance"}}),
+              .aliases = {"reltol", "rel_tol", "tol", "tolerance", "relative_tolerance", "eps", "epsilon",
+                          "rel_error", "relative_error"}}),
       number("atol", &SimulateRequest::atol,
              {"1", {.lower = 0, .upper = limits::largest_atol, .lower_open = true}},
              "absolute local tolerance, in each column's own unit; 1e-12, or rtol/1000 where that is less",
@@ -208,7 +209,8 @@ RequestTable<SimulateRequest> make_simulate_table() {
       number("max_error", &SimulateRequest::max_error, {"1", {least_extended_error, 1}},
              "the largest global error that you accept, in each column's own unit, for coordinates and "
              "velocities in all rows; below 1e-14 it needs precision=extended",
-             {.aliases = {"max_abs_error", "error", "global_error"}}),
+             {.aliases = {"max_abs_error", "error", "global_error", "max_err", "err", "abs_error",
+                          "absolute_error", "accuracy_goal", "error_bound", "target_error"}}),
       integer("max_evaluations", &SimulateRequest::max_evaluations,
               {1, limits::evaluations, UpperEnd::of_work},
               "the work allowed, as a number of evaluations of the accelerations, those that measure the "
@@ -223,7 +225,7 @@ RequestTable<SimulateRequest> make_simulate_table() {
       integer("digits", &SimulateRequest::digits, {1, most_digits},
               "significant digits of the answer's numbers, up to 17, or 31 with precision=extended; all "
               "without it",
-              {.aliases = {"significant_digits"}}),
+              {.aliases = {"significant_digits", "significant_figures", "sigfigs", "decimals", "round"}}),
       choice("format", &SimulateRequest::format,
              {{"json", Format::json}, {"csv", Format::csv}, {"ndjson", Format::ndjson}},
              "form of the answer; without this field the Accept header decides"),

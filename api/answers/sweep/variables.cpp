@@ -8,6 +8,7 @@
 #include "api/contract/record_reader.hpp"
 #include "api/contract/system_choice.hpp"
 #include "api/json/limits.hpp"
+#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "core/grading/sampled_states.hpp"
 #include "core/numerics/function.hpp"
@@ -50,11 +51,13 @@ Json parts_beside(const SweepRequest& request) {
 const FieldSet& parts_of_variable() {
   static const FieldSet set{
       .name = "variable",
-      .fields = {{.name = "from", .kind = AnyKind{}, .aliases = {"start", "min"}},
-                 {.name = "to", .kind = AnyKind{}, .aliases = {"end", "stop", "max"}},
+      .fields = {{.name = "from",
+                  .kind = AnyKind{},
+                  .aliases = {"start", "min", "lower", "range", "interval", "linspace"}},
+                 {.name = "to", .kind = AnyKind{}, .aliases = {"end", "stop", "max", "upper"}},
                  {.name = "count",
                   .kind = IntegerKind{1, std::int64_t{1} << 40U},
-                  .aliases = {"n", "num", "samples", "number"}},
+                  .aliases = {"n", "num", "samples", "number", "step", "steps", "points"}},
                  {.name = "spacing", .kind = ChoiceKind{{"linear", "log"}}, .aliases = {"scale"}},
                  {.name = "values",
                   .kind = ListKind{AnyKind{}, static_cast<std::size_t>(limits::sweep_rows), 1},
@@ -92,8 +95,12 @@ class VariableReader {
  private:
   Json resolved_parts(const GivenVariable& given, const Place& place) {
     if (!given.parts.is_object()) {
+      const bool is_list = given.parts.is_array();
       report(errors_, wrong_type(place, given.name,
-                                 "an object such as {\"from\": 1, \"to\": 2, \"count\": 11}", given.parts));
+                                 is_list ? "an object: {\"values\": [...]} of these values, or {\"from\": 1, "
+                                           "\"to\": 2, \"count\": 11}"
+                                         : "an object such as {\"from\": 1, \"to\": 2, \"count\": 11}",
+                                 given.parts));
       return Json::object();
     }
     SystemChoice none;
@@ -118,11 +125,18 @@ class VariableReader {
         allowed.push_back(symbol.name);
       }
     }
-    report(errors_, unknown_name(place,
-                                 "What varies is a parameter or an initial value of the system that is asked "
-                                 "about; " +
-                                     in_quotes(name) + " is none.",
-                                 name, std::move(allowed)));
+    std::string detail =
+        "What varies is a parameter or an initial value of the system that is asked about; " +
+        in_quotes(name) + " is none.";
+    if (const std::size_t end = name.find_first_of(":=,; "); end != std::string::npos) {
+      detail += name[end] == ',' ? " A query has one that varies; a POST has several, each in 'vary'."
+                                 : " Its values stand beside it: from=1&to=50&count=50, or values=1,2,5.";
+      FieldError error = unknown_name(place, std::move(detail), name, allowed);
+      error.did_you_mean = closest(name.substr(0, end), allowed);
+      report(errors_, std::move(error));
+      return std::nullopt;
+    }
+    report(errors_, unknown_name(place, std::move(detail), name, std::move(allowed)));
     return std::nullopt;
   }
 

@@ -1,0 +1,93 @@
+#include "core/mechanics/negative_inertia.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "core/mechanics/equations_of_motion.hpp"
+#include "core/numerics/interval.hpp"
+
+namespace qdot {
+namespace {
+
+/// Where expressions lie while the parameters and the coordinates are in their domains.
+class Ranges {
+ public:
+  Ranges(const Scene& scene, const Symbols& symbols) {
+    for (std::size_t i = 0; i < scene.parameters.size(); ++i)
+      add(symbols.parameters[i], scene.parameters[i].domain);
+    for (std::size_t i = 0; i < scene.coordinates.size(); ++i)
+      add(symbols.coordinates.value[i], scene.coordinates[i].domain);
+  }
+
+  Interval of(const Expression& e) {
+    const NodeId root = e.id();
+    for (const NodeId id : reachable(e.graph(), std::array{root}))
+      if (!known_.contains(id)) known_.emplace(id, of_node(e.graph().node(id)));
+    return known_.at(root);
+  }
+
+ private:
+  void add(const Expression& symbol, const Domain& domain) {
+    known_.emplace(symbol.id(), Interval(domain.lower, domain.upper));
+  }
+
+  [[nodiscard]] Interval of_node(const Node& node) const {
+    return std::visit(
+        overloaded{[](const Literal& l) { return Interval::literal(l.value.rounded()); },
+                   [](const Symbol&) { return Interval::whole(); },
+                   [&](const Sum& sum) {
+                     Interval total(0);
+                     for (const NodeId id : sum.terms) total = total + known_.at(id);
+                     return total;
+                   },
+                   [&](const Product& product) {
+                     Interval all = Interval::literal(product.coefficient.rounded());
+                     for (const NodeId id : product.factors) all = all * known_.at(id);
+                     return all;
+                   },
+                   [&](const Power& power) {
+                     return qdot::power(known_.at(power.base), Interval::literal(power.exponent.rounded()));
+                   },
+                   [&](const Call& call) { return evaluate(call.function, known_.at(call.argument)); }},
+        node);
+  }
+
+  std::map<NodeId, Interval> known_;
+};
+
+bool is_negative(Ranges& ranges, const Expression& e) { return !e.is_zero() && ranges.of(e).upper <= 0; }
+
+/// Whether a coordinate that moves alone has no kinetic energy above zero.
+bool has_negative_coordinate(Ranges& ranges, const Matrix& mass_matrix) {
+  for (std::size_t i = 0; i < mass_matrix.size(); ++i)
+    if (is_negative(ranges, mass_matrix[i][i])) return true;
+  return false;
+}
+
+bool has_negative_moment(Ranges& ranges, const ParsedBody& body) {
+  return std::ranges::any_of(body.spins, [&](const ParsedSpin& s) { return is_negative(ranges, s.inertia); });
+}
+
+}  // namespace
+
+std::vector<Diagnostic> negative_inertia(const Scene& scene, const ParsedScene& parsed,
+                                         const Lagrangian& lagrangian) {
+  Ranges ranges(scene, parsed.symbols);
+  std::vector<Diagnostic> moments, masses;
+  for (std::size_t i = 0; i < parsed.bodies.size(); ++i) {
+    const ParsedBody& body = parsed.bodies[i];
+    const std::string place = "/bodies/" + std::to_string(i);
+    if (is_negative(ranges, body.mass)) {
+      masses.push_back(
+          {place + "/mass", "domain",
+           "A mass is above zero. Below zero is only that of a hole, in a body that outweighs it."});
+    } else if (has_negative_moment(ranges, body)) {
+      moments.push_back({place, "domain", "A moment of inertia is not below zero."});
+    }
+  }
+  if (!moments.empty() || masses.empty() || !parsed.constraints.empty()) return moments;
+  return has_negative_coordinate(ranges, mass_matrix(lagrangian)) ? masses : moments;
+}
+
+}  // namespace qdot
