@@ -19,7 +19,8 @@ namespace qdot::api {
 namespace {
 
 constexpr std::string_view advice_on_ranges =
-    "Evenly spaced instants are t_start, t_end and samples or dt; a list has commas: 0,0.1,0.2.";
+    "A range has fields of its own: t_start, t_end and samples or dt for instants, from, to and count in a sweep; "
+    "a list has commas: 0,0.1,0.2.";
 
 struct NumberAndRest {
   Number number;

@@ -25,7 +25,7 @@ class Slurm(unittest.TestCase):
         self.home.chmod(0o755)  # munge's user looks into it
         self.work = self.home / "work"
         self.work.mkdir()
-        one_machine.write_motions(self.work / "requests.ndjson", LINES, t_end=600)
+        one_machine.write_motions(self.work / "requests.ndjson", LINES, t_end=1500)
         subprocess.run(["split", "-d", "-a", "3", "-n", f"l/{SLICES}", "requests.ndjson", "in."], cwd=self.work, check=True)
 
     def slice_in_the_middle(self, cluster, job, node):
