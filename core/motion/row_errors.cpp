@@ -9,6 +9,7 @@ namespace {
 
 constexpr double storing = 0x1p-52;  ///< a number is rounded when it is stored
 constexpr double too_much = 0.5;     ///< of a column
+constexpr double of_lost = 4;        ///< times the range: the true motion may go farther than those computed
 
 }  // namespace
 
@@ -31,7 +32,7 @@ void RowErrors::add(std::span<const double> row, std::span<const std::span<const
   widen(row);
   for (const auto& other : others) widen(other);
   for (std::size_t k = 0; k < row.size(); ++k)
-    error_[k] = std::max(error_[k], safety_of_differences * (highest_[k] - lowest_[k]));
+    error_[k] = std::max(error_[k], of_lost * (highest_[k] - lowest_[k]));
 }
 
 void RowErrors::widen(std::span<const double> row) {

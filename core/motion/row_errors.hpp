@@ -6,8 +6,8 @@
 // with `unseen` what the others may have missed, or may be off by themselves. This holds while errors are
 // small against the motion, for then they grow alike in all computations. Where a quarter of a column is in
 // doubt the motion is lost: two computations that are both wrong may agree by chance, and an angle that winds
-// may go any way. From there on the error is no less than twice the range of values that the computations go
-// through.
+// may go any way. From there on the error is no less than four times the range of values that the
+// computations go through.
 
 #include <span>
 #include <vector>

@@ -30,12 +30,12 @@ TEST(RowErrors, AreNeverBelowTheRoundingOfANumber) {
   EXPECT_EQ(errors.so_far()[1], 1e6 * 0x1p-52);
 }
 
-TEST(RowErrors, AreTwiceTheRangeOfValuesOnceTheMotionIsLost) {
+TEST(RowErrors, AreFourTimesTheRangeOfValuesOnceTheMotionIsLost) {
   RowErrors errors({10, 10});
   add(errors, {10, 5}, {{10, 7.6}});  // 5.2 of 10 in doubt, in the second column
   add(errors, {-8, 7}, {{-8, 7}});    // agreement by chance
-  EXPECT_EQ(errors.so_far()[0], 36);
-  EXPECT_NEAR(errors.so_far()[1], 5.2, 1e-14);
+  EXPECT_EQ(errors.so_far()[0], 72);
+  EXPECT_NEAR(errors.so_far()[1], 10.4, 1e-14);
 }
 
 }  // namespace
