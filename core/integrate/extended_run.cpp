@@ -16,6 +16,10 @@ constexpr double largest_end_defect =
     1e3;                                 ///< of the equation at the end of a step, in units of the tolerance
 constexpr double allowed_to_hide = 100;  ///< times the step's length, in units of the tolerance
 constexpr double rounding_of_doubles = 0x1p-52;
+constexpr double small = 0.05;  ///< in the largest term: so little of what a motion in doubles lost is lost
+constexpr int most_shortenings =
+    9;  ///< to an eighth: where low coefficients are zero no step is short enough
+constexpr double shortening = 0.8;
 constexpr double infinity_of_steps = std::numeric_limits<double>::infinity();
 
 /// sum_{k>=1} c_k s^k, from the smallest terms on.
@@ -145,7 +149,25 @@ double ExtendedStepper::step_size() const {
   for (unsigned k = system_.first_in_doubles; k < highest && k < system_.first_in_doubles + 2; ++k) {
     exponent = std::min(exponent, log_of_step_by(k, rounding_of_doubles));
   }
-  return std::isfinite(exponent) ? evaluate(Function::exp, exponent) : exponent;
+  if (!std::isfinite(exponent)) return exponent;
+  double h = evaluate(Function::exp, exponent);
+  for (int i = 0; i < most_shortenings && !doubles_are_small(h); ++i) h *= shortening;
+  return h;
+}
+
+/// Whether no coefficient in doubles counts beside those that are none: where these are what two large
+/// numbers left of each other, such as sin near pi, they have lost as much as all of a motion in doubles has.
+bool ExtendedStepper::doubles_are_small(double h) const {
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    const auto c = row(next_, i);
+    double first = 0, others = 0, power = h;
+    for (unsigned k = 1; k <= order_; ++k, power *= h) {
+      double& largest = k < system_.first_in_doubles ? first : others;
+      largest = std::max(largest, power * std::abs(c[k].high));
+    }
+    if (others > small * first) return false;
+  }
+  return true;
 }
 
 /// The logarithm of the least over the components of (w / |part c_k|)^(1/k); infinite where all c_k are 0.

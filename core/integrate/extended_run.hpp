@@ -8,7 +8,8 @@
 //
 // with h' the step before, as core/integrate/taylor_stepper.hpp has it. A step whose polynomial does not obey
 // the equation at its end is taken again, half as long. Where the system can tell what a step hides, it is
-// no longer than what hides no more than is allowed.
+// no longer than what hides no more than is allowed. Where high coefficients are doubles, it is so short that
+// their terms are small beside the others.
 // Source of the step: Jorba, Zou, Experimental
 // Mathematics 14 (2005) 99, section 3.
 
@@ -73,6 +74,7 @@ class ExtendedStepper {
                                              std::vector<DoubleDouble>& coefficients);
   [[nodiscard]] double weight(std::size_t i) const;
   [[nodiscard]] double step_size() const;
+  [[nodiscard]] bool doubles_are_small(double h) const;
   [[nodiscard]] double log_of_step_by(unsigned k, double part = 1) const;
   /// A length up to h over which a step hides nothing; 0 where there is none.
   [[nodiscard]] double bounded_part(double h);

@@ -44,13 +44,13 @@ decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<MixedExpansion>
   };
 }
 
+}  // namespace
+
 std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
   std::vector<DoubleDouble> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
   return result;
 }
-
-}  // namespace
 
 ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
                                        std::span<const double> grid) {
@@ -62,8 +62,7 @@ ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_s
   return result;
 }
 
-ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
-  const CompiledFunction& accelerations = dynamics.accelerations();
+ExtendedSystem extended_system(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
   ExtendedSystem system;
   system.dimension = request.y_start.size();
   const auto use = [&system](auto expansion) {
@@ -84,7 +83,7 @@ ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionReq
 }
 
 ExtendedRun extended_states(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
-  return extended_states(extended_system(dynamics, request), request);
+  return extended_states(extended_system(dynamics.accelerations(), request), request);
 }
 
 ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRequest& request) {

@@ -27,12 +27,16 @@ struct ExtendedMotionRequest {
   Limits limits;
 };
 
+/// As they were typed.
+[[nodiscard]] std::vector<DoubleDouble> double_doubles(const Reals& numbers);
+
 /// In mixed form, from numbers as they were typed.
 [[nodiscard]] ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start,
                                                      double t_start, std::span<const double> grid);
 
-/// The equations in that form. Keeps references to nothing but the dynamics.
-[[nodiscard]] ExtendedSystem extended_system(const Dynamics& dynamics, const ExtendedMotionRequest& request);
+/// The equations in that form. Keeps a reference to the tape alone.
+[[nodiscard]] ExtendedSystem extended_system(const CompiledFunction& accelerations,
+                                             const ExtendedMotionRequest& request);
 
 /// The states on the grid. The motion is the smooth one: no event, no impact and no condition of validity is
 /// looked at. Needs accelerations that have a Taylor expansion (has_extended_expansion).

@@ -108,7 +108,8 @@ class Ladder {
     const bool is_near = motion().is_near_round_off();
     std::optional<Simulation> sharper;
     if (is_near) sharper = sharper_motion();
-    if (sharper && !result_.simulation.stop) {
+    const auto tells_all = [&] { return sharper && sharper->rows == result_.simulation.rows; };
+    if (tells_all() && !result_.simulation.stop) {
       result_.verified_by = Method::taylor;
       return state({std::move(*sharper)});
     }
@@ -116,13 +117,12 @@ class Ladder {
     if (!add_check(others, 1)) return;
     if (is_near || !tells_truncation(motion(), others.front())) {
       if (!is_near) sharper = sharper_motion();
-      if (sharper) {
-        others.push_back(std::move(*sharper));
-      } else if (left() < 2 * others.front().evaluations) {
-        doubt_ = near_round_off;  // no work is left to tell how much less it is
-      } else if (!add_check(others, -1)) {
-        return;
+      const bool can_afford_another = left() >= 2 * others.front().evaluations;
+      if (!tells_all()) {
+        if (can_afford_another && !add_check(others, -1)) return;
+        if (!can_afford_another) doubt_ = near_round_off;  // no work is left to tell how much less it is
       }
+      if (sharper) others.push_back(std::move(*sharper));
     }
     state(others);
   }

@@ -8,8 +8,8 @@
 // each instant (row_errors.hpp), and what the steps of the second may be off by. The second has parameters
 // and initial values changed in their last bits, so that a difference is not small by chance. Where both are
 // as tight as double precision allows, what rounding does to the motion, that of the numbers that were typed
-// included, is measured in double-doubles (extended_motion.hpp, extended_impacts.hpp); a motion with kinks is
-// computed a third time instead, from the other side.
+// included, is measured in double-doubles (extended_motion.hpp, extended_impacts.hpp, extended_kinks.hpp). A
+// motion that cannot be followed so, or not to its end, is computed a third time, from the other side.
 //
 // Method gauss has a step in place of tolerances:
 // it is checked by the tightest run there is, and does not climb.

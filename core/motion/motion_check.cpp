@@ -7,6 +7,8 @@
 
 #include "core/compile/extended/expansion.hpp"
 #include "core/motion/extended_impacts.hpp"
+#include "core/motion/extended_kinks.hpp"
+#include "core/motion/extended_pieces.hpp"
 
 namespace qdot {
 namespace {
@@ -19,22 +21,25 @@ constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
 constexpr double loose = 1e-6;
 constexpr double drift_of_rounding = 1e-14;  ///< relative
 constexpr double much_better = 0.05;
+constexpr double much_more = 10;           ///< than the rounding of a step, which some rows alone have shown
+constexpr std::size_t rows_looked_at = 8;  ///< each costs an evaluation in double-doubles
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
 constexpr double common_rounding = 0x1p-53;
 constexpr std::uint64_t cost_of_digits = 3;  ///< of an evaluation in double-doubles
 
-/// Every number by one or two units in the last place, up and down in turn, so that the ratio of any two
-/// near each other moves as well: what rounding does to the motion, the rounding that all runs have in
-/// common included. It is nothing beside any other error.
-void nudge(Reals& numbers, double direction) {
+/// Every number by some units in the last place, up and down in turn and each of four in a row by another
+/// amount, so that the difference and the ratio of two that are near each other move as well: what rounding
+/// does to the motion, the rounding that all runs have in common included. It is nothing beside any other
+/// error. `least`: units of the first two; other numbers that are nudged beside these have others.
+void nudge(Reals& numbers, double direction, int least) {
   double towards = direction * infinity;
   std::size_t moved = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     double x = numbers[i];
     if (x == 0) continue;
-    x = std::nextafter(x, towards);
-    if (moved++ % 4 >= 2) x = std::nextafter(x, towards);
+    const int units = least + (moved++ % 4 >= 2 ? 1 : 0);
+    for (int k = 0; k < units; ++k) x = std::nextafter(x, towards);
     numbers.set(i, x);
     towards = -towards;
   }
@@ -61,6 +66,41 @@ bool keeps_better(const Simulation& motion, const Simulation& check) {
   if (most == nullptr) return true;
   const auto same = std::ranges::find(check.conserved, most->name, &ConservedRecord::name);
   return same == check.conserved.end() || same->max_abs_drift <= much_better * most->max_abs_drift;
+}
+
+/// What rounding of the accelerations does to the velocities in a step, as some rows show. Where a motion
+/// begins all runs have it in common, and in few steps they may have it by chance.
+std::vector<double> rounding_of_a_step(const ComputedMotion& motion) {
+  const std::size_t width = motion.width(), n = width / 2, rows = motion.simulation.rows;
+  std::vector<double> rounding(n), rounded(n);
+  const CompiledFunction& function = motion.dynamics.accelerations();
+  if (rows == 0 || motion.simulation.steps == 0) return rounding;
+  Workspace workspace = function.bind(motion.request.parameters);
+  ExtendedFunction exact(function, double_doubles(motion.request.parameters));
+  for (std::size_t row = 0; row < rows; row += 1 + (rows - 1) / rows_looked_at) {
+    const double t = motion.grid.t[row];
+    const auto y = std::span(motion.simulation.states).subspan(row * width, width);
+    if (function.evaluate(t, y, workspace, rounded) != Evaluation::ok) continue;
+    const auto right = exact(t, std::vector<DoubleDouble>(y.begin(), y.end()));
+    for (std::size_t i = 0; i < n; ++i)
+      rounding[i] = std::max(rounding[i], std::abs((right[i] - rounded[i]).value()));
+  }
+  const double duration = motion.simulation.t - motion.request.t_start;
+  for (double& x : rounding) x *= duration / static_cast<double>(motion.simulation.steps);
+  return rounding;
+}
+
+/// None where the equations or what happens on the way cannot be followed in double-doubles.
+std::optional<ExtendedRun> extended_states_of(const Simulation& motion, const Dynamics& dynamics,
+                                              const ExtendedMotionRequest& request) {
+  const bool has_kinks = dynamics.kinks() != nullptr, has_impacts = !motion.sections.empty();
+  if (has_kinks) {
+    if (has_impacts) return std::nullopt;
+    return extended_states_along(motion.pieces, dynamics, request);
+  }
+  if (!has_extended_expansion(dynamics.accelerations())) return std::nullopt;
+  return has_impacts ? extended_states_through(motion.sections, dynamics, request)
+                     : extended_states(dynamics, request);
 }
 
 /// What the coefficients that stay doubles may have in common with those of the motion, for each row. That of
@@ -96,14 +136,15 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
   request.tolerances = tolerances_of_check(motion);
-  nudge(request.parameters, direction);
-  nudge(request.y_start, direction);
+  nudge(request.parameters, direction, 1);
+  nudge(request.y_start, direction, 3);
   return request;
 }
 
 bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
   const std::vector<double>& states = motion.simulation.states;
-  const std::size_t width = motion.width();
+  const std::size_t width = motion.width(), n = width / 2;
+  std::vector<double> differences;
   for (std::size_t k = 0; k < width; ++k) {
     double difference = 0, size = 0;
     bool varies = false;
@@ -113,6 +154,11 @@ bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
       varies = varies || states[i] != states[k];
     }
     if (varies && difference <= near_round_off * size) return false;
+    differences.push_back(difference);
+  }
+  const std::vector<double> in_common = rounding_of_a_step(motion);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (differences[n + i] <= much_more * in_common[i]) return false;
   }
   return keeps_better(motion.simulation, check);
 }
@@ -135,21 +181,17 @@ const char* not_comparable(const ComputedMotion& motion, const Simulation& check
 
 SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {
   const Simulation& first = motion.simulation;
-  const bool is_smooth =
-      motion.dynamics.kinks() == nullptr && has_extended_expansion(motion.dynamics.accelerations());
-  if (motion.is_stiff || !is_smooth || first.rows == 0) return {};
+  if (motion.is_stiff || first.rows == 0) return {};
   ExtendedMotionRequest request =
       extended_request(motion.request.parameters, motion.request.y_start, motion.request.t_start,
                        std::span(motion.grid.t).first(first.rows));
   request.look_for_hidden = true;
   request.limits.max_evaluations = evaluations_left / cost_of_digits;
-  const std::optional<ExtendedRun> found =
-      first.sections.empty() ? extended_states(motion.dynamics, request)
-                             : extended_states_through(first.sections, motion.dynamics, request);
+  const std::optional<ExtendedRun> found = extended_states_of(first, motion.dynamics, request);
   if (!found) return {};
   const ExtendedRun& run = *found;
   SharperMotion result{.simulation = {}, .evaluations = cost_of_digits * run.evaluations};
-  if (run.rows < first.rows || !run.bounded) return result;
+  if (run.rows == 0 || !run.bounded) return result;
   Simulation& sharper = result.simulation.emplace();
   sharper.rows = run.rows;
   for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());

@@ -34,20 +34,22 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
 
 /// One check tells the error of truncation. Where round-off is as large, as the difference or what is
-/// conserved shows, a single difference may be small by chance; two checks that start on either side cannot
-/// both be.
+/// conserved shows, or the accelerations at some rows, a single difference may be small by chance; two checks
+/// that start on either side cannot both be. An estimate: rounding that the motion amplifies to the size of
+/// its truncation is not seen.
 [[nodiscard]] bool tells_truncation(const ComputedMotion& motion, const Simulation& check);
 
 /// Why the check does not tell the error of the motion; nullptr where it does.
 [[nodiscard]] const char* not_comparable(const ComputedMotion& motion, const Simulation& check);
 
 struct SharperMotion {
-  std::optional<Simulation> simulation;  ///< rows of states alone
+  std::optional<Simulation> simulation;  ///< rows of states alone, the last ones may be missing
   std::uint64_t evaluations{};           ///< in units of those in doubles
 };
 
 /// The motion from the numbers as they were typed, in so many digits that the difference is what rounding
-/// did to it. None where it has kinks, where something may lie hidden, or where that is too much work.
+/// did to it. None where it has kinks and impacts, where something may lie hidden, or where that is too much
+/// work.
 [[nodiscard]] SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left);
 
 }  // namespace qdot

@@ -7,6 +7,7 @@
 #include "core/motion/event_errors.hpp"
 #include "core/motion/kept_quantities.hpp"
 #include "core/motion/row_errors.hpp"
+#include "core/numerics/root.hpp"
 
 namespace qdot {
 namespace {
@@ -18,7 +19,7 @@ constexpr double useful = 1e-3;  ///< horizon: of a column's largest magnitude
 void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::vector<double>& unseen) {
   std::ranges::fill(unseen, 0.0);
   for (const Simulation& other : others) {
-    if (other.unseen.empty()) continue;
+    if (other.unseen.empty() || row >= other.rows) continue;
     const double* of_row = other.unseen.data() + row * unseen.size();
     for (std::size_t k = 0; k < unseen.size(); ++k) unseen[k] = std::max(unseen[k], of_row[k]);
   }
@@ -40,8 +41,7 @@ class Comparing {
   RowComparison compare(double doubt) {
     RowComparison result;
     result.max_abs_error.resize(width_);
-    std::size_t rows = motion_.simulation.rows;
-    for (const Simulation& other : others_) rows = std::min(rows, other.rows);
+    const std::size_t rows = std::min(motion_.simulation.rows, others_.front().rows);
     std::vector<double> stated(rows * width_);  // of each row
     for (std::size_t i = 0; i < rows; ++i) {
       add(i);
@@ -61,9 +61,33 @@ class Comparing {
     return std::span(simulation.states).subspan(row * width_, width_);
   }
 
+  /// Impacts before the row's instant: the row is on the same side of all of them where their number is that
+  /// of the motion. Motions in double-doubles go through the motion's own impacts.
+  [[nodiscard]] std::size_t impacts_before(const Simulation& simulation, std::size_t row) const {
+    const auto next =
+        std::ranges::lower_bound(simulation.sections, motion_.grid.t[row], {}, &SectionRecord::t);
+    return static_cast<std::size_t>(next - simulation.sections.begin());
+  }
+
+  [[nodiscard]] bool is_at_impact(std::size_t row) const {
+    const double t = motion_.grid.t[row], near = 2 * time_round_off(t);
+    const std::vector<SectionRecord>& sections = motion_.simulation.sections;
+    const auto next = std::ranges::lower_bound(sections, t - near, {}, &SectionRecord::t);
+    return next != sections.end() && next->t <= t + near;
+  }
+
+  /// Where the row is at an impact, another computation may be on its other side by a rounding of t.
+  [[nodiscard]] bool is_comparable(const Simulation& other, std::size_t row) const {
+    if (row >= other.rows) return false;
+    return other.sections.empty() || !is_at_impact(row) ||
+           impacts_before(other, row) == impacts_before(motion_.simulation, row);
+  }
+
   void add(std::size_t row) {
     same_row_.clear();
-    for (const Simulation& other : others_) same_row_.push_back(row_of(other, row));
+    for (const Simulation& other : others_) {
+      if (is_comparable(other, row)) same_row_.push_back(row_of(other, row));
+    }
     take_unseen(others_, row, missed_);
     add_rounding_of_instant(row);
     add_slopes_of_differences(row);

@@ -24,6 +24,7 @@ struct RowComparison {
   std::string changed;  ///< a conserved quantity that changes by more than the errors explain; empty: none
 };
 
+/// Only the first of the others has to have all rows; where it has not, they count as not computed.
 /// `doubt`: a part of each column's magnitude that is added, for round-off that was not measured.
 [[nodiscard]] RowComparison compare(const ComputedMotion& motion, const std::vector<Simulation>& others,
                                     double doubt);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.hpp"
 #include "core/integrate/events.hpp"
@@ -12,6 +13,9 @@
 namespace qdot {
 namespace {
 
+constexpr double farthest = 16;  ///< times what an instant and rounding move a motion
+/// As in kink_ends.cpp: so far a motion goes over a kink before it is met once more.
+constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
 constexpr double round_offs = 16;  ///< of t: what is nearer happens at one instant
 
 WatchRequest watch_request(const SimulationRequest& request) {
@@ -48,7 +52,13 @@ bool MotionSections::begin(double t, std::vector<double>& y) {
   tried_.clear();
   if (!go_on(t, y)) return false;
   modes_->settle(way_, t, y);
+  note_size(y);
   return true;
+}
+
+void MotionSections::note_size(std::span<const double> y) {
+  largest_.resize(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) largest_[i] = std::max(largest_[i], std::abs(y[i]));
 }
 
 bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bool>& met) {
@@ -57,9 +67,10 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
     met_.assign(names_.size(), false);
   }
   for (std::size_t k = 0; k < met.size(); ++k) met_[k] = met_[k] || met[k];
+  note_size(y);
   const Sides before = way_.sides;
   const RightHandSide& old = now_->system;
-  if (!go_on(t, y)) return false;
+  if (!go_on(t, y) && !(come_together(t, y) && go_on(t, y))) return false;
   if (std::ranges::count(met_, true) == 1) {
     const auto k = static_cast<std::size_t>(std::ranges::find(met_, true) - met_.begin());
     if (before[k] != 0) take_back(k, before, old, t, y);
@@ -78,6 +89,25 @@ void MotionSections::take_back(std::size_t kink, const Sides& before, const Righ
   if (old.derivative(t, y, was) != Evaluation::ok) return;
   if (now_->system.derivative(t, y, is) != Evaluation::ok) return;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += late * (is[i] - was[i]);
+}
+
+/// Kinks that follow each other again and again within one instant are met together: infinitely many turns
+/// end there. False where it is farther to them than rounding, and an instant, may have moved the motion.
+bool MotionSections::come_together(double t, std::vector<double>& y) {
+  KinkModes::Way together{.sides = way_.sides, .contact = {}, .size = {}, .begins = {}};
+  for (std::size_t k = 0; k < met_.size(); ++k) {
+    if (met_[k]) together.begins.push_back(k);
+  }
+  std::vector<double> there = y, rate(y.size());
+  if (together.begins.size() < 2 || now_->system.derivative(t, y, rate) != Evaluation::ok) return false;
+  modes_->settle(together, t, there);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const double near = resolution_ * std::abs(rate[i]) + rounding * largest_[i];
+    if (std::abs(there[i] - y[i]) > farthest * near) return false;
+  }
+  y = there;
+  tried_.clear();
+  return true;
 }
 
 /// No way is tried twice at one instant.

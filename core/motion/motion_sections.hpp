@@ -32,6 +32,9 @@ class MotionSections {
   /// Where the section ends by itself: one event for each kink.
   [[nodiscard]] std::vector<EventFunction> ends() const;
   [[nodiscard]] std::size_t kinks() const { return names_.size(); }
+  /// Of the section.
+  [[nodiscard]] const Sides& sides() const { return way_.sides; }
+  [[nodiscard]] double begun() const { return t_; }
   /// What happens in so short a time is one instant.
   [[nodiscard]] double resolution() const { return resolution_; }
 
@@ -55,6 +58,8 @@ class MotionSections {
     Columns columns;
   };
   [[nodiscard]] bool go_on(double t, std::span<const double> y);
+  void note_size(std::span<const double> y);
+  [[nodiscard]] bool come_together(double t, std::vector<double>& y);
   void take_back(std::size_t kink, const Sides& before, const RightHandSide& old, double t,
                  std::vector<double>& y);
   void enter(const KinkModes::Way& way, double t);
@@ -69,6 +74,7 @@ class MotionSections {
   std::vector<Section*> history_;
   KinkModes::Way way_;
   double t_{};                                ///< when the section began
+  std::vector<double> largest_;               ///< |y_i| where sections have begun
   std::vector<bool> met_;                     ///< at that instant
   std::set<Sides> tried_;                     ///< at that instant
   std::vector<std::optional<double>> since_;  ///< for each kink on which the motion stays

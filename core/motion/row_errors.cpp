@@ -28,9 +28,9 @@ void RowErrors::add(std::span<const double> row, std::span<const std::span<const
     error_[k] = std::max(error_[k], safety_of_differences * difference + storing * std::abs(row[k]) + missed);
     lost_ = lost_ || safety_of_differences * difference > too_much * scale_[k];
   }
-  if (!lost_) return;
   widen(row);
   for (const auto& other : others) widen(other);
+  if (!lost_) return;
   for (std::size_t k = 0; k < row.size(); ++k)
     error_[k] = std::max(error_[k], of_lost * (highest_[k] - lowest_[k]));
 }

@@ -7,7 +7,7 @@
 // small against the motion, for then they grow alike in all computations. Where a quarter of a column is in
 // doubt the motion is lost: two computations that are both wrong may agree by chance, and an angle that winds
 // may go any way. From there on the error is no less than four times the range of values that the
-// computations go through.
+// computations have gone through up to there.
 
 #include <span>
 #include <vector>
@@ -34,7 +34,7 @@ class RowErrors {
 
   std::vector<double> scale_, error_;
   bool lost_{false};
-  std::vector<double> lowest_, highest_;  ///< since it was lost
+  std::vector<double> lowest_, highest_;
 };
 
 }  // namespace qdot

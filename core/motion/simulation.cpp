@@ -44,6 +44,7 @@ class Simulator {
         if (impacts == most_impacts || !apply_impact()) break;
       }
     }
+    record_piece({});
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
     fill_columns();
@@ -101,7 +102,9 @@ class Simulator {
         result_.ending = Ending::reached_end;
         return false;
       }
-      is_determined_ = sections_.pass(result_.t, result_.y, kinks_met(done));
+      const std::vector<bool> met = kinks_met(done);
+      record_piece(met);
+      is_determined_ = sections_.pass(result_.t, result_.y, met);
     }
     result_.ending = Ending::undetermined;
     return false;
@@ -112,6 +115,15 @@ class Simulator {
     if (done.ending == Ending::event) return false;
     if (done.ending == Ending::reached_end) return done.t < request_.t_end;
     return done.steps > 0 && from_rest_.length(done.t, done.y, sections_.system()).has_value();
+  }
+
+  void record_piece(const std::vector<bool>& met) {
+    if (sections_.kinks() == 0) return;
+    PieceRecord& piece =
+        result_.pieces.emplace_back(result_.t, result_.t - sections_.begun(), sections_.sides());
+    for (std::size_t k = 0; k < met.size(); ++k) {
+      if (met[k]) piece.ended_by.push_back(k);
+    }
   }
 
   /// Integrates to the next kink or impact, or by one short step away from rest.

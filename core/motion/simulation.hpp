@@ -30,6 +30,7 @@ struct Simulation {
   std::vector<double> columns;  ///< rows x request.columns, row-major
   std::vector<EventRecord> events;
   std::vector<SectionRecord> sections;  ///< in order, one that an impact at t_end itself ended included
+  std::vector<PieceRecord> pieces;      ///< of a motion with kinks, in order
   std::vector<StayRecord> stays;        ///< in order of their ends
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.

@@ -15,7 +15,8 @@ constexpr double small_box = 1e-2;     ///< below it a box is looked at with New
 constexpr double least_box = 1e-14;
 constexpr double wide_enclosure = 1e-4;  ///< of a zero: Newton's iteration is quicker than contraction
 constexpr std::size_t most_starts = 500;
-constexpr double widest_cluster = 0.05;  ///< wider ones are no place but a region
+constexpr std::size_t boxes_per_start = 40;  ///< where fewer boxes are looked at, so are fewer starts
+constexpr double widest_cluster = 0.05;      ///< wider ones are no place but a region
 
 class Isolator {
  public:
@@ -30,7 +31,7 @@ class Isolator {
     for (std::size_t boxes = 0; !waiting_.empty(); ++boxes) {
       if (boxes == most_boxes) {
         result.complete = false;
-        look_for_zeros_in_what_is_left();
+        look_for_zeros_in_what_is_left(std::min(most_starts, most_boxes / boxes_per_start));
         break;
       }
       examine(pop());
@@ -85,8 +86,8 @@ class Isolator {
   }
 
   /// What was not finished may still show zeros: those to which Newton's iteration leads from some middles.
-  void look_for_zeros_in_what_is_left() {
-    for (std::size_t i = 0; i < most_starts && !waiting_.empty(); ++i) {
+  void look_for_zeros_in_what_is_left(std::size_t starts) {
+    for (std::size_t i = 0; i < starts && !waiting_.empty(); ++i) {
       const std::optional<Box> start = newton(middle(pop()));
       if (!start) continue;
       const Box around = around_point(*start, 1e-6);

@@ -10,9 +10,10 @@ using S = Series;
 using State = const std::vector<Series>&;
 using Result = std::vector<Series>;
 
+/// All of them: no double has more than 767.
 std::string digits(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "(%.17g)", value);
+  char text[800];
+  std::snprintf(text, sizeof text, "(%.767g)", value);
   return text;
 }
 

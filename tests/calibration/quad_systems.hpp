@@ -18,7 +18,8 @@ struct Forcing {
   double amplitude{}, decay{}, frequency{}, phase{};
   bool rectified{};  ///< |...|: a kink at every zero
 
-  /// As an expression for the program, every number with the digits that make it the same double.
+  /// As an expression for the program, every number with all of its digits: the program takes a literal for
+  /// the decimal that it is.
   [[nodiscard]] std::string text() const;
 };
 

@@ -37,6 +37,20 @@ inline std::vector<double> instants(double t_end, int count) {
   return grid;
 }
 
+/// A mass of 1 kg on a line under a force, an expression in t, x, x_dot and the units F, L and T.
+inline std::shared_ptr<const Model> mass_under(const std::string& force) {
+  Scene scene;
+  scene.name = "mass";
+  for (const auto& [name, unit] : {std::pair{"m", "kg"}, {"F", "N"}, {"L", "m"}, {"T", "s"}}) {
+    scene.parameters.push_back({name, unit, "1", {}, {}, {}});
+  }
+  scene.coordinates = {Coordinate{"x", "m", "0", "0", {}, {}, {}, {}}};
+  scene.points = {{"P", {"x", "0"}}};
+  scene.bodies = {Particle{"body", "m", {"P", {}}}};
+  scene.forces = {Force{"all", {force, "0"}, {"P", {}}}};
+  return build_model(scene);
+}
+
 /// From 0 to the last instant of the grid by the best method; `given` are parameters and initial values by
 /// name, the others have their defaults.
 inline SimulationRequest request_for(const Model& model, const Values& given, std::vector<double> grid) {

@@ -12,29 +12,8 @@ namespace qdot {
 namespace {
 
 using test::instants;
+using test::mass_under;
 using test::row;
-
-/// A mass of 1 kg on a line under a force, an expression in t, x, x_dot and the units F, L and T.
-std::shared_ptr<const Model> mass_under(const std::string& force) {
-  Scene scene = test::scene_of("damped_oscillator");
-  scene.name = "mass";
-  scene.parameters.clear();
-  for (const auto& [name, unit] : {std::pair{"m", "kg"}, {"F", "N"}, {"L", "m"}, {"T", "s"}}) {
-    scene.parameters.push_back({name, unit, "1", {}, {}, {}});
-  }
-  scene.coordinates = {Coordinate{"x", "m", "0", "0", {}, {}, {}, {}}};
-  scene.inputs.clear();
-  scene.points = {{"P", {"x", "0"}}};
-  scene.bodies = {Particle{"body", "m", {"P", {}}}};
-  scene.springs.clear();
-  scene.potential.clear();
-  scene.dissipation.clear();
-  scene.lagrangian.clear();
-  scene.forces = {Force{"all", {force, "0"}, {"P", {}}}};
-  scene.scales.reset();
-  scene.lines.clear();
-  return build_model(scene);
-}
 
 MeasuredSimulation measured(const std::string& force, const Values& given, double t_end, int rows,
                             Method method = Method::taylor) {
@@ -157,6 +136,24 @@ TEST(DryFriction, EndsInfinitelyManyTurns) {
   EXPECT_EQ(found.simulation.ending, Ending::reached_end);
   EXPECT_LT(std::abs(row(found.simulation, 20)[0]), 1e-9);
   EXPECT_LT(std::abs(row(found.simulation, 20)[1]), 1e-9);
+}
+
+/// There the last turns are within one instant, and rounding leaves the mass beside both kinks.
+TEST(DryFriction, EndsInfinitelyManyTurnsBesideItsKinks) {
+  const auto found = measured("0.2*F - 0.562579*F*sign(x) - 0.296963*F*sign(x_dot)",
+                              {{"x", 1.7201}, {"x_dot", -0.07596}}, 20, 20);
+  EXPECT_EQ(found.simulation.ending, Ending::reached_end);
+  EXPECT_EQ(row(found.simulation, 20)[0], 0);
+  EXPECT_EQ(row(found.simulation, 20)[1], 0);
+}
+
+/// x - L has lost half of its digits. v(2.5) in 20 digits, by its parabolas.
+TEST(DryFriction, FarFromTheOriginIsNoMoreCertainThanItsNumbers) {
+  const auto found = measured("0.077368*F - 1.409364*F*sign(x - L) - 0.5*F*sign(x_dot)",
+                              {{"L", 12345678.9}, {"x", 12345679.0796}, {"x_dot", 0.859}}, 5, 2);
+  const double off = std::abs(row(found.simulation, 1)[1] - 0.36935393407996761985);
+  EXPECT_GT(off, 1e-9);
+  EXPECT_LE(off, found.max_abs_error[1]);
 }
 
 }  // namespace

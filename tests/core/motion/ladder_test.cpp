@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
+#include "core/motion/motion_check.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/system_test.hpp"
 
@@ -170,6 +172,21 @@ TEST(Ladder, RoundOffIsNotSmallByChance) {
     EXPECT_NEAR(test::row(m.simulation, 7)[0], end, 3 * m.max_abs_error[0]) << i;
     EXPECT_LT(m.max_abs_error[0], 1e-13 * end * (1 + 60 * s)) << i;
   }
+}
+
+/// Moved alike, two numbers near each other would keep their difference.
+TEST(Ladder, ChecksMoveNumbersByDifferentAmounts) {
+  const auto model = test::model_of("spring_pendulum");
+  SimulationRequest request = test::request_for(*model, {}, test::instants(1, 2));
+  request.parameters = std::vector<double>(4, 1.0);
+  request.y_start = std::vector<double>(4, 1.0);
+  const Dynamics dynamics(model);
+  const DenseGrid grid(request);
+  const Simulation motion = simulate(dynamics, request);
+  const SimulationRequest check = check_of({dynamics, request, grid, motion, request.tolerances, false}, 1);
+  std::set<double> moved{1.0};
+  for (std::size_t i = 0; i < 4; ++i) moved.insert({check.parameters[i], check.y_start[i]});
+  EXPECT_EQ(moved.size(), 9U);
 }
 
 TEST(Ladder, SkipsTheMeasurementWhenAsked) {

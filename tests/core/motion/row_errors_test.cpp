@@ -38,5 +38,13 @@ TEST(RowErrors, AreFourTimesTheRangeOfValuesOnceTheMotionIsLost) {
   EXPECT_NEAR(errors.so_far()[1], 10.4, 1e-14);
 }
 
+/// Rows may be rare, and an angle that winds goes on between them.
+TEST(RowErrors, OfALostMotionCountWhereItWasBefore) {
+  RowErrors errors({10, 10});
+  add(errors, {-9, 0}, {{-9, 0}});
+  add(errors, {1, 0}, {{1, 6}});
+  EXPECT_EQ(errors.so_far()[0], 40);
+}
+
 }  // namespace
 }  // namespace qdot

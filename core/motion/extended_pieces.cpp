@@ -1,0 +1,130 @@
+#include "core/motion/extended_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qdot {
+namespace {
+
+constexpr unsigned order_beside = 6;  ///< of the series from a known instant to the one beside it
+constexpr double farthest = 1e-3;     ///< of a piece's duration: where these few terms do
+constexpr int most_secants = 12;
+constexpr double as_near_as_can_be = 0x1p-90;  ///< of the instant
+
+std::vector<Ball> balls(std::span<const DoubleDouble> numbers) {
+  std::vector<Ball> result;
+  for (const DoubleDouble& x : numbers) result.emplace_back(x, 0.0);
+  return result;
+}
+
+/// A zero of g(d), |d| <= reach.
+template <class Function>
+std::optional<DoubleDouble> zero_near(const Function& g, double reach, double accuracy) {
+  DoubleDouble a = 1e-3 * reach, b = 0.0, at_a = g(a);
+  for (int i = 0; i < most_secants; ++i) {
+    const DoubleDouble at_b = g(b);
+    const DoubleDouble rise = at_b - at_a;
+    const DoubleDouble step = rise.high == 0 ? DoubleDouble(0) : at_b * (b - a) / rise;
+    if (!(std::abs(step.high) <= reach)) return std::nullopt;
+    a = b;
+    at_a = at_b;
+    b = b - step;
+    if (std::abs(b.high) > reach) return std::nullopt;
+    if (std::abs(step.high) <= accuracy) return b;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ExtendedFunction::ExtendedFunction(const CompiledFunction& function, std::span<const DoubleDouble> parameters)
+    : outputs_(function.outputs()), evaluator_(function, balls(parameters)) {}
+
+std::vector<DoubleDouble> ExtendedFunction::operator()(const DoubleDouble& t,
+                                                       std::span<const DoubleDouble> y) {
+  std::vector<Ball> values(outputs_);
+  evaluator_.set_time(Ball(t, 0));
+  evaluator_(balls(y), values);
+  std::vector<DoubleDouble> result;
+  for (const Ball& value : values) result.push_back(value.middle);
+  return result;
+}
+
+ExtendedPieces::ExtendedPieces(const ExtendedMotionRequest& request) : piece_(request), grid_(request.grid) {
+  run_.bounded = true;
+}
+
+bool ExtendedPieces::go_to(const ExtendedSystem& system, const DoubleDouble& t) {
+  piece_.grid.clear();
+  for (std::size_t i = run_.rows; i < grid_.size() && !is_before(t, grid_[i]); ++i)
+    piece_.grid.push_back(grid_[i]);
+  piece_.grid.push_back(t);
+  if (!go_on(system)) return false;
+  run_.rows -= 1;
+  run_.states.resize(run_.rows * piece_.y_start.size());
+  run_.passed.resize(run_.states.size());
+  return true;
+}
+
+bool ExtendedPieces::finish(const ExtendedSystem& system) {
+  piece_.grid.assign(grid_.begin() + static_cast<std::ptrdiff_t>(run_.rows), grid_.end());
+  return piece_.grid.empty() || go_on(system);
+}
+
+/// Through the grid of the piece. The next one begins at its end.
+bool ExtendedPieces::go_on(const ExtendedSystem& system) {
+  const ExtendedRun piece = extended_states(system, piece_);
+  run_.evaluations += piece.evaluations;
+  piece_.limits.max_evaluations -= std::min(piece_.limits.max_evaluations, piece.evaluations);
+  run_.bounded = run_.bounded && piece.bounded;
+  if (piece.rows < piece_.grid.size()) return false;
+  run_.rows += piece.rows;
+  run_.states.insert(run_.states.end(), piece.states.begin(), piece.states.end());
+  pass_on(piece.passed);
+  piece_.t_start = piece_.grid.back();
+  piece_.y_start = piece.y;
+  return true;
+}
+
+/// What earlier pieces have passed counts in later ones.
+void ExtendedPieces::pass_on(std::vector<double> passed) {
+  const std::size_t n = piece_.y_start.size();
+  largest_.resize(n);
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    passed[i] = std::max(passed[i], largest_[i % n]);
+    if (i + n >= passed.size()) largest_[i % n] = passed[i];
+  }
+  run_.passed.insert(run_.passed.end(), passed.begin(), passed.end());
+}
+
+bool ExtendedPieces::move_to_zero(const ExtendedSystem& system, const Function& g, double duration) {
+  const DoubleDouble known = piece_.t_start;
+  const std::vector<DoubleDouble> y_known = piece_.y_start;
+  std::vector<DoubleDouble> c(y_known.size() * (order_beside + 1));
+  if (system.expansion(known, y_known, order_beside, c) != Evaluation::ok) return false;
+  const auto move = [&](const DoubleDouble& d) {
+    piece_.t_start = known + d;
+    for (std::size_t i = 0; i < y_known.size(); ++i) {
+      piece_.y_start[i] = 0.0;
+      for (std::size_t k = order_beside + 1; k-- > 0;)
+        piece_.y_start[i] = piece_.y_start[i] * d + c[i * (order_beside + 1) + k];
+    }
+  };
+  const auto g_beside = [&](const DoubleDouble& d) {
+    move(d);
+    return g(piece_.t_start, piece_.y_start);
+  };
+  const double reach = farthest * duration;
+  const auto d = zero_near(g_beside, reach, as_near_as_can_be * (reach + std::abs(known.high)));
+  if (!d || has_row_within(known.high, 2 * std::abs(d->high))) return false;
+  move(*d);
+  return true;
+}
+
+bool ExtendedPieces::has_row_within(double t, double reach) const {
+  return std::ranges::any_of(grid_, [&](const DoubleDouble& row) {
+    return row.high != t && std::abs((row - DoubleDouble(t)).high) <= reach;
+  });
+}
+
+}  // namespace qdot

@@ -1,0 +1,66 @@
+#pragma once
+// A motion in double-doubles, piece by piece: what happens to it between two pieces, an impact or a kink, is
+// known from a motion in doubles to that one's error, a billionth of a second, say. It is the zero of a
+// function next to the instant that is known,
+//
+//   g(y(t + d)) = 0,   y(t + d) = sum_j c_j d^j,
+//
+// found by the secant method, so that the series needs few terms. What is measured so is what rounding did to
+// the motion; whether something else happens before is the other computations' to tell.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/compile/tape_evaluator.hpp"
+#include "core/motion/extended_motion.hpp"
+#include "core/numerics/ball.hpp"
+
+namespace qdot {
+
+/// The outputs of a tape in double-doubles, y = (q, q') as its variables.
+class ExtendedFunction {
+ public:
+  /// Keeps a reference to the function.
+  ExtendedFunction(const CompiledFunction& function, std::span<const DoubleDouble> parameters);
+
+  [[nodiscard]] std::vector<DoubleDouble> operator()(const DoubleDouble& t, std::span<const DoubleDouble> y);
+
+ private:
+  std::size_t outputs_;
+  TapeEvaluator<Ball> evaluator_;
+};
+
+/// The rows of the request's grid up to where the motion has come. What happens between two pieces is done to
+/// y() by who asks.
+class ExtendedPieces {
+ public:
+  /// At the beginning: t_start and y_start of the request.
+  explicit ExtendedPieces(const ExtendedMotionRequest& request);
+
+  /// To t and the rows up to there, or to the end of the grid. False where the motion cannot be followed.
+  [[nodiscard]] bool go_to(const ExtendedSystem& system, const DoubleDouble& t);
+  [[nodiscard]] bool finish(const ExtendedSystem& system);
+
+  /// To the zero of g beside the place, at most a small part of `duration` away. False where there is none,
+  /// or where a row lies between the two, so that it may belong to either side.
+  using Function = std::function<DoubleDouble(const DoubleDouble& t, std::span<const DoubleDouble> y)>;
+  [[nodiscard]] bool move_to_zero(const ExtendedSystem& system, const Function& g, double duration);
+
+  [[nodiscard]] const DoubleDouble& t() const { return piece_.t_start; }
+  [[nodiscard]] std::vector<DoubleDouble>& y() { return piece_.y_start; }
+  [[nodiscard]] ExtendedRun run() && { return std::move(run_); }
+
+ private:
+  [[nodiscard]] bool go_on(const ExtendedSystem& system);
+  void pass_on(std::vector<double> passed);
+  [[nodiscard]] bool has_row_within(double t, double reach) const;
+
+  ExtendedMotionRequest piece_;
+  std::vector<DoubleDouble> grid_;
+  ExtendedRun run_;
+  std::vector<double> largest_;  ///< that was passed, of each component
+};
+
+}  // namespace qdot

@@ -1,0 +1,86 @@
+// Motions with kinks in double-doubles, against their pieces in closed form.
+
+#include "core/motion/extended_kinks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/numerics/double_double_function.hpp"
+#include "tests/support/motions.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double of_double_doubles = 1e-28;
+
+struct Place {
+  DoubleDouble x, v;
+};
+
+class KinkedMass : public testing::Test {
+ protected:
+  /// Of 1 kg on a line, until t = 4.
+  ExtendedRun run(const std::string& force, const Values& given) {
+    const auto model = test::mass_under(force);
+    const Dynamics dynamics(model);
+    SimulationRequest request = test::request_for(*model, given, test::instants(4, 7));
+    request.method = Method::taylor;
+    request.tolerances = {1e-9, 1e-12};
+    motion_ = simulate(dynamics, request);
+    const auto extended = extended_request(request.parameters, request.y_start, 0, request.grid);
+    t_ = request.grid;
+    return extended_states_along(motion_.pieces, dynamics, extended);
+  }
+
+  template <class Truth>
+  void expect(const ExtendedRun& run, const Truth& truth) const {
+    ASSERT_EQ(run.rows, t_.size());
+    for (std::size_t i = 0; i < t_.size(); ++i) {
+      const Place place = truth(DoubleDouble(t_[i]));
+      EXPECT_LT(std::abs((run.states[2 * i] - place.x).high), of_double_doubles) << i;
+      EXPECT_LT(std::abs((run.states[2 * i + 1] - place.v).high), of_double_doubles) << i;
+    }
+  }
+
+  Simulation motion_;
+  std::vector<double> t_;
+};
+
+/// V = |x|: x = 1 - t^2/2 until sqrt(2), then the same upside down, about 2 sqrt(2).
+TEST_F(KinkedMass, PassesKinksWithAllDigits) {
+  const auto found = run("-F*sign(x)", {{"x", 1}});
+  EXPECT_EQ(motion_.pieces.size(), 2U);
+  expect(found, [](const DoubleDouble& t) {
+    const DoubleDouble half(0.5), quarter = sqrt(DoubleDouble(2));
+    if (is_before(t, quarter)) return Place{DoubleDouble(1) - half * t * t, -t};
+    const DoubleDouble s = t - quarter - quarter;
+    return Place{half * s * s - DoubleDouble(1), s};
+  });
+}
+
+/// v = (t^2 - 3 t + 1)/4 until it is 0, at (3 - sqrt(5))/2; friction holds the mass until the drive t/2 is
+/// 3/4, and then v = (t - 3/2)^2/4.
+TEST_F(KinkedMass, StaysAndLeavesWithAllDigits) {
+  const auto found = run("0.5*F*t/T - 0.75*F*sign(x_dot)", {{"x_dot", 0.25}});
+  ASSERT_EQ(motion_.pieces.size(), 3U);
+  EXPECT_EQ(motion_.pieces[1].sides, std::vector<int>{0});
+  expect(found, [](const DoubleDouble& t) {
+    const auto x_before = [](const DoubleDouble& s) {
+      return (s * s * s / DoubleDouble(3) - DoubleDouble(1.5) * s * s + s) / DoubleDouble(4);
+    };
+    const DoubleDouble stop = (DoubleDouble(3) - sqrt(DoubleDouble(5))) / DoubleDouble(2);
+    if (is_before(t, stop)) {
+      return Place{x_before(t), (t * t - DoubleDouble(3) * t + DoubleDouble(1)) / DoubleDouble(4)};
+    }
+    if (is_before(t, DoubleDouble(1.5))) return Place{x_before(stop), DoubleDouble(0)};
+    const DoubleDouble s = t - DoubleDouble(1.5);
+    return Place{x_before(stop) + s * s * s / DoubleDouble(12), s * s / DoubleDouble(4)};
+  });
+}
+
+/// Two kinks at t = sqrt(2), those of two different functions of x: there are two rows before.
+TEST_F(KinkedMass, IsNotFollowedOverTwoKinksAtOnce) {
+  EXPECT_EQ(run("-0.5*F*sign(x) - 0.5*F*sign(x + x^3/L^2)", {{"x", 1}}).rows, 3U);
+}
+
+}  // namespace
+}  // namespace qdot
