@@ -18,7 +18,7 @@ class ConstrainedSearch {
       : parameters_(parameters), whole_(surface_statics(dynamics, parameters)), n_(whole_.coordinates) {}
 
   ConstrainedEquilibria from(const Reals& y) {
-    refuse_dry_friction(*whole_.dynamics, parameters_);
+    refuse_dry_friction(*whole_.dynamics, parameters_, {});
     const SteadyProblem problem{whole_.statics,
                                 std::make_shared<const SteadyForces>(derive_surface_forces(whole_)),
                                 {parameters_.begin(), parameters_.end()},

@@ -5,59 +5,11 @@
 
 #include "core/base/error.hpp"
 #include "core/steady/mode_search.hpp"
+#include "core/steady/rolling_modes.hpp"
+#include "core/steady/steady_rolling.hpp"
 
 namespace qdot {
 namespace {
-
-using BallMatrix = std::vector<std::vector<Ball>>;
-
-/// A solved for as many displacements as it has rows, A_D.
-struct SolvedSlopes {
-  BallMatrix allowed;                  ///< Z with A Z = 0: for each coordinate that is left free a column
-  std::vector<std::size_t> dependent;  ///< D
-  BallMatrix inverse;                  ///< of A_D
-};
-
-/// By elimination in (A 1), with the largest pivots.
-SolvedSlopes solved_slopes(BallMatrix a, std::size_t n) {
-  const std::size_t m = a.size();
-  SolvedSlopes result;
-  for (std::size_t k = 0; k < m; ++k) {
-    for (std::size_t j = 0; j < m; ++j) a[k].emplace_back(j == k ? 1 : 0);
-  }
-  for (std::size_t k = 0; k < m; ++k) {
-    std::size_t row = k, column = 0;
-    for (std::size_t i = k; i < m; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        if (std::abs(a[i][j].value()) > std::abs(a[row][column].value())) row = i, column = j;
-      }
-    }
-    if (a[row][column].contains_zero())
-      undetermined_on_surface("at the equilibrium they depend on each other.");
-    std::swap(a[k], a[row]);
-    result.dependent.push_back(column);
-    const Ball pivot = a[k][column];
-    for (Ball& entry : a[k]) entry = entry / pivot;
-    a[k][column] = Ball(1);
-    for (std::size_t i = 0; i < m; ++i) {
-      if (i == k) continue;
-      const Ball factor = a[i][column];
-      for (std::size_t j = 0; j < n + m; ++j) a[i][j] = a[i][j] - factor * a[k][j];
-      a[i][column] = Ball(0);
-    }
-  }
-  result.allowed.assign(n, std::vector<Ball>(n - m, Ball(0)));
-  std::size_t f = 0;
-  for (std::size_t j = 0; j < n; ++j) {
-    if (std::ranges::find(result.dependent, j) != result.dependent.end()) continue;
-    result.allowed[j][f] = Ball(1);
-    for (std::size_t k = 0; k < m; ++k) result.allowed[result.dependent[k]][f] = -a[k][j];
-    ++f;
-  }
-  for (const auto& row : a)
-    result.inverse.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(n), row.end());
-  return result;
-}
 
 class SurfaceAnalysis {
  public:
@@ -255,6 +207,8 @@ SurfaceModes surface_modes_at(const SurfaceStatics& whole, const Reals& paramete
 
 Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                         const std::optional<std::vector<double>>& guess) {
+  if (has_constraint_in_velocities(dynamics.model()))
+    return rolling_modes(dynamics, parameters, initial, guess);
   const SurfaceStatics whole = surface_statics(dynamics, parameters);
   const std::vector<double> start(initial.begin(),
                                   initial.begin() + static_cast<std::ptrdiff_t>(whole.coordinates));

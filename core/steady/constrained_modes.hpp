@@ -31,7 +31,7 @@ struct SurfaceModes {
 
 /// As normal_modes, of a model with constraints; but always the equilibrium that Newton's iteration finds
 /// from the guess, whatever its stability. Mass and stiffness are M and K above. Throws what surface_statics
-/// and surface_modes throw.
+/// and surface_modes throw. With constraints in the velocities those of rolling_modes.hpp.
 [[nodiscard]] Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                                       const std::optional<std::vector<double>>& guess = std::nullopt);
 

@@ -8,6 +8,17 @@ namespace {
 
 /// For several coordinates the search of (x, p) grows quickly; where it ends, the answer says so.
 constexpr std::size_t most_boxes_of_zeros = 20'000;
+/// In instructions, so that long determinants leave the rest of the answer its part.
+constexpr std::size_t most_work_of_zeros = 2'000'000;
+
+/// Each box is looked at by its values and derivatives, again where it contracts.
+std::size_t affordable_boxes(const BifurcationSystem& system) {
+  constexpr std::size_t looks = 4;
+  const std::size_t cost =
+      looks * (system.values.instructions().size() + system.jacobian.instructions().size());
+  return std::clamp(most_work_of_zeros / std::max<std::size_t>(cost, 1), std::size_t{500},
+                    most_boxes_of_zeros);
+}
 
 std::vector<double> degenerate_values(const SteadyProblem& problem, const BifurcationSystems& systems,
                                       const Interval& range) {
@@ -73,7 +84,7 @@ Isolation isolated(const Model& model, const SteadyProblem& problem, std::span<c
   const SquareSystem square{region.size(), [&](auto x, auto out) { values(x, out); },
                             [&](auto x, auto out) { jacobian(x, out); },
                             [&](auto x, auto) { return known(x); }};
-  return isolate_zeros(square, region, scales, most_boxes_of_zeros);
+  return isolate_zeros(square, region, scales, affordable_boxes(system));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace {
 
 /// Some hundred do for most scenes; past this number the answer says that it is not complete.
 constexpr std::size_t most_boxes(std::size_t unknowns) { return unknowns < 3 ? 20'000 : 60'000; }
+constexpr std::size_t most_boxes_of_middle = 2'000;
 constexpr std::size_t most_kinks = 5;  ///< each multiplies the work by three
 
 std::string short_number(double x) {
@@ -115,17 +116,38 @@ class RegionSearch {
     // A little more than the sides' values: what lies at the ends counts.
     region.resize(region.size() + static_cast<std::size_t>(std::ranges::count(sides, 0)), {-1.001, 1.001});
     scales.resize(region.size(), 1.0);
-    const Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
-    if (!isolation.complete) {
-      incomplete(
-          "The search was given up before it was finished, so equilibria may be missing: their number is not "
-          "finite, or forces of very different sizes cancel.");
-    }
+    Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
+    if (!isolation.complete) isolation = nearer(sides, region, scales, std::move(isolation));
     for (const Box& box : isolation.undecided) {
       if (system_.holds(sides, box).value_or(true)) incomplete(undecided(box));
     }
     for (const Box& box : isolation.poles) give_up_at_pole(box);
     for (const IsolatedZero& zero : isolation.zeros) take(sides, zero);
+  }
+
+  /// Where there are too many in the whole region, all of those in the middle.
+  Isolation nearer(const Sides& sides, const Box& region, const std::vector<double>& scales,
+                   Isolation whole) {
+    Box middle = region;
+    std::string where;
+    for (std::size_t k = 0; k < forces().unknowns.size(); ++k) {
+      const std::size_t j = forces().unknowns[k];
+      if (forces().turns[j]) continue;
+      const double half = coordinate(j).unit == "rad" ? 4 * pi : 10 * scales[k];
+      middle[k] = intersection(region[k], {-half, half});
+      if (is_empty(middle[k])) return whole;
+      where += (where.empty() ? "" : " and ") + coordinate(j).name + " from " +
+               short_number(middle[k].lower) + " to " + short_number(middle[k].upper);
+    }
+    Isolation found = isolate_zeros(system_.at(sides), middle, scales, most_boxes_of_middle);
+    if (where.empty() || !found.complete || !found.undecided.empty()) {
+      incomplete(
+          "The search was given up before it was finished, so equilibria may be missing: their number is not "
+          "finite, or forces of very different sizes cancel.");
+      return whole;
+    }
+    incomplete("There are more equilibria than can be looked for: these are those with " + where + ".");
+    return found;
   }
 
   void take(const Sides& sides, const IsolatedZero& zero) {

@@ -129,11 +129,15 @@ SmoothForces derive_smooth_forces(const Statics& statics) {
   return derive_smooth_forces(statics.reduction, graph, rest, {});
 }
 
-bool has_dry_friction(const Reduction& reduction) {
+bool has_dry_friction(const Reduction& reduction, const std::vector<bool>& vanishing) {
   Graph graph(*reduction.graph);
   std::vector<Replacement> rest;
   for (const auto* symbols : {&reduction.x_dot, &reduction.x_ddot}) {
     for (const Expression& symbol : *symbols) rest.emplace_back(graph.adopt(symbol), graph.number(0));
+  }
+  const auto momenta = std::span(reduction.constants).last(reduction.ignored.size());
+  for (std::size_t c = 0; c < vanishing.size(); ++c) {
+    if (vanishing[c]) rest.emplace_back(graph.adopt(momenta[c]), graph.number(0));
   }
   std::vector<Expression> velocities, equations;
   for (const Expression& symbol : reduction.x_dot) velocities.push_back(graph.adopt(symbol));

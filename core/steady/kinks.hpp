@@ -34,7 +34,7 @@ struct SmoothForces {
 [[nodiscard]] SmoothForces derive_smooth_forces(const Statics& statics);
 
 /// Whether forces at rest depend on the sign of a velocity: dry friction, which takes any value between its
-/// two sides there.
-[[nodiscard]] bool has_dry_friction(const Reduction& reduction);
+/// two sides there. `vanishing`: which momenta of the ignored coordinates are zero.
+[[nodiscard]] bool has_dry_friction(const Reduction& reduction, const std::vector<bool>& vanishing);
 
 }  // namespace qdot

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/error.hpp"
 #include "core/steady/mode_search.hpp"
@@ -49,7 +50,6 @@ class Analysis {
         parameters_(parameters.begin(), parameters.end()),
         constants_(parameters.as<Ball>()),
         y_(initial.begin(), initial.end()) {
-    refuse_dry_friction(dynamics, parameters);
     smooth_ = dynamics.derived<SmoothForces>(
         "smooth forces", parameters, [](const Statics& statics) { return derive_smooth_forces(statics); });
     Balls at = initial.as<Ball>();
@@ -58,6 +58,7 @@ class Analysis {
       at[total() + k] = 0;
     }
     add_momenta(at);
+    refuse_dry_friction(dynamics, parameters, vanishing_momenta());
   }
 
   Modes at(const std::optional<std::vector<double>>& given) {
@@ -119,6 +120,13 @@ class Analysis {
     const auto momenta = dynamics_.columns(momentum_columns(dynamics_.model(), reduction().ignored));
     const Balls p = evaluated(*momenta, constants_, y);
     constants_.insert(constants_.end(), p.begin(), p.end());
+  }
+
+  [[nodiscard]] std::vector<bool> vanishing_momenta() const {
+    std::vector<bool> vanishing;
+    for (const Ball& p : std::span(constants_).last(reduction().ignored.size()))
+      vanishing.push_back(p.value() == 0 && p.error() == 0);
+    return vanishing;
   }
 
   void write_state() {

@@ -13,6 +13,7 @@ namespace qdot {
 namespace {
 
 constexpr double widest_break = 1e-4;
+constexpr std::size_t most_boxes_of_breaks = 5'000;
 
 /// A function of the position and its slope.
 struct Curve {
@@ -88,7 +89,7 @@ class Ranges {
   void add_zeros(const std::function<Curve(const std::vector<Curve>&)>& curve, bool included) {
     const SquareSystem system{1, [&](auto x, auto out) { out[0] = curve(at(x[0])).value; },
                               [&](auto x, auto out) { out[0] = curve(at(x[0])).slope; }};
-    const Isolation isolation = isolate_zeros(system, {region_});
+    const Isolation isolation = isolate_zeros(system, {region_}, {}, most_boxes_of_breaks);
     complete_ = complete_ && isolation.complete && isolation.undecided.empty();
     for (const IsolatedZero& zero : isolation.zeros) {
       if (zero.enclosure[0].width() > widest_break) complete_ = false;  // it vanishes along a whole stretch

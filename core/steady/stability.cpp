@@ -88,6 +88,14 @@ constexpr const char* several =
     "An eigenvalue of the linearized equations is zero or imaginary to within rounding, and with several "
     "degrees of freedom the terms beyond are not looked at.";
 
+constexpr const char* no_potential =
+    "The eigenvalues of the linearized equations are imaginary, and without a potential the terms beyond "
+    "decide, which are not looked at.";
+
+constexpr const char* no_inertia =
+    "The mass matrix has no inverse here, as where a coordinate fails: no acceleration follows from the "
+    "equations, and whether anything can rest here they do not tell.";
+
 }  // namespace
 
 StabilityAnalysis::StabilityAnalysis(const Dynamics& dynamics, const SteadyProblem& problem)
@@ -156,10 +164,16 @@ SteadyStability StabilityAnalysis::at(std::span<const Interval> x) {
   } else if ((gyroscopic || !potential) && !exponents.empty()) {
     result.stability = by_eigenvalues(exponents);
   }
-  if (result.stability == Stability::neutral) {
-    result.undecided = n_ == 1 && potential ? next_terms(x) : several;
-  }
+  if (result.stability == Stability::neutral) result.undecided = why_undecided(m, k, potential, x);
   return result;
+}
+
+std::string StabilityAnalysis::why_undecided(const Matrix& inertia, const Matrix& stiffness, bool potential,
+                                             std::span<const Interval> x) const {
+  if (n_ > 1) return several;
+  if (inertia[0].contains(0.0)) return no_inertia;
+  if (potential) return next_terms(x);
+  return stiffness[0].contains(0.0) ? several : no_potential;
 }
 
 /// M and K positive definite, g = dU/dx: the energy 1/2 x'.M x' + U has a minimum at rest, and falls.

@@ -63,6 +63,9 @@ class StabilityAnalysis {
   [[nodiscard]] bool loses_energy(const Matrix& inertia, const Matrix& damping,
                                   const Matrix& stiffness) const;
   [[nodiscard]] std::string next_terms(std::span<const Interval> x) const;
+  /// Of a neutral place, a sentence.
+  [[nodiscard]] std::string why_undecided(const Matrix& inertia, const Matrix& stiffness, bool potential,
+                                          std::span<const Interval> x) const;
 
   const Dynamics& dynamics_;
   SteadyProblem problem_;

@@ -121,12 +121,15 @@ std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& static
 
 }  // namespace
 
-void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters) {
+void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters,
+                         const std::vector<bool>& vanishing) {
   struct Friction {
     bool dry{};
   };
-  const auto friction = dynamics.derived<Friction>("dry friction", parameters, [](const Statics& statics) {
-    return Friction{has_dry_friction(statics.reduction)};
+  std::string key = "dry friction";
+  for (const bool is_zero : vanishing) key += is_zero ? " 0" : " p";
+  const auto friction = dynamics.derived<Friction>(key, parameters, [&](const Statics& statics) {
+    return Friction{has_dry_friction(statics.reduction, vanishing)};
   });
   if (!friction->dry) return;
   throw Error(ErrorCode::not_applicable,
@@ -136,17 +139,18 @@ void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters) {
 }
 
 SteadyProblem steady_problem(const Dynamics& dynamics, const Reals& parameters, const Reals& y) {
-  refuse_dry_friction(dynamics, parameters);
   SteadyProblem problem{dynamics.statics(parameters), nullptr, {parameters.begin(), parameters.end()}, {}};
   problem.constants = parameters.as<Interval>();
   std::string key = "steady forces";
   std::vector<Expression> absent;
+  std::vector<bool> vanishing;
   for (const Interval& p : momenta_at(dynamics, *problem.statics, parameters, y)) {
-    const bool vanishes = p.lower == 0 && p.upper == 0;
-    if (vanishes) absent.push_back(problem.statics->reduction.constants[problem.constants.size()]);
-    key += vanishes ? " 0" : " p";
+    vanishing.push_back(p.lower == 0 && p.upper == 0);
+    if (vanishing.back()) absent.push_back(problem.statics->reduction.constants[problem.constants.size()]);
+    key += vanishing.back() ? " 0" : " p";
     problem.constants.push_back(p);
   }
+  refuse_dry_friction(dynamics, parameters, vanishing);
   problem.forces = dynamics.derived<SteadyForces>(key, parameters, [&](const Statics& statics) {
     return derive_steady_forces(dynamics.model(), statics, absent);
   });

@@ -66,8 +66,10 @@ struct SteadyProblem {
 /// The forces of a scene without kinks are the gradient of a potential, and none depends on a velocity.
 [[nodiscard]] bool has_potential(const Model& model, const Statics& statics);
 
-/// Throws Error(not_applicable) where dry friction holds the system wherever it is left.
-void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters);
+/// Throws Error(not_applicable) where dry friction holds the system wherever it is left. `vanishing`: which
+/// momenta of the ignored coordinates are zero.
+void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters,
+                         const std::vector<bool>& vanishing);
 
 /// With the momenta of the ignored coordinates in the state y = (q, q'). Throws Error(not_applicable) where
 /// the time enters the equations or dry friction holds the system wherever it is left, and

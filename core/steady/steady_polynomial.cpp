@@ -37,6 +37,7 @@ class PolynomialDerivation {
     }
     describe_coordinates();
     compile();
+    if (x_.size() == 1) write_small_motion();
     result_.forms = coefficients_;
     result_.graph = own_;
     return std::move(result_);
@@ -86,6 +87,15 @@ class PolynomialDerivation {
     coefficients_.insert(coefficients_.end(), c.begin(), c.end());
     values_.push_back(e);
     derivatives_.push_back(first);
+  }
+
+  /// With the momenta that the steady motion has, which stay as they are.
+  void write_small_motion() {
+    const Expression force = graph_.adopt(statics_.rest[0]);
+    const Expression inertia =
+        at_rest(reduction_, differentiate(reduction_.equations[0], reduction_.x_ddot[0]));
+    result_.stiffness = substitute(differentiate(force, x_[0]), momenta_);
+    result_.inertia = substitute(graph_.adopt(inertia), momenta_);
   }
 
   void describe_coordinates() {

@@ -37,14 +37,16 @@ std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model)
   return result;
 }
 
-void check_constraints(const Model& model) {
+void check_constraints(const Model& model, const Lagrangian& own) {
   for (std::size_t j = 0; j < model.scene.constraints.size(); ++j) {
-    const ConstraintEquation& constraint = model.lagrangian.constraints[j];
+    const ConstraintEquation& constraint = own.constraints[j];
     const std::string name = "'" + model.scene.constraints[j].name + "'";
     if (!constraint.position)
       undetermined_on_surface(
-          name + " holds velocities, so that the system may rest in any place where the forces allow it.");
-    if (!is_workless(constraint, model.parsed.symbols))
+          name +
+          " holds velocities, so that the system may rest in any place where the forces allow it. 'modes' "
+          "has the small motions about one that 'initial' gives.");
+    if (!is_workless(constraint, own.symbols))
       undetermined_on_surface(name + " moves, so that nothing rests.");
   }
 }
@@ -57,10 +59,11 @@ void undetermined_on_surface(const std::string& why) {
 
 SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters) {
   const Model& model = dynamics.model();
-  check_constraints(model);
+  const Lagrangian own = copied(model.lagrangian);
+  check_constraints(model, own);
   if (!model.scene.inputs.empty()) undetermined_on_surface("inputs act on it.");
   if (dynamics.kinks() != nullptr) undetermined_on_surface("an abs() or a sign() stands in its forces.");
-  if (has_forces_of_multipliers(model.lagrangian))
+  if (has_forces_of_multipliers(own))
     undetermined_on_surface("a force depends on their reactions, as friction does.");
   SurfaceStatics result{model.degrees_of_freedom(), model.scene.constraints.size(),
                         std::make_unique<const Dynamics>(with_multipliers_as_coordinates(model)), nullptr};

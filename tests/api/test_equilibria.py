@@ -8,6 +8,9 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, numbers_in, reference_cases  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+from textbook_fields import BELT  # noqa: E402
+from textbook_machines import CUBE_ON_CYLINDER, WRAPPING  # noqa: E402
 
 PROMISED = 1e-12  # relative
 
@@ -48,6 +51,25 @@ class Equilibria(Answers):
                 first = [list(entry["state"].values()) for entry in found["equilibria"]]
                 self.assertEqual(first, sorted(first))
                 self.assertTrue(all(math.isfinite(number) for number in numbers_in(found)))
+
+    def test_where_they_do_not_end_those_in_the_middle_are_all_there(self):
+        found = self.ask("equilibria", {"system": CUBE_ON_CYLINDER})
+        self.assertIs(found["complete"], False)
+        self.assertIn("theta from -12.57 to 12.57", found["reason"])
+        places = [entry["state"]["theta"] for entry in found["equilibria"]]
+        self.assertEqual(len(places), 9)  # r theta cos(theta) = b sin(theta)
+        for theta in places:
+            self.assertAlmostEqual(2*theta*math.cos(theta), math.sin(theta), 12)
+
+    def test_a_place_where_the_mass_matrix_has_no_inverse_is_told(self):
+        found = self.ask("equilibria", {"system": WRAPPING})["equilibria"]
+        told = [entry["state"]["phi"] for entry in found if "no inverse" in entry.get("nonlinear", "")]
+        self.assertEqual(told, [-5])  # the whole string is wound up: l + R phi = 0
+
+    def test_without_a_potential_imaginary_eigenvalues_do_not_decide(self):
+        entry, = self.ask("equilibria", {"system": BELT})["equilibria"]
+        self.assertEqual((entry["stability"], entry["rate2"]), ("neutral", 20))
+        self.assertIn("without a potential", entry["nonlinear"])
 
     def test_a_string_is_taut_or_not(self):
         found = self.ask("equilibria", {"system": "rod_pendulum"})
@@ -157,6 +179,14 @@ class Bifurcations(Answers):
         for branch in found["branches"]:
             self.assertEqual(len({len(branch[name]) for name in ("Omega", "theta", "stability")}), 1)
             self.assertEqual(branch["Omega"], sorted(branch["Omega"]))
+
+    def test_where_determinants_are_long_the_branches_are_left(self):
+        scene = lagrangian("restricted_three_bodies", "mu - 0.01", "x - 0.49; y - 0.86",
+                           "(x_dot^2 + y_dot^2)/2 + x*y_dot - y*x_dot + (x^2 + y^2)/2"
+                           " + (1 - mu)/sqrt((x + mu)^2 + y^2) + mu/sqrt((x - 1 + mu)^2 + y^2)")
+        found = self.ask("bifurcations", {"system": scene, "parameter": "mu", "from": 0.01, "to": 0.06})
+        self.assertIs(found["complete"], False)
+        self.assertEqual(len(found["branches"]), 5)
 
     def test_the_period_doubling_of_the_walker(self):
         found = self.critical("compass_walker", "gamma", 0.01, 0.016, m=0)

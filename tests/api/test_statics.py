@@ -184,6 +184,18 @@ class Kinks(Statics):
             self.assertIn("Dry friction", problem["detail"])
         self.assertEqual(self.ask("equilibria", {"system": scene, "parameters": {"F": 0}})["complete"], True)
 
+    def test_dry_friction_against_what_nothing_else_turns_is_refused_as_well(self):
+        scene = chain([[0.0]], [[0.0]])
+        scene["coordinates"].append({"name": "y", "unit": "m"})
+        scene["points"].append({"name": "q", "components": ["y", "0"]})
+        scene["bodies"].append({"kind": "particle", "mass": "m", "position": "q"})
+        scene["parameters"].append({"name": "F", "unit": "N", "default": "0.3"})
+        scene["forces"] = [{"value": "-F*sign(x0_dot - y_dot)", "along": "x0"}]  # y itself stands nowhere
+        for endpoint in ("equilibria", "modes"):
+            self.assertIn("Dry friction", self.refused(endpoint, {"system": scene})["detail"])
+            sliding = self.post(endpoint, {"system": scene, "initial": {"y_dot": 1}})
+            self.assertNotIn(b"Dry friction", sliding.data)
+
 
 class Spectra(Service):
     def assert_stability(self, stability, most):
