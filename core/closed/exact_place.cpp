@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "core/expr/rational_function.hpp"
+#include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
 #include "core/expr/trigonometry.hpp"
 
@@ -32,6 +34,23 @@ std::optional<LinearIn> linear_in(Graph& graph, const Polynomial& e, const Expre
 }
 
 Polynomial numerator(const Expression& e) { return rational_function(e).above; }
+
+/// With roots of squares taken, sqrt(h^2) = h where h > 0.
+Expression with_roots_taken(const Expression& e, const SignOf& sign) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> taken;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    if (power == nullptr || power->exponent.denominator() != Number(2)) continue;
+    const Expression base(graph, power->base);
+    const Number twice = power->exponent * Number(2);
+    const Expression half = positive_root(graph, rational_function(base), sign);
+    if (written_length(half) < written_length(sqrt(base)))
+      taken.emplace_back(Expression(graph, id), pow(half, twice));
+  }
+  return taken.empty() ? e : substitute(e, taken);
+}
 
 /// Without the factors u, which do not vanish.
 Polynomial without_factor(Polynomial e, const Expression& u) {
@@ -91,7 +110,7 @@ bool ExactPlace::solve_one() {
     for (const Expression& force : problem_->forces) {
       const Expression here = at(force);
       if (!depends_on(here, problem_->x[k])) continue;
-      if (problem_->is_angle[k] ? solve_angle(k, here) : solve(k, here)) return true;
+      if ((problem_->is_angle[k] && solve_angle(k, here)) || solve(k, here)) return true;
     }
   }
   return false;
@@ -113,11 +132,12 @@ bool ExactPlace::solve_angle(std::size_t k, const Expression& force) {
   const Expression sine = sin(x), cosine = cos(x);
   Polynomial e = with_single_angles(graph, numerator(force));
   e = without_factor(without_factor(std::move(e), sine), cosine);
+  if (solve_tangent(k, e)) return true;
   for (const auto& [known, other] : {std::pair(cosine, sine), std::pair(sine, cosine)}) {
     const auto parts = linear_in(graph, e, known, x);
     if (!parts) continue;
     const Expression value = to_expression(graph, -in_lowest_terms(parts->rest, parts->slope));
-    solved_.push_back({sine, cosine, known, other, value});
+    solved_.push_back({known, other, value, std::nullopt});
     const double near = problem_->near[k].middle();
     const bool is_cosine = known == cosine;
     const Expression principal = graph.call(is_cosine ? Function::acos : Function::asin, value);
@@ -132,8 +152,31 @@ bool ExactPlace::solve_angle(std::size_t k, const Expression& force) {
   return false;
 }
 
+/// a sin(x) + b cos(x) = 0.
+bool ExactPlace::solve_tangent(std::size_t k, const Polynomial& force) {
+  const Expression& x = problem_->x[k];
+  Graph& graph = x.graph();
+  const Expression sine = sin(x), cosine = cos(x);
+  const auto by_sine = linear_in(graph, force, sine, sine);
+  const auto by_cosine = linear_in(graph, force, cosine, cosine);
+  if (!by_sine || !by_cosine || by_sine->rest != scaled(by_cosine->slope, times({}, cosine.id(), 1), 1))
+    return false;
+  const RationalFunction tangent = -in_lowest_terms(by_cosine->slope, by_sine->slope);
+  if (depends_on(to_expression(graph, tangent), x)) return false;
+  const double near = problem_->near[k].middle();
+  const int half_turns = std::abs(near) > std::numbers::pi / 2 ? 1 : 0;
+  const int sign = problem_->sign(tangent.below) * (half_turns == 0 ? 1 : -1);
+  if (sign == 0) return false;
+  const Expression above = to_expression(graph, tangent.above), below = to_expression(graph, tangent.below);
+  const Expression length = Number(sign) * sqrt(expand(simplify(above * above + below * below)));
+  solved_.push_back({cosine, sine, below / length, above / length});
+  x_[k] = graph.call(Function::atan, above / below) +
+          Number(near < 0 ? -half_turns : half_turns) * graph.symbol("pi");
+  return true;
+}
+
 Expression ExactPlace::at(const Expression& e) const {
-  Expression result = with_special_angles(substitute(e, replacements_));
+  Expression result = with_roots_taken(with_special_angles(substitute(e, replacements_)), problem_->sign);
   if (solved_.empty()) return result;
   Graph& graph = e.graph();
   Polynomial opened = with_single_angles(graph, multiplied_out(result));
@@ -146,10 +189,12 @@ Expression ExactPlace::at(const Expression& e) const {
         add(next, monomial, coefficient);
         continue;
       }
-      const Monomial rest =
-          times(times(monomial, angle.known.id(), -known), angle.other.id(), -(other - other % 2));
+      const int replaced = angle.other_value ? other : other - other % 2;
+      const Monomial rest = times(times(monomial, angle.known.id(), -known), angle.other.id(), -replaced);
       const Expression square = graph.number(1) - angle.value * angle.value;
-      const Expression factor = pow(angle.value, Number(known)) * pow(square, Number(other / 2));
+      const Expression factor =
+          pow(angle.value, Number(known)) *
+          (angle.other_value ? pow(*angle.other_value, Number(other)) : pow(square, Number(other / 2)));
       add(next, scaled(multiplied_out(factor), rest, coefficient));
     }
     opened = std::move(next);

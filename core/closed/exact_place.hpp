@@ -1,13 +1,14 @@
 #pragma once
-// An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine or a
-// cosine that solves a linear equation; coordinates that solve one, l = l0 + m*g/k. It is proven by putting
-// it into the forces, which have to vanish identically.
+// An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine, a
+// cosine or a tangent that solves a linear equation; coordinates that solve one, l = l0 + m*g/k. It is proven
+// by putting it into the forces, which have to vanish identically.
 
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/surd.hpp"
 #include "core/numerics/interval.hpp"
 
 namespace qdot {
@@ -20,6 +21,7 @@ struct PlaceProblem {
   std::vector<Interval> near;       ///< encloses x
   std::vector<Expression> offsets;  ///< angles among the parameters, and their values
   std::vector<double> offset_values;
+  SignOf sign;
 };
 
 class ExactPlace {
@@ -36,11 +38,11 @@ class ExactPlace {
   [[nodiscard]] Expression at(const Expression& e) const;
 
  private:
-  /// sin(x_k) or cos(x_k) is `value`, the other one the root of 1 - value^2.
+  /// sin(x_k) or cos(x_k) is `value`, the other one the root of 1 - value^2, or known as well.
   struct Solved {
-    Expression sine, cosine;
     Expression known, other;  ///< which is which
     Expression value;
+    std::optional<Expression> other_value;
   };
 
   explicit ExactPlace(const PlaceProblem& problem) : problem_(&problem), x_(problem.x) {}
@@ -48,6 +50,7 @@ class ExactPlace {
   [[nodiscard]] bool solve_one();
   [[nodiscard]] bool solve(std::size_t k, const Expression& force);
   [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force);
+  [[nodiscard]] bool solve_tangent(std::size_t k, const Polynomial& force);
   [[nodiscard]] bool is_known(std::size_t k) const { return x_[k] != problem_->x[k]; }
 
   const PlaceProblem* problem_;

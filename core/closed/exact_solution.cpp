@@ -26,14 +26,18 @@ class Best {
     if (!form) return;
     length_ = written_length(e);
     form_ = std::move(form);
+    chosen_ = {e, relations};
   }
   [[nodiscard]] const std::optional<ClosedForm>& form() const { return form_; }
+  /// Where there is a form.
+  [[nodiscard]] const std::pair<Expression, Relations>& chosen() const { return chosen_; }
 
  private:
   const ExactValues& values_;
   std::vector<Expression> allowed_;
   std::optional<std::size_t> length_;
   std::optional<ClosedForm> form_;
+  std::pair<Expression, Relations> chosen_;
 };
 
 std::optional<std::size_t> parameter_number(const Scene& scene, const std::string& name) {
@@ -65,8 +69,8 @@ class SolutionForms {
     }
   }
 
-  Forms forms() const {
-    Forms result(found_.values.size());
+  std::vector<ExactSolution> forms() const {
+    std::vector<ExactSolution> result(found_.values.size());
     std::vector<Best> best(found_.values.size(), Best(values_, places_));
     for (const Relations& relations : {Relations{}, values_.relations()}) {
       for (const Expression& root : roots(relations)) {
@@ -76,7 +80,12 @@ class SolutionForms {
         }
       }
     }
-    for (std::size_t i = 0; i < best.size(); ++i) result[i] = best[i].form();
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      result[i].value = best[i].form();
+      const auto& rate2 = found_.values[i].stability.rate2;
+      if (result[i].value && rate2 && rate2->is_finite())
+        result[i].rate2 = square_of_rate(*rate2, best[i].chosen().first, best[i].chosen().second);
+    }
     return result;
   }
 
@@ -103,10 +112,32 @@ class SolutionForms {
     return found;
   }
 
-  [[nodiscard]] bool holds(const Expression& root, std::size_t k, const Relations& relations) const {
+  /// K/M, where u has its value by the other numbers.
+  [[nodiscard]] std::optional<ClosedForm> square_of_rate(const Interval& number, const Expression& u,
+                                                         const Relations& relations) const {
+    const auto there = [&](const Expression& e) {
+      std::vector<Replacement> all = relations.replacements;
+      all.emplace_back(u_, u);
+      return substitute(e, all);
+    };
+    const Expression k = graph_->adopt(polynomial_.stiffness), m = graph_->adopt(polynomial_.inertia);
+    const std::vector<Expression> forms = roots_of(there(-k), there(m), graph_->number(0), values_.sign_of());
+    if (forms.empty() || !agrees(values_.value(forms[0]), number.middle(), number.width()))
+      return std::nullopt;
+    Trial trial = trial_at(u, relations);
+    trial.vanishes({k, -(m * forms[0])});
+    return trial.passes() ? closed_form(values_, forms[0], relations, places_) : std::nullopt;
+  }
+
+  [[nodiscard]] Trial trial_at(const Expression& u, const Relations& relations) const {
     Trial trial(values_, relations);
     trial.set(places_, numbers_);
-    trial.set({u_}, {root});
+    trial.set({u_}, {u});
+    return trial;
+  }
+
+  [[nodiscard]] bool holds(const Expression& root, std::size_t k, const Relations& relations) const {
+    Trial trial = trial_at(root, relations);
     const auto c = [&](std::size_t i) { return graph_->adopt(polynomial_.forms[3 * k + i]); };
     trial.vanishes({c(0), c(1) * u_, c(2) * u_ * u_});
     return trial.passes();
@@ -175,14 +206,16 @@ class CriticalForm {
 
 }  // namespace
 
-Forms exact_solutions(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
-                      const std::string& unknown, const WrittenTexts& written, const Solution& found) {
-  if (found.values.empty() || !found.polynomial) return Forms(found.values.size());
+std::vector<ExactSolution> exact_solutions(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
+                                           const std::string& unknown, const WrittenTexts& written,
+                                           const Solution& found) {
+  const std::vector<ExactSolution> none(found.values.size());
+  if (found.values.empty() || !found.polynomial) return none;
   try {
     const WorkScope budget(most_algebra);
     return SolutionForms(dynamics, parameters, y, unknown, written, found).forms();
   } catch (const Error&) {  // the algebra grows too large, or divides by what vanishes
-    return Forms(found.values.size());
+    return none;
   }
 }
 

@@ -195,6 +195,8 @@ class TurningForms {
     const Expression inverse =
         graph_->call(function == Function::cos ? Function::acos : Function::asin, root);
     std::vector<Expression> principal{inverse};
+    if (const auto* call = std::get_if<Call>(&root.node()); call != nullptr && call->function == function)
+      principal.insert(principal.begin(), Expression(*graph_, call->argument));  // where the motion began
     if (root.number() != nullptr || written_length(root) < 8) add_known(function, root, principal);
     for (const Expression& value : principal) {
       for (const Expression& x : {value, function == Function::cos ? -value : pi - value}) {

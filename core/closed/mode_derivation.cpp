@@ -4,6 +4,7 @@
 
 #include "core/closed/trial.hpp"
 #include "core/expr/parse.hpp"
+#include "core/expr/simplify.hpp"
 
 namespace qdot {
 namespace {
@@ -78,7 +79,9 @@ Expression ModeDerivation::root_of(const Polynomial& n) {
 }
 
 Expression ModeDerivation::written(const Surd& x) {
-  return x.is_rational() ? to_expression(graph_, x.p) : to_expression(graph_, x, root_of(x.n));
+  if (!x.is_rational()) return to_expression(graph_, x, root_of(x.n));
+  const Expression plain = to_expression(graph_, x.p), joined = simplify(plain);
+  return written_length(joined) < written_length(plain) ? joined : plain;
 }
 
 Expression ModeDerivation::root(const Surd& x) {

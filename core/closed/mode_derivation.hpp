@@ -9,7 +9,7 @@
 
 #include "core/closed/exact_mode.hpp"
 #include "core/closed/exact_place.hpp"
-#include "core/closed/linear_motions.hpp"
+#include "core/closed/linear_modes.hpp"
 
 namespace qdot {
 

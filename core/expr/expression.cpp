@@ -104,6 +104,12 @@ Expression Graph::intern(Node node) {
   return {*this, id};
 }
 
+std::optional<Expression> Graph::simplified(const Expression& e) {
+  const auto found = simplified_.find(e.id());
+  if (found == simplified_.end()) return std::nullopt;
+  return Expression(*this, found->second);
+}
+
 Expression Graph::number(const Number& value) { return intern(Literal{value}); }
 
 Expression Graph::symbol(std::string_view name) { return intern(Symbol{std::string(name)}); }

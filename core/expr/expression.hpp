@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <unordered_map>
@@ -71,12 +72,19 @@ class Graph {
   [[nodiscard]] const Length& length(NodeId id) const { return lengths_[id]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
+  /// What simplify() made of an expression: it is asked the same again, as of both M_ij and M_ji.
+  [[nodiscard]] std::optional<Expression> simplified(const Expression& e);
+  void keep_simplified(const Expression& e, const Expression& form) {
+    simplified_.emplace(e.id(), form.id());
+  }
+
  private:
   [[nodiscard]] Expression intern(Node node);
 
   std::deque<Node> nodes_;  // a deque: references to nodes stay good while nodes are added
   std::vector<Length> lengths_;
   std::unordered_multimap<std::size_t, NodeId> index_;
+  std::unordered_map<NodeId, NodeId> simplified_;
 };
 
 /// What is compared to find the shorter of two forms: an operation counts two, a coefficient that is not a

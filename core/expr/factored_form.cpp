@@ -14,8 +14,9 @@ constexpr int compared_levels = 4;
 /// A level of brackets, and in how many levels from there on alternatives are compared.
 struct FactorLevel {
   Graph& graph;
+  FactoredForms::Grouped& known;
   int depth{compared_levels};
-  [[nodiscard]] FactorLevel inside() const { return {graph, std::max(depth - 1, 0)}; }
+  [[nodiscard]] FactorLevel inside() const { return {graph, known, std::max(depth - 1, 0)}; }
 };
 
 Expression factored_form(FactorLevel level, const Polynomial& polynomial);
@@ -46,7 +47,7 @@ std::vector<Number> numeric_factors(const Polynomial& polynomial) {
   std::map<Number, int> times;
   for (const auto& [monomial, coefficient] : polynomial) {
     least = std::min(least, size_of(coefficient));
-    divisor = gcd(divisor, coefficient);
+    if (!divisor.is_one() || !coefficient.is_integer()) divisor = gcd(divisor, coefficient);
     ++times[size_of(coefficient)];
   }
   const auto commonest = std::max_element(times.begin(), times.end(),
@@ -90,6 +91,23 @@ std::vector<Shared> most_shared(const Polynomial& polynomial) {
   return best;
 }
 
+/// The bracket below that most terms share, in its least power.
+std::optional<Atom> most_shared_below(const Graph& graph, const Polynomial& polynomial) {
+  std::map<NodeId, Shared> shared;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    for (const Atom& atom : monomial) {
+      if (atom.p > 0 || !std::holds_alternative<Sum>(graph.node(atom.base))) continue;
+      Shared& entry = shared.try_emplace(atom.base, Shared{atom, 0}).first->second;
+      ++entry.terms;
+      if (atom.p * entry.atom.q > entry.atom.p * atom.q) entry.atom = atom;
+    }
+  }
+  const auto most =
+      std::ranges::max_element(shared, {}, [](const auto& entry) { return entry.second.terms; });
+  if (most == shared.end() || most->second.terms < 2) return std::nullopt;
+  return most->second.atom;
+}
+
 /// The polynomial without its common monomial and number.
 Expression primitive(FactorLevel level, const Polynomial& polynomial) {
   if (polynomial.size() > 2) {
@@ -106,8 +124,9 @@ Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, c
   Expression best;
   std::size_t least = static_cast<std::size_t>(-1);
   for (const Number& number : numbers_in_front(level, rest)) {
-    const Polynomial bracket = scaled(rest, {}, Number(1) / number);
-    const Expression candidate = (sign * number) * front * primitive(level.inside(), bracket);
+    const Expression bracket =
+        primitive(level.inside(), number.is_one() ? rest : scaled(rest, {}, Number(1) / number));
+    const Expression candidate = (sign * number) * front * bracket;
     const std::size_t cost = written_length(candidate);
     if (cost < least) {
       least = cost;
@@ -120,8 +139,9 @@ Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, c
 Polynomial terms_with(const Polynomial& polynomial, const Atom& atom) {
   Polynomial found;
   for (const auto& [monomial, coefficient] : polynomial) {
-    const bool has = std::any_of(monomial.begin(), monomial.end(),
-                                 [&](const Atom& a) { return a.base == atom.base && a.p > 0; });
+    const bool has = std::any_of(monomial.begin(), monomial.end(), [&](const Atom& a) {
+      return a.base == atom.base && (a.p > 0) == (atom.p > 0);
+    });
     if (has) found.emplace_hint(found.end(), monomial, coefficient);
   }
   return found;
@@ -138,12 +158,14 @@ Expression grouped_by(FactorLevel level, const Polynomial& polynomial, const Ato
   if (const auto quotient = exact_quotient(others, bracket)) {
     Polynomial cofactor = *quotient;
     add(cofactor, front, 1);
-    return factored_form(level, cofactor) * factored_form(level, bracket);
+    // (a + b) (l - r) rather than (-a - b) (r - l)
+    const Number sign(all_negative(cofactor) || all_negative(bracket) ? -1 : 1);
+    return factored_form(level, scaled(cofactor, {}, sign)) * factored_form(level, scaled(bracket, {}, sign));
   }
   return with_common_factor(level, group, front) + factored_form(level, others);
 }
 
-Expression grouped(FactorLevel level, const Polynomial& polynomial) {
+Expression grouped_by_factors(FactorLevel level, const Polynomial& polynomial) {
   const std::vector<Shared> shared = most_shared(polynomial);
   if (shared.empty()) return to_expression(level.graph, polynomial);
   const bool one = shared.size() == 1 || polynomial.size() > most_compared || level.depth == 0;
@@ -151,6 +173,23 @@ Expression grouped(FactorLevel level, const Polynomial& polynomial) {
   const Expression last = grouped_by(level.inside(), polynomial, shared.back().atom);
   const Expression first = grouped_by(level.inside(), polynomial, shared.front().atom);
   return written_length(first) < written_length(last) ? first : last;
+}
+
+/// The shortest of the groupings.
+Expression best_grouped(FactorLevel level, const Polynomial& polynomial) {
+  const Expression best = grouped_by_factors(level, polynomial);
+  if (level.depth == 0 || polynomial.size() > most_compared) return best;
+  const auto below = most_shared_below(level.graph, polynomial);
+  if (!below) return best;
+  const Expression other = grouped_by(level.inside(), polynomial, *below);
+  return written_length(other) < written_length(best) ? other : best;
+}
+
+Expression grouped(FactorLevel level, const Polynomial& polynomial) {
+  if (polynomial.size() > most_compared || level.depth == 0) return best_grouped(level, polynomial);
+  const FactoredForms::Bracket bracket{level.depth, polynomial};
+  if (const auto found = level.known.find(bracket); found != level.known.end()) return found->second;
+  return level.known.emplace(bracket, best_grouped(level, polynomial)).first->second;
 }
 
 Expression factored_form(FactorLevel level, const Polynomial& polynomial) {
@@ -165,8 +204,19 @@ Expression factored_form(FactorLevel level, const Polynomial& polynomial) {
 
 }  // namespace
 
+bool FactoredForms::InOrder::operator()(const Bracket& a, const Bracket& b) const {
+  if (a.first != b.first) return a.first < b.first;
+  return std::ranges::lexicographical_compare(a.second, b.second, [](const auto& x, const auto& y) {
+    return x.first != y.first ? LeadingFirst()(x.first, y.first) : x.second < y.second;
+  });
+}
+
+Expression FactoredForms::operator()(const Polynomial& polynomial) {
+  return factored_form(FactorLevel{graph_, grouped_}, polynomial);
+}
+
 Expression factored_form(Graph& graph, const Polynomial& polynomial) {
-  return factored_form(FactorLevel{graph}, polynomial);
+  return FactoredForms(graph)(polynomial);
 }
 
 Expression collected_form(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {
@@ -186,8 +236,9 @@ Expression collected_form(Graph& graph, const Polynomial& polynomial, std::span<
   const auto written = [&](const Monomial& front, const Number& divisor) {
     std::vector<Expression> terms;
     for (const auto& [chosen, part] : parts) {
-      terms.push_back(factored_form(graph, scaled(part, front, Number(1) / divisor)) *
-                      to_expression(graph, chosen));
+      const Number sign(all_negative(part) ? -1 : 1);
+      const Expression factor = factored_form(graph, scaled(part, front, sign / divisor));
+      terms.push_back(sign * (factor * to_expression(graph, chosen)));
     }
     return graph.sum(terms);
   };

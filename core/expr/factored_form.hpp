@@ -1,7 +1,9 @@
 #pragma once
 // Multiplied-out expressions written short again, with common factors in front of brackets.
 
+#include <map>
 #include <span>
+#include <utility>
 
 #include "core/expr/polynomial.hpp"
 
@@ -12,6 +14,24 @@ namespace qdot {
 /// front of terms whose coefficients are not whole multiples of one is taken out only where that spares three
 /// factors, as textbooks do: 1/2 m W^2 q^2 + 3/4 m r^2 W^2 stays, -3/2 m g l cos a - m g l cos b does not.
 [[nodiscard]] Expression factored_form(Graph& graph, const Polynomial& polynomial);
+
+/// The forms of several polynomials that have brackets in common: each bracket is grouped once.
+class FactoredForms {
+ public:
+  explicit FactoredForms(Graph& graph) : graph_(graph) {}
+  [[nodiscard]] Expression operator()(const Polynomial& polynomial);
+
+  /// A bracket, and in how many levels of it alternatives are compared.
+  using Bracket = std::pair<int, Polynomial>;
+  struct InOrder {
+    bool operator()(const Bracket& a, const Bracket& b) const;
+  };
+  using Grouped = std::map<Bracket, Expression, InOrder>;
+
+ private:
+  Graph& graph_;
+  Grouped grouped_;
+};
 
 /// The same, as a sum over the monomials in `symbols` with a factored coefficient each: the kinetic energy by
 /// its velocities. A factor that all the coefficients share is taken out in front.

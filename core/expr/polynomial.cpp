@@ -1,5 +1,6 @@
 #include "core/expr/polynomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -255,14 +256,61 @@ Monomial common_monomial(const Polynomial& polynomial) {
   return common;
 }
 
+namespace {
+
+/// By base, how far its exponents reach from term to term; none where they are not all whole.
+std::map<NodeId, std::optional<int>> exponent_spans(const Polynomial& polynomial) {
+  struct Range {
+    int least{}, largest{};
+    bool whole{true};
+    std::size_t terms{};
+  };
+  std::map<NodeId, Range> ranges;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    for (const Atom& atom : monomial) {
+      Range& range = ranges.try_emplace(atom.base, Range{atom.p, atom.p}).first->second;
+      range.least = std::min(range.least, atom.p);
+      range.largest = std::max(range.largest, atom.p);
+      range.whole = range.whole && atom.q == 1;
+      ++range.terms;
+    }
+  }
+  std::map<NodeId, std::optional<int>> spans;
+  for (const auto& [base, range] : ranges) {
+    const bool everywhere = range.terms == polynomial.size();
+    const int least = everywhere ? range.least : std::min(range.least, 0);
+    const int largest = everywhere ? range.largest : std::max(range.largest, 0);
+    spans.emplace(base, range.whole ? std::optional(largest - least) : std::nullopt);
+  }
+  return spans;
+}
+
+/// The degrees of factors add up, in every base and from both ends: what reaches farther than a is no factor.
+bool may_be_factor(const Polynomial& b, const Polynomial& a) {
+  const std::map<NodeId, std::optional<int>> of_a = exponent_spans(a);
+  return std::ranges::all_of(exponent_spans(b), [&](const auto& entry) {
+    const auto& [base, span] = entry;
+    if (!span) return true;
+    const auto found = of_a.find(base);
+    if (found == of_a.end()) return *span == 0;
+    return !found->second || *span <= *found->second;
+  });
+}
+
+}  // namespace
+
 std::optional<Polynomial> exact_quotient(const Polynomial& a, const Polynomial& b) {
   Polynomial rest = a;
   Polynomial quotient;
+  if (rest.empty()) return quotient;
+  if (!may_be_factor(b, a)) return std::nullopt;
   const Monomial leading_inverse = inverse(b.begin()->first);
+  const Monomial last = a.rbegin()->first * inverse(b.rbegin()->first);
   const std::size_t most_terms = a.size() + b.size();
   while (!rest.empty()) {
     if (quotient.size() == most_terms || rest.size() > 4 * most_terms) return std::nullopt;
     const Monomial monomial = rest.begin()->first * leading_inverse;
+    if (LeadingFirst()(last, monomial)) return std::nullopt;  // the last terms multiply, too
     const Number coefficient = rest.begin()->second / b.begin()->second;
     add(quotient, monomial, coefficient);
     add(rest, scaled(b, monomial, coefficient), Number(-1));

@@ -1,5 +1,7 @@
 #include "core/expr/rational_function.hpp"
 
+#include <algorithm>
+
 #include "core/base/error.hpp"
 #include "core/expr/factored_form.hpp"
 #include "core/expr/polynomial_gcd.hpp"
@@ -36,6 +38,21 @@ RationalFunction cleared(Graph& graph, Polynomial above) {
     below = opened(graph, scaled(below, front, Number(1)));
   }
   return {std::move(above), std::move(below)};
+}
+
+/// With what all terms share in front, l1 l2 (4 m1 + 3 m2): a quotient is read by its factors.
+Expression by_factors(Graph& graph, const Polynomial& a) {
+  const Monomial front = common_monomial(a);
+  const Polynomial bracket = scaled(a, inverse(front), Number(1));
+  return to_expression(graph, front) * factored_form(graph, bracket);
+}
+
+/// Without a minus in front that the denominator can take: 3 g/(3 r - 2 a) for -3 g/(2 a - 3 r).
+RationalFunction with_positive_front(const RationalFunction& f) {
+  const auto negative = [](const auto& term) { return term.second.is_negative(); };
+  const bool is_turned = std::ranges::all_of(f.above, negative) && std::ranges::any_of(f.below, negative);
+  if (!is_turned) return f;
+  return {scaled(f.above, {}, Number(-1)), scaled(f.below, {}, Number(-1))};
 }
 
 }  // namespace
@@ -87,7 +104,8 @@ RationalFunction operator/(const RationalFunction& a, const RationalFunction& b)
 
 Expression to_expression(Graph& graph, const RationalFunction& f) {
   if (f.is_zero()) return graph.number(0);
-  const Expression quotient = factored_form(graph, f.above) / factored_form(graph, f.below);
+  const RationalFunction turned = with_positive_front(f);
+  const Expression quotient = by_factors(graph, turned.above) / by_factors(graph, turned.below);
   if (f.below.size() > 1) return quotient;
   const Polynomial terms =
       scaled(f.above, inverse(f.below.begin()->first), Number(1) / f.below.begin()->second);

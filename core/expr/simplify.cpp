@@ -1,8 +1,11 @@
 #include "core/expr/simplify.hpp"
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 #include "core/base/error.hpp"
+#include "core/expr/common_denominator.hpp"
 #include "core/expr/factored_form.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/trigonometry.hpp"
@@ -22,14 +25,14 @@ struct Candidate {
   std::size_t cost;
 };
 
-Candidate candidate(Graph& graph, Polynomial polynomial) {
-  const Expression form = factored_form(graph, polynomial);
+Candidate candidate(FactoredForms& forms, Polynomial polynomial) {
+  const Expression form = forms(polynomial);
   return {std::move(polynomial), form, written_length(form)};
 }
 
 /// All polynomials one identity away.
 std::vector<Polynomial> neighbours(Graph& graph, const Polynomial& polynomial) {
-  std::vector<Polynomial> found;
+  std::vector<Polynomial> found = over_common_denominators(graph, polynomial);
   for (const Expression& u : trigonometric_arguments(graph, polynomial)) {
     for (Polynomial next :
          {without_sine_squares(graph, polynomial, u), without_cosine_squares(graph, polynomial, u),
@@ -52,12 +55,12 @@ bool arguments_depend(Graph& graph, const Polynomial& polynomial) {
   return false;
 }
 
-}  // namespace
-
-Expression simplify(const Expression& e) {
+/// The shortest form that identities reach, one after the other.
+Expression short_form(const Expression& e) {
   Graph& graph = e.graph();
   const Polynomial start = joined(graph, multiplied_out(e));
-  Candidate best = candidate(graph, start);
+  FactoredForms forms(graph);
+  Candidate best = candidate(forms, start);
   if (start.size() > most_terms_searched ||
       trigonometric_arguments(graph, start).size() > most_angles_searched) {
     return best.form;
@@ -65,14 +68,17 @@ Expression simplify(const Expression& e) {
   if (start.size() > 1 && arguments_depend(graph, start)) {
     const Polynomial opened = with_single_angles(graph, start);
     if (opened.size() <= most_terms_opened) {
-      Candidate other = candidate(graph, joined(graph, opened));
+      Candidate other = candidate(forms, joined(graph, opened));
       if (other.cost < best.cost) best = std::move(other);
     }
   }
+  std::vector<Polynomial> tried{start, best.polynomial};
   for (bool improved = true; improved;) {
     improved = false;
     for (Polynomial& next : neighbours(graph, best.polynomial)) {
-      Candidate other = candidate(graph, std::move(next));
+      if (std::ranges::find(tried, next) != tried.end()) continue;  // the way back, or a second way
+      tried.push_back(next);
+      Candidate other = candidate(forms, std::move(next));
       if (other.cost >= best.cost) continue;
       best = std::move(other);
       improved = true;
@@ -80,6 +86,15 @@ Expression simplify(const Expression& e) {
     }
   }
   return best.form;
+}
+
+}  // namespace
+
+Expression simplify(const Expression& e) {
+  if (const auto known = e.graph().simplified(e)) return *known;
+  const Expression form = short_form(e);
+  e.graph().keep_simplified(e, form);
+  return form;
 }
 
 Expression simplify_quotient(const Expression& numerator, const Expression& denominator) {

@@ -1,5 +1,7 @@
 #include "core/expr/surd.hpp"
 
+#include <algorithm>
+
 #include "core/expr/factored_form.hpp"
 #include "core/expr/polynomial_gcd.hpp"
 
@@ -12,8 +14,8 @@ RationalFunction whole(const Polynomial& a) { return in_lowest_terms(a, constant
 
 const Polynomial& radicand_of(const Surd& a, const Surd& b) { return a.is_rational() ? b.n : a.n; }
 
-/// x = front * (u + v sqrt(n)), u and v polynomials without a common factor, u with a positive number in
-/// front.
+/// x = front * (u + v sqrt(n)), u and v polynomials without a common factor; `front` has a minus only before
+/// a sum without one.
 struct Parts {
   RationalFunction front;
   Polynomial u, v;
@@ -28,6 +30,11 @@ Parts parts_of(const Surd& x) {
   parts.u = scaled(parts.u, {}, Number(1) / front);
   parts.v = scaled(parts.v, {}, Number(1) / front);
   parts.front = x.p / whole(parts.u);
+  const auto positive = [](const auto& term) { return !term.second.is_negative(); };
+  const bool is_sum = std::ranges::all_of(parts.u, positive) && std::ranges::all_of(parts.v, positive);
+  if (parts.front.above.begin()->second.is_negative() && !is_sum) {
+    for (Polynomial* part : {&parts.u, &parts.v, &parts.front.above}) *part = scaled(*part, {}, Number(-1));
+  }
   return parts;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
+#include "core/mechanics/explicit_time.hpp"
 #include "core/mechanics/friction.hpp"
 
 namespace qdot {
@@ -30,6 +31,22 @@ bool is_energy(const Lagrangian& lagrangian) {
   return simplify(difference).is_zero();
 }
 
+/// h of what is left of L without a total derivative, where only that contains the time.
+std::optional<ConservedQuantity> energy_beside_a_derivative(const Lagrangian& lagrangian) {
+  const Symbols& symbols = lagrangian.symbols;
+  const Symbols::Varying& q = symbols.coordinates;
+  if (has_forces(lagrangian)) return std::nullopt;
+  const auto left = without_explicit_time(lagrangian.lagrangian, q.value, q.rate, symbols.t);
+  if (!left || depends_on_time(*left, symbols)) return std::nullopt;
+  Lagrangian own = lagrangian;
+  own.lagrangian = *left;
+  own.kinetic_energy = own.potential_energy = std::nullopt;
+  return ConservedQuantity{
+      "h", "J", jacobi_integral(own),
+      "But for the total derivative of a function of the coordinates and the time, the Lagrangian does not "
+      "contain the time, so h = sum of p q_dot - L of what is left is constant."};
+}
+
 }  // namespace
 
 std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian, const Scene& scene) {
@@ -47,6 +64,7 @@ std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian
            "constant."});
     }
   }
+  if (auto h = energy_beside_a_derivative(lagrangian)) found.push_back(*std::move(h));
   const std::vector<Expression> momenta = conjugate_momenta(lagrangian);
   for (const std::size_t i : ignorable_coordinates(lagrangian)) {
     if (momenta[i].is_zero()) continue;  // a massless foot has none to keep

@@ -1,12 +1,20 @@
 #include "core/mechanics/equations_of_motion.hpp"
 
+#include <algorithm>
+
+#include "core/base/work.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/expr/solved_by_substitution.hpp"
 #include "core/expr/trigonometry.hpp"
 #include "core/mechanics/kept_terms.hpp"
 
 namespace qdot {
 namespace {
+
+/// What the solution of more unknowns than Cramer's rule is used for may cost, and how long it may be.
+constexpr std::uint64_t most_substitution = 1'000'000;
+constexpr std::size_t longest_solution = 150;
 
 /// Lagrange's equation of coordinate i, with left - right multiplied out.
 struct RawEquation {
@@ -165,8 +173,12 @@ AugmentedSystem augmented(const EquationsOfMotion& equations, const Lagrangian& 
 }
 
 std::vector<Expression> solved(const AugmentedSystem& system) {
-  if (system.matrix.size() > largest_written_system) return {};
-  return cramer(system.matrix, system.right);
+  if (system.matrix.size() <= largest_written_system) return cramer(system.matrix, system.right);
+  const WorkScope budget(most_substitution);
+  std::vector<Expression> solution = solved_by_substitution(system.matrix, system.right);
+  const bool is_short = std::ranges::all_of(
+      solution, [](const Expression& e) { return written_length(e) <= longest_solution; });
+  return is_short ? solution : std::vector<Expression>{};
 }
 
 }  // namespace qdot

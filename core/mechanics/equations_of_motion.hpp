@@ -42,7 +42,7 @@ struct AugmentedSystem {
 };
 [[nodiscard]] AugmentedSystem augmented(const EquationsOfMotion& equations, const Lagrangian& lagrangian);
 
-/// q'', then lambda, written out by Cramer's rule; empty for more than three unknowns.
+/// q'', then lambda, written out; empty where that is too long to be read. May throw Error(too_large).
 [[nodiscard]] std::vector<Expression> solved(const AugmentedSystem& system);
 
 }  // namespace qdot

@@ -108,6 +108,14 @@ int degree_in(const Monomial& monomial, const std::vector<Expression>& symbols) 
   return degree;
 }
 
+/// A root or another function of some of the symbols is among the factors: the degree says nothing then.
+bool has_function_of(Graph& graph, const Monomial& monomial, const std::vector<Expression>& symbols) {
+  return std::ranges::any_of(monomial, [&](const Atom& atom) {
+    return !std::holds_alternative<Symbol>(graph.node(atom.base)) &&
+           depends_on(Expression(graph, atom.base), symbols);
+  });
+}
+
 }  // namespace
 
 Lagrangian derive_lagrangian(const ParsedScene& scene) {
@@ -205,7 +213,8 @@ Expression velocity_degree(const Expression& e, const Symbols& symbols, int n) {
 Expression simplify_by_degree(const Expression& e, const Symbols& symbols) {
   std::map<int, Polynomial> parts;
   for (const auto& [monomial, coefficient] : multiplied_out(e)) {
-    add(parts[degree_in(monomial, symbols.coordinates.rate)], monomial, coefficient);
+    const bool has_degree = !has_function_of(e.graph(), monomial, symbols.coordinates.rate);
+    add(parts[has_degree ? degree_in(monomial, symbols.coordinates.rate) : 0], monomial, coefficient);
   }
   std::vector<Expression> terms;
   for (const auto& [degree, part] : parts) {

@@ -4,6 +4,7 @@
 
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
+#include "core/mechanics/explicit_time.hpp"
 #include "core/mechanics/kept_terms.hpp"
 
 namespace qdot {
@@ -74,6 +75,8 @@ Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expre
   result.x = chosen(q.value, result.kept);
   result.x_dot = chosen(q.rate, result.kept);
   result.x_ddot = chosen(q.second_rate, result.kept);
+  if (const auto left = without_explicit_time(result.routhian, result.x, result.x_dot, own.symbols.t))
+    result.routhian = simplify_by_degree(*left, own.symbols);
   result.autonomous = true;
   result.conservative = !depends_on(result.routhian, own.symbols.t);
   for (std::size_t k = 0; k < result.kept.size(); ++k) {

@@ -135,7 +135,7 @@ class LatexWriter {
     if (takes_inner_exponent(call->function) && power.exponent.is_integer()) {
       return {std::string(command(call->function)) + exponent + argument(*call, bracket_follows)};
     }
-    return {latex_brackets(call_text(*call, false)) + exponent, true};
+    return {latex_brackets(called(*call, false).latex) + exponent, true};
   }
 
   static std::string exponent_text(const Number& exponent) {
@@ -157,7 +157,7 @@ class LatexWriter {
                                  [&](const Power&) {
                                    return LatexPiece{latex_brackets(write(base)), true};
                                  },
-                                 [&](const Call& x) { return LatexPiece{call_text(x, bracket_follows)}; }},
+                                 [&](const Call& x) { return called(x, bracket_follows); }},
                       layout_.graph().node(base));
   }
 
@@ -169,6 +169,16 @@ class LatexWriter {
   LatexPiece symbol(const std::string& name) const {
     const std::string latex = latex_name(name, notation_);
     return {latex, false, false, latex.starts_with("\\mathrm")};
+  }
+
+  LatexPiece called(const Call& call, bool bracket_follows) const {
+    const auto power = layout_.raised(call);
+    if (!power) return {call_text(call, bracket_follows)};
+    LatexPiece base = factor(power->base, false);
+    if (std::holds_alternative<Call>(layout_.graph().node(power->base)))
+      base = {latex_brackets(base.latex), true};
+    base.latex += "^" + latex_group((power->exponent.negative ? "-" : "") + unsigned_term(power->exponent));
+    return base;
   }
 
   std::string call_text(const Call& call, bool bracket_follows) const {

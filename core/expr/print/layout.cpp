@@ -228,6 +228,22 @@ WrittenTerm Layout::term(NodeId id) const {
   return result;
 }
 
+std::optional<RaisedCall> Layout::raised(const Call& call) const {
+  const auto is_logarithm = [&](const WrittenPower& power) {
+    const auto* inner = std::get_if<Call>(&graph_.node(power.base));
+    return inner != nullptr && inner->function == Function::log && power.exponent.is_one();
+  };
+  if (call.function != Function::exp || !std::holds_alternative<Product>(graph_.node(call.argument)))
+    return std::nullopt;
+  WrittenTerm exponent = term(call.argument);
+  const auto logarithm = std::ranges::find_if(exponent.above, is_logarithm);
+  if (logarithm == exponent.above.end()) return std::nullopt;
+  const NodeId base = std::get<Call>(graph_.node(logarithm->base)).argument;
+  exponent.above.erase(logarithm);
+  if (exponent.above.empty() && exponent.below.empty()) return std::nullopt;  // x^2 has values for x < 0, too
+  return RaisedCall{base, std::move(exponent)};
+}
+
 bool takes_inner_exponent(Function function) {
   return function != Function::exp && function != Function::log && function != Function::abs &&
          function != Function::sign;

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -28,6 +29,12 @@ struct WrittenTerm {
   std::vector<WrittenPower> below;
 };
 
+/// u^n, whose exponent is no number, n without its sign.
+struct RaisedCall {
+  NodeId base;
+  WrittenTerm exponent;
+};
+
 /// The order in which an expression and everything below it is written.
 class Layout {
  public:
@@ -38,6 +45,8 @@ class Layout {
   [[nodiscard]] const std::vector<NodeId>& terms(NodeId sum) const { return traits_.at(sum).children; }
   /// Any node but a sum as one term.
   [[nodiscard]] WrittenTerm term(NodeId id) const;
+  /// exp(n log u) as a power; none for other calls.
+  [[nodiscard]] std::optional<RaisedCall> raised(const Call& call) const;
   /// Whether a base gets brackets as a factor or under an exponent: anything but a symbol, a call or a plain
   /// number.
   [[nodiscard]] bool is_compound(NodeId base) const;

@@ -45,8 +45,7 @@ class LinearWriter {
         overloaded{[&](const Literal&) { return signed_term(id); },
                    [&](const Symbol& x) { return LinearPiece{symbol(x.name)}; },
                    [&](const Sum&) { return sum(id); }, [&](const Product&) { return signed_term(id); },
-                   [&](const Power&) { return signed_term(id); },
-                   [&](const Call& x) { return LinearPiece{call(x)}; }},
+                   [&](const Power&) { return signed_term(id); }, [&](const Call& x) { return call(x); }},
         node);
     piece.text = bounded(std::move(piece.text));
     return piece;
@@ -104,9 +103,7 @@ class LinearWriter {
     if (power.exponent.is_one()) return base;
     if (power.exponent == Number::ratio(1, 2)) return {"sqrt" + bracketed(base.text)};
     if (language_ == Language::c) return c_power(power, base);
-    const LinearPiece exponent = fraction(Number(power.exponent));
-    const std::string sign = language_ == Language::sympy ? "**" : "^";
-    return {at_least(base, Binding::atom) + sign + at_least(exponent, Binding::atom), Binding::power};
+    return raised(base, fraction(Number(power.exponent)));
   }
 
   /// x*x for small powers of symbols: pow() is slow, and other calls would be evaluated twice.
@@ -168,13 +165,26 @@ class LinearWriter {
   /// C99 has no M_PI.
   static std::string c_pi() { return "3.141592653589793"; }
 
-  std::string call(const Call& call) const {
+  LinearPiece call(const Call& call) const {
+    if (const auto power = layout_.raised(call)) return raised(*power);
     const std::string argument = write(call.argument).text;
     if (language_ == Language::c && call.function == Function::sign) {
       const std::string x = bracketed(argument);
-      return "((" + x + " > 0) - (" + x + " < 0))";
+      return {"((" + x + " > 0) - (" + x + " < 0))"};
     }
-    return std::string(function_name(call.function)) + bracketed(argument);
+    return {std::string(function_name(call.function)) + bracketed(argument)};
+  }
+
+  LinearPiece raised(const RaisedCall& power) const {
+    const LinearPiece base = write(power.base), size = unsigned_term(power.exponent);
+    const LinearPiece exponent = power.exponent.negative ? LinearPiece{"-" + size.text, Binding::sum} : size;
+    if (language_ == Language::c) return {"pow(" + base.text + ", " + exponent.text + ")"};
+    return raised(base, exponent);
+  }
+
+  LinearPiece raised(const LinearPiece& base, const LinearPiece& exponent) const {
+    const std::string sign = language_ == Language::sympy ? "**" : "^";
+    return {at_least(base, Binding::atom) + sign + at_least(exponent, Binding::atom), Binding::power};
   }
 
   std::string_view function_name(Function function) const {

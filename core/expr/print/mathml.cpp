@@ -137,6 +137,13 @@ class MathmlWriter {
   }
 
   std::string call(const Call& call, bool bracket_follows) const {
+    if (const auto power = layout_.raised(call)) {
+      const bool is_call = std::holds_alternative<Call>(layout_.graph().node(power->base));
+      const std::string base = factor(power->base, false);
+      return element("msup",
+                     (is_call ? mathml_brackets(base) : base) +
+                         row((power->exponent.negative ? minus : "") + unsigned_term(power->exponent)));
+    }
     if (call.function == Function::exp) return element("msup", "<mi>e</mi>" + row(write(call.argument)));
     if (call.function == Function::abs) return row("<mo>|</mo>" + write(call.argument) + "<mo>|</mo>");
     return called(call, "", bracket_follows);

@@ -78,6 +78,18 @@ TEST_F(PolynomialIn, IsNotDividedWhereARestWouldBeLeft) {
   EXPECT_TRUE(exact_quotient(polynomial("x^2 - y^2"), polynomial("x - y")).has_value());
 }
 
+TEST_F(PolynomialIn, IsDividedWhateverTheExponentsAre) {
+  const auto quotient = [&](const std::string& a, const std::string& b) {
+    return exact_quotient(polynomial(a), polynomial(b));
+  };
+  EXPECT_EQ(quotient("x - y", "sqrt(x) - sqrt(y)"), polynomial("sqrt(x) + sqrt(y)"));
+  EXPECT_EQ(quotient("(x + 1/y)*(1/x + y)", "1/x + y"), polynomial("x + 1/y"));
+  EXPECT_EQ(quotient("x^2/y + x^3", "x/y^2"), polynomial("x*y + x^2*y^2"));
+  EXPECT_EQ(quotient("0", "x + y"), Polynomial{});
+  EXPECT_FALSE(quotient("sqrt(x) + y", "x + y").has_value());
+  EXPECT_FALSE(quotient("x/y + 1", "x/y + y").has_value());
+}
+
 TEST(ExactRoot, OfASquareIsWhatWasSquared) {
   test::Random random(22);
   int squares = 0;

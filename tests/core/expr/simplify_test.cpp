@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/expr/factored_form.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/polynomial.hpp"
@@ -33,6 +34,42 @@ TEST(Simplify, KeepsTheValue) {
                                                                                << print(simple, Form::text);
     }
   }
+}
+
+TEST(Simplify, IsTheSameAgainAndInACopyOfTheGraph) {
+  test::Random random(27);
+  for (int i = 0; i < 50; ++i) {
+    Graph graph;
+    const Expression e = test::random_polynomial(random, graph, 6);
+    Graph other = graph;
+    const Expression simple = simplify(e);
+    EXPECT_EQ(simplify(e), simple);
+    EXPECT_EQ(print(simplify(other.adopt(e)), Form::text), print(simple, Form::text));
+    Graph copy = graph;
+    EXPECT_EQ(simplify(copy.adopt(e)), copy.adopt(simple));
+  }
+}
+
+TEST(FactoredForms, AreThoseThatEachHasAlone) {
+  test::Random random(28);
+  for (int i = 0; i < 50; ++i) {
+    Graph graph;
+    FactoredForms forms(graph);
+    for (int k = 0; k < 4; ++k) {
+      const Polynomial p = multiplied_out(test::random_polynomial(random, graph, 6));
+      if (p.empty()) continue;
+      EXPECT_EQ(forms(p), factored_form(graph, p));
+    }
+  }
+}
+
+TEST(Simplify, LeavesNoBracketWithAMinusInAllTerms) {
+  Graph graph;
+  const Expression e = simplify(parse("k*(x - l)*(-1/m - 1/g)", graph, names));
+  EXPECT_EQ(print(e, Form::text, notation), "k*(1/m + 1/g)*(l - x)");
+  const Polynomial sum = multiplied_out(parse("-m*x*l_dot - k*x*l_dot + theta_dot*x", graph, names));
+  const std::vector<Expression> rates{graph.symbol("l_dot"), graph.symbol("theta_dot")};
+  EXPECT_EQ(print(collected_form(graph, sum, rates), Form::text, notation), "x*(theta_dot - (m + k)*l_dot)");
 }
 
 TEST(Simplify, DoesNotLengthenASumOfProducts) {

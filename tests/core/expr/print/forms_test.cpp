@@ -89,6 +89,7 @@ TEST(PrintMathml, IsPresentationMarkup) {
            math("<msup><mrow><mo>(</mo><mrow><mi>ln</mi><mo>\u2061</mo><mi>x</mi></mrow><mo>)</mo></mrow>"
                 "<mn>2</mn></msup>")},
           {"exp(-x)", math("<msup><mi>e</mi><mrow><mo>−</mo><mi>x</mi></mrow></msup>")},
+          {"x^(-b)", math("<msup><mi>x</mi><mrow><mo>−</mo><mi>b</mi></mrow></msup>")},
           {"abs(x)", math("<mrow><mo>|</mo><mi>x</mi><mo>|</mo></mrow>")},
           {"2*3^(1/3)",
            math("<mn>2</mn><mo>⋅</mo><msup><mn>3</mn><mfrac><mn>1</mn><mn>3</mn></mfrac></msup>")},
@@ -141,6 +142,17 @@ TEST(PrintC, HasNoIntegerDivisionAndNoNeedlessPow) {
                            {"9.81", "9.81"},
                            {"1e20*x", "1e+20*x"},
                        });
+}
+
+TEST(PrintForms, WriteAPowerWithASymbolAboveAsOne) {
+  EXPECT_EQ(printed("k*x^b", Form::text), "k*x^b");
+  EXPECT_EQ(printed("(x/l)^(-b/2)", Form::text), "(x/l)^(-1/2*b)");
+  EXPECT_EQ(printed("sin(x)^b", Form::text), "sin(x)^b");
+  EXPECT_EQ(printed("x^b", Form::sympy), "x**b");
+  EXPECT_EQ(printed("(1 + x)^(-b)", Form::c), "pow(1.0 + x, -b)");
+  EXPECT_EQ(printed("k*(x/l)^b", Form::latex), R"(k \left(\frac{x}{l}\right)^{b})");
+  EXPECT_EQ(printed("sin(x)^b", Form::latex), R"(\left(\sin x\right)^{b})");
+  EXPECT_EQ(printed("exp(2*log(x))", Form::text), "exp(2*log(x))");  // not for x < 0, as x^2
 }
 
 TEST(PrintForms, EachHasANameOfItsOwn) {
