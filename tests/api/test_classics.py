@@ -83,6 +83,7 @@ FORMULAS = [
     ("quadrotor", "x_ddot", "-(u1 + u2)*sin(theta)/m"),
     ("quadrotor", "theta_ddot", "3*(u1 - u2)/(m*b)"),
     ("kepler", "r_ddot", "r*phi_dot**2 - mu/r**2"),
+    ("falling_chain", "y_ddot", "-g - y_dot**2/(2*y)"),
 ]
 
 # What symmetries keep, by name.
@@ -150,6 +151,30 @@ class Classics(Service):
         self.assertEqual(answer["stop"]["reason"], "lift_off")
         at = self.of("simulate", "ladder", times=[answer["stop"]["t"] * (1 - 1e-12)])
         self.assertAlmostEqual(math.cos(at["trajectory"]["theta"][-1]), 2 / 3 * math.cos(0.3), places=9)
+
+    def test_the_free_end_of_a_chain_falls_faster_than_a_stone(self):
+        """v^2 = g x (2 l - x)/(l - x); the support bears m g (2 l^2 + 2 l x - 3 x^2)/(4 l (l - x))."""
+        m, l, g = 0.5, 2, 9.81
+        answer = self.of("simulate", "falling_chain", t_end=1, samples=101, rtol=1e-12, include=["validity"])
+        columns = answer["trajectory"]
+        for t, y, v, force in zip(columns["t"][1:], columns["y"][1:], columns["y_dot"][1:], columns["support_force"][1:]):
+            x = l - y
+            self.assertGreater(x, g * t * t / 2)
+            self.assertAlmostEqual(v * v / (g * x * (2 * l - x) / (l - x)), 1, places=9)
+            self.assertAlmostEqual(force / (m * g * (2 * l * l + 2 * l * x - 3 * x * x) / (4 * l * (l - x))), 1, places=9)
+
+    def test_a_chain_is_straight_when_its_free_end_hangs(self):
+        """The whole fall would take 0.8472 of that of a stone; the last hundredth of the chain is left out."""
+        answer = self.of("simulate", "falling_chain", t_end=1, samples=2)
+        self.assertEqual(answer["stop"]["reason"], "straight")
+
+        def fall(end):
+            """dx/v by x = l sin^2 u, which is smooth at both ends."""
+            g = mpmath.mpf("9.81")
+            return mpmath.quad(lambda u: 4 * mpmath.cos(u)**2 / mpmath.sqrt(2 * g * (2 - mpmath.sin(u)**2)), [0, mpmath.asin(mpmath.sqrt(end / 2))])
+
+        self.assertLess(abs(answer["stop"]["t"] - fall(mpmath.mpf("1.98"))), answer["stop"]["error"] + 1e-15)
+        self.assertAlmostEqual(float(fall(2) / mpmath.sqrt(4 / mpmath.mpf("9.81"))), 0.8472, places=4)
 
     def test_a_ball_comes_to_rest_when_its_bounces_end(self):
         answer = self.of("simulate", "bouncing_ball", t_end=20, samples=2)

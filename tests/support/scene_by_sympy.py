@@ -21,6 +21,7 @@ class BySympy:
         self.parameters = {p["name"]: sympy.Symbol(p["name"], positive=True) for p in scene.get("parameters", [])}
         self.words = {name: q for name, q in zip(names_of(scene), self.q)}
         self.words |= {name + "_dot": v for name, v in zip(names_of(scene), self.rates)} | self.parameters | {"t": T}
+        self.words |= {held["name"]: self.read(held["value"]) for held in scene.get("held_lengths", [])}
         self.points = {p["name"]: self.vector(p["components"]) for p in scene.get("points", [])}
         self.lagrangian = self.read(scene["lagrangian"]) if "lagrangian" in scene else self.kinetic() - self.potential()
 
@@ -62,8 +63,8 @@ class BySympy:
 
     @staticmethod
     def moments(body):
-        if body["kind"] == "ring":
-            about_axis = f"({body['mass']})*({body['radius']})^2"
+        if body["kind"] in ("ring", "disk"):
+            about_axis = f"({body['mass']})*({body['radius']})^2" + ("" if body["kind"] == "ring" else "/2")
             return [f"{about_axis}/2", f"{about_axis}/2", about_axis]
         return body["principal_moments"]
 
