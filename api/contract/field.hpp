@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -166,5 +167,14 @@ struct FieldSet {
 
   [[nodiscard]] const FieldInfo* find(const std::string& name) const;
 };
+
+/// "parameters", "initial", "inputs", "equilibrium", "at": the field that holds the symbols of a role.
+[[nodiscard]] std::string field_name(SymbolRole role);
+
+/// The field of `set` that holds a role's symbols, or null.
+[[nodiscard]] const FieldInfo* field_of(const FieldSet& set, SymbolRole role);
+
+/// The field of `set` that another program calls `name`, capital letters or not, or null.
+[[nodiscard]] const FieldInfo* field_by_alias(const FieldSet& set, std::string_view name);
 
 }  // namespace qdot::api

@@ -230,6 +230,23 @@ constexpr auto foreign_choices = std::to_array<std::pair<std::string_view, std::
     {"tsv", "csv"},
     {"excel", "csv"},
     {"jsonl", "ndjson"},
+    {"hoop", "ring"},
+    {"disc", "disk"},
+    {"wheel", "disk"},
+    {"coin", "disk"},
+    {"ball", "sphere"},
+    {"bar", "rod"},
+    {"beam", "rod"},
+    {"stick", "rod"},
+    {"plate", "box"},
+    {"block", "box"},
+    {"cube", "box"},
+    {"cuboid", "box"},
+    {"point", "particle"},
+    {"point_mass", "particle"},
+    {"mass", "particle"},
+    {"bead", "particle"},
+    {"bob", "particle"},
 });
 
 /// The option that a word means, by its spelling or by what others call it; empty: none.

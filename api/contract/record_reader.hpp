@@ -26,7 +26,4 @@ struct RecordReading {
 [[nodiscard]] std::optional<Json> read_value(const RecordKind& kind, const std::string& name,
                                              const Json& value, const Place& place, Errors& errors);
 
-/// The field of `set` that holds a role's symbols, or null.
-[[nodiscard]] const FieldInfo* field_of(const FieldSet& set, SymbolRole role);
-
 }  // namespace qdot::api

@@ -117,22 +117,6 @@ std::vector<Symbol> symbols(const Scene& scene, SymbolRole role) {
   return result;
 }
 
-std::string field_name(SymbolRole role) {
-  switch (role) {
-    case SymbolRole::parameter:
-      return "parameters";
-    case SymbolRole::initial:
-      return "initial";
-    case SymbolRole::input:
-      return "inputs";
-    case SymbolRole::equilibrium:
-      return "equilibrium";
-    case SymbolRole::position:
-      return "at";
-  }
-  return {};
-}
-
 std::optional<SymbolRole> role_of(const Scene& scene, const std::string& name) {
   for (const SymbolRole role : roles) {
     const std::vector<Symbol> known = symbols(scene, role);

@@ -37,9 +37,6 @@ using FindSystem =
 /// The symbols of one role: parameters; or each coordinate and its velocity; or inputs; or coordinates.
 [[nodiscard]] std::vector<Symbol> symbols(const Scene& scene, SymbolRole role);
 
-/// "parameters", "initial", "inputs", "equilibrium", "at": the field that holds the symbols of a role.
-[[nodiscard]] std::string field_name(SymbolRole role);
-
 /// The symbol's role, if the scene has it; a coordinate by itself is an initial value.
 [[nodiscard]] std::optional<SymbolRole> role_of(const Scene& scene, const std::string& name);
 

@@ -143,10 +143,6 @@ void refuse_other_members(const Json& request, const Place& place, Errors& error
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Momenta and multipliers, which submissions may speak of.
 std::vector<Expression> further_words(const ExpectedSystem& system) {
   std::vector<Expression> words = system.momenta();

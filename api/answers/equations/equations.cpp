@@ -14,6 +14,10 @@ constexpr const char* too_long_with_constraints =
     "It would be too long to write out; solve the equations of motion together with the constraints, each "
     "differentiated until accelerations stand in it.";
 
+constexpr const char* not_quadratic =
+    "L is not quadratic in the velocities, so these are not written by the momenta; 'jacobi_integral' is the "
+    "same energy by the velocities.";
+
 constexpr const char* search_given_up =
     "More may be conserved: the search for symmetries, or the proof of one, did not succeed within its bounds.";
 
@@ -32,7 +36,10 @@ class EquationsAnswer {
     body_["mass_matrix"] = matrix(mass_matrix(own_));
     body_["momenta"] = by_coordinate("p_", conjugate_momenta(own_));
     body_["jacobi_integral"] = written(jacobi_integral(own_));
-    attempt("hamiltonian", [&] { return optional(hamiltonian(own_), too_long); });
+    attempt("hamiltonian", [&] {
+      const auto found = hamiltonian(own_);
+      return optional(found, found ? "" : without_momenta());
+    });
     body_["ignorable_coordinates"] = names(ignorable_coordinates(own_));
     attempt("routhian", [&] { return reduced(); });
     body_["conserved"] = conserved();
@@ -56,6 +63,11 @@ class EquationsAnswer {
     } catch (const Error& error) {
       reasons_[name] = error.code() == ErrorCode::not_applicable ? error.what() : too_long;
     }
+  }
+
+  /// Why velocities are not written by momenta.
+  [[nodiscard]] const char* without_momenta() const {
+    return canonical_equations(own_) ? too_long : not_quadratic;
   }
 
   [[nodiscard]] Json optional(const std::optional<Expression>& e, const char* why_not) const {
@@ -139,8 +151,12 @@ class EquationsAnswer {
 
   [[nodiscard]] Json reduced() const {
     const auto found = routhian(own_);
-    if (!found)
-      throw Error(ErrorCode::not_applicable, "There is no ignorable coordinate to leave others with.");
+    if (!found) {
+      const std::size_t ignored = ignorable_coordinates(own_).size();
+      const bool has_others = ignored > 0 && ignored < model_.degrees_of_freedom();
+      throw Error(ErrorCode::not_applicable,
+                  has_others ? without_momenta() : "There is no ignorable coordinate to leave others with.");
+    }
     Json rates = Json::object();
     for (std::size_t k = 0; k < found->ignored.size(); ++k) {
       rates[coordinate(found->ignored[k]) + "_dot"] = written(found->rates[k]);

@@ -166,7 +166,7 @@ class SolutionAnswer {
       const SolvedValue& first = solution.values.front();
       body[unknown_] = first.value;
       body["error"] = stated_error({first.value, first.error}, digits_);
-      if (exact_[0]) body["exact"] = exact_json(*exact_[0]);
+      put_exact(body, exact_[0]);
       put_stability(body, first.stability, digits_);
     }
     put_all(body, solution);
@@ -176,12 +176,17 @@ class SolutionAnswer {
   }
 
  private:
+  static void put_exact(Json& json, const ExactSolution& exact) {
+    if (exact.value) json["exact"] = exact_json(*exact.value);
+    if (exact.rate2) json["exact_rate2"] = exact_json(*exact.rate2);
+  }
+
   void put_all(Json& body, const Solution& solution) const {
     body["all"] = Json::array();
     for (std::size_t i = 0; i < solution.values.size(); ++i) {
       const SolvedValue& solved = solution.values[i];
       Json json{{unknown_, solved.value}, {"error", stated_error({solved.value, solved.error}, digits_)}};
-      if (exact_[i]) json["exact"] = exact_json(*exact_[i]);
+      put_exact(json, exact_[i]);
       put_stability(json, solved.stability, digits_);
       body["all"].push_back(std::move(json));
     }
@@ -220,7 +225,7 @@ class SolutionAnswer {
   std::string unknown_;
   WrittenTexts written_;
   int digits_;
-  std::vector<std::optional<ClosedForm>> exact_;
+  std::vector<ExactSolution> exact_;
 };
 
 /// Puts the position into the state and into the echo. Returns an error for each coordinate that the position

@@ -121,6 +121,8 @@ class SimulationAnswer {
     Json json{{"reason", result_.stop->reason}, {"t", result_.stop->t}, {"message", result_.stop->message}};
     if (measured_.stop_error)
       json["error"] = stated_error(Stated{result_.stop->t, *measured_.stop_error}, digits());
+    const bool is_finite = std::ranges::all_of(result_.y, [](double value) { return std::isfinite(value); });
+    if (is_finite) json["state"] = state_json(scene(), result_.y);
     return json;
   }
 

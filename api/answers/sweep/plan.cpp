@@ -1,14 +1,12 @@
 #include "api/answers/sweep/plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "api/answers/embedded.hpp"
 #include "api/answers/questions.hpp"
-#include "api/contract/record_reader.hpp"
+#include "api/contract/field_values.hpp"
 #include "api/json/pointer.hpp"
-#include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "api/json/writer.hpp"
 
@@ -41,34 +39,12 @@ std::pair<Submission, Submission> parted_query(const Submission& sent) {
   return {std::move(own), std::move(rest)};
 }
 
-/// What people call a sweep's range and its parts, and what it has for them.
-constexpr auto words_of_ranges =
-    std::to_array<std::pair<std::string_view, std::string_view>>({{"range", "from"},
-                                                                  {"interval", "from"},
-                                                                  {"linspace", "from"},
-                                                                  {"start", "from"},
-                                                                  {"min", "from"},
-                                                                  {"lower", "from"},
-                                                                  {"stop", "to"},
-                                                                  {"end", "to"},
-                                                                  {"max", "to"},
-                                                                  {"upper", "to"},
-                                                                  {"step", "count"},
-                                                                  {"steps", "count"},
-                                                                  {"by", "count"},
-                                                                  {"increment", "count"},
-                                                                  {"n", "count"},
-                                                                  {"num", "count"},
-                                                                  {"points", "count"},
-                                                                  {"npoints", "count"}});
-
 /// An unknown field of the question that is meant for the sweep, "range" or "step".
 void advise_on_range(FieldError& error) {
-  const std::string word = lower_case(letters_of(error.parameter));
-  const auto found = std::ranges::find(words_of_ranges, word, [](const auto& pair) { return pair.first; });
-  if (error.code != "unknown_field" || found == words_of_ranges.end()) return;
+  const FieldInfo* part = field_by_alias(parts_of_variable(), error.parameter);
+  if (error.code != "unknown_field" || part == nullptr) return;
   error.detail += " What varies runs over from=1&to=50&count=50, or over values=1,2,5.";
-  error.did_you_mean = found->second;
+  error.did_you_mean = part->name;
 }
 
 /// The digits of the numbers below a pointer, by their pointers inside.

@@ -48,27 +48,6 @@ Json parts_beside(const SweepRequest& request) {
   return parts;
 }
 
-const FieldSet& parts_of_variable() {
-  static const FieldSet set{
-      .name = "variable",
-      .fields = {{.name = "from",
-                  .kind = AnyKind{},
-                  .aliases = {"start", "min", "lower", "range", "interval", "linspace"}},
-                 {.name = "to", .kind = AnyKind{}, .aliases = {"end", "stop", "max", "upper"}},
-                 {.name = "count",
-                  .kind = IntegerKind{1, std::int64_t{1} << 40U},
-                  .aliases = {"n", "num", "samples", "number", "step", "steps", "points"}},
-                 {.name = "spacing", .kind = ChoiceKind{{"linear", "log"}}, .aliases = {"scale"}},
-                 {.name = "values",
-                  .kind = ListKind{AnyKind{}, static_cast<std::size_t>(limits::sweep_rows), 1},
-                  .aliases = {"list"}},
-                 {.name = "uniform", .kind = ListKind{AnyKind{}, 2, 2}},
-                 {.name = "normal", .kind = ListKind{AnyKind{}, 2, 2}, .aliases = {"gaussian", "gauss"}}},
-      .one_of = {{.ways = {{"from", "to", "count", "spacing"}, {"values"}, {"uniform"}, {"normal"}},
-                  .need = Need::required}}};
-  return set;
-}
-
 class VariableReader {
  public:
   VariableReader(const Scene& scene, const FieldSet& asked, const Place& whole, ParameterScope& scope,
@@ -289,6 +268,28 @@ void check_sample(const SweepRequest& request, const std::vector<SweptRange>& ra
 }
 
 }  // namespace
+
+const FieldSet& parts_of_variable() {
+  static const FieldSet set{
+      .name = "variable",
+      .fields = {{.name = "from",
+                  .kind = AnyKind{},
+                  .aliases = {"start", "min", "lower", "range", "interval", "linspace"}},
+                 {.name = "to", .kind = AnyKind{}, .aliases = {"end", "stop", "max", "upper"}},
+                 {.name = "count",
+                  .kind = IntegerKind{1, std::int64_t{1} << 40U},
+                  .aliases = {"n", "num", "samples", "number", "step", "steps", "points", "npoints", "by",
+                              "increment"}},
+                 {.name = "spacing", .kind = ChoiceKind{{"linear", "log"}}, .aliases = {"scale"}},
+                 {.name = "values",
+                  .kind = ListKind{AnyKind{}, static_cast<std::size_t>(limits::sweep_rows), 1},
+                  .aliases = {"list"}},
+                 {.name = "uniform", .kind = ListKind{AnyKind{}, 2, 2}},
+                 {.name = "normal", .kind = ListKind{AnyKind{}, 2, 2}, .aliases = {"gaussian", "gauss"}}},
+      .one_of = {{.ways = {{"from", "to", "count", "spacing"}, {"values"}, {"uniform"}, {"normal"}},
+                  .need = Need::required}}};
+  return set;
+}
 
 std::optional<SweptValues> read_variables(const SweepRequest& request, const Scene& scene,
                                           const FieldSet& asked, const Place& whole, ParameterScope& scope,

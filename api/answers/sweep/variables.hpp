@@ -37,6 +37,9 @@ struct SweptValues {
   }
 };
 
+/// What is said of one variable: from, to and count, values, or a law that a sample draws from.
+[[nodiscard]] const FieldSet& parts_of_variable();
+
 /// None after errors were reported. `whole` is the place of the request, `asked` the fields of the question
 /// that is asked: what varies must be among what they take. Values are numbers, texts with a unit, or
 /// expressions of what is in `scope`, where what varies is left open. `most_rows` may be exceeded by none.
