@@ -284,6 +284,12 @@ class Mistakes(Service):
         ):
             self.refused_at("energy", {"system": scene}, "#/system/bodies/0" + pointer)
 
+    def test_words_of_others_are_told_ours(self):
+        for word, ours in (("hoop", "ring"), ("Ball", "sphere"), ("wheel", "disk"), ("bar", "rod"), ("plate", "box"), ("bob", "particle")):
+            problem = self.refused("energy", {"system": scenes.pendulum({"kind": word, "radius": "d"})})
+            (error,) = problem["errors"]
+            self.assertEqual((error["pointer"], error["did_you_mean"]), ("#/system/bodies/0/kind", ours))
+
     def test_angles_that_say_the_same_have_no_inertia(self):
         self.refused("energy", {"system": scenes.free_body({"sequence": "ZXZ", "angles": ["a", "b - b", "c"]})})
 
