@@ -2,7 +2,9 @@ FROM debian:12-slim AS build
 WORKDIR /src
 # The packages first: this layer stays cached while the sources change.
 COPY server/install server/install
-RUN server/install build
+# With "build cache" and a volume at /root/.cache/ccache, what was compiled before is not compiled again.
+ARG PURPOSES="build"
+RUN server/install $PURPOSES
 COPY CMakeLists.txt CMakePresets.json embed.cmake ./
 COPY core core
 COPY api api

@@ -13,7 +13,7 @@
 #include "core/expr/print/print.hpp"
 #include "tests/support/random_expression.hpp"
 
-namespace qdot {
+namespace qdot::expression_test {
 namespace {
 
 const std::vector<std::string> names{"a", "b", "c", "x", "y", "z", "theta", "phi"};
@@ -135,4 +135,4 @@ TEST(Graph, StopsAtItsBound) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::expression_test

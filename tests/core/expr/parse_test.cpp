@@ -12,7 +12,7 @@
 #include "core/expr/calculus.hpp"
 #include "tests/support/random.hpp"
 
-namespace qdot {
+namespace qdot::parse_test {
 namespace {
 
 using testing::HasSubstr;
@@ -358,4 +358,4 @@ TEST(ParseEvent, ErrorsCountFromTheBeginningOfTheText) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::parse_test

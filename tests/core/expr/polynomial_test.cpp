@@ -10,7 +10,7 @@
 #include "core/expr/simplify.hpp"
 #include "tests/support/random_polynomial.hpp"
 
-namespace qdot {
+namespace qdot::polynomial_test {
 namespace {
 
 const std::vector<std::string> names{"x", "y", "z"};
@@ -162,4 +162,4 @@ TEST_F(PolynomialIn, KeepsTheValueOfStrangeRoots) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::polynomial_test

@@ -13,7 +13,7 @@
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_polynomial.hpp"
 
-namespace qdot {
+namespace qdot::simplify_test {
 namespace {
 
 const Notation notation{{"m", "k", "l0", "g", "mu"}, {"l", "x", "theta", "phi"}, {}};
@@ -177,4 +177,4 @@ TEST(Determinant, OfThreeRowsIsSarrusRule) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::simplify_test

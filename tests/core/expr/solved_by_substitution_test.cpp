@@ -8,7 +8,7 @@
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 
-namespace qdot {
+namespace qdot::solved_by_substitution_test {
 namespace {
 
 const std::vector<std::string> names{"m", "r", "g", "theta"};
@@ -65,4 +65,4 @@ TEST_F(Substitution, GivesUpWhereBracketsWouldBeDividedBy) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::solved_by_substitution_test

@@ -10,7 +10,7 @@
 #include "core/expr/print/print.hpp"
 #include "tests/support/random_polynomial.hpp"
 
-namespace qdot {
+namespace qdot::surd_test {
 namespace {
 
 const std::vector<std::string> names{"x", "y", "z", "g", "l", "m"};
@@ -99,4 +99,4 @@ TEST_F(Algebra, OfSurdsKeepsTheirValues) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::surd_test

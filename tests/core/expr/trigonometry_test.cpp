@@ -8,7 +8,7 @@
 #include "core/expr/print/print.hpp"
 #include "tests/support/random_polynomial.hpp"
 
-namespace qdot {
+namespace qdot::trigonometry_test {
 namespace {
 
 const std::vector<std::string> names{"x", "y", "m", "l", "theta", "phi", "theta_dot"};
@@ -109,4 +109,4 @@ TEST(TrigonometricArguments, AreThoseOfSinesAndCosines) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::trigonometry_test

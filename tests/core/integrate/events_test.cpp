@@ -13,7 +13,7 @@
 #include "core/integrate/integrate.hpp"
 #include "tests/core/integrate/systems.hpp"
 
-namespace qdot {
+namespace qdot::events_test {
 namespace {
 
 using namespace integrate_test;
@@ -379,4 +379,4 @@ TEST(IntegrateEvents, LimitReachedWithinAStepLeavesTheStepUndone) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::events_test

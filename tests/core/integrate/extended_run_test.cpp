@@ -8,7 +8,7 @@
 
 #include "core/numerics/double_double_function.hpp"
 
-namespace qdot {
+namespace qdot::extended_run_test {
 namespace {
 
 /// c[k] for y'' = -y and its like: c_k+2 = a_k/((k+1)(k+2)) with a given by a recurrence.
@@ -129,4 +129,4 @@ TEST(ExtendedOrder, GrowsWithTheDigits) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::extended_run_test

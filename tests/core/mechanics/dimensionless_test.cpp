@@ -10,7 +10,7 @@
 #include "tests/support/agreement.hpp"
 #include "tests/support/system_test.hpp"
 
-namespace qdot {
+namespace qdot::dimensionless_test {
 namespace {
 
 using test::value_of;
@@ -113,4 +113,4 @@ TEST(DimensionlessForm, IsNotGivenWhereTheParametersSpanNoTime) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::dimensionless_test

@@ -5,7 +5,7 @@
 #include "tests/support/agreement.hpp"
 #include "tests/support/system_test.hpp"
 
-namespace qdot {
+namespace qdot::lagrangian_test {
 namespace {
 
 using test::agrees;
@@ -112,4 +112,4 @@ TEST(Lagrangian, MomentumUnitIsActionOverTheCoordinatesUnit) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::lagrangian_test

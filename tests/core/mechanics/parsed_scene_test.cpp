@@ -8,7 +8,7 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace qdot {
+namespace qdot::parsed_scene_test {
 namespace {
 
 using testing::Contains;
@@ -234,4 +234,4 @@ TEST(ParsedScene, TakesAPlainNumberForANumberOfSIUnits) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::parsed_scene_test

@@ -10,7 +10,7 @@
 #include "tests/support/operation_count.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace qdot {
+namespace qdot::printed_forms_test {
 namespace {
 
 std::string text_of(const Expression& e, const Model& model) {
@@ -178,4 +178,4 @@ TEST(PrintedForm, OfTheLagrangianIsNoLongerThanItsTwoEnergies) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::printed_forms_test

@@ -7,7 +7,7 @@
 #include "core/numerics/double_double_function.hpp"
 #include "tests/support/motions.hpp"
 
-namespace qdot {
+namespace qdot::extended_kinks_test {
 namespace {
 
 constexpr double of_double_doubles = 1e-28;
@@ -83,4 +83,4 @@ TEST_F(KinkedMass, IsNotFollowedOverTwoKinksAtOnce) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::extended_kinks_test

@@ -9,7 +9,7 @@
 #include "tests/support/motions.hpp"
 #include "tests/support/system_test.hpp"
 
-namespace qdot {
+namespace qdot::gauss_test {
 namespace {
 
 /// A scene's canonical equations as a system of their own.
@@ -275,4 +275,4 @@ TEST(GaussOnScenes, TheLadderMeasuresTheErrorOfAStep) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::gauss_test

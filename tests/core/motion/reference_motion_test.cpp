@@ -9,7 +9,7 @@
 #include "tests/support/files.hpp"
 #include "tests/support/motions.hpp"
 
-namespace qdot {
+namespace qdot::reference_motion_test {
 namespace {
 
 using api::Json;
@@ -153,4 +153,4 @@ TEST_P(ReferenceValues, AreFound) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::reference_motion_test

@@ -10,7 +10,7 @@
 #include "tests/support/motions.hpp"
 #include "tests/support/system_test.hpp"
 
-namespace qdot {
+namespace qdot::work_precision_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -115,4 +115,4 @@ TEST_F(OscillatorStudy, WorkIsBounded) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::work_precision_test

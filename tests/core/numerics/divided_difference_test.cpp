@@ -12,7 +12,7 @@
 #include "core/expr/print/print.hpp"
 #include "tests/support/random_expression.hpp"
 
-namespace qdot {
+namespace qdot::divided_difference_test {
 namespace {
 
 using Real = long double;
@@ -166,4 +166,4 @@ TEST(DividedDifference, OfASumOfCosinesDoesNotCancel) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::divided_difference_test

@@ -13,7 +13,7 @@
 #include "tests/support/motions.hpp"
 #include "tests/support/random.hpp"
 
-namespace qdot {
+namespace qdot::modes_test {
 namespace {
 
 using api::Json;
@@ -397,4 +397,4 @@ TEST(Modes, OfAMagneticParticleCircle) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::modes_test

@@ -11,7 +11,7 @@
 #include "tests/support/states.hpp"
 #include "tests/support/system_test.hpp"
 
-namespace qdot {
+namespace qdot::expansion_test {
 namespace {
 
 constexpr unsigned order = TaylorExpansion::highest_order;
@@ -83,4 +83,4 @@ TEST_P(TaylorOfSystems, HasTheSameBitsOnEveryProcessor) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::expansion_test

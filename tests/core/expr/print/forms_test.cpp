@@ -10,7 +10,7 @@
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
 
-namespace qdot {
+namespace qdot::forms_test {
 namespace {
 
 const Notation notation{{"M", "m", "k", "l0", "g", "mass", "mu_hat", "lambda", "double"},
@@ -240,4 +240,4 @@ TEST(PrintForms, LargeAndSmallNumbersAreWrittenExactly) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::forms_test

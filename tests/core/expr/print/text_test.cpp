@@ -14,7 +14,7 @@
 #include "tests/support/operation_count.hpp"
 #include "tests/support/random_expression.hpp"
 
-namespace qdot {
+namespace qdot::text_test {
 namespace {
 
 const Notation pendulum{
@@ -233,4 +233,4 @@ TEST(OperationCountOfText, CountsWhatAReaderCounts) {
 }
 
 }  // namespace
-}  // namespace qdot
+}  // namespace qdot::text_test
