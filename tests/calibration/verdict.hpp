@@ -2,6 +2,7 @@
 // What is demanded of stated errors, and how often it is met.
 
 #include <map>
+#include <vector>
 
 #include "tests/calibration/outcome.hpp"
 
@@ -20,10 +21,13 @@ class Tally {
 
  private:
   std::string judge(const ColumnOutcome& column);
+  /// What so large a share of the columns above round-off is not beyond.
+  [[nodiscard]] double times_too_large(double share) const;
 
   std::uint64_t requests_{}, columns_{}, understated_{}, overstated_{}, broken_promises_{}, unmeasured_{},
       unknown_{}, horizons_{}, wrong_horizons_{};
   std::map<std::string, std::uint64_t> endings_;
+  std::vector<double> times_too_large_;  ///< stated / true, above round-off
   double cpu_{}, reference_cpu_{};
 };
 
