@@ -17,13 +17,13 @@ TEST(Calibration, StatedErrorsAreTrue) {
   EXPECT_TRUE(tally.passes()) << remarks << tally.summary();
 }
 
-// Rounding as large as the truncation of the check, and a motion that is lost while an angle winds: two
+// Rounding as large as the truncation of the check, and motions that are lost while an angle winds: three
 // requests that had errors beyond those stated.
 TEST(Calibration, ErrorsAreTrueWhereRoundingShowsAndWhereTheMotionIsLost) {
   Tally tally;
   std::string remarks;
-  for (const std::uint64_t i : {425, 747}) {
-    const Asked asked = random_request(1, i);
+  for (const auto& [seed, i] : {std::pair{1, 425}, {1, 747}, {917, 213}}) {
+    const Asked asked = random_request(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(i));
     remarks += tally.add(asked, outcome_of(asked, 5000));
   }
   EXPECT_TRUE(tally.passes()) << remarks << tally.summary();
