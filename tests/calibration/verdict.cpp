@@ -113,8 +113,8 @@ std::string Tally::summary() const {
 }
 
 bool Tally::passes() const {
-  return columns_ > 0 && understated_ == 0 &&
-         static_cast<double>(overstated_) <= 0.1 * static_cast<double>(columns_) && broken_promises_ == 0;
+  return understates_nothing() && static_cast<double>(overstated_) <= 0.1 * static_cast<double>(columns_) &&
+         broken_promises_ == 0;
 }
 
 std::string description(const Outcome& outcome) {

@@ -18,6 +18,8 @@ class Tally {
   [[nodiscard]] std::string summary() const;
   /// False also where nothing was seen.
   [[nodiscard]] bool passes() const;
+  /// Some columns were seen, and none of them is farther off than it says.
+  [[nodiscard]] bool understates_nothing() const { return columns_ > 0 && understated_ == 0; }
 
  private:
   std::string judge(const ColumnOutcome& column);
