@@ -56,6 +56,7 @@ class Integration {
     const EventSearch::Found found = events_.search(*stepper_);
     if (found.failure) return found.failure;
     const double t = found.terminal ? found.events.back().t : stepper_->t();
+    if (found.terminal) stepper_->end_at(t);
     if (const auto failed = sample_until(t)) return failed;
 
     run_.t = t;

@@ -55,6 +55,9 @@ class Stepper {
 
   /// As Run::bounded, for the steps up to now.
   [[nodiscard]] virtual bool bounded() const { return false; }
+  /// The run ends at t, within the last step: unseen() is of no more than that. The last that is asked but
+  /// for interpolation.
+  virtual void end_at(double t) { (void)t; }
   /// As Run::unseen, at t(); empty where there is nothing.
   [[nodiscard]] virtual std::span<const double> unseen() const { return {}; }
 

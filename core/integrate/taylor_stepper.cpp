@@ -123,6 +123,21 @@ class TaylorStepper final : public Stepper {
   std::span<const double> y() const override { return y_; }
   std::optional<Ending> trouble() const override { return trouble_; }
   bool bounded() const override { return bounded_; }
+
+  /// The bound of a whole step may be ten thousand times that of a part. Its rows are expanded again.
+  void end_at(double t) override {
+    if (unseen_.empty() || !bounded_ || t == t_) return;
+    if (expand(t_previous_, y_previous_, beyond_)) return;
+    const double h = t - t_previous_;
+    bound_closely(h);
+    if (!std::ranges::all_of(defect_, [](double d) { return std::isfinite(d); })) return;
+    next_ = coefficients_;
+    off_so_far_ = off_before_;
+    hidden_so_far_ = hidden_before_;
+    hides_ = find_hidden(h);
+    note_unseen(h);
+  }
+
   std::span<const double> unseen() const override { return unseen_; }
   std::uint64_t steps() const override { return steps_; }
   std::uint64_t evaluations() const override { return evaluations_; }
@@ -236,7 +251,10 @@ class TaylorStepper final : public Stepper {
   /// Where the bound tells of something hidden it may be a rough one: then the closest is taken.
   void look_closely(double h) {
     hides_ = find_hidden(h);
-    if (!hides_) return;
+    if (hides_) bound_closely(h);
+  }
+
+  void bound_closely(double h) {
     std::ranges::fill(allowed_, std::numeric_limits<double>::min());
     (void)system_.defect(h, allowed_, defect_);
   }
@@ -255,6 +273,8 @@ class TaylorStepper final : public Stepper {
   /// reference may be off by anyway is much less, and only summed.
   void note_unseen(double h) {
     const std::size_t n = y_.size() / 2;
+    off_before_ = off_so_far_;
+    hidden_before_ = hidden_so_far_;
     const bool hides = hides_ && find_hidden(h);  // by the closest bound
     if (hides) hidden_so_far_.resize(y_.size());
     for (std::size_t i = 0; i < hidden_so_far_.size(); ++i) hidden_so_far_[i] += hidden_[i];
@@ -360,6 +380,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> sums_;  ///< of four samples
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
   std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
+  std::vector<double> hidden_before_, off_before_;  ///< the last step
   bool bounded_{true};
   bool hides_{false};  ///< the step that was just bounded
   double share_{1};    ///< of the length wanted, to begin with

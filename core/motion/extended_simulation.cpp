@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/row_errors.hpp"
+#include "core/motion/winding.hpp"
 
 namespace qdot {
 namespace {
@@ -114,7 +115,7 @@ class ExtendedLadder {
     for (std::size_t i = 0; i < first.states.size(); ++i) {
       scale[i % width] = std::max(scale[i % width], std::abs(first.states[i].high));
     }
-    RowErrors in_doubles(scale);
+    RowErrors in_doubles(scale, [&] { return winding_coordinates(dynamics_.model()); });
     std::vector<double>& error = result_.max_abs_error;
     error.assign(width, 0.0);
     for (std::size_t i = 0; i < first.rows; ++i) {
@@ -135,7 +136,7 @@ class ExtendedLadder {
       }
       lost_ = lost_ || is_lost;
       const std::vector<std::span<const double>> spans(other_rows.begin(), other_rows.end());
-      in_doubles.add(row, spans);
+      in_doubles.add(request_.grid[i].high, row, spans);
       if (lost_) {
         for (std::size_t k = 0; k < width; ++k) error[k] = std::max(error[k], in_doubles.so_far()[k]);
       }

@@ -7,6 +7,7 @@
 #include "core/motion/event_errors.hpp"
 #include "core/motion/kept_quantities.hpp"
 #include "core/motion/row_errors.hpp"
+#include "core/motion/winding.hpp"
 #include "core/numerics/root.hpp"
 
 namespace qdot {
@@ -33,7 +34,7 @@ class Comparing {
         width_(motion.width()),
         largest_(largest_magnitudes(motion, Rows::all)),
         scale_(largest_magnitudes(motion, Rows::wanted)),
-        errors_(largest_),
+        errors_(largest_, [&] { return winding_coordinates(motion.dynamics.model()); }),
         workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)),
         missed_(width_),
         acceleration_(width_ / 2) {}
@@ -91,7 +92,7 @@ class Comparing {
     take_unseen(others_, row, missed_);
     add_rounding_of_instant(row);
     add_slopes_of_differences(row);
-    errors_.add(row_of(motion_.simulation, row), same_row_, missed_);
+    errors_.add(motion_.grid.t[row], row_of(motion_.simulation, row), same_row_, missed_);
   }
 
   void add_rounding_of_instant(std::size_t row) {

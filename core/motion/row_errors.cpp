@@ -13,14 +13,17 @@ constexpr double of_lost = 4;        ///< times the range: the true motion may g
 
 }  // namespace
 
-RowErrors::RowErrors(std::vector<double> scale)
+RowErrors::RowErrors(std::vector<double> scale, Winding winding)
     : scale_(std::move(scale)),
       error_(scale_.size()),
+      winding_(std::move(winding)),
       lowest_(scale_.size(), std::numeric_limits<double>::infinity()),
       highest_(scale_.size(), -std::numeric_limits<double>::infinity()) {}
 
-void RowErrors::add(std::span<const double> row, std::span<const std::span<const double>> others,
+void RowErrors::add(double t, std::span<const double> row, std::span<const std::span<const double>> others,
                     std::span<const double> unseen) {
+  const bool is_first = error_before_.empty();
+  if (!lost_) error_before_ = error_;
   for (std::size_t k = 0; k < row.size(); ++k) {
     double difference = 0;
     for (const auto& other : others) difference = std::max(difference, std::abs(row[k] - other[k]));
@@ -30,9 +33,19 @@ void RowErrors::add(std::span<const double> row, std::span<const std::span<const
   }
   widen(row);
   for (const auto& other : others) widen(other);
-  if (!lost_) return;
-  for (std::size_t k = 0; k < row.size(); ++k)
-    error_[k] = std::max(error_[k], of_lost * (highest_[k] - lowest_[k]));
+  if (!lost_ || is_first) t_before_ = t;
+  if (lost_) widen_lost(t);
+}
+
+void RowErrors::widen_lost(double t) {
+  if (winds_.empty()) winds_ = winding_();
+  const std::size_t n = winds_.size();
+  for (std::size_t k = 0; k < error_.size(); ++k) {
+    error_[k] = std::max(error_[k], of_lost * range(k));
+    if (k >= n || !winds_[k]) continue;
+    const double apart = safety_of_differences * range(n + k) * (t - t_before_);
+    error_[k] = std::max(error_[k], error_before_[k] + apart);
+  }
 }
 
 void RowErrors::widen(std::span<const double> row) {

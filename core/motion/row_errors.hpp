@@ -7,8 +7,14 @@
 // small against the motion, for then they grow alike in all computations. Where a quarter of a column is in
 // doubt the motion is lost: two computations that are both wrong may agree by chance, and an angle that winds
 // may go any way. From there on the error is no less than four times the range of values that the
-// computations have gone through up to there.
+// computations have gone through up to there, and of a coordinate that nothing brings back, such as that
+// angle,
+//
+//   error(t) >= error(t_lost) + 2 (v_max - v_min) (t - t_lost)
+//
+// with the range of its velocities: two motions in that range are not farther apart, where it is known.
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,11 +25,15 @@ inline constexpr double safety_of_differences = 2;
 
 class RowErrors {
  public:
-  /// The largest magnitude of each column of the motion, by which errors count as large.
-  explicit RowErrors(std::vector<double> scale);
+  /// Which coordinates nothing brings back; asked where a motion is lost.
+  using Winding = std::function<std::vector<bool>()>;
+  /// The largest magnitude of each column of the motion, by which errors count as large: coordinates, then
+  /// velocities.
+  RowErrors(std::vector<double> scale, Winding winding);
 
-  /// The next row: of the motion, and of the other computations at the same instant; `unseen` may be empty.
-  void add(std::span<const double> row, std::span<const std::span<const double>> others,
+  /// The next row, at t: of the motion, and of the other computations at the same instant; `unseen` may be
+  /// empty.
+  void add(double t, std::span<const double> row, std::span<const std::span<const double>> others,
            std::span<const double> unseen = {});
 
   /// Of each column, up to the last row.
@@ -31,9 +41,15 @@ class RowErrors {
 
  private:
   void widen(std::span<const double> row);
+  void widen_lost(double t);
+  [[nodiscard]] double range(std::size_t column) const { return highest_[column] - lowest_[column]; }
 
   std::vector<double> scale_, error_;
+  Winding winding_;
   bool lost_{false};
+  double t_before_{};                 ///< the last row before the motion was lost
+  std::vector<double> error_before_;  ///< at it
+  std::vector<bool> winds_;           ///< once the motion is lost
   std::vector<double> lowest_, highest_;
 };
 

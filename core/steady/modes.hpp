@@ -36,7 +36,8 @@ struct Modes {
 };
 
 /// `initial` (q, q') gives ignorable coordinates their momenta and all coordinates a guess; `guess` (q),
-/// where given, is the equilibrium meant or near it. Without, the stable one nearest to `initial`.
+/// where given, is the equilibrium meant or near it. Without, the stable one that lies down the
+/// effective potential from `initial`, and where there is none what Newton's iteration finds from there.
 /// Throws Error(not_applicable) where the time enters the equations or no equilibrium is near.
 [[nodiscard]] Modes normal_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                                  const std::optional<std::vector<double>>& guess = std::nullopt);

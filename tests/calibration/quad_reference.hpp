@@ -1,7 +1,9 @@
 #pragma once
 // Motions to more digits than a double has: a Taylor method of order 38 on 113 bits, checked by a second one
 // of order 32 with other steps. What the two have in common is the equations (quad_systems.hpp) and the
-// arithmetic; the first is compared with tests/reference, the second is GCC's.
+// arithmetic; the first is compared with tests/reference, the second is GCC's. Where fewer digits do, the
+// same in the processor's 64 bits, of orders 24 and 20, the second with every parameter moved by its last
+// bit.
 
 #include <cstdint>
 #include <limits>
@@ -23,29 +25,35 @@ struct QuadProblem {
   bool impacts{};  ///< the compass walker's heel strikes
 };
 
-struct QuadMotion {
-  std::size_t rows{};       ///< instants of the grid that were reached
-  std::vector<Quad> state;  ///< rows x 2n, row-major
+template <typename Number>
+struct PreciseMotion {
+  std::size_t rows{};         ///< instants of the grid that were reached
+  std::vector<Number> state;  ///< rows x 2n, row-major
   std::vector<double> impacts;
   std::uint64_t steps{};
 };
 
-struct QuadMethod {
+struct PreciseMethod {
   unsigned order{38};
   double tolerance{1e-30};  ///< of a step, relative to each component
   std::uint64_t most_steps{std::numeric_limits<std::uint64_t>::max()};
+  double moved{};  ///< of itself, each parameter, up and down in turn
 };
 
-[[nodiscard]] QuadMotion quad_motion(const QuadProblem& problem, const QuadMethod& method = {});
+template <typename Number>
+[[nodiscard]] PreciseMotion<Number> precise_motion(const QuadProblem& problem,
+                                                   const PreciseMethod& method = {});
 
 /// The motion by the first method and, for each number, by how much the second one's differs.
-struct QuadReference {
-  QuadMotion motion;
+template <typename Number>
+struct Reference {
+  PreciseMotion<Number> motion;
   std::vector<double> doubt;
 
-  [[nodiscard]] Quad value(std::size_t place) const { return motion.state[place]; }
+  [[nodiscard]] Number value(std::size_t place) const { return motion.state[place]; }
 };
 
-[[nodiscard]] QuadReference quad_reference(const QuadProblem& problem, std::uint64_t most_steps);
+[[nodiscard]] Reference<Quad> quad_reference(const QuadProblem& problem, std::uint64_t most_steps);
+[[nodiscard]] Reference<Long> quick_reference(const QuadProblem& problem, std::uint64_t most_steps);
 
 }  // namespace qdot::test

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/calibration/requests.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -19,9 +20,9 @@ constexpr double agreement = 1e-25;
 double magnitude(Quad value) { return std::abs(static_cast<double>(value)); }
 
 TEST(QuadSeries, HasTheCoefficientsOfKnownFunctions) {
-  Recording recording(20);
-  const Series t = recording.input();
-  const Series exponential = exp(t), wave = sin(t) * cos(t), geometric = exponential / (Quad(1) - t);
+  Recording<Quad> recording(20);
+  const Series<Quad> t = recording.input();
+  const Series<Quad> exponential = exp(t), wave = sin(t) * cos(t), geometric = exponential / (Quad(1) - t);
   recording.coefficients(t)[1] = 1;
   for (unsigned k = 0; k <= 20; ++k) recording.advance(k);
   Quad factorial = 1, sum = 0, power = 1;
@@ -72,7 +73,7 @@ TEST(QuadReference, MeetsTheFilesOfAnotherProgram) {
     for (const api::Json& json : file.at("cases")) {
       if (json.at("quantity") != "trajectory") continue;
       const QuadProblem problem = problem_in(json);
-      const QuadReference reference = quad_reference(problem, 100'000);
+      const Reference<Quad> reference = quad_reference(problem, 100'000);
       ASSERT_EQ(reference.motion.rows, problem.grid.size()) << json.at("id");
       const auto model = model_of(system);
       const std::size_t n = model->degrees_of_freedom();
@@ -95,11 +96,34 @@ TEST(QuadReference, MeetsTheFilesOfAnotherProgram) {
   EXPECT_GE(cases, 11);
 }
 
+/// What the quick one's two motions differ by tells what each of them is off by.
+TEST(QuickReference, IsAsFarOffAsItSays) {
+  constexpr std::uint64_t steps = 300;
+  int compared = 0;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const QuadProblem problem = random_request(4, i).problem();
+    const Reference<Long> quick = quick_reference(problem, steps);
+    if (quick.motion.rows < problem.grid.size()) continue;
+    const PreciseMotion<Quad> motion = precise_motion<Quad>(problem, {38, 1e-30, steps});
+    const std::size_t width = problem.y_start.size();
+    std::vector<double> doubt(width), scale(width);
+    for (std::size_t place = 0; place < motion.rows * width; ++place) {
+      const std::size_t k = place % width;
+      doubt[k] = std::max(doubt[k], quick.doubt[place]);
+      scale[k] = std::max(scale[k], magnitude(motion.state[place]));
+      const double off = magnitude(motion.state[place] - Quad(quick.value(place)));
+      EXPECT_LE(off, 30 * doubt[k] + 1e-18 * scale[k]) << i << ' ' << place;
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 15);
+}
+
 /// x'' = -x + |cos t|, from rest: a closed form up to the second kink.
 TEST(QuadReference, GoesOverKinks) {
   QuadProblem problem{"damped_oscillator", {{"m", 1}, {"b", 0}, {"k", 1}}, {0, 0}, 0, {0, 1, 3}, {}, false};
   problem.force = {1, 0, 1, 0, true};
-  const QuadReference reference = quad_reference(problem, 1000);
+  const Reference<Quad> reference = quad_reference(problem, 1000);
   const double half = std::numbers::pi / 2;
   // t sin(t)/2 before the kink; beyond, -t sin(t)/2 and a free oscillation that fits x and x' there.
   EXPECT_NEAR(static_cast<double>(reference.value(2)), std::sin(1) / 2, 1e-16);

@@ -1,46 +1,54 @@
 #include "tests/calibration/quad_series.hpp"
 
-#include <quadmath.h>
+#include "tests/calibration/precise_functions.hpp"
 
 namespace qdot::test {
 namespace {
 
 /// sum_{j=from}^{k} u_j v_{k-j}.
-Quad convolution(const Quad* u, const Quad* v, unsigned from, unsigned k) {
-  Quad sum = 0;
+template <typename Number>
+Number convolution(const Number* u, const Number* v, unsigned from, unsigned k) {
+  Number sum = 0;
   for (unsigned j = from; j <= k; ++j) sum += u[j] * v[k - j];
   return sum;
 }
 
 /// sum_{j=1}^{k} j u_j v_{k-j} / k.
-Quad weighted(const Quad* u, const Quad* v, unsigned k) {
-  Quad sum = 0;
+template <typename Number>
+Number weighted(const Number* u, const Number* v, unsigned k) {
+  Number sum = 0;
   for (unsigned j = 1; j <= k; ++j) {
-    if (u[j] != 0) sum += Quad(j) * u[j] * v[k - j];
+    if (u[j] != 0) sum += Number(j) * u[j] * v[k - j];
   }
-  return sum / Quad(k);
+  return sum / Number(k);
 }
 
 /// Half the work of a convolution.
-Quad square(const Quad* u, unsigned k) {
-  Quad sum = 0;
+template <typename Number>
+Number square(const Number* u, unsigned k) {
+  Number sum = 0;
   for (unsigned j = 0; 2 * j < k; ++j) sum += u[j] * u[k - j];
-  return 2 * sum + (k % 2 == 0 ? u[k / 2] * u[k / 2] : Quad(0));
+  return 2 * sum + (k % 2 == 0 ? u[k / 2] * u[k / 2] : Number(0));
 }
 
 }  // namespace
 
-Series Recording::record(Kind kind, Series a, Series b, Quad c) {
+template <typename Number>
+Series<Number> Recording<Number>::record(Kind kind, Series<Number> a, Series<Number> b, Number c) {
   steps_.push_back({kind, a.place, b.place, c});
   rows_.resize(steps_.size() * (order_ + 1));
   return {this, steps_.size() - 1};
 }
 
-Series Recording::input() { return record(Kind::input, {}, {}, 0); }
+template <typename Number>
+Series<Number> Recording<Number>::input() {
+  return record(Kind::input, {}, {}, 0);
+}
 
-Quad Recording::coefficient(const Step& step, const Quad* out, unsigned k) {
-  const Quad* a = row(step.a);
-  const Quad* b = row(step.b);
+template <typename Number>
+Number Recording<Number>::coefficient(const Step& step, const Number* out, unsigned k) {
+  const Number* a = row(step.a);
+  const Number* b = row(step.b);
   switch (step.kind) {
     case Kind::input:
       return out[k];
@@ -57,36 +65,73 @@ Quad Recording::coefficient(const Step& step, const Quad* out, unsigned k) {
     case Kind::quotient:
       return (a[k] - convolution(b, out, 1, k)) / b[0];
     case Kind::sine:
-      return k == 0 ? sinq(a[0]) : weighted(a, b, k);
+      return k == 0 ? sine(a[0]) : weighted(a, b, k);
     case Kind::cosine:
-      return k == 0 ? cosq(a[0]) : -weighted(a, b, k);
+      return k == 0 ? cosine(a[0]) : -weighted(a, b, k);
     case Kind::exponential:
-      return k == 0 ? expq(a[0]) : weighted(a, out, k);
+      return k == 0 ? exponential(a[0]) : weighted(a, out, k);
   }
   return 0;
 }
 
-void Recording::advance(unsigned k) {
+template <typename Number>
+void Recording<Number>::advance(unsigned k) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    Quad* out = row(i);
+    Number* out = row(i);
     out[k] = coefficient(steps_[i], out, k);
   }
 }
 
-Series operator+(Series a, Series b) { return a.recording->record(Recording::Kind::sum, a, b, 0); }
-Series operator-(Series a, Series b) { return a.recording->record(Recording::Kind::difference, a, b, 0); }
-Series operator*(Series a, Series b) { return a.recording->record(Recording::Kind::product, a, b, 0); }
-Series operator/(Series a, Series b) { return a.recording->record(Recording::Kind::quotient, a, b, 0); }
-Series operator*(Quad c, Series a) { return a.recording->record(Recording::Kind::multiple, a, a, c); }
-Series operator+(Quad c, Series a) { return a.recording->record(Recording::Kind::shifted, a, a, c); }
-Series exp(Series a) { return a.recording->record(Recording::Kind::exponential, a, a, 0); }
+template <typename Number>
+Series<Number> operator+(Series<Number> a, Series<Number> b) {
+  return a.recording->record(Recording<Number>::Kind::sum, a, b, 0);
+}
+template <typename Number>
+Series<Number> operator-(Series<Number> a, Series<Number> b) {
+  return a.recording->record(Recording<Number>::Kind::difference, a, b, 0);
+}
+template <typename Number>
+Series<Number> operator*(Series<Number> a, Series<Number> b) {
+  return a.recording->record(Recording<Number>::Kind::product, a, b, 0);
+}
+template <typename Number>
+Series<Number> operator/(Series<Number> a, Series<Number> b) {
+  return a.recording->record(Recording<Number>::Kind::quotient, a, b, 0);
+}
+template <typename Number>
+Series<Number> operator*(std::type_identity_t<Number> c, Series<Number> a) {
+  return a.recording->record(Recording<Number>::Kind::multiple, a, a, c);
+}
+template <typename Number>
+Series<Number> operator+(std::type_identity_t<Number> c, Series<Number> a) {
+  return a.recording->record(Recording<Number>::Kind::shifted, a, a, c);
+}
+template <typename Number>
+Series<Number> exp(Series<Number> a) {
+  return a.recording->record(Recording<Number>::Kind::exponential, a, a, 0);
+}
 
-SineAndCosine sine_and_cosine(Series a) {
+template <typename Number>
+SineAndCosine<Number> sine_and_cosine(Series<Number> a) {
   // Each needs the lower orders of the other, so that the later one may be named before it is there.
-  const Series next{a.recording, a.recording->input().place + 2};
-  const Series sine = a.recording->record(Recording::Kind::sine, a, next, 0);
-  const Series cosine = a.recording->record(Recording::Kind::cosine, a, sine, 0);
+  using Kind = typename Recording<Number>::Kind;
+  const Series<Number> next{a.recording, a.recording->input().place + 2};
+  const Series<Number> sine = a.recording->record(Kind::sine, a, next, 0);
+  const Series<Number> cosine = a.recording->record(Kind::cosine, a, sine, 0);
   return {sine, cosine};
 }
+
+#define QDOT_SERIES_OF(Number)                                       \
+  template class Recording<Number>;                                  \
+  template Series<Number> operator+(Series<Number>, Series<Number>); \
+  template Series<Number> operator-(Series<Number>, Series<Number>); \
+  template Series<Number> operator*(Series<Number>, Series<Number>); \
+  template Series<Number> operator/(Series<Number>, Series<Number>); \
+  template Series<Number> operator*<Number>(Number, Series<Number>); \
+  template Series<Number> operator+<Number>(Number, Series<Number>); \
+  template Series<Number> exp(Series<Number>);                       \
+  template SineAndCosine<Number> sine_and_cosine(Series<Number>);
+QDOT_SERIES_OF(Quad)
+QDOT_SERIES_OF(Long)
 
 }  // namespace qdot::test

@@ -11,7 +11,8 @@
 
 namespace qdot::test {
 
-using QuadValues = std::map<std::string, Quad>;
+template <typename Number>
+using PreciseValues = std::map<std::string, Number>;
 
 /// A exp(-b t) cos(w t + p), or its absolute value; what a scene's input is.
 struct Forcing {
@@ -24,12 +25,14 @@ struct Forcing {
 };
 
 /// q'' from t, q, q'; `force` is the scene's input, where it has one.
-using Accelerations =
-    std::function<std::vector<Series>(const QuadValues& parameters, Series t, const std::vector<Series>& q,
-                                      const std::vector<Series>& v, Series force)>;
+template <typename Number>
+using Accelerations = std::function<std::vector<Series<Number>>(
+    const PreciseValues<Number>& parameters, Series<Number> t, const std::vector<Series<Number>>& q,
+    const std::vector<Series<Number>>& v, Series<Number> force)>;
 
 /// Throws std::out_of_range for a system that is not written here.
-[[nodiscard]] const Accelerations& quad_accelerations(const std::string& system);
+template <typename Number>
+[[nodiscard]] const Accelerations<Number>& precise_accelerations(const std::string& system);
 [[nodiscard]] std::vector<std::string> quad_systems();
 
 }  // namespace qdot::test

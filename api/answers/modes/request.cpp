@@ -11,8 +11,8 @@ const RequestTable<ModesRequest>& modes_table() {
           parameters_field<ModesRequest>(),
           symbols_field<ModesRequest>(
               SymbolRole::equilibrium,
-              "coordinates of the equilibrium, exact or a guess; without them the stable one nearest to "
-              "'initial'",
+              "coordinates of the equilibrium, exact or a guess; without them the stable one downhill of "
+              "'initial', or where there is none the one that Newton's iteration finds from there",
               {"about", "at", "around", "position", "steady_state"}),
           initial_field<ModesRequest>(),
           inputs_field<ModesRequest>(),

@@ -15,7 +15,7 @@
 namespace qdot::api {
 
 struct ModesRequest {
-  SystemChoice system{};  ///< its `equilibrium` says which one; empty: the stable one nearest to `initial`
+  SystemChoice system{};  ///< its `equilibrium` says which one; empty: the one downhill of `initial`
   std::optional<int> digits{};
 };
 

@@ -156,5 +156,25 @@ TEST(DryFriction, FarFromTheOriginIsNoMoreCertainThanItsNumbers) {
   EXPECT_LE(off, found.max_abs_error[1]);
 }
 
+/// A quarter of the oscillation is x = 9 cos t - 5. Each step ends at the kink, and what it may hide is that
+/// of the part that was gone.
+TEST(Kinks, AreWhereAStepEndsAndWhatItMayHide) {
+  const auto model = mass_under("-F*x/L - 5*F*sign(x)");
+  SimulationRequest request = test::request_for(*model, {{"x", 4}}, instants(5, 50));
+  request.method = Method::taylor;
+  request.tolerances = {1e-3, 1e-12};
+  const MeasuredSimulation found = simulate_with_error(Dynamics(model), request, {});
+  const double quarter = std::acos(5.0 / 9);
+  double largest = 0;
+  for (int i = 0; i <= 50; ++i) {
+    const double turns = std::floor(0.1 * i / (2 * quarter) + 0.5), s = 0.1 * i - turns * 2 * quarter;
+    const double x = (std::fmod(turns, 2) == 0 ? 1 : -1) * (9 * std::cos(s) - 5);
+    largest = std::max(largest, std::abs(row(found.simulation, static_cast<std::size_t>(i))[0] - x));
+  }
+  ASSERT_EQ(found.max_abs_error.size(), 2u);
+  EXPECT_LE(largest, found.max_abs_error[0]);
+  EXPECT_LE(found.max_abs_error[0], 100 * largest + 1e-13);
+}
+
 }  // namespace
 }  // namespace qdot
