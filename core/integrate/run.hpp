@@ -50,6 +50,9 @@ struct MotionPiece {
   double h{};
   std::span<const double> rows{};
   unsigned order{};
+  /// Bounds of |p_i' - f_i(t, p)| over the piece, as RightHandSide::defect gives them; empty where they are
+  /// not known.
+  std::span<const double> defect{};
 };
 
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.

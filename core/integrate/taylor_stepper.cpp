@@ -115,7 +115,9 @@ class TaylorStepper final : public Stepper {
   }
 
   std::optional<MotionPiece> polynomials() const override {
-    return MotionPiece{t_previous_, t_ - t_previous_, coefficients_, order_};
+    MotionPiece piece{t_previous_, t_ - t_previous_, coefficients_, order_, {}};
+    if (last_is_bounded_) piece.defect = defect_;
+    return piece;
   }
 
   double t_previous() const override { return t_previous_; }
@@ -298,6 +300,7 @@ class TaylorStepper final : public Stepper {
     if (expand(t, y, beyond_)) return false;
     if (!bound.found && !holds_until(h)) return false;
     if (bound.found) note_unseen(h);
+    last_is_bounded_ = bound.found;
     bounded_ = bounded_ && bound.found;
     last_step_ = h;
     accept(t);
@@ -360,7 +363,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> sums_;  ///< of four samples
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
   std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
-  bool bounded_{true};
+  bool bounded_{true}, last_is_bounded_{false};
   bool hides_{false};  ///< the step that was just bounded
   double share_{1};    ///< of the length wanted, to begin with
   std::uint64_t steps_{}, evaluations_{};

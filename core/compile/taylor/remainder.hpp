@@ -38,7 +38,7 @@ class Remainder {
   /// that order; infinite where there is none. Returns the largest of h defect_i / allowed_i.
   double bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect);
 
-  /// The same where the rows of the state are given: what they lack of the motion, for q and v, and how far
+  /// The same where the rows of the state are given: what each lacks of the motion, and how far
   /// then what stands in `row` may be from it; roughly where that leaves no doubt of its sign.
   double distance(const double* row, double h, unsigned order, std::span<const double> missing_of_state);
 
@@ -130,7 +130,7 @@ class Remainder {
   std::vector<Row> rows_;
   std::vector<Rule> rules_;
   std::size_t n_{};           ///< degrees of freedom
-  std::vector<Index> state_;  ///< q, then v
+  std::vector<Index> state_;  ///< q, then v, then accelerations that are given
   std::vector<Index> accelerations_;
   using Powers = std::array<double, highest_order + 5>;
   Powers powers_{};  ///< h^k
