@@ -151,6 +151,9 @@ struct Run {
   /// is neither.
   std::vector<double> unseen{};
   std::vector<double> unseen_at_end{};  ///< the same where the run ended
+  /// Of a reference, where y is (q, q'): for each row bounds of |q''| during the step that it lies in, not
+  /// numbers where they are not known (rows x dimension/2). Otherwise empty.
+  std::vector<double> accelerations{};
 };
 
 }  // namespace qdot

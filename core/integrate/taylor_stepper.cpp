@@ -126,6 +126,14 @@ class TaylorStepper final : public Stepper {
   std::optional<Ending> trouble() const override { return trouble_; }
   bool bounded() const override { return bounded_; }
   std::span<const double> unseen() const override { return unseen_; }
+  std::span<const double> accelerations() override {
+    if (steps_ == 0) return {};
+    const std::size_t n = y_.size() / 2;
+    fastest_.resize(n);
+    const double* velocities = coefficients_.data() + n * (order_ + 1);
+    sum_all_series<SeriesSum::largest_slope>(velocities, order_, t_ - t_previous_, fastest_);
+    return fastest_;
+  }
   std::uint64_t steps() const override { return steps_; }
   std::uint64_t evaluations() const override { return evaluations_; }
 
@@ -363,6 +371,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> sums_;  ///< of four samples
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
   std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
+  std::vector<double> fastest_;  ///< accelerations in the last step
   bool bounded_{true}, last_is_bounded_{false};
   bool hides_{false};  ///< the step that was just bounded
   double share_{1};    ///< of the length wanted, to begin with
