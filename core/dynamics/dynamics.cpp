@@ -69,6 +69,13 @@ std::shared_ptr<const CompiledFunction> Dynamics::columns(const std::vector<Colu
   });
 }
 
+std::shared_ptr<const CompiledFunction> Dynamics::by_accelerations(const Expression& column) const {
+  return by_accelerations_.get(column.id(), [&]() -> std::shared_ptr<const CompiledFunction> {
+    auto function = compiled_by_accelerations(*model_, inputs_, *model_->parsed.graph, column);
+    return function ? std::make_shared<const CompiledFunction>(std::move(*function)) : nullptr;
+  });
+}
+
 std::shared_ptr<const Conserved> Dynamics::conserved(std::span<const double> parameters) const {
   const Vanishing vanishing = vanishing_among(parameters);
   return conserved_.get(vanishing, [&] {

@@ -51,6 +51,9 @@ class Dynamics {
   [[nodiscard]] std::shared_ptr<const CompiledFunction> columns(const std::vector<Column>& columns,
                                                                 const Staying* staying = nullptr) const;
 
+  /// A column as compiled_by_accelerations makes it; null where that is none.
+  [[nodiscard]] std::shared_ptr<const CompiledFunction> by_accelerations(const Expression& column) const;
+
   /// The conserved quantities; which there are depends on the parameters that are 0.
   [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
   /// What symmetries of several coordinates keep beside these, searched for when it is first asked for.
@@ -86,6 +89,7 @@ class Dynamics {
   mutable MadeOnce<Staying, CompiledFunction> kinked_jacobian_;
   using ColumnsKey = std::pair<std::vector<NodeId>, std::optional<Staying>>;
   mutable MadeOnce<ColumnsKey, std::shared_ptr<const CompiledFunction>> columns_;
+  mutable MadeOnce<NodeId, std::shared_ptr<const CompiledFunction>> by_accelerations_;
   mutable MadeOnce<Vanishing, std::shared_ptr<const Conserved>> conserved_, found_;
   mutable MadeOnce<Vanishing, std::shared_ptr<const Statics>> statics_;
   mutable MadeOnce<std::pair<std::string, const Statics*>, std::shared_ptr<const void>> derived_;

@@ -259,4 +259,15 @@ void MotionBuilder::output(const Expression& e) {
   tape_->output(known);
 }
 
+bool MotionBuilder::output_by_accelerations(const Expression& e) {
+  if (!depends_on(e, accelerations_)) return false;
+  if (depends_on(e, adopted(model_.parsed.symbols.multipliers))) return false;
+  std::vector<Expression> variables = q_;
+  variables.insert(variables.end(), rates_.begin(), rates_.end());
+  variables.insert(variables.end(), accelerations_.begin(), accelerations_.end());
+  tape_.emplace(graph_, parameters_, t_, variables);
+  tape_->output(e);
+  return true;
+}
+
 }  // namespace qdot

@@ -44,6 +44,9 @@ class MotionBuilder {
   [[nodiscard]] std::vector<std::vector<Slot>> acceleration_derivatives();
   /// An output of the tape; the motion is solved for where it is needed.
   void output(const Expression& e);
+  /// The only output, of a tape whose variables are (q, q', q''). False where it does not need q'', or needs
+  /// more than that.
+  [[nodiscard]] bool output_by_accelerations(const Expression& e);
 
   [[nodiscard]] const Unfolded& kinks() const { return kinks_; }
   [[nodiscard]] const std::vector<Expression>& coordinates() const { return q_; }

@@ -44,6 +44,13 @@ CompiledFunction compiled_along_motion(const Model& model, const InputTexts& inp
   return builder->tape().finish();
 }
 
+std::optional<CompiledFunction> compiled_by_accelerations(const Model& model, const InputTexts& inputs,
+                                                          const Graph& graph, const Expression& of_graph) {
+  MotionBuilder builder(model, inputs, graph);
+  if (!builder.output_by_accelerations(builder.expression(of_graph))) return std::nullopt;
+  return builder.tape().finish();
+}
+
 CompiledEvent compiled_event(const Model& model, const InputTexts& inputs, const std::string& text,
                              const Staying* staying) {
   const auto compiled = [&](const Expression& e) {

@@ -40,6 +40,13 @@ namespace qdot {
                                                      std::span<const Expression> expressions,
                                                      const Staying* staying = nullptr);
 
+/// One of them as a function of (q, q', q''), for where q'' is known; none where it does not need q'', or
+/// multipliers as well.
+[[nodiscard]] std::optional<CompiledFunction> compiled_by_accelerations(const Model& model,
+                                                                        const InputTexts& inputs,
+                                                                        const Graph& graph,
+                                                                        const Expression& of_graph);
+
 /// An event: the function whose zero it is, which way that is crossed, and optionally where a zero counts
 /// (when > 0).
 struct CompiledEvent {

@@ -22,20 +22,42 @@ Quantity quantity(std::shared_ptr<const CompiledFunction> function, std::span<co
 
 using Series = decltype(EventFunction::series);
 
-/// Along a piece of a motion; made ready when it is first wanted, for all copies.
-Series series_of(std::shared_ptr<const CompiledFunction> function, std::span<const double> parameters) {
-  return [function, values = std::vector<double>(parameters.begin(), parameters.end()),
-          made = std::make_shared<std::unique_ptr<TaylorComposition>>()](
-             const MotionPiece& piece, unsigned order, std::span<double> coefficients) {
-    if (!*made) *made = std::make_unique<TaylorComposition>(function, values);
-    return (*made)->expand(piece.t, piece.rows, piece.order, piece.h, order, coefficients);
+using SharedFunction = std::shared_ptr<const CompiledFunction>;
+
+/// A watched function of (q, q'), and the same of (q, q', q'') where there is one.
+struct Watched {
+  SharedFunction value, by_accelerations;
+};
+
+/// Along a piece of a motion; made ready when it is first wanted, for all copies. Where the piece's defect is
+/// known its slopes are the accelerations, which need not be solved for.
+Series series_of(const Watched& watched, std::span<const double> parameters) {
+  struct Made {
+    std::unique_ptr<TaylorComposition> whole, by_accelerations;
+  };
+  return [watched, values = std::vector<double>(parameters.begin(), parameters.end()),
+          made = std::make_shared<Made>()](const MotionPiece& piece, unsigned order,
+                                           std::span<double> coefficients) {
+    const bool is_short = watched.by_accelerations && !piece.defect.empty();
+    auto& composition = is_short ? made->by_accelerations : made->whole;
+    if (!composition) {
+      composition = is_short ? std::make_unique<TaylorComposition>(watched.by_accelerations, values,
+                                                                   Variables::state_and_accelerations)
+                             : std::make_unique<TaylorComposition>(watched.value, values);
+    }
+    return composition->expand(piece.t, piece.rows, piece.order, piece.h, order, coefficients, piece.defect);
   };
 }
 
-void watch_function(Watch& watch, const std::shared_ptr<const CompiledFunction>& function,
-                    std::span<const double> parameters) {
-  watch.value = quantity(function, parameters);
-  watch.series = series_of(function, parameters);
+void watch_function(Watch& watch, const Watched& watched, std::span<const double> parameters) {
+  watch.value = quantity(watched.value, parameters);
+  watch.series = series_of(watched, parameters);
+}
+
+/// A scene's own functions are compiled once for all motions.
+Watched watched_column(const Dynamics& dynamics, const WatchRequest& request, const Column& column) {
+  return {dynamics.columns({column}, request.staying),
+          request.staying == nullptr ? dynamics.by_accelerations(column.value) : nullptr};
 }
 
 /// sign (y_i - limit)
@@ -52,11 +74,10 @@ void watch_component(Watch& watch, std::size_t i, double sign, double limit) {
   };
 }
 
-using SharedFunction = std::shared_ptr<const CompiledFunction>;
-
 /// An event: the function whose zero it is, and where that counts; null where it counts everywhere.
 struct EventFunctions {
-  SharedFunction value, when;
+  Watched value;
+  SharedFunction when;
   Crossing direction{};
 };
 
@@ -64,16 +85,16 @@ struct EventFunctions {
 EventFunctions functions_of(const Dynamics& dynamics, const WatchRequest& request, const std::string& text) {
   const Model& model = dynamics.model();
   const auto kept = [&](const Expression& value) {
-    const Column column{text, "", value};
-    return dynamics.columns({column}, request.staying);
+    return watched_column(dynamics, request, {text, "", value});
   };
   for (std::size_t i = 0; i < model.scene.events.size(); ++i) {
     if (model.scene.events[i].name != text) continue;
     const ParsedSceneEvent& event = model.parsed.events[i];
-    return {kept(event.value), event.when ? kept(*event.when) : nullptr, model.scene.events[i].direction};
+    return {kept(event.value), event.when ? kept(*event.when).value : nullptr,
+            model.scene.events[i].direction};
   }
   CompiledEvent event = dynamics.event(text, request.staying);
-  return {std::make_shared<const CompiledFunction>(std::move(event.value)),
+  return {{std::make_shared<const CompiledFunction>(std::move(event.value)), nullptr},
           event.when ? std::make_shared<const CompiledFunction>(std::move(*event.when)) : nullptr,
           event.direction};
 }
@@ -100,7 +121,7 @@ void add_validity(const Dynamics& dynamics, const WatchRequest& request, std::ve
                 .reason = condition.reason,
                 .message = condition.message,
                 .direction = Crossing::falling};
-    watch_function(watch, dynamics.columns({columns[i]}, request.staying), request.parameters);
+    watch_function(watch, watched_column(dynamics, request, columns[i]), request.parameters);
     all.push_back(std::move(watch));
   }
 }
@@ -133,7 +154,7 @@ void add_singularities(const Dynamics& dynamics, const WatchRequest& request, st
   for (std::size_t i = 0; i < model.scene.singular_where.size(); ++i) {
     const Column column{model.scene.singular_where[i].name, "", model.parsed.singular_where[i]};
     all.push_back(singularity(model.scene.singular_where[i].message, Crossing::either));
-    watch_function(all.back(), dynamics.columns({column}, request.staying), request.parameters);
+    watch_function(all.back(), watched_column(dynamics, request, column), request.parameters);
   }
 }
 

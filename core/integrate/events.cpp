@@ -112,11 +112,12 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
 double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece) const {
   std::vector<double> c(low_order + 1);
   piece.h *= short_share;
+  piece.defect = {};  // that of the whole step
   return request_.events[event].series(piece, low_order, c);
 }
 
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
-  const auto [begin, h, rows, order] = polynomial_.whole();
+  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const Crossing direction = request_.events[event].direction;
   std::vector<SignPiece> pieces;
   looks_ = 0;

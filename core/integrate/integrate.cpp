@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -25,7 +26,11 @@ class Integration {
       : request_(request), stepper_(make_stepper(system, request)), events_(request), progress_(request) {
     run_.t = request.t_start;
     run_.y = request.y_start;
-    run_.states.reserve(request.grid.size() * request.y_start.size());
+    const std::size_t numbers = request.grid.size() * request.y_start.size();
+    run_.states.reserve(numbers);
+    if (!request.is_reference) return;
+    run_.unseen.reserve(numbers);
+    run_.accelerations.reserve(numbers / 2);
   }
 
   Run run() && {
@@ -85,6 +90,7 @@ class Integration {
       return failed;
     }
     note_unseen(count);
+    note_accelerations(count);
     run_.rows = end;
     return std::nullopt;
   }
@@ -98,6 +104,15 @@ class Integration {
     for (std::size_t i = 0; i < count; ++i) {
       run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
     }
+  }
+
+  void note_accelerations(std::size_t count) {
+    if (!request_.is_reference) return;
+    const std::span<const double> of_step = stepper_->accelerations();
+    std::vector<double>& all = run_.accelerations;
+    if (of_step.empty())
+      all.resize((run_.rows + count) * (run_.y.size() / 2), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < count; ++i) all.insert(all.end(), of_step.begin(), of_step.end());
   }
 
   const RunRequest& request_;

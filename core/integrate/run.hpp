@@ -50,6 +50,9 @@ struct MotionPiece {
   double h{};
   std::span<const double> rows{};
   unsigned order{};
+  /// Bounds of |p_i' - f_i(t, p)| over the piece, as RightHandSide::defect gives them; empty where they are
+  /// not known.
+  std::span<const double> defect{};
 };
 
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
@@ -148,6 +151,9 @@ struct Run {
   /// is neither.
   std::vector<double> unseen{};
   std::vector<double> unseen_at_end{};  ///< the same where the run ended
+  /// Of a reference, where y is (q, q'): for each row bounds of |q''| during the step that it lies in, not
+  /// numbers where they are not known (rows x dimension/2). Otherwise empty.
+  std::vector<double> accelerations{};
 };
 
 }  // namespace qdot

@@ -2,26 +2,30 @@
 // Values and slopes of Taylor polynomials from their coefficients, by Horner's rule.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <span>
 
 namespace qdot {
 
-enum class SeriesSum { value, slope };
+enum class SeriesSum { value, slope, largest_slope };
 
-/// sum_{k>=1} c_k s^k of so many rows of coefficients, or its derivative, side by side and even and odd
-/// powers apart, as each sum alone would wait for itself.
+/// sum_{k>=1} c_k s^k of so many rows of coefficients, or its derivative, or sum k |c_k| s^(k-1), side by
+/// side and even and odd powers apart, as each sum alone would wait for itself.
 template <SeriesSum sum_of, std::size_t count>
 void sum_series(const double* c, std::size_t order, double s, double* sums) {
   using Two [[gnu::vector_size(16)]] = double;
+  constexpr bool of_magnitudes = sum_of == SeriesSum::largest_slope;
+  constexpr bool of_slopes = sum_of == SeriesSum::slope || of_magnitudes;
   const auto row = [&](std::size_t i) { return c + i * (order + 1); };
   const Two s2{s * s, s * s};
   std::array<Two, count> sum{};
   std::size_t k = order;
   if (k % 2 == 1) {
-    const double factor = sum_of == SeriesSum::slope ? static_cast<double>(k) : 1.0;
-    for (std::size_t i = 0; i < count; ++i) sum[i][0] = factor * row(i)[k];
+    const double factor = of_slopes ? static_cast<double>(k) : 1.0;
+    for (std::size_t i = 0; i < count; ++i)
+      sum[i][0] = factor * (of_magnitudes ? std::abs(row(i)[k]) : row(i)[k]);
     --k;
   }
   Two powers{static_cast<double>(k) - 1, static_cast<double>(k)};
@@ -30,7 +34,8 @@ void sum_series(const double* c, std::size_t order, double s, double* sums) {
     for (std::size_t i = 0; i < count; ++i) {
       Two pair;
       std::memcpy(&pair, row(i) + k - 1, sizeof pair);
-      if (sum_of == SeriesSum::slope) pair *= powers;
+      if (of_magnitudes) pair = pair < 0 ? -pair : pair;
+      if (of_slopes) pair *= powers;
       sum[i] = sum[i] * s2 + pair;
     }
   }

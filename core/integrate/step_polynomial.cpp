@@ -62,12 +62,12 @@ std::optional<Ending> StepPolynomial::interpolate(Stepper& stepper, Look look) {
     double power = h;
     for (std::size_t k = 1; k < nodes && h > 0; ++k, power *= h) rows_[i * nodes + k] = c[k] / power;
   }
-  whole_ = {begin, h, rows_, nodes - 1};
+  whole_ = {begin, h, rows_, nodes - 1, {}};
   return std::nullopt;
 }
 
 MotionPiece StepPolynomial::piece(double from, double length) {
-  if (from == 0) return {whole_.t, length, whole_.rows, whole_.order};
+  if (from == 0) return {whole_.t, length, whole_.rows, whole_.order, {}};
   shifted_.assign(whole_.rows.begin(), whole_.rows.end());
   const unsigned order = whole_.order;
   for (double* c = shifted_.data(); c != shifted_.data() + shifted_.size(); c += order + 1) {
@@ -75,7 +75,7 @@ MotionPiece StepPolynomial::piece(double from, double length) {
       for (unsigned i = order; i-- > k;) c[i] += from * c[i + 1];
     }
   }
-  return {whole_.t + from, length, shifted_, order};
+  return {whole_.t + from, length, shifted_, order, {}};
 }
 
 }  // namespace qdot

@@ -19,7 +19,7 @@ class StepPolynomial {
   /// Whether that is the dense output itself, or might be off.
   [[nodiscard]] bool is_exact() const { return is_exact_; }
   [[nodiscard]] const MotionPiece& whole() const { return whole_; }
-  /// From whole().t + from on. Valid until the next call.
+  /// From whole().t + from on, without its defect. Valid until the next call.
   [[nodiscard]] MotionPiece piece(double from, double length);
 
  private:

@@ -61,6 +61,9 @@ class Stepper {
   /// As Run::unseen, at t(); empty where there is nothing.
   [[nodiscard]] virtual std::span<const double> unseen() const { return {}; }
 
+  /// As a row of Run::accelerations, for the last step; empty where there are none.
+  [[nodiscard]] virtual std::span<const double> accelerations() { return {}; }
+
   [[nodiscard]] virtual std::uint64_t steps() const = 0;
   [[nodiscard]] virtual std::uint64_t evaluations() const = 0;
 };

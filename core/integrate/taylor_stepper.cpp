@@ -28,6 +28,8 @@ constexpr double largest_defect = 1e3;  ///< of an unbounded step, at its end, i
 /// Of a bounded step, times its length, in units of the tolerance. They are 1 to 100, as it happens: the
 /// worst step of a reference has to be better than a lucky one of the run that it measures.
 constexpr double allowed_defect = 100, allowed_of_reference = 10;
+/// Of the length wanted: most steps are then found short enough by the first and cheapest bound.
+constexpr double share_of_reference = 0.95;
 constexpr int most_bounds = 120;           ///< tried for one step
 constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
 constexpr double least_share = 0.5, grown_share = 1.03;
@@ -81,7 +83,8 @@ class TaylorStepper final : public Stepper {
     }
     weigh();
     const double wanted = step_size();
-    double h = std::min(wanted, request_.t_end - t_);
+    const double share = request_.is_reference ? share_of_reference : 1;
+    double h = std::min(share * wanted, request_.t_end - t_);
     for (int i = 0; i < attempts; ++i, h /= 2) {
       const Bound bound = bounded(h);
       h = bound.h;
@@ -115,7 +118,9 @@ class TaylorStepper final : public Stepper {
   }
 
   std::optional<MotionPiece> polynomials() const override {
-    return MotionPiece{t_previous_, t_ - t_previous_, coefficients_, order_};
+    MotionPiece piece{t_previous_, t_ - t_previous_, coefficients_, order_, {}};
+    if (last_is_bounded_) piece.defect = defect_;
+    return piece;
   }
 
   double t_previous() const override { return t_previous_; }
@@ -139,6 +144,14 @@ class TaylorStepper final : public Stepper {
   }
 
   std::span<const double> unseen() const override { return unseen_; }
+  std::span<const double> accelerations() override {
+    if (steps_ == 0) return {};
+    const std::size_t n = y_.size() / 2;
+    fastest_.resize(n);
+    const double* velocities = coefficients_.data() + n * (order_ + 1);
+    sum_all_series<SeriesSum::largest_slope>(velocities, order_, t_ - t_previous_, fastest_);
+    return fastest_;
+  }
   std::uint64_t steps() const override { return steps_; }
   std::uint64_t evaluations() const override { return evaluations_; }
 
@@ -318,6 +331,7 @@ class TaylorStepper final : public Stepper {
     if (expand(t, y, beyond_)) return false;
     if (!bound.found && !holds_until(h)) return false;
     if (bound.found) note_unseen(h);
+    last_is_bounded_ = bound.found;
     bounded_ = bounded_ && bound.found;
     last_step_ = h;
     accept(t);
@@ -381,7 +395,8 @@ class TaylorStepper final : public Stepper {
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
   std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
   std::vector<double> hidden_before_, off_before_;  ///< the last step
-  bool bounded_{true};
+  std::vector<double> fastest_;                     ///< accelerations in the last step
+  bool bounded_{true}, last_is_bounded_{false};
   bool hides_{false};  ///< the step that was just bounded
   double share_{1};    ///< of the length wanted, to begin with
   std::uint64_t steps_{}, evaluations_{};

@@ -27,8 +27,10 @@ DenseGrid::DenseGrid(const SimulationRequest& request) : t(request.grid) {
   }
   std::sort(t.begin(), t.end());
   t.erase(std::unique(t.begin(), t.end()), t.end());
+  auto next = request.grid.begin();
   for (const double instant : t) {
-    wanted.push_back(std::binary_search(request.grid.begin(), request.grid.end(), instant));
+    while (next != request.grid.end() && *next < instant) ++next;
+    wanted.push_back(next != request.grid.end() && *next == instant);
   }
 }
 

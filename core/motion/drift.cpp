@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/work.hpp"
 #include "core/dynamics/constraint_surface.hpp"
@@ -15,28 +16,42 @@ std::span<const double> row_of(std::span<const double> states, std::size_t i, st
 
 }  // namespace
 
-std::vector<ConservedRecord> conserved_along(const Dynamics& dynamics, const SimulationRequest& request,
-                                             std::span<const double> states,
-                                             std::span<const Segment> segments) {
+std::vector<double> conserved_changes(const Dynamics& dynamics, const SimulationRequest& request,
+                                      std::span<const double> states, std::span<const Segment> segments) {
   const auto conserved = dynamics.conserved(request.parameters);
   const std::size_t count = conserved->quantities.size(), width = request.y_start.size();
   const std::size_t rows = states.size() / width;
   if (count == 0 || rows == 0) return {};
   Workspace workspace = conserved->values->bind(request.parameters);
-  std::vector<double> reference(count), value(count), drift(count);
-  const auto evaluate = [&](double t, std::span<const double> y, std::vector<double>& out) {
-    return conserved->values->evaluate(t, y, workspace, out) == Evaluation::ok;
+  const auto evaluate = [&](double t, std::span<const double> y, std::span<double> out) {
+    if (conserved->values->evaluate(t, y, workspace, out) == Evaluation::ok) return;
+    std::ranges::fill(out, std::numeric_limits<double>::quiet_NaN());
   };
-  std::vector<double> initial(count);
-  if (!evaluate(request.t_start, request.y_start, initial)) return {};
+  std::vector<double> reference(count), changes(rows * count);
   for (std::size_t i = 0, next = 0; i < rows; ++i) {
     if (i % 256 == 0) check_interruption();
     for (; next < segments.size() && segments[next].first_row <= i; ++next) {
-      if (!evaluate(segments[next].t, segments[next].y, reference)) return {};
+      evaluate(segments[next].t, segments[next].y, reference);
     }
-    if (!evaluate(request.grid[i], row_of(states, i, width), value)) return {};
-    for (std::size_t k = 0; k < count && next > 0; ++k)
-      drift[k] = std::max(drift[k], std::abs(value[k] - reference[k]));
+    const std::span<double> change = std::span(changes).subspan(i * count, count);
+    evaluate(request.grid[i], row_of(states, i, width), change);
+    for (std::size_t k = 0; k < count; ++k) change[k] = next > 0 ? std::abs(change[k] - reference[k]) : 0;
+  }
+  return changes;
+}
+
+std::vector<ConservedRecord> conserved_records(const Dynamics& dynamics, const SimulationRequest& request,
+                                               std::span<const double> changes) {
+  if (changes.empty()) return {};
+  const auto conserved = dynamics.conserved(request.parameters);
+  const std::size_t count = conserved->quantities.size();
+  std::vector<double> initial(count), drift(count);
+  Workspace workspace = conserved->values->bind(request.parameters);
+  if (conserved->values->evaluate(request.t_start, request.y_start, workspace, initial) != Evaluation::ok)
+    return {};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (std::isnan(changes[i])) return {};
+    drift[i % count] = std::max(drift[i % count], changes[i]);
   }
   std::vector<ConservedRecord> records;
   for (std::size_t k = 0; k < count; ++k) {

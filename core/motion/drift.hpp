@@ -32,11 +32,17 @@ struct Segment {
   std::vector<double> y;
 };
 
-/// Of the first rows of the request's grid, `states` being their states.
-[[nodiscard]] std::vector<ConservedRecord> conserved_along(const Dynamics& dynamics,
-                                                           const SimulationRequest& request,
-                                                           std::span<const double> states,
-                                                           std::span<const Segment> segments);
+/// By how much each conserved quantity has changed since its segment began: rows x quantities, of the first
+/// rows of the request's grid, `states` being their states. Not a number where there is no value.
+[[nodiscard]] std::vector<double> conserved_changes(const Dynamics& dynamics,
+                                                    const SimulationRequest& request,
+                                                    std::span<const double> states,
+                                                    std::span<const Segment> segments);
+
+/// The largest of these; none where one of them is not a number.
+[[nodiscard]] std::vector<ConservedRecord> conserved_records(const Dynamics& dynamics,
+                                                             const SimulationRequest& request,
+                                                             std::span<const double> changes);
 [[nodiscard]] std::vector<ConstraintRecord> constraints_along(const Dynamics& dynamics,
                                                               const SimulationRequest& request,
                                                               std::span<const double> states);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/work.hpp"
-
 namespace qdot {
 namespace {
 
@@ -84,23 +82,7 @@ class Quantities {
 class Comparison {
  public:
   Comparison(Quantities& quantities, const StatedRows& rows, std::span<const SectionRecord> sections)
-      : quantities_(quantities), rows_(rows) {
-    Place begin{rows.t_start, rows.start};
-    std::vector<double> before = quantities_.at(begin.t, begin.y), now = before;
-    begins_.reserve(rows.t.size());
-    changes_.reserve(rows.t.size() * before.size());
-    auto next = sections.begin();
-    for (std::size_t i = 0; i < rows.t.size(); ++i) {
-      if (i % 256 == 0) check_interruption();
-      for (; next != sections.end() && next->t < rows.t[i]; ++next) {
-        begin = {next->t, next->after};
-        before = quantities_.at(begin.t, begin.y);
-      }
-      begins_.push_back(begin);
-      quantities_.take(rows.t[i], state(i), now);
-      for (std::size_t k = 0; k < now.size(); ++k) changes_.push_back(std::abs(now[k] - before[k]));
-    }
-  }
+      : quantities_(quantities), rows_(rows), sections_(sections) {}
 
   [[nodiscard]] bool has_changed(std::size_t quantity) {
     const std::vector<std::size_t> places = most_changed(quantity);
@@ -111,7 +93,8 @@ class Comparison {
     double unexplained = 0, size = 0;
     for (const std::size_t i : places) {
       const auto here = quantities_.effect(quantity, rows_.t[i], copy(state(i)), errors(i));
-      const auto there = quantities_.effect(quantity, begins_[i].t, copy(begins_[i].y), errors(i));
+      const Place begin = begin_of(i);
+      const auto there = quantities_.effect(quantity, begin.t, copy(begin.y), errors(i));
       const double explained = of_second_order * (here.of_errors + there.of_errors);
       unexplained = std::max(unexplained, change(quantity, i) - explained);  // not a number: explained
       size = std::max({size, here.size, there.size});
@@ -133,7 +116,13 @@ class Comparison {
     return rows_.errors.subspan(i * rows_.start.size(), rows_.start.size());
   }
   [[nodiscard]] double change(std::size_t quantity, std::size_t i) const {
-    return changes_[i * quantities_.count() + quantity];
+    return rows_.changes[i * quantities_.count() + quantity];
+  }
+  /// Where the section began that the row is in.
+  [[nodiscard]] Place begin_of(std::size_t i) const {
+    const auto next = std::ranges::lower_bound(sections_, rows_.t[i], {}, &SectionRecord::t);
+    if (next == sections_.begin()) return {rows_.t_start, rows_.start};
+    return {(next - 1)->t, (next - 1)->after};
   }
 
   /// Of each part of the motion one row.
@@ -154,8 +143,7 @@ class Comparison {
 
   Quantities& quantities_;
   const StatedRows& rows_;
-  std::vector<Place> begins_;    ///< of each row: where the section began that it is in
-  std::vector<double> changes_;  ///< rows x quantities
+  std::span<const SectionRecord> sections_;
 };
 
 }  // namespace
@@ -163,7 +151,7 @@ class Comparison {
 std::string changed_conserved_quantity(const Dynamics& dynamics, std::span<const double> parameters,
                                        const StatedRows& rows, std::span<const SectionRecord> sections) {
   Quantities quantities(dynamics, parameters);
-  if (quantities.count() == 0 || rows.t.empty()) return {};
+  if (rows.changes.empty()) return {};
   Comparison comparison(quantities, rows, sections);
   for (std::size_t k = 0; k < quantities.count(); ++k) {
     if (comparison.has_changed(k)) return quantities.name(k);

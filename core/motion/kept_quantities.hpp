@@ -21,8 +21,9 @@ struct StatedRows {
   double t_start{};
   std::span<const double> start{};  ///< the state there
   std::span<const double> t{};
-  std::span<const double> states{};  ///< rows x 2n, row-major
-  std::span<const double> errors{};  ///< of these
+  std::span<const double> states{};   ///< rows x 2n, row-major
+  std::span<const double> errors{};   ///< of these
+  std::span<const double> changes{};  ///< rows x quantities, of what is conserved (drift.hpp)
 };
 
 /// The name of a conserved quantity that changes by more than the errors explain; empty where there is none.

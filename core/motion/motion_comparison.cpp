@@ -101,12 +101,27 @@ class Comparing {
     if (in_parts == std::nearbyint(in_parts)) return;  // as it was typed
     const std::size_t n = width_ / 2;
     const std::span<const double> y = row_of(motion_.simulation, row);
-    if (motion_.dynamics.accelerations().evaluate(t, y, workspace_, acceleration_) != Evaluation::ok) return;
+    if (!take_accelerations(row)) return;
     const double rounded = (std::nextafter(std::abs(t), infinity) - std::abs(t)) / 2;
     for (std::size_t i = 0; i < n; ++i) {
       missed_[i] += rounded * std::abs(y[n + i]);
       missed_[n + i] += rounded * std::abs(acceleration_[i]);
     }
+  }
+
+  /// Bounds of them near the row that a check has, or their values there.
+  bool take_accelerations(std::size_t row) {
+    const std::size_t n = width_ / 2;
+    for (const Simulation& other : others_) {
+      if (row >= other.rows || other.accelerations.empty()) continue;
+      const auto bounds = std::span(other.accelerations).subspan(row * n, n);
+      if (std::ranges::any_of(bounds, [](double a) { return std::isnan(a); })) continue;
+      std::ranges::copy(bounds, acceleration_.begin());
+      return true;
+    }
+    const double t = motion_.grid.t[row];
+    const std::span<const double> y = row_of(motion_.simulation, row);
+    return motion_.dynamics.accelerations().evaluate(t, y, workspace_, acceleration_) == Evaluation::ok;
   }
 
   /// A difference may be passing zero at a row, by chance, but then its slope is not zero: that of
@@ -149,11 +164,14 @@ class Comparing {
   }
 
   [[nodiscard]] std::string changed(const std::vector<double>& stated) const {
+    const std::size_t count = stated.size() / width_, all = motion_.simulation.rows;
+    const std::vector<double>& changes = motion_.simulation.changes;
     const StatedRows rows{.t_start = motion_.request.t_start,
                           .start = motion_.request.y_start,
-                          .t = std::span(motion_.grid.t).first(stated.size() / width_),
+                          .t = std::span(motion_.grid.t).first(count),
                           .states = std::span(motion_.simulation.states).first(stated.size()),
-                          .errors = stated};
+                          .errors = stated,
+                          .changes = std::span(changes).first(all == 0 ? 0 : count * (changes.size() / all))};
     return changed_conserved_quantity(motion_.dynamics, motion_.request.parameters, rows,
                                       motion_.simulation.sections);
   }

@@ -48,7 +48,8 @@ class Simulator {
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
     fill_columns();
-    result_.conserved = conserved_along(dynamics_, request_, result_.states, segments_);
+    result_.changes = conserved_changes(dynamics_, request_, result_.states, segments_);
+    result_.conserved = conserved_records(dynamics_, request_, result_.changes);
     result_.constraints = constraints_along(dynamics_, request_, result_.states);
     return std::move(result_);
   }
@@ -153,6 +154,8 @@ class Simulator {
     Run done = integrate(sections_.system(), run);
     if (step) enclose(run, done);
     add_unseen(done);
+    result_.accelerations.insert(result_.accelerations.end(), done.accelerations.begin(),
+                                 done.accelerations.end());
     result_.rows += done.rows;
     if (result_.states.empty()) {
       result_.states = std::move(done.states);
@@ -193,10 +196,11 @@ class Simulator {
     result_.bounded = result_.bounded && done.bounded;
     if (unseen_.empty() && done.unseen_at_end.empty()) return;
     unseen_.resize(width);
-    result_.unseen.resize(before + done.rows * width);
-    for (std::size_t i = 0; i < done.rows * width; ++i) {
-      result_.unseen[before + i] = unseen_[i % width] + (i < done.unseen.size() ? done.unseen[i] : 0);
+    result_.unseen.resize(before);
+    for (std::size_t i = 0; i < done.rows; ++i) {
+      result_.unseen.insert(result_.unseen.end(), unseen_.begin(), unseen_.end());
     }
+    for (std::size_t i = 0; i < done.unseen.size(); ++i) result_.unseen[before + i] += done.unseen[i];
     for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
   }
 

@@ -38,6 +38,7 @@ struct Simulation {
   double t{};             ///< how far it came
   std::vector<double> y;  ///< the state there, before an impact that ends the motion
   std::vector<ConservedRecord> conserved;
+  std::vector<double> changes;  ///< of what is conserved (conserved_changes in drift.hpp)
   std::vector<ConstraintRecord> constraints;
   Method method{};
   /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an
@@ -48,6 +49,8 @@ struct Simulation {
   std::uint64_t evaluations{};
   bool bounded{true};          ///< as Run::bounded, of all sections
   std::vector<double> unseen;  ///< as Run::unseen, rows x 2n; empty where there is nothing
+  /// As Run::accelerations, rows x n, of a reference; not a number where there is no bound.
+  std::vector<double> accelerations;
 };
 
 /// Where abs and sign stand in the equations, every zero of their arguments ends a section of the motion that

@@ -4,24 +4,29 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
 
+// `Size` is a number, or one that the compiler knows: most systems with a mass matrix to factor have three
+// unknowns.
+
 using Scale = std::array<double, largest_system>;
 
-Scale row_scales(std::size_t n, std::span<const double> m) {
-  Scale scale{};
+template <class Size>
+void take_row_scales(Size n, std::span<const double> m, Scale& scale) {
   for (std::size_t i = 0; i < n; ++i) {
+    scale[i] = 0;
     for (std::size_t j = 0; j < n; ++j) scale[i] = std::max(scale[i], std::abs(m[i * n + j]));
   }
-  return scale;
 }
 
 /// Brings the row with the largest scaled entry of column k to place k.
-void pivot(std::size_t n, std::size_t k, std::span<const double> m, const Scale& scale, RowOrder& row) {
+template <class Size>
+void pivot(Size n, std::size_t k, std::span<const double> m, const Scale& scale, RowOrder& row) {
   std::size_t best = k;
   const auto weight = [&](std::size_t i) { return std::abs(m[row[i] * n + k]) / scale[row[i]]; };
   for (std::size_t i = k + 1; i < n; ++i) {
@@ -29,6 +34,42 @@ void pivot(std::size_t n, std::size_t k, std::span<const double> m, const Scale&
   }
   std::swap(row[k], row[best]);
 }
+
+template <class Size>
+bool factor_rows(Size n, std::span<double> m, RowOrder& row) {
+  Scale scale;
+  take_row_scales(n, m, scale);
+  const double lost = 4 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  for (std::size_t i = 0; i < n; ++i) row[i] = i;
+  for (std::size_t k = 0; k < n; ++k) {
+    pivot(n, k, m, scale, row);
+    const double diagonal = m[row[k] * n + k];
+    if (!(std::abs(diagonal) > lost * scale[row[k]])) return false;  // also when it is not a number
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double factor = m[row[i] * n + k] / diagonal;
+      m[row[i] * n + k] = factor;
+      for (std::size_t j = k + 1; j < n; ++j) m[row[i] * n + j] -= factor * m[row[k] * n + j];
+    }
+  }
+  return true;
+}
+
+template <class Size>
+void substitute_rows(Size n, std::span<const double> m, const RowOrder& row, std::span<double> b) {
+  // L y = b, then U x = y
+  std::array<double, largest_system> x;
+  for (std::size_t i = 0; i < n; ++i) {
+    x[i] = b[row[i]];
+    for (std::size_t j = 0; j < i; ++j) x[i] -= m[row[i] * n + j] * x[j];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = i + 1; j < n; ++j) x[i] -= m[row[i] * n + j] * x[j];
+    x[i] /= m[row[i] * n + i];
+  }
+  for (std::size_t i = 0; i < n; ++i) b[i] = x[i];
+}
+
+using Three = std::integral_constant<std::size_t, 3>;
 
 using SmallMatrix = std::array<double, largest_system * largest_system>;  // n x n of it are used
 
@@ -55,39 +96,16 @@ void bound_rest(std::size_t n, const SmallMatrix& y, const MatrixFamily& matrice
 }  // namespace
 
 bool factor_linear(std::size_t n, std::span<double> m, RowOrder& row) noexcept {
-  const Scale scale = row_scales(n, m);
-  const double lost = 4 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-  for (std::size_t i = 0; i < n; ++i) row[i] = i;
-  for (std::size_t k = 0; k < n; ++k) {
-    pivot(n, k, m, scale, row);
-    const double diagonal = m[row[k] * n + k];
-    if (!(std::abs(diagonal) > lost * scale[row[k]])) return false;  // also when it is not a number
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = m[row[i] * n + k] / diagonal;
-      m[row[i] * n + k] = factor;
-      for (std::size_t j = k + 1; j < n; ++j) m[row[i] * n + j] -= factor * m[row[k] * n + j];
-    }
-  }
-  return true;
+  return n == 3 ? factor_rows(Three{}, m, row) : factor_rows(n, m, row);
 }
 
 void substitute_linear(std::size_t n, std::span<const double> m, const RowOrder& row,
                        std::span<double> b) noexcept {
-  // L y = b, then U x = y
-  std::array<double, largest_system> x{};
-  for (std::size_t i = 0; i < n; ++i) {
-    x[i] = b[row[i]];
-    for (std::size_t j = 0; j < i; ++j) x[i] -= m[row[i] * n + j] * x[j];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t j = i + 1; j < n; ++j) x[i] -= m[row[i] * n + j] * x[j];
-    x[i] /= m[row[i] * n + i];
-  }
-  std::copy_n(x.begin(), n, b.begin());
+  n == 3 ? substitute_rows(Three{}, m, row, b) : substitute_rows(n, m, row, b);
 }
 
 bool solve_linear(std::size_t n, std::span<double> m, std::span<double> b) noexcept {
-  RowOrder row{};
+  RowOrder row;
   if (!factor_linear(n, m, row)) return false;
   for (std::size_t k = 0; k < b.size() / n; ++k) substitute_linear(n, m, row, b.subspan(k * n, n));
   return true;

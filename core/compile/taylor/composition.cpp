@@ -13,24 +13,30 @@ constexpr double rounding = 0x1p-52;  ///< of a state
 }  // namespace
 
 TaylorComposition::TaylorComposition(std::shared_ptr<const CompiledFunction> function,
-                                     std::span<const double> parameters)
+                                     std::span<const double> parameters, Variables variables)
     : function_(std::move(function)),
       workspace_(function_->bind(parameters)),
       kernels_(taylor::best_kernels()),
-      translation_(std::make_unique<TaylorTranslation>(*function_, workspace_)),
-      remainder_(std::make_unique<taylor::Remainder>(translation_->composition(), kernels_)),
+      coordinates_(function_->variables() / (variables == Variables::state ? 2 : 3)),
       start_(function_->variables()),
-      left_out_(function_->variables()) {}
+      left_out_(function_->variables()) {
+  translation_ = std::make_unique<TaylorTranslation>(*function_, workspace_, coordinates_);
+  remainder_ = std::make_unique<taylor::Remainder>(translation_->composition(), kernels_);
+}
 
 TaylorComposition::~TaylorComposition() = default;
 
 double TaylorComposition::expand(double t, std::span<const double> rows, unsigned rows_order, double h,
-                                 unsigned order, std::span<double> coefficients) {
-  for (std::size_t i = 0; i < start_.size(); ++i) start_[i] = rows[i * (rows_order + 1)];
+                                 unsigned order, std::span<double> coefficients,
+                                 std::span<const double> defect) {
+  const std::size_t given = 2 * coordinates_;
+  for (std::size_t i = 0; i < given; ++i) start_[i] = rows[i * (rows_order + 1)];
+  for (std::size_t i = given; i < start_.size(); ++i)
+    start_[i] = rows[(i - coordinates_) * (rows_order + 1) + 1];
   double value{};
   if (function_->evaluate(t, start_, workspace_, {&value, 1}) != Evaluation::ok) return infinity;
   if (!translation_->start(workspace_)) return infinity;
-  put_state(rows, rows_order, h, order);
+  put_variables(rows, rows_order, h, order, defect);
   taylor::Program alone = translation_->composition();
   alone.state.n = 0;  // the state's coefficients are there
   kernels_.expand(alone, order);
@@ -41,20 +47,32 @@ double TaylorComposition::expand(double t, std::span<const double> rows, unsigne
   return r;
 }
 
-void TaylorComposition::put_state(std::span<const double> rows, unsigned rows_order, double h,
-                                  unsigned order) {
-  double* row = translation_->composition().state.rows;
-  const unsigned given = std::min(order, rows_order);
-  for (std::size_t i = 0; i < start_.size(); ++i, row += taylor::stride) {
-    const double* c = rows.data() + i * (rows_order + 1);
-    for (unsigned k = 1; k <= order; ++k) {
-      row[k] = row[taylor::reversed - static_cast<int>(k)] = k <= given ? c[k] : 0;
-    }
-    double beyond = 0;
-    for (unsigned k = rows_order; k > given; --k) beyond = (beyond + std::abs(c[k])) * h;
-    for (unsigned k = given; k > 0; --k) beyond *= h;
-    left_out_[i] = beyond + rounding * std::abs(c[0]);
+void TaylorComposition::put_variables(std::span<const double> rows, unsigned rows_order, double h,
+                                      unsigned order, std::span<const double> defect) {
+  const std::size_t given = 2 * coordinates_, width = rows_order + 1;
+  powers_[0] = 1;
+  for (unsigned k = 1; k < width; ++k) powers_[k] = powers_[k - 1] * h;
+  for (std::size_t i = 0; i < given; ++i) {
+    const double* c = rows.data() + i * width;
+    put(i, rows_order, order, [c](unsigned k) { return c[k]; });
   }
+  for (std::size_t i = given; i < start_.size(); ++i) {
+    const double* v = rows.data() + (i - coordinates_) * width;
+    put(i, rows_order - 1, order, [v](unsigned k) { return (k + 1) * v[k + 1]; });
+    left_out_[i] += defect[i - coordinates_];
+  }
+}
+
+/// Coefficients up to `last`, as far as the order goes.
+template <class Coefficient>
+void TaylorComposition::put(std::size_t variable, unsigned last, unsigned order, const Coefficient& c) {
+  double* row = translation_->variable(variable);
+  const unsigned given = std::min(order, last);
+  for (unsigned k = 1; k <= given; ++k) row[k] = row[taylor::reversed - static_cast<int>(k)] = c(k);
+  for (unsigned k = given + 1; k <= order; ++k) row[k] = row[taylor::reversed - static_cast<int>(k)] = 0;
+  double beyond = 0;
+  for (unsigned k = given + 1; k <= last; ++k) beyond += std::abs(c(k)) * powers_[k];
+  left_out_[variable] = beyond + rounding * std::abs(c(0));
 }
 
 }  // namespace qdot

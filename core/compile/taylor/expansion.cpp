@@ -18,7 +18,7 @@ TaylorExpansion::TaylorExpansion(const CompiledFunction& accelerations, std::spa
       kernels_(instruction_set == InstructionSet::plain ? taylor::plain_kernels() : taylor::best_kernels()),
       workspace_(accelerations.bind(parameters)),
       accelerations_(accelerations.outputs()),
-      translation_(std::make_unique<TaylorTranslation>(tape_, workspace_)) {}
+      translation_(std::make_unique<TaylorTranslation>(tape_, workspace_, accelerations.outputs())) {}
 
 TaylorExpansion::~TaylorExpansion() = default;
 

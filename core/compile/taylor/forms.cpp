@@ -172,7 +172,7 @@ void TaylorTranslation::multiply_into(Form& form, double factor, Slot x, Slot y)
 
 /// Or the time.
 bool TaylorTranslation::is_coordinate(Slot slot) const {
-  return slot >= tape_.parameters_ && slot <= tape_.parameters_ + tape_.variables_ / 2;
+  return slot >= tape_.parameters_ && slot <= tape_.parameters_ + coordinates_;
 }
 
 bool TaylorTranslation::has_rate_of_its_own(Slot slot) const {

@@ -95,8 +95,9 @@ struct Step {
 /// y' = v for the first half of the state, y' = a for the second.
 struct State {
   std::size_t n{};
-  double* rows{};                        ///< 2n rows, q then v, one after the other
+  double* rows{};                        ///< q then v, one after the other
   const double* const* accelerations{};  ///< n rows
+  std::size_t count{};                   ///< of rows: 2n, and more where accelerations are given as well
 };
 
 struct Program {

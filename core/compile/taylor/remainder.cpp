@@ -11,7 +11,8 @@ constexpr double by_far = 100;
 
 Remainder::Remainder(const Program& program, const Kernels& kernels)
     : n_(program.state.n), measure_(kernels.measure) {
-  for (std::size_t i = 0; i < 2 * n_; ++i) state_.push_back(index_of(program.state.rows + i * stride));
+  for (std::size_t i = 0; i < program.state.count; ++i)
+    state_.push_back(index_of(program.state.rows + i * stride));
   for (const Index i : state_) rows_[i].missing = 0;
   for (std::size_t i = 0; i < program.count; ++i) rules_.push_back(rule_for(program.steps[i]));
   if (program.state.accelerations != nullptr) {
@@ -111,7 +112,7 @@ double Remainder::distance(const double* row, double h, unsigned order,
 }
 
 void Remainder::put_missing(std::span<const double> missing_of_state) {
-  for (std::size_t i = 0; i < 2 * n_; ++i) {
+  for (std::size_t i = 0; i < state_.size(); ++i) {
     conclude(rows_[state_[i]], missing_of_state[i]);
     if (i >= n_) rows_[state_[i]].argument_r = missing_of_state[i - n_];
   }

@@ -38,7 +38,7 @@ class Remainder {
   /// that order; infinite where there is none. Returns the largest of h defect_i / allowed_i.
   double bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect);
 
-  /// The same where the rows of the state are given: what they lack of the motion, for q and v, and how far
+  /// The same where the rows of the state are given: what each lacks of the motion, and how far
   /// then what stands in `row` may be from it; roughly where that leaves no doubt of its sign.
   double distance(const double* row, double h, unsigned order, std::span<const double> missing_of_state);
 
@@ -108,6 +108,7 @@ class Remainder {
   void apply_kink(const Rule& rule);
   void apply_solve(const Rule& rule);
   bool bound_pair(const Rule& rule, std::span<const double> rho);
+  bool bound_triple(const Rule& rule, std::span<const double> rho);
   void bound_unknowns(const Rule& rule, std::span<const double> rho);
 
   /// sum_{i+j >= N} |a_i b_j| h^(i+j), and the same from N - 1 on.
@@ -118,8 +119,9 @@ class Remainder {
   [[nodiscard]] double beyond_kink(const Row& x, double side) const;
   /// How far an argument moves from its value at s = 0, by its rate.
   [[nodiscard]] Range variation(const Row& rate) const;
-  /// How far what a row stands for is from its first three terms.
+  /// How far what a row stands for is from its first three terms, or four.
   [[nodiscard]] double beyond_second(const Row& row) const;
+  [[nodiscard]] double beyond_third(const Row& row) const;
   [[nodiscard]] Range argument(const Rule& rule) const;
   void conclude(Row& row, double r) const;
   void meet(Row& row, const Range& by_operation) const;
@@ -128,7 +130,7 @@ class Remainder {
   std::vector<Row> rows_;
   std::vector<Rule> rules_;
   std::size_t n_{};           ///< degrees of freedom
-  std::vector<Index> state_;  ///< q, then v
+  std::vector<Index> state_;  ///< q, then v, then accelerations that are given
   std::vector<Index> accelerations_;
   using Powers = std::array<double, highest_order + 5>;
   Powers powers_{};  ///< h^k
@@ -136,7 +138,7 @@ class Remainder {
   Measure measure_{};
   std::vector<RowSizes*> measured_;  ///< factors, and the last of them again up to a multiple of four
   double beyond_{};                  ///< 1/(1 - rho)
-  double rho3_{}, rho_of_rate_{}, rho_of_value_{};  ///< powers 3, N - 1 and N of rho
+  double rho_{}, rho3_{}, rho_of_rate_{}, rho_of_value_{};  ///< rho, and its powers 3, N - 1 and N
   double h_{};
   unsigned order_{};
   Effort effort_{Effort::quick};

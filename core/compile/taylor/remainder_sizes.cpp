@@ -94,6 +94,7 @@ double Remainder::decay() const {
 
 void Remainder::take_norms() {
   const double rho = decay();
+  rho_ = rho;
   rho3_ = rho * rho * rho;
   rho_of_rate_ = powered(rho, order_ - 1);
   rho_of_value_ = rho_of_rate_ * rho;
@@ -168,6 +169,11 @@ double Remainder::tail_of_rate(const Row& rate, const Row& b) const {
 Range Remainder::variation(const Row& rate) const {
   const double* c = rate.coefficients;
   return parabola(c[0] * h_, 0.5 * c[1] * powers_[2], h_ / 3 * rate.t2);
+}
+
+double Remainder::beyond_third(const Row& row) const {
+  const double beyond = effort_ == Effort::rough ? rho_ * (row.t2 - size(row, 2)) : row.t3 - size(row, 3);
+  return beyond + rounding_of_sums * row.t0 + row.r;
 }
 
 double Remainder::beyond_second(const Row& row) const {

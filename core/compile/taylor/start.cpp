@@ -19,7 +19,7 @@ bool TaylorTranslation::invert(System& system, const Workspace& slots) {
     for (std::size_t i = 0; i < 4; ++i) system.inverse[i] = signs[i] / determinant;
     return true;
   }
-  RowOrder order{};
+  RowOrder order;
   if (!factor_linear(system.n, m, order)) return false;
   for (std::size_t j = 0; j < system.n; ++j) {
     std::fill(system.column.begin(), system.column.end(), 0.0);

@@ -37,9 +37,11 @@ std::size_t most_rows_of_its_own(Operation operation) {
 
 }  // namespace
 
-TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspace& constants)
+TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspace& constants,
+                                     std::size_t coordinates)
     : tape_(tape),
       constants_(constants),
+      coordinates_(coordinates),
       varies_(tape.slots_),
       forms_(tape.slots_),
       is_sum_(tape.slots_),
@@ -67,14 +69,15 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   std::vector<const double*> accelerations;
   for (const Slot slot : tape.outputs_) accelerations.push_back(row(slot));
   const std::size_t n = accelerations.size();
-  program_ = {
-      steps_.data(), steps_.size(), {n, row(tape.parameters_ + 1), kept(inputs_, std::move(accelerations))}};
+  program_ = {steps_.data(),
+              steps_.size(),
+              {n, row(tape.parameters_ + 1), kept(inputs_, std::move(accelerations)), tape.variables_}};
   for (const Slot slot : tape.outputs_) started_.push_back(slot);
 }
 
 taylor::Program TaylorTranslation::composition() const {
   taylor::Program program = program_;
-  program.state.n = tape_.variables_ / 2;
+  program.state.n = coordinates_;
   program.state.accelerations = nullptr;
   return program;
 }
@@ -145,7 +148,7 @@ void TaylorTranslation::add_sum(const Form& form, double* out) {
 
 const double* TaylorTranslation::rate_row_of(Slot slot) {
   const auto index = slot - static_cast<Slot>(tape_.parameters_);
-  return index == 0 ? one_ : row(slot + tape_.variables_ / 2);
+  return index == 0 ? one_ : row(slot + coordinates_);
 }
 
 const double* TaylorTranslation::rate_row(Slot argument) {

@@ -19,8 +19,9 @@ namespace qdot {
 
 class TaylorTranslation {
  public:
-  /// Keeps both references; the workspace also is where later evaluations are found.
-  TaylorTranslation(const CompiledFunction& tape, const Workspace& constants);
+  /// Keeps both references; the workspace also is where later evaluations are found. The tape's variables
+  /// begin with so many coordinates and their velocities.
+  TaylorTranslation(const CompiledFunction& tape, const Workspace& constants, std::size_t coordinates);
 
   /// Coefficients 0, from the slots of an evaluation. False where a mass matrix has no inverse.
   [[nodiscard]] bool start(const Workspace& slots);
@@ -30,6 +31,7 @@ class TaylorTranslation {
   /// Where the first output stands.
   [[nodiscard]] const double* output() { return row(tape_.outputs_.front()); }
   [[nodiscard]] bool is_of_state(const double* row) const;
+  [[nodiscard]] double* variable(std::size_t i) { return row(tape_.parameters_ + 1 + i); }
 
  private:
   /// A sum of what varies.
@@ -102,6 +104,7 @@ class TaylorTranslation {
 
   const CompiledFunction& tape_;
   const Workspace& constants_;
+  std::size_t coordinates_;
   std::vector<bool> varies_;
   std::vector<Form> forms_;   ///< of slots that are sums
   std::vector<bool> is_sum_;  ///< slots with a form

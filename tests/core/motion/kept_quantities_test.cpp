@@ -24,11 +24,14 @@ struct Motion {
   }
 
   [[nodiscard]] std::string changed() const {
+    const std::vector<Segment> whole{{0, request.t_start, request.y_start}};
+    const std::vector<double> changes = conserved_changes(dynamics, request, motion.simulation.states, whole);
     const StatedRows rows{.t_start = request.t_start,
                           .start = request.y_start,
                           .t = request.grid,
                           .states = motion.simulation.states,
-                          .errors = errors};
+                          .errors = errors,
+                          .changes = changes};
     return changed_conserved_quantity(dynamics, request.parameters, rows, motion.simulation.sections);
   }
 

@@ -190,5 +190,29 @@ TEST(Simulation, RepeatsItselfBitForBit) {
   EXPECT_EQ(first.evaluations, second.evaluations);
 }
 
+TEST(Reference, HasBoundsOfAccelerationsAroundEachRow) {
+  const auto model = test::model_of("spring_pendulum");
+  const Dynamics dynamics(model);
+  SimulationRequest request = test::request_for(*model, {}, instants(5, 100));
+  request.method = Method::taylor;
+  EXPECT_TRUE(simulate(dynamics, request).accelerations.empty());
+  request.is_reference = true;
+  const Simulation motion = simulate(dynamics, request);
+  ASSERT_EQ(motion.accelerations.size(), motion.rows * 2);
+  Workspace workspace = dynamics.accelerations().bind(request.parameters);
+  std::vector<double> largest(2), bound(2), a(2);
+  EXPECT_TRUE(std::isnan(motion.accelerations[0]));  // before the first step
+  for (std::size_t i = 1; i < motion.rows; ++i) {
+    const auto y = std::span(motion.states).subspan(i * 4, 4);
+    ASSERT_EQ(dynamics.accelerations().evaluate(request.grid[i], y, workspace, a), Evaluation::ok);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_LE(std::abs(a[k]), motion.accelerations[i * 2 + k] * (1 + 1e-9)) << request.grid[i];
+      largest[k] = std::max(largest[k], std::abs(a[k]));
+      bound[k] = std::max(bound[k], motion.accelerations[i * 2 + k]);
+    }
+  }
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_LT(bound[k], 50 * largest[k]);
+}
+
 }  // namespace
 }  // namespace qdot

@@ -235,5 +235,53 @@ TEST(Composition, IsWithinItsBound) {
   EXPECT_GT(finite, cases * 3 / 4);
 }
 
+/// How far g of a state in [0, h] is from coefficients that are good to r: the largest of what exceeds r.
+double excess(const CompiledFunction& g, std::span<const double> parameters, const Step& step,
+              std::span<const double> c, double r) {
+  Workspace workspace = g.bind(parameters);
+  double most = -infinity;
+  for (int k = 0; k <= 50; ++k) {
+    const double s = step.h * k / 50;
+    std::vector<double> y;
+    for (std::size_t i = 0; i < step.defect.size(); ++i) y.push_back(step.value(i, s));
+    double value{}, sum = 0;
+    EXPECT_EQ(g.evaluate(s, y, workspace, {&value, 1}), Evaluation::ok);
+    for (std::size_t j = c.size(); j-- > 0;) sum = sum * s + c[j];
+    most = std::max(most, std::abs(value - sum) - r - 1e-12 * (1 + std::abs(value)));
+  }
+  return most;
+}
+
+TEST(Composition, TakesAccelerationsFromTheSlopesOfVelocities) {
+  const auto model = test::model_of("rod_pendulum");
+  const Dynamics dynamics(model);
+  const std::vector<double> parameters = parameter_values(*model, {});
+  test::Random random(16);
+  int finite = 0;
+  for (const Column& condition : validity_columns(*model)) {
+    const auto by_accelerations = dynamics.by_accelerations(condition.value);
+    ASSERT_NE(by_accelerations, nullptr);
+    EXPECT_EQ(by_accelerations->variables(), 6U);
+    TaylorComposition composition(by_accelerations, parameters, Variables::state_and_accelerations);
+    for (int i = 0; i < 60; ++i) {
+      std::vector<double> y;
+      for (int k = 0; k < 4; ++k) y.push_back(random.real(-1, 1));
+      const Step step(dynamics.accelerations(), parameters, 0, y, 20, std::pow(10.0, random.real(-2.5, -1)));
+      std::vector<double> c(i % 2 == 0 ? 6 : 21);
+      const auto order = static_cast<unsigned>(c.size() - 1);
+      const double r = composition.expand(0, step.c, step.order, step.h, order, c, step.defect);
+      if (!std::isfinite(r)) continue;
+      ++finite;
+      EXPECT_LE(excess(*dynamics.columns({condition}), parameters, step, c, r), 0) << condition.name;
+    }
+  }
+  EXPECT_GE(finite, 50);
+}
+
+TEST(Composition, OfAPositionNeedsNoAccelerations) {
+  const auto model = test::model_of("rod_pendulum");
+  EXPECT_EQ(Dynamics(model).by_accelerations(model->parsed.symbols.coordinates.rate[0]), nullptr);
+}
+
 }  // namespace
 }  // namespace qdot
