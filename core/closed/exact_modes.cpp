@@ -211,14 +211,14 @@ bool rests(const Modes& found) {
   return std::all_of(rates, found.y.end(), [](double rate) { return rate == 0; });
 }
 
-/// With those of the multipliers that hold the system there.
+/// With the multipliers that hold the system there; one that is nearly 0 may be 0, which is then proven.
 std::vector<Interval> enclosed_place(const Dynamics& dynamics, const Reals& parameters, const Modes& found) {
   constexpr double rounding = 1e-12;
   std::vector<Interval> near = enclosed_state(found);
   const std::vector<double> all =
       with_multipliers(dynamics, parameters, {found.y.begin(), found.y.begin() + near.size()});
   for (std::size_t j = near.size(); j < all.size(); ++j) {
-    const double error = rounding * std::abs(all[j]);
+    const double error = rounding * std::max(1.0, std::abs(all[j]));
     near.emplace_back(all[j] - error, all[j] + error);
   }
   return near;

@@ -94,9 +94,10 @@ class PolynomialDerivation {
 
   void add_force(std::size_t equation, const Expression& g) {
     Derivatives all = derivatives(g);
-    if (!all.is_quadratic && !momenta_.empty()) {
+    if (!momenta_.empty()) {
       Derivatives other = derivatives(in_lowest_terms_of_angles(g));
-      if (other.is_quadratic) all = std::move(other);
+      const bool is_shorter = written_length(other.e) < written_length(all.e);
+      if (other.is_quadratic && (!all.is_quadratic || is_shorter)) all = std::move(other);
     }
     const auto& [e, first, second, is_quadratic] = all;
     SteadyPolynomial::Force force{equation, !first.is_zero(), std::nullopt, false};
