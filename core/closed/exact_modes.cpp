@@ -7,7 +7,9 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
+#include "core/closed/allowed_motions.hpp"
 #include "core/closed/mode_derivation.hpp"
+#include "core/steady/surface_statics.hpp"
 
 namespace qdot {
 namespace {
@@ -115,38 +117,39 @@ struct Prepared {
   ExactValues::Signs signs;  ///< of what the forms assume
 };
 
-Prepared prepared(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,
-                  const WrittenTexts& written, const Modes& found) {
-  const LinearMotions motions =
-      linear_motions(statics, momenta_vanish(dynamics, statics, parameters, found.y));
-  Prepared result{motions.graph, motions.x, {}, {}, {}, {}};
-  const ExactValues values(dynamics.model(), motions.graph, written, parameters);
-  const PlaceProblem problem = place_problem(motions, statics, values, enclosed_state(found));
+Prepared prepared(const Model& model, const LinearMotions& all, const std::vector<Interval>& near,
+                  const Reals& parameters, const WrittenTexts& written) {
+  Prepared result{all.graph, all.x, {}, {}, {}, {}};
+  ExactValues values(model, all.graph, written, parameters);
+  const PlaceProblem problem = place_problem(all, values, near);
   const auto place = ExactPlace::of(problem);
   if (!place) return result;
+  const std::optional<LinearMotions> motions =
+      model.has_constraints() ? allowed_motions(all, *place, values) : all;
+  if (!motions) return result;
   result.place = place->x();
-  const Relations written_ones = relevant(values.relations(), motions);
-  const Relations scaled = relevant(values.relations_by_scale(), motions);
-  ModeDerivation general(statics, motions, *place, values, {});
+  const Relations written_ones = relevant(values.relations(), *motions);
+  const Relations scaled = relevant(values.relations_by_scale(), *motions);
+  ModeDerivation general(*motions, *place, values, {});
   std::optional<ModeDerivation> related, by_scale;
-  if (!written_ones.replacements.empty()) related.emplace(statics, motions, *place, values, written_ones);
+  if (!written_ones.replacements.empty()) related.emplace(*motions, *place, values, written_ones);
   if (scaled.replacements.size() > written_ones.replacements.size())
-    by_scale.emplace(statics, motions, *place, values, scaled);
+    by_scale.emplace(*motions, *place, values, scaled);
   result.options =
       options_of(general, related ? &*related : nullptr, by_scale ? &*by_scale : nullptr, values);
-  result.state.resize(dynamics.model().scene.coordinates.size());
-  for (std::size_t k = 0; k < motions.x.size(); ++k)
-    result.state[statics.reduction.kept[k]] = closed_form(values, place->x()[k], {});
+  result.state.resize(model.scene.coordinates.size());
+  for (std::size_t k = 0; k < all.moving.size(); ++k)
+    result.state[all.moving[k]] = closed_form(values, place->x()[k], {});
   result.signs = values.asked();
   return result;
 }
 
 /// Nothing where the algebra grows too large, or divides by what vanishes.
-Prepared prepared_or_nothing(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,
-                             const WrittenTexts& written, const Modes& found) {
+template <class Make>
+Prepared within_budget(const Make& make) {
   try {
     const WorkScope budget(most_algebra);
-    return prepared(dynamics, statics, parameters, written, found);
+    return make();
   } catch (const Error&) {
     return {};
   }
@@ -166,24 +169,31 @@ std::string key_of(const Reals& parameters, const WrittenTexts& written, const M
   return key;
 }
 
-/// The forms are those of these numbers.
-bool fits(const Prepared& forms, const std::vector<std::size_t>& kept, const ExactValues& values,
-          const Modes& found) {
-  if (!values.gives(forms.signs)) return false;
+/// The forms are those of these numbers, near x.
+bool fits(const Prepared& forms, const std::vector<Interval>& near, const ExactValues& values) {
+  ExactValues here = values;
+  for (std::size_t k = 0; k < forms.x.size(); ++k)
+    here.set(forms.x[k], Real(near[k].middle(), 0, near[k].width()));
+  if (!here.gives(forms.signs)) return false;
   for (std::size_t k = 0; k < forms.place.size(); ++k) {
-    const double number = found.y[kept[k]];
-    if (!(std::abs(values.value(forms.place[k]).value - number) <= 1e-9 * std::max(1.0, std::abs(number))))
+    const double number = near[k].middle();
+    if (!(std::abs(here.value(forms.place[k]).value - number) <= 1e-9 * std::max(1.0, std::abs(number))))
       return false;
   }
   return true;
 }
 
-ExactModes chosen(const Prepared& forms, const std::vector<std::size_t>& kept, const ExactValues& values,
+ExactModes no_forms(const Modes& found) {
+  ExactModes none;
+  none.modes.resize(found.modes.size());
+  none.state.resize(found.y.size() / 2);
+  return none;
+}
+
+ExactModes chosen(const Prepared& forms, const std::vector<Interval>& near, const ExactValues& values,
                   const Modes& found) {
-  ExactModes result;
-  result.modes.resize(found.modes.size());
-  result.state.resize(found.y.size() / 2);
-  if (forms.place.empty() || !fits(forms, kept, values, found)) return result;
+  ExactModes result = no_forms(found);
+  if (forms.place.empty() || !fits(forms, near, values)) return result;
   result.state = forms.state;
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
     const ModeForms* option = of_mode(forms.options, found.modes[i], values);
@@ -196,6 +206,37 @@ ExactModes chosen(const Prepared& forms, const std::vector<std::size_t>& kept, c
   return result;
 }
 
+bool rests(const Modes& found) {
+  const auto rates = found.y.begin() + static_cast<std::ptrdiff_t>(found.y.size() / 2);
+  return std::all_of(rates, found.y.end(), [](double rate) { return rate == 0; });
+}
+
+/// With the multipliers that hold the system there; one that is nearly 0 may be 0, which is then proven.
+std::vector<Interval> enclosed_place(const Dynamics& dynamics, const Reals& parameters, const Modes& found) {
+  constexpr double rounding = 1e-12;
+  std::vector<Interval> near = enclosed_state(found);
+  const std::vector<double> all =
+      with_multipliers(dynamics, parameters, {found.y.begin(), found.y.begin() + near.size()});
+  for (std::size_t j = near.size(); j < all.size(); ++j) {
+    const double error = rounding * std::max(1.0, std::abs(all[j]));
+    near.emplace_back(all[j] - error, all[j] + error);
+  }
+  return near;
+}
+
+/// Of a scene with constraints.
+ExactModes forms_within_constraints(const Dynamics& dynamics, const Reals& parameters,
+                                    const WrittenTexts& written, const Modes& found) {
+  if (!rests(found) || !found.damping.empty() || found.modes.size() > most_coordinates)
+    return no_forms(found);
+  const std::vector<Interval> near = enclosed_place(dynamics, parameters, found);
+  const Prepared forms = within_budget([&] {
+    const auto motions = motions_with_multipliers(dynamics.model(), parameters);
+    return motions ? prepared(dynamics.model(), *motions, near, parameters, written) : Prepared{};
+  });
+  return chosen(forms, near, ExactValues(dynamics.model(), parameters), found);
+}
+
 }  // namespace
 
 ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const WrittenTexts& all_written,
@@ -204,23 +245,25 @@ ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const 
   for (const Parameter& p : dynamics.model().scene.parameters) {
     if (const auto text = all_written.find(p.name); text != all_written.end()) written.insert(*text);
   }
+  if (dynamics.model().has_constraints())
+    return forms_within_constraints(dynamics, parameters, written, found);
   const auto statics = dynamics.statics(parameters);
   const std::vector<std::size_t>& kept = statics->reduction.kept;
-  if (kept.size() > most_coordinates || !found.damping.empty()) {
-    ExactModes none;
-    none.modes.resize(found.modes.size());
-    none.state.resize(found.y.size() / 2);
-    return none;
-  }
+  if (kept.size() > most_coordinates || !found.damping.empty()) return no_forms(found);
+  const std::vector<Interval> near = those_of(enclosed_state(found), kept);
   const ExactValues values(dynamics.model(), parameters);
   const auto make = [&](const Statics& from) {
-    return prepared_or_nothing(dynamics, from, parameters, written, found);
+    return within_budget([&] {
+      const bool vanish = momenta_vanish(dynamics, from, parameters, found.y);
+      const LinearMotions motions = linear_motions(from.reduction, dynamics.model().scene, vanish);
+      return prepared(dynamics.model(), motions, near, parameters, written);
+    });
   };
   if (!values.may_have_relations(written)) {
     const auto forms = dynamics.derived<Prepared>(key_of(parameters, written, found), parameters, make);
-    if (forms->place.empty() || fits(*forms, kept, values, found)) return chosen(*forms, kept, values, found);
+    if (forms->place.empty() || fits(*forms, near, values)) return chosen(*forms, near, values, found);
   }
-  return chosen(make(*statics), kept, values, found);
+  return chosen(make(*statics), near, values, found);
 }
 
 }  // namespace qdot

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/closed/place_algebra.hpp"
 #include "core/expr/rational_function.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
@@ -15,57 +16,19 @@ namespace {
 
 constexpr double widest_place = 1e-9;
 
-/// e = slope * u + rest, rest and slope without u; no value where it is no such function.
-struct LinearIn {
-  Polynomial slope, rest;
-};
-std::optional<LinearIn> linear_in(Graph& graph, const Polynomial& e, const Expression& u,
-                                  const Expression& symbol) {
-  LinearIn parts;
-  for (const auto& [monomial, coefficient] : e) {
-    const int power = exponent_of(monomial, u.id());
-    if (power != 0 && power != 1) return std::nullopt;
-    const Monomial rest = times(monomial, u.id(), -power);
-    if (depends_on(to_expression(graph, rest), symbol)) return std::nullopt;
-    add(power == 1 ? parts.slope : parts.rest, rest, coefficient);
-  }
-  if (parts.slope.empty()) return std::nullopt;
-  return parts;
+bool is_near(const Interval& x, double value) {
+  const double rounding = 4e-16 * std::abs(value);
+  return x.lower - rounding <= value && value <= x.upper + rounding;
 }
 
 Polynomial numerator(const Expression& e) { return rational_function(e).above; }
-
-/// With roots of squares taken, sqrt(h^2) = h where h > 0.
-Expression with_roots_taken(const Expression& e, const SignOf& sign) {
-  Graph& graph = e.graph();
-  std::vector<Replacement> taken;
-  const NodeId root[]{e.id()};
-  for (const NodeId id : reachable(graph, root)) {
-    const auto* power = std::get_if<Power>(&graph.node(id));
-    if (power == nullptr || power->exponent.denominator() != Number(2)) continue;
-    const Expression base(graph, power->base);
-    const Number twice = power->exponent * Number(2);
-    const Expression half = positive_root(graph, rational_function(base), sign);
-    if (written_length(half) < written_length(sqrt(base)))
-      taken.emplace_back(Expression(graph, id), pow(half, twice));
-  }
-  return taken.empty() ? e : substitute(e, taken);
-}
-
-/// Without the factors u, which do not vanish.
-Polynomial without_factor(Polynomial e, const Expression& u) {
-  if (e.empty()) return e;
-  int common = 64;
-  for (const auto& [monomial, coefficient] : e) common = std::min(common, exponent_of(monomial, u.id()));
-  return scaled(e, times({}, u.id(), -common), Number(1));
-}
 
 }  // namespace
 
 std::optional<ExactPlace> ExactPlace::of(const PlaceProblem& problem) {
   ExactPlace place(problem);
   place.take_special_values();
-  while (place.solve_one()) {
+  while (place.solve_one() || place.take_parameter()) {
   }
   for (const Expression& force : problem.forces) {
     if (!rational_function(place.at(force)).is_zero()) return std::nullopt;
@@ -82,22 +45,18 @@ ExactPlace ExactPlace::special(const PlaceProblem& problem) {
 void ExactPlace::take_special_values() {
   Graph& graph = problem_->x.empty() ? problem_->forces[0].graph() : problem_->x[0].graph();
   const Expression pi = graph.symbol("pi");
-  std::vector<Expression> offsets{graph.number(0)};
-  std::vector<double> values{0};
-  offsets.insert(offsets.end(), problem_->offsets.begin(), problem_->offsets.end());
-  values.insert(values.end(), problem_->offset_values.begin(), problem_->offset_values.end());
   constexpr std::array quarters{0, 2, 1, -1, -2};
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Interval& near = problem_->near[k];
     if (!(near.width() < widest_place)) continue;
+    std::vector<PlaceProblem::Known> offsets{{graph.number(0), 0}};
+    if (problem_->is_angle[k])
+      offsets.insert(offsets.end(), problem_->alike[k].begin(), problem_->alike[k].end());
     const std::size_t kinds = problem_->is_angle[k] ? quarters.size() : 1;
-    for (std::size_t i = 0; i < (problem_->is_angle[k] ? offsets.size() : 1) && !is_known(k); ++i) {
+    for (std::size_t i = 0; i < offsets.size() && !is_known(k); ++i) {
       for (std::size_t q = 0; q < kinds; ++q) {
-        const double value = values[i] + quarters[q] * (std::numbers::pi / 2);
-        if (near.lower - 4e-16 * std::abs(value) > value || near.upper + 4e-16 * std::abs(value) < value)
-          continue;
-        x_[k] = offsets[i] + Number::ratio(quarters[q], 2) * pi;
-        replacements_.emplace_back(problem_->x[k], x_[k]);
+        if (!is_near(near, offsets[i].value + quarters[q] * (std::numbers::pi / 2))) continue;
+        settle(k, offsets[i].symbol + Number::ratio(quarters[q], 2) * pi);
         break;
       }
     }
@@ -116,14 +75,71 @@ bool ExactPlace::solve_one() {
   return false;
 }
 
+/// x_k is known now, and what was known by x_k is known by the parameters.
+void ExactPlace::settle(std::size_t k, const Expression& value) {
+  const Replacement now{problem_->x[k], value};
+  const auto renew = [&](Expression& e) {
+    if (depends_on(e, now.first)) e = to_expression(e.graph(), rational_function(substitute(e, {&now, 1})));
+  };
+  x_[k] = value;
+  for (Expression& e : x_) renew(e);
+  for (Replacement& known : replacements_) renew(known.second);
+  for (Solved& angle : solved_) {
+    renew(angle.value);
+    if (angle.other_value) renew(*angle.other_value);
+  }
+  replacements_.push_back(now);
+}
+
+/// Proposes a parameter; whether the forces vanish there is seen later.
+bool ExactPlace::take_parameter() {
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    if (is_known(k) || problem_->is_angle[k] || !(problem_->near[k].width() < widest_place)) continue;
+    for (const PlaceProblem::Known& p : problem_->alike[k]) {
+      for (const int side : {1, -1}) {
+        if (!is_near(problem_->near[k], side * p.value)) continue;
+        settle(k, Number(side) * p.symbol);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool ExactPlace::solve(std::size_t k, const Expression& force) {
   Graph& graph = force.graph();
   const Expression& x = problem_->x[k];
-  const auto parts = linear_in(graph, numerator(force), x, x);
+  const Polynomial above = without_factor(numerator(force), x);
+  const int n = highest_power(above, x);
+  const auto parts = n > 0 ? linear_in(graph, above, x, x, n) : std::nullopt;
   if (!parts) return false;
-  x_[k] = to_expression(graph, -in_lowest_terms(parts->rest, parts->slope));
-  replacements_.emplace_back(x, x_[k]);
+  const RationalFunction value = -in_lowest_terms(parts->rest, parts->slope);
+  if (n == 1) {
+    settle(k, to_expression(graph, value));
+    return true;
+  }
+  const Expression power = to_expression(graph, value);
+  if (depends_on(power, problem_->x)) return false;
+  const auto principal = root(k, n, value);
+  if (!principal) return false;
+  if (n == 2 && square_root(value).is_rational()) {
+    settle(k, *principal);
+    return true;
+  }
+  powers_.push_back({x, n, power});
+  x_[k] = *principal;
   return true;
+}
+
+/// The root of x^n = value near x_k.
+std::optional<Expression> ExactPlace::root(std::size_t k, int n, const RationalFunction& value) const {
+  Graph& graph = problem_->x[k].graph();
+  const bool is_below_zero = problem_->near[k].middle() < 0;
+  const RationalFunction size = is_below_zero && n % 2 != 0 ? -value : value;
+  const auto found = n == 2 ? std::optional(positive_root(graph, size, problem_->sign))
+                            : root_of_product(graph, size, n, problem_->sign);
+  if (!found) return std::nullopt;
+  return is_below_zero ? -*found : *found;
 }
 
 bool ExactPlace::solve_angle(std::size_t k, const Expression& force) {
@@ -175,8 +191,38 @@ bool ExactPlace::solve_tangent(std::size_t k, const Polynomial& force) {
   return true;
 }
 
+/// x^(n k + r) = value^k x^r, and then x itself.
+Expression ExactPlace::with_powers_taken(const Expression& e) const {
+  if (powers_.empty()) return e;
+  Graph& graph = e.graph();
+  const auto multiplied = [&](const Expression& x) {
+    const RationalFunction f = rational_function(x);
+    return to_expression(graph, f.above) / to_expression(graph, f.below);
+  };
+  Expression result = multiplied(e);
+  std::vector<Replacement> taken, roots;
+  const NodeId root[]{result.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    if (power == nullptr || power->exponent.denominator() != Number(1)) continue;
+    const auto known = std::ranges::find(powers_, power->base, [](const Powered& p) { return p.x.id(); });
+    const auto exponent = power->exponent.small();
+    if (known == powers_.end() || !exponent) continue;
+    const int p = static_cast<int>(exponent->numerator), rest = (p % known->n + known->n) % known->n;
+    taken.emplace_back(Expression(graph, id),
+                       pow(known->value, Number((p - rest) / known->n)) * pow(known->x, Number(rest)));
+  }
+  result = multiplied(substitute(result, taken));
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const auto is_k = [&](const Powered& p) { return p.x == problem_->x[k]; };
+    if (std::ranges::any_of(powers_, is_k)) roots.emplace_back(problem_->x[k], x_[k]);
+  }
+  return substitute(result, roots);
+}
+
 Expression ExactPlace::at(const Expression& e) const {
-  Expression result = with_roots_taken(with_special_angles(substitute(e, replacements_)), problem_->sign);
+  Expression result =
+      with_roots_taken(with_powers_taken(with_special_angles(substitute(e, replacements_))), problem_->sign);
   if (solved_.empty()) return result;
   Graph& graph = e.graph();
   Polynomial opened = with_single_angles(graph, multiplied_out(result));

@@ -1,7 +1,8 @@
 #pragma once
 // An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine, a
-// cosine or a tangent that solves a linear equation; coordinates that solve one, l = l0 + m*g/k. It is proven
-// by putting it into the forces, which have to vanish identically.
+// cosine or a tangent that solves a linear equation; coordinates that solve one, l = l0 + m*g/k, of which a
+// power does, r^6 = 2*s^6, or that are a parameter. It is proven by putting it into the forces, which have to
+// vanish identically.
 
 #include <optional>
 #include <span>
@@ -15,13 +16,17 @@ namespace qdot {
 
 /// What is looked for: x with g(x) = 0 near a place that is known by numbers.
 struct PlaceProblem {
+  /// A parameter and its value.
+  struct Known {
+    Expression symbol;
+    double value;
+  };
   std::vector<Expression> x;
   std::vector<bool> is_angle;
-  std::vector<Expression> forces;   ///< g
-  std::vector<Interval> near;       ///< encloses x
-  std::vector<Expression> offsets;  ///< angles among the parameters, and their values
-  std::vector<double> offset_values;
-  SignOf sign;
+  std::vector<std::vector<Known>> alike;  ///< for each x the parameters of its unit
+  std::vector<Expression> forces;         ///< g
+  std::vector<Interval> near;             ///< encloses x
+  SignOf sign;                            ///< also of what holds x
 };
 
 class ExactPlace {
@@ -45,10 +50,21 @@ class ExactPlace {
     std::optional<Expression> other_value;
   };
 
+  /// x^n = value.
+  struct Powered {
+    Expression x;
+    int n;
+    Expression value;
+  };
+
   explicit ExactPlace(const PlaceProblem& problem) : problem_(&problem), x_(problem.x) {}
   void take_special_values();
+  void settle(std::size_t k, const Expression& value);
   [[nodiscard]] bool solve_one();
+  [[nodiscard]] bool take_parameter();
   [[nodiscard]] bool solve(std::size_t k, const Expression& force);
+  [[nodiscard]] std::optional<Expression> root(std::size_t k, int n, const RationalFunction& value) const;
+  [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
   [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force);
   [[nodiscard]] bool solve_tangent(std::size_t k, const Polynomial& force);
   [[nodiscard]] bool is_known(std::size_t k) const { return x_[k] != problem_->x[k]; }
@@ -57,6 +73,7 @@ class ExactPlace {
   std::vector<Expression> x_;
   std::vector<Replacement> replacements_;
   std::vector<Solved> solved_;
+  std::vector<Powered> powers_;
 };
 
 }  // namespace qdot

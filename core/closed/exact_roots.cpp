@@ -58,6 +58,15 @@ Expression root_of(const Expression& square, const SignOf& sign) {
   return shorter(sqrt(square), positive_root(square.graph(), rational_function(square), sign));
 }
 
+/// Without what all coefficients share in single angles, as the sine in the equations of a top.
+std::vector<Surd> roots_in_single_angles(const Expression& c0, const Expression& c1, const Expression& c2) {
+  Graph& graph = c0.graph();
+  const auto single = [&](const Expression& e) { return with_single_angles(graph, multiplied_out(e)); };
+  const Polynomial leading = single(c2);
+  const RationalFunction one{{{Monomial{}, Number(1)}}};
+  return quadratic_roots(one, in_lowest_terms(single(c1), leading), in_lowest_terms(single(c0), leading));
+}
+
 }  // namespace
 
 std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, const Expression& c2,
@@ -67,11 +76,20 @@ std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, con
     const Expression root = root_of(quotient(-c0, c2, sign), sign);
     return {root, -root};
   }
-  std::vector<Expression> roots;
-  for (const Surd& root :
-       quadratic_roots(rational_function(c2), rational_function(c1), rational_function(c0)))
-    roots.push_back(to_expression(c0.graph(), root));
-  return roots;
+  const auto written = [&](const std::vector<Surd>& surds) {
+    std::vector<Expression> roots;
+    for (const Surd& root : surds) roots.push_back(to_expression(c0.graph(), root));
+    return roots;
+  };
+  const auto length = [](const std::vector<Expression>& roots) {
+    std::size_t sum = 0;
+    for (const Expression& root : roots) sum += written_length(root);
+    return sum;
+  };
+  const std::vector<Expression> plain =
+      written(quadratic_roots(rational_function(c2), rational_function(c1), rational_function(c0)));
+  const std::vector<Expression> single = written(roots_in_single_angles(c0, c1, c2));
+  return length(single) < length(plain) ? single : plain;
 }
 
 std::optional<std::vector<Expression>> quadratic_in(const Expression& e, const Expression& u) {

@@ -155,14 +155,14 @@ class CriticalForm {
  public:
   CriticalForm(const Dynamics& dynamics, const Statics& statics, const Reals& parameters, std::size_t index,
                const WrittenTexts& written, const CriticalValue& critical)
-      : motions_(linear_motions(statics, true)),
+      : motions_(linear_motions(statics.reduction, dynamics.model().scene, true)),
         values_(dynamics.model(), motions_.graph, written, parameters, index),
         p_(values_.symbols()[index]),
         critical_(critical) {
     std::vector<Interval> near;
     for (std::size_t i = 0; i < critical.y.size() / 2; ++i)
       near.emplace_back(critical.y[i] - critical.errors[i], critical.y[i] + critical.errors[i]);
-    problem_ = place_problem(motions_, statics, values_, near);
+    problem_ = place_problem(motions_, values_, those_of(near, motions_.moving));
   }
 
   std::optional<ClosedForm> form() const {

@@ -65,9 +65,11 @@ class TurningForms {
     const auto& symbols = values_.model().parsed.symbols.coordinates;
     for (std::size_t i = 0; i < symbols.value.size(); ++i) {
       const auto q = values_.coordinate(i), rate = values_.velocity(i);
-      if (!q || !rate || (rate->number() != nullptr && !rate->is_zero())) return false;
-      const bool is_angle = values_.model().scene.coordinates[i].unit == "rad";
-      if (!is_angle && q->number() != nullptr && !q->is_zero()) return false;
+      if (!q || !rate) return false;
+      const Scene& scene = values_.model().scene;
+      const auto has_unit = [](const Expression& e) { return e.number() != nullptr && !e.is_zero(); };
+      if (!scene.without_units && (has_unit(*rate) || (scene.coordinates[i].unit != "rad" && has_unit(*q))))
+        return false;
       take_assumption(i, *q, *rate);
       start_.emplace_back(graph_->adopt(symbols.value[i]), *q);
       start_.emplace_back(graph_->adopt(symbols.rate[i]), *rate);
@@ -177,8 +179,29 @@ class TurningForms {
     const Replacement replacement{unknown, u};
     e = substitute(e, {&replacement, 1});
     if (is_angle_ ? depends_on(e, x_) : false) return {};
-    const auto c = quadratic_in(e, u);
-    return c ? roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of()) : std::vector<Expression>{};
+    if (const auto c = quadratic_in(e, u)) return roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of());
+    return is_angle_ ? std::vector<Expression>{} : roots_of_even(e, u);
+  }
+
+  /// Of a quadratic polynomial of u^2.
+  [[nodiscard]] std::vector<Expression> roots_of_even(const Expression& e, const Expression& u) const {
+    Polynomial halved;
+    for (const auto& [monomial, coefficient] : rational_function(e).above) {
+      const int power = exponent_of(monomial, u.id());
+      if (power % 2 != 0) return {};
+      add(halved, times(monomial, u.id(), -power / 2), coefficient);
+    }
+    const auto c = quadratic_in(to_expression(*graph_, halved), u);
+    if (!c) return {};
+    std::vector<Expression> roots;
+    for (const Expression& square : roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of())) {
+      const Real value = values_.value(square);
+      if (!value.is_finite() || value.value <= 0) continue;
+      const RationalFunction f = rational_function(square);
+      const Expression root = positive_root(*graph_, f, values_.sign_of());
+      roots.insert(roots.end(), {root, -root});
+    }
+    return roots;
   }
 
   [[nodiscard]] Found number(const Expression& root, const Finding& extremum,
@@ -257,6 +280,7 @@ bool is_decimal(std::string_view text) {
 
 /// Whether the initial state has a velocity or a length in decimals, which leaves no formula.
 bool starts_from_decimals(const Scene& scene, const WrittenTexts& written) {
+  if (scene.without_units) return false;
   const auto text_of = [&](const std::string& name, const std::string& by_default) -> const std::string& {
     const auto found = written.find(name);
     return found == written.end() ? by_default : found->second;

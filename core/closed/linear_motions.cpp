@@ -17,11 +17,11 @@ Matrix derivatives(const Reduction& reduction, const std::vector<Expression>& ro
 
 }  // namespace
 
-LinearMotions linear_motions(const Statics& statics, bool momenta_vanish) {
+LinearMotions linear_motions(const Reduction& reduction, const Scene& scene, bool momenta_vanish) {
   LinearMotions result;
-  result.graph = std::make_shared<Graph>(*statics.reduction.graph);
+  result.graph = std::make_shared<Graph>(*reduction.graph);
   Graph& graph = *result.graph;
-  Reduction own = statics.reduction;
+  Reduction own = reduction;
   own.graph = result.graph;
   std::vector<Replacement> zeros;
   for (auto* symbols :
@@ -35,12 +35,15 @@ LinearMotions linear_motions(const Statics& statics, bool momenta_vanish) {
     for (Expression& e : own.ignored_rates) e = substitute(e, zeros);
   }
   result.x = own.x;
+  for (const std::size_t i : own.kept) result.units.push_back(scene.coordinates[i].unit);
+  result.moving = own.kept;
+  result.following = own.ignored;
   for (const Expression& e : own.equations) result.forces.push_back(at_rest(own, e));
   result.stiffness = derivatives(own, result.forces, own.x);
   result.mass = derivatives(own, own.equations, own.x_ddot);
   result.damping = derivatives(own, own.equations, own.x_dot);
-  result.ignored_rates = derivatives(own, own.ignored_rates, own.x_dot);
-  result.ignored_slopes = derivatives(own, own.ignored_rates, own.x);
+  result.following_rates = derivatives(own, own.ignored_rates, own.x_dot);
+  result.following_slopes = derivatives(own, own.ignored_rates, own.x);
   return result;
 }
 
@@ -51,20 +54,27 @@ bool momenta_vanish(const Dynamics& dynamics, const Statics& statics, const Real
   return std::ranges::all_of(values_at(dynamics, columns, parameters, 0, y), [](double p) { return p == 0; });
 }
 
-PlaceProblem place_problem(const LinearMotions& motions, const Statics& statics, const ExactValues& values,
+PlaceProblem place_problem(const LinearMotions& motions, ExactValues& values,
                            std::span<const Interval> near) {
-  PlaceProblem problem{motions.x, {}, motions.forces, {}, {}, {}, values.sign_of()};
-  const Scene& scene = values.model().scene;
-  for (const std::size_t i : statics.reduction.kept) {
-    problem.is_angle.push_back(scene.coordinates[i].unit == "rad");
-    problem.near.push_back(near[i]);
-  }
-  for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
-    if (scene.parameters[i].unit != "rad") continue;
-    problem.offsets.push_back(values.symbols()[i]);
-    problem.offset_values.push_back(values.parameters()[i]);
+  PlaceProblem problem{motions.x, {}, {}, motions.surface, {near.begin(), near.end()}, values.sign_of()};
+  problem.forces.insert(problem.forces.end(), motions.forces.begin(), motions.forces.end());
+  const std::vector<Parameter>& parameters = values.model().scene.parameters;
+  for (std::size_t k = 0; k < motions.x.size(); ++k) {
+    values.set(motions.x[k], Real(near[k].middle(), 0, near[k].width()));
+    problem.is_angle.push_back(motions.units[k] == "rad");
+    problem.alike.emplace_back();
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      if (parameters[p].unit == motions.units[k])
+        problem.alike.back().push_back({values.symbols()[p], values.parameters()[p]});
+    }
   }
   return problem;
+}
+
+std::vector<Interval> those_of(std::span<const Interval> all, std::span<const std::size_t> coordinates) {
+  std::vector<Interval> result;
+  for (const std::size_t i : coordinates) result.push_back(all[i]);
+  return result;
 }
 
 }  // namespace qdot

@@ -15,21 +15,29 @@ namespace qdot {
 struct LinearMotions {
   std::shared_ptr<Graph> graph;
   std::vector<Expression> x;
-  std::vector<Expression> forces;   ///< g
-  Matrix mass, stiffness, damping;  ///< D, with gyroscopic terms
-  Matrix ignored_rates;             ///< dq_c'/dx_j' of the ignored coordinates at rest
-  Matrix ignored_slopes;            ///< dq_c'/dx_j
+  std::vector<std::string> units;      ///< of x
+  std::vector<Expression> forces;      ///< g
+  std::vector<Expression> surface;     ///< what constraints keep at 0
+  std::vector<std::size_t> moving;     ///< the coordinates u, by number
+  std::vector<std::size_t> following;  ///< those whose rates follow from u: ignored, or dependent
+  Matrix mass, stiffness, damping;     ///< D, with gyroscopic terms
+  Matrix following_rates;              ///< dq_c'/du_j' at rest
+  Matrix following_slopes;             ///< dq_c'/du_j
 };
 
 /// `momenta_vanish`: of the ignored coordinates.
-[[nodiscard]] LinearMotions linear_motions(const Statics& statics, bool momenta_vanish);
+[[nodiscard]] LinearMotions linear_motions(const Reduction& reduction, const Scene& scene,
+                                           bool momenta_vanish);
 
 /// Whether the momenta of the ignored coordinates vanish in the state y = (q, q').
 [[nodiscard]] bool momenta_vanish(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,
                                   std::span<const double> y);
 
-/// What is looked for near a place in q.
-[[nodiscard]] PlaceProblem place_problem(const LinearMotions& motions, const Statics& statics,
-                                         const ExactValues& values, std::span<const Interval> near);
+/// What is looked for near a place in x, whose values x then has.
+[[nodiscard]] PlaceProblem place_problem(const LinearMotions& motions, ExactValues& values,
+                                         std::span<const Interval> near);
+
+[[nodiscard]] std::vector<Interval> those_of(std::span<const Interval> all,
+                                             std::span<const std::size_t> coordinates);
 
 }  // namespace qdot

@@ -28,10 +28,9 @@ std::vector<Surd> normalized(std::vector<Surd> shape) {
 
 }  // namespace
 
-ModeDerivation::ModeDerivation(const Statics& statics, const LinearMotions& motions, const ExactPlace& place,
+ModeDerivation::ModeDerivation(const LinearMotions& motions, const ExactPlace& place,
                                const ExactValues& values, const Relations& relations)
-    : statics_(statics),
-      motions_(motions),
+    : motions_(motions),
       place_(place),
       values_(values),
       relations_(relations),
@@ -93,15 +92,18 @@ Expression ModeDerivation::root(const Surd& x) {
 bool ModeDerivation::is_true(const LinearMode& mode) const {
   Trial trial(values_, relations_);
   trial.set(motions_.x, place_.x());
-  for (const Expression& force : motions_.forces) trial.vanishes({force});
+  for (const auto* vanishing : {&motions_.forces, &motions_.surface}) {
+    for (const Expression& e : *vanishing) trial.vanishes({e});
+  }
   const Expression lambda = plain_expression(graph_, mode.lambda);
   if (mode.shape.empty()) {
     trial.vanishes(characteristic_terms(mode.group[0], mode.group[1], lambda));
     return trial.passes();
   }
-  for (std::size_t i = 0; i < motions_.x.size(); ++i) {
+  const std::size_t size = motions_.mass.size();
+  for (std::size_t i = 0; i < size; ++i) {
     std::vector<Expression> terms;
-    for (std::size_t j = 0; j < motions_.x.size(); ++j) {
+    for (std::size_t j = 0; j < size; ++j) {
       if (mode.shape[j].is_zero()) continue;
       const Expression v = plain_expression(graph_, mode.shape[j]);
       terms.push_back(motions_.stiffness[i][j] * v);
@@ -134,21 +136,21 @@ std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
   return is_number(value) ? closed_form(values_, value, relations_) : std::nullopt;
 }
 
-/// With the ignored coordinates, whose velocities follow those of the others where no momentum holds them.
+/// With the coordinates whose velocities follow, where no momentum holds them.
 std::vector<Surd> ModeDerivation::whole_shape(const LinearMode& mode) const {
   if (mode.shape.empty()) return {};
   std::vector<Surd> shape(values_.model().scene.coordinates.size());
   const auto entry = [&](const Expression& e) {
     return rational_function(substitute(place_.at(e), relations_.replacements));
   };
-  for (std::size_t k = 0; k < mode.shape.size(); ++k) shape[statics_.reduction.kept[k]] = mode.shape[k];
-  for (std::size_t c = 0; c < motions_.ignored_rates.size(); ++c) {
+  for (std::size_t k = 0; k < mode.shape.size(); ++k) shape[motions_.moving[k]] = mode.shape[k];
+  for (std::size_t c = 0; c < motions_.following_rates.size(); ++c) {
     Surd sum;
     for (std::size_t j = 0; j < mode.shape.size(); ++j) {
-      if (!entry(motions_.ignored_slopes[c][j]).is_zero()) return {};
-      if (!mode.shape[j].is_zero()) sum = sum + Surd(entry(motions_.ignored_rates[c][j])) * mode.shape[j];
+      if (!entry(motions_.following_slopes[c][j]).is_zero()) return {};
+      if (!mode.shape[j].is_zero()) sum = sum + Surd(entry(motions_.following_rates[c][j])) * mode.shape[j];
     }
-    shape[statics_.reduction.ignored[c]] = sum;
+    shape[motions_.following[c]] = sum;
   }
   return normalized(std::move(shape));
 }

@@ -23,8 +23,8 @@ struct ModeForms {
 
 class ModeDerivation {
  public:
-  ModeDerivation(const Statics& statics, const LinearMotions& motions, const ExactPlace& place,
-                 const ExactValues& values, const Relations& relations);
+  ModeDerivation(const LinearMotions& motions, const ExactPlace& place, const ExactValues& values,
+                 const Relations& relations);
 
   /// Those whose equations hold; lambda is not 0.
   [[nodiscard]] const std::vector<LinearMode>& modes() const { return modes_; }
@@ -48,7 +48,6 @@ class ModeDerivation {
   [[nodiscard]] std::vector<Surd> scaled(std::vector<Surd> shape) const;
   [[nodiscard]] std::vector<ClosedForm> closed_forms(const std::vector<Surd>& shape);
 
-  const Statics& statics_;
   const LinearMotions& motions_;
   const ExactPlace& place_;
   const ExactValues& values_;

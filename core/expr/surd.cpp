@@ -59,6 +59,20 @@ Rooted squares_taken_out(const RationalFunction& f, const SignOf& sign) {
   return {in_lowest_terms(outside, outside_below), std::move(inside)};
 }
 
+/// Those of which all powers are whole; none where n is long.
+std::vector<NodeId> symbols_to_divide_by(const Polynomial& n) {
+  constexpr std::size_t most_terms = 40;
+  std::vector<NodeId> found;
+  if (n.size() > most_terms) return found;
+  for (const auto& [monomial, coefficient] : n) {
+    for (const Atom& atom : monomial) {
+      if (atom.p < 0 || atom.q != 1) return {};
+      if (std::ranges::find(found, atom.base) == found.end()) found.push_back(atom.base);
+    }
+  }
+  return found;
+}
+
 /// 1/sqrt(x) rather than sqrt(1/x).
 Expression root_of_quotient(Graph& graph, const RationalFunction& f, const Expression& factor) {
   if (f.above == constant_one && factor.is_one())
@@ -102,7 +116,17 @@ std::vector<Surd> quadratic_roots(const RationalFunction& a, const RationalFunct
   return {Surd(half) - root, Surd(half) + root};
 }
 
-Expression root_form(Graph& graph, const Polynomial& n) { return sqrt(factored_form(graph, n)); }
+Expression root_form(Graph& graph, const Polynomial& n) {
+  Expression best = factored_form(graph, n);
+  for (const NodeId x : symbols_to_divide_by(n)) {
+    const Polynomial shared = content_in(n, x);
+    const auto rest = shared.size() > 1 ? exact_quotient(n, shared) : std::nullopt;
+    if (!rest) continue;
+    const Expression product = factored_form(graph, shared) * factored_form(graph, *rest);
+    if (written_length(product) < written_length(best)) best = product;
+  }
+  return sqrt(best);
+}
 
 Expression to_expression(Graph& graph, const Surd& x) {
   return to_expression(graph, x, x.is_rational() ? graph.number(0) : root_form(graph, x.n));

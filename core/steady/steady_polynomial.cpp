@@ -6,7 +6,9 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/full_turn.hpp"
 #include "core/expr/linear.hpp"
+#include "core/expr/rational_function.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/expr/trigonometry.hpp"
 #include "core/steady/numerator.hpp"
 #include "core/steady/steady_forces.hpp"
 
@@ -70,13 +72,37 @@ class PolynomialDerivation {
     for (std::size_t k = 0; k < n; ++k) momenta_.emplace_back(p[k], solved[k]);
   }
 
-  void add_force(std::size_t equation, const Expression& g) {
+  /// e and its derivatives along u.
+  struct Derivatives {
+    Expression e, first, second;
+    bool is_quadratic;
+  };
+
+  [[nodiscard]] Derivatives derivatives(const Expression& g) const {
     const Expression e = numerator_of(g, {&u_, 1});
-    const Expression first = simplify(differentiate(e, u_));
-    const Expression second = simplify(differentiate(first, u_));
+    const Expression first = simplify(differentiate(e, u_)), second = simplify(differentiate(first, u_));
+    return {e, first, second, simplify(differentiate(second, u_)).is_zero()};
+  }
+
+  /// In lowest terms where sin^2 + cos^2 = 1 hides a common factor: momenta bring the inertia below the bar,
+  /// which cancels.
+  [[nodiscard]] Expression in_lowest_terms_of_angles(const Expression& g) {
+    const RationalFunction f = rational_function(g);
+    return to_expression(
+        graph_, in_lowest_terms(with_single_angles(graph_, f.above), with_single_angles(graph_, f.below)));
+  }
+
+  void add_force(std::size_t equation, const Expression& g) {
+    Derivatives all = derivatives(g);
+    if (!momenta_.empty()) {
+      Derivatives other = derivatives(in_lowest_terms_of_angles(g));
+      const bool is_shorter = written_length(other.e) < written_length(all.e);
+      if (other.is_quadratic && (!all.is_quadratic || is_shorter)) all = std::move(other);
+    }
+    const auto& [e, first, second, is_quadratic] = all;
     SteadyPolynomial::Force force{equation, !first.is_zero(), std::nullopt, false};
     std::vector<Expression> c(3, graph_.number(0));
-    if (simplify(differentiate(second, u_)).is_zero()) {
+    if (is_quadratic) {
       c[0] = simplify(substitute(e, {&zero_, 1}));
       c[1] = simplify(substitute(first, {&zero_, 1}));
       c[2] = Number::ratio(1, 2) * second;

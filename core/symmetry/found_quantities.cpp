@@ -8,6 +8,7 @@
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/dimension_check.hpp"
 #include "core/mechanics/notation.hpp"
+#include "core/symmetry/listed_quantities.hpp"
 #include "core/symmetry/motion_in_space.hpp"
 
 namespace qdot {
@@ -65,7 +66,7 @@ class Wording {
         dimensions_(dimensions(model.scene, lagrangian_.symbols)) {}
 
   /// None where it says nothing about the motion.
-  std::optional<ConservedQuantity> quantity(const Symmetry& symmetry) const {
+  std::optional<Kept> quantity(const Symmetry& symmetry) const {
     PointChange change = symmetry.change;
     const auto motion = motion_in_space(places_, lagrangian_.symbols, change, leading(symmetry));
     if (motion && motion->reversed) change = opposite(change);
@@ -73,7 +74,11 @@ class Wording {
     const Symbols::Varying& q = lagrangian_.symbols.coordinates;
     if (!depends_on(value, q.rate) && !depends_on(value, q.value)) return std::nullopt;
     const Words words = motion ? in_space(*motion) : in_coordinates(symmetry, change);
-    return ConservedQuantity{words.name, unit(value), value, sentence(words, change)};
+    const auto [kind, spread] = kind_of(symmetry);
+    const bool turns_bodies = motion && kind != KindOfChange::in_time && kind != KindOfChange::linear;
+    return Kept{{words.name, unit(value), value, sentence(words, change)},
+                turns_bodies ? KindOfChange::in_space : kind,
+                spread};
   }
 
  private:
@@ -206,6 +211,23 @@ class Wording {
     return false;
   }
 
+  [[nodiscard]] std::pair<KindOfChange, std::size_t> kind_of(const Symmetry& symmetry) const {
+    if (!symmetry.change.time.is_zero()) return {KindOfChange::in_time, 0};
+    std::vector<std::size_t> partners(scene_.coordinates.size());
+    std::size_t spread = 0;
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      const ElementaryChange& change = search_.changes[k];
+      if (change.kind != ChangeKind::linear || symmetry.coefficients[k].is_zero()) continue;
+      ++partners[change.i];
+      spread += change.i > change.j ? change.i - change.j : change.j - change.i;
+    }
+    const auto most = std::ranges::max(partners);
+    return {most == 0   ? KindOfChange::linear
+            : most == 1 ? KindOfChange::rotation
+                        : KindOfChange::mixed,
+            spread};
+  }
+
   /// A_ij = -A_ji, beside shifts.
   [[nodiscard]] bool is_turning(const Symmetry& symmetry) const {
     std::map<std::pair<std::size_t, std::size_t>, Expression> linear;
@@ -246,9 +268,11 @@ FoundQuantities found_quantities(const Model& model, const Lagrangian& lagrangia
   FoundQuantities result{search.lagrangian.graph, {}, search.is_complete};
   if (search.found.empty()) return result;
   const Wording wording(model, search, replacements);
+  std::vector<Kept> all;
   for (const Symmetry& symmetry : search.found) {
-    if (auto quantity = wording.quantity(symmetry)) result.quantities.push_back(std::move(*quantity));
+    if (auto kept = wording.quantity(symmetry)) all.push_back(*std::move(kept));
   }
+  result.quantities = listed_quantities(all, search.lagrangian);
   make_names_differ(result.quantities);
   return result;
 }

@@ -73,10 +73,17 @@ class Named(unittest.TestCase):
     def test_two_bodies_keep_momentum_centre_of_mass_and_angular_momentum(self):
         scene = bare("m1/2*(x1_dot^2 + y1_dot^2) + m2/2*(x2_dot^2 + y2_dot^2) + m1*m2/sqrt((x1 - x2)^2 + (y1 - y2)^2)",
                      ["x1", "y1", "x2", "y2"], m1=2, m2=3)
-        self.check(scene, {"momentum_x1_x2": "m1*x1_dot + m2*x2_dot", "momentum_y1_y2": "m1*y1_dot + m2*y2_dot",
+        found = self.check(scene, {"momentum_x1_x2": "m1*x1_dot + m2*x2_dot", "momentum_y1_y2": "m1*y1_dot + m2*y2_dot",
                            "boost_x1_x2": "t*(m1*x1_dot + m2*x2_dot) - m1*x1 - m2*x2",
                            "boost_y1_y2": "t*(m1*y1_dot + m2*y2_dot) - m1*y1 - m2*y2",
                            "angular_momentum_x1_y1_x2_y2": "m1*x1*y1_dot - m1*y1*x1_dot + m2*x2*y2_dot - m2*y2*x2_dot"})
+        self.assertEqual(len(found), 6)  # and h; not the cross product of the total momentum and the centre of mass
+
+    def test_bodies_that_fall_keep_what_they_have_about_their_centre(self):
+        spring = {"stiffness": "k", "between": [["x", "y", "z"], ["u", "v", "w"]]}
+        found = conserved(bodies({q: "m" for q in "xyzuvw"}, [["x", "y", "z"], ["u", "v", "w"]], gravity=["0", "0", "-g"], springs=[spring]))
+        self.assertEqual([name for name in found if name.startswith(("angular", "symmetry"))],
+                         ["angular_momentum_z", "angular_momentum_x_z_u_w", "angular_momentum_y_z_v_w"])
 
     def test_a_magnetic_field_needs_a_gauge(self):
         for lagrangian in ("q*B/2*(x*y_dot - y*x_dot)", "q*B*x*y_dot"):

@@ -15,9 +15,10 @@ from textbook_constraints import PROBLEMS as CONSTRAINTS  # noqa: E402
 from textbook_fields import PROBLEMS as FIELDS  # noqa: E402
 from textbook_machines import PROBLEMS as MACHINES  # noqa: E402
 from textbook_oscillations import PROBLEMS as OSCILLATIONS  # noqa: E402
+from textbook_places import PROBLEMS as PLACES  # noqa: E402
 from textbook_rotations import PROBLEMS as ROTATIONS  # noqa: E402
 
-PROBLEMS = MACHINES + OSCILLATIONS + ROTATIONS + CONSTRAINTS + FIELDS
+PROBLEMS = MACHINES + OSCILLATIONS + ROTATIONS + CONSTRAINTS + FIELDS + PLACES
 DIGITS = 30
 EQUAL = sympy.Float("1e-22", DIGITS)  # what 30 digits leave of formulas of some dozen operations
 ROUNDING = 4e-16  # of a number that is written in double precision
@@ -111,6 +112,13 @@ class TextbookProblems(Service):
         found = self.ask("turning_points", {"system": scene} | dict(fields))
         for name, book in expected.items():
             self.assert_number(scene, found[name], found["error"][name], book)
+
+    def amplitude(self, scene, expected):
+        """Turning points, as formulas too."""
+        found = self.ask("turning_points", {"system": scene})
+        for name, book in expected.items():
+            self.assert_number(scene, found[name], found["error"][name], book)
+            self.assert_same(found["exact"][name]["text"], book)
 
     def motion(self, scene, t, expected, fields=()):
         found = self.ask("simulate", {"system": scene, "t_end": t, "samples": 2} | dict(fields))

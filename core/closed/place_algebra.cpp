@@ -1,0 +1,70 @@
+#include "core/closed/place_algebra.hpp"
+
+#include <algorithm>
+
+#include "core/expr/calculus.hpp"
+#include "core/expr/rational_function.hpp"
+
+namespace qdot {
+
+std::optional<LinearIn> linear_in(Graph& graph, const Polynomial& e, const Expression& u,
+                                  const Expression& symbol, int n) {
+  LinearIn parts;
+  for (const auto& [monomial, coefficient] : e) {
+    const int power = exponent_of(monomial, u.id());
+    if (power != 0 && power != n) return std::nullopt;
+    const Monomial rest = times(monomial, u.id(), -power);
+    if (depends_on(to_expression(graph, rest), symbol)) return std::nullopt;
+    add(power == n ? parts.slope : parts.rest, rest, coefficient);
+  }
+  if (parts.slope.empty()) return std::nullopt;
+  return parts;
+}
+
+Expression with_roots_taken(const Expression& e, const SignOf& sign) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> taken;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    if (power == nullptr || power->exponent.denominator() != Number(2)) continue;
+    const Expression base(graph, power->base);
+    const Number twice = power->exponent * Number(2);
+    const Expression half = positive_root(graph, rational_function(base), sign);
+    if (written_length(half) < written_length(sqrt(base)))
+      taken.emplace_back(Expression(graph, id), pow(half, twice));
+  }
+  return taken.empty() ? e : substitute(e, taken);
+}
+
+Polynomial without_factor(const Polynomial& e, const Expression& u) {
+  if (e.empty()) return e;
+  int common = 64;
+  for (const auto& [monomial, coefficient] : e) common = std::min(common, exponent_of(monomial, u.id()));
+  return scaled(e, times({}, u.id(), -common), Number(1));
+}
+
+int highest_power(const Polynomial& e, const Expression& u) {
+  int highest = 0;
+  for (const auto& [monomial, coefficient] : e) highest = std::max(highest, exponent_of(monomial, u.id()));
+  return highest;
+}
+
+std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
+                                          const SignOf& sign) {
+  if (f.above.size() != 1 || f.below.size() != 1) return std::nullopt;
+  Expression result = graph.number(1);
+  for (const auto& [part, side] : {std::pair(&f.above, 1), std::pair(&f.below, -1)}) {
+    const auto& [monomial, coefficient] = *part->begin();
+    if (coefficient.is_negative()) return std::nullopt;
+    result = result * pow(graph.number(coefficient), Number::ratio(side, n));
+    for (const Atom& atom : monomial) {
+      const Expression base(graph, atom.base);
+      if (sign(multiplied_out(base)) <= 0) return std::nullopt;
+      result = result * pow(base, Number::ratio(side * atom.p, atom.q * n));
+    }
+  }
+  return result;
+}
+
+}  // namespace qdot

@@ -1,0 +1,30 @@
+#pragma once
+// The algebra of a place of rest: equations that one power of an unknown solves, and roots.
+
+#include <optional>
+
+#include "core/expr/polynomial.hpp"
+#include "core/expr/surd.hpp"
+
+namespace qdot {
+
+/// e = slope * u^n + rest, rest and slope without the symbol; no value where it is no such function.
+struct LinearIn {
+  Polynomial slope, rest;
+};
+[[nodiscard]] std::optional<LinearIn> linear_in(Graph& graph, const Polynomial& e, const Expression& u,
+                                                const Expression& symbol, int n = 1);
+
+[[nodiscard]] int highest_power(const Polynomial& e, const Expression& u);
+
+/// Without the factors u, which do not vanish.
+[[nodiscard]] Polynomial without_factor(const Polynomial& e, const Expression& u);
+
+/// With roots of squares taken, sqrt(h^2) = h where h > 0.
+[[nodiscard]] Expression with_roots_taken(const Expression& e, const SignOf& sign);
+
+/// f^(1/n) where f is a product of what is positive.
+[[nodiscard]] std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
+                                                        const SignOf& sign);
+
+}  // namespace qdot
