@@ -28,6 +28,8 @@ constexpr double largest_defect = 1e3;  ///< of an unbounded step, at its end, i
 /// Of a bounded step, times its length, in units of the tolerance. They are 1 to 100, as it happens: the
 /// worst step of a reference has to be better than a lucky one of the run that it measures.
 constexpr double allowed_defect = 100, allowed_of_reference = 10;
+/// Of the length wanted: most steps are then found short enough by the first and cheapest bound.
+constexpr double share_of_reference = 0.95;
 constexpr int most_bounds = 120;           ///< tried for one step
 constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
 constexpr double least_share = 0.5, grown_share = 1.03;
@@ -81,7 +83,8 @@ class TaylorStepper final : public Stepper {
     }
     weigh();
     const double wanted = step_size();
-    double h = std::min(wanted, request_.t_end - t_);
+    const double share = request_.is_reference ? share_of_reference : 1;
+    double h = std::min(share * wanted, request_.t_end - t_);
     for (int i = 0; i < attempts; ++i, h /= 2) {
       const Bound bound = bounded(h);
       h = bound.h;
