@@ -17,6 +17,7 @@
 //
 // A step is accepted where RightHandSide::defect bounds its defect d_i over the whole step by
 //   h d_i <= 100 w_i
+// (a reference: 10 w_i, and steps of 0.95 h to begin with)
 // and is shortened until it does, on the same coefficients. Where h d_i exceeds 1000 times the last three
 // terms they do not show it: such steps add h d_i, in the unit of y_i, to Run::unseen, where velocities carry
 // it on to the coordinates. Where no bound is found within 120 tries, the equation is tested at the step's
