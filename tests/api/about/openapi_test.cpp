@@ -10,7 +10,7 @@
 #include "api/http/problem.hpp"
 #include "api/service.hpp"
 
-namespace qdot::api {
+namespace qdot::api::openapi_test {
 namespace {
 
 /// Two pages stand for those that the server brings.
@@ -189,4 +189,4 @@ TEST(Pages, AreForBrowsersAndFetchNothingFromElsewhere) {
 }
 
 }  // namespace
-}  // namespace qdot::api
+}  // namespace qdot::api::openapi_test

@@ -8,7 +8,7 @@
 #include "api/json/json.hpp"
 #include "api/service.hpp"
 
-namespace qdot::api {
+namespace qdot::api::practice_sheet_test {
 namespace {
 
 const Service& service() {
@@ -114,4 +114,4 @@ TEST(PracticeSheet, KnowsNoEleventhProblem) {
 }
 
 }  // namespace
-}  // namespace qdot::api
+}  // namespace qdot::api::practice_sheet_test

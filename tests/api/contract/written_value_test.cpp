@@ -7,7 +7,7 @@
 
 #include "core/expr/number.hpp"
 
-namespace qdot::api {
+namespace qdot::api::written_value_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -135,4 +135,4 @@ TEST_F(WrittenValue, WithoutAScopeThereAreNumbersOnly) {
 }
 
 }  // namespace
-}  // namespace qdot::api
+}  // namespace qdot::api::written_value_test
