@@ -40,6 +40,9 @@ std::vector<DoubleDouble> moved(const Reals& numbers, double direction) {
   return result;
 }
 
+/// An instant as it is typed has more digits than are kept.
+double rounding_of(const DoubleDouble& t) { return t.low == 0 ? 0 : std::abs(t.high) * 0x1p-104; }
+
 class ExtendedLadder {
  public:
   ExtendedLadder(const Dynamics& dynamics, const ExtendedSimulationRequest& request)
@@ -118,20 +121,22 @@ class ExtendedLadder {
     RowErrors in_doubles(scale, [&] { return winding_coordinates(dynamics_.model()); });
     std::vector<double>& error = result_.max_abs_error;
     error.assign(width, 0.0);
+    Workspace workspace = dynamics_.accelerations().bind(request_.parameters);
     for (std::size_t i = 0; i < first.rows; ++i) {
-      std::vector<double> row, by_range;
+      std::vector<double> row;
       std::vector<std::vector<double>> other_rows(others.size());
       bool is_lost = false;
+      for (std::size_t k = 0; k < width; ++k) row.push_back(first.states[i * width + k].high);
+      const std::vector<double> by_instant = rounding_of_instant(i, row, workspace);
       for (std::size_t k = 0; k < width; ++k) {
         const DoubleDouble& y = first.states[i * width + k];
-        row.push_back(y.high);
         double difference = 0;
         for (std::size_t j = 0; j < others.size(); ++j) {
           const DoubleDouble& other = others[j].states[i * width + k];
           other_rows[j].push_back(other.high);
           difference = std::max(difference, std::abs((y - other).high));
         }
-        error[k] = std::max(error[k], caution * difference + common_round_off * scale[k]);
+        error[k] = std::max(error[k], caution * difference + common_round_off * scale[k] + by_instant[k]);
         is_lost = is_lost || difference > 1e-3 * scale[k];
       }
       lost_ = lost_ || is_lost;
@@ -144,6 +149,23 @@ class ExtendedLadder {
         if (!result_.horizon && error[k] > useful_part * scale[k]) result_.horizon = i;
       }
     }
+  }
+
+  /// What the row's instant and that of the start are not known by moves coordinates with their velocities,
+  /// and those with the accelerations: all runs alike.
+  [[nodiscard]] std::vector<double> rounding_of_instant(std::size_t row, std::span<const double> y,
+                                                        Workspace& workspace) const {
+    const std::size_t n = y.size() / 2;
+    std::vector<double> off(2 * n), acceleration(n);
+    const double unknown = rounding_of(request_.grid[row]) + rounding_of(request_.t_start);
+    if (unknown == 0) return off;
+    const double t = request_.grid[row].high;
+    if (dynamics_.accelerations().evaluate(t, y, workspace, acceleration) != Evaluation::ok) return off;
+    for (std::size_t i = 0; i < n; ++i) {
+      off[i] = unknown * std::abs(y[n + i]);
+      off[n + i] = unknown * std::abs(acceleration[i]);
+    }
+    return off;
   }
 
   const Dynamics& dynamics_;

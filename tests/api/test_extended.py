@@ -206,5 +206,28 @@ class Extended(Service):
         self.assertIn("kinks", self.refused("simulate", body)["detail"])
 
 
+class InstantsFarFromZero(Service):
+    """An instant such as 98765.4321 is rounded to 32 digits, and a fast motion shows it."""
+
+    def test_the_rounding_of_instants_is_in_the_error(self):
+        draw = random.Random(5)
+        for _ in range(20):
+            k, x, v, start = (f"{draw.uniform(*ends):.6g}" for ends in ((5, 60), (-2, 2), (-2, 2), (1e4, 1e5)))
+            times = [start] + [f"{float(start) + s + draw.uniform(0, 0.5):.9f}" for s in (0.1, 1, 2)]
+            scene = {"name": "s", "units": "none", "lagrangian": f"x_dot^2/2 - {k}*x^2/2",
+                     "coordinates": [{"name": "x", "initial": x, "initial_rate": v}]}
+            body = (f'{{"system": {json.dumps(scene)}, "t_start": {start}, "times": [{", ".join(times)}], '
+                    '"precision": "extended"}')
+            answer = json.loads(self.server.request("POST", "/v1/simulate", body).data, parse_float=mpf)
+            omega = mpmath.sqrt(mpf(k))
+            for i, t in enumerate(times):
+                angle = omega*(mpf(t) - mpf(start))
+                truth = {"x": mpf(x)*mpmath.cos(angle) + mpf(v)/omega*mpmath.sin(angle),
+                         "x_dot": mpf(v)*mpmath.cos(angle) - mpf(x)*omega*mpmath.sin(angle)}
+                for name, value in truth.items():
+                    off = abs(answer["trajectory"][name][i] - value)
+                    self.assertLessEqual(off, answer["accuracy"]["max_abs_error"][name], f"{name} at {t}")
+
+
 if __name__ == "__main__":
     unittest.main()
