@@ -9,6 +9,7 @@
 #include "core/motion/row_errors.hpp"
 #include "core/motion/winding.hpp"
 #include "core/numerics/root.hpp"
+#include "core/numerics/same_bits.hpp"
 
 namespace qdot {
 namespace {
@@ -183,16 +184,30 @@ class Comparing {
     EventErrors errors(motion_.dynamics, motion_.request, largest_);
     const std::span<const double> rows = std::span(motion_.grid.t).first(stated.size() / width_);
     const auto errors_at = [&](double t) {
-      if (rows.empty() || t > rows.back()) return std::span<const double>();
+      if (rows.empty() || t > rows.back()) return std::vector<double>();
       const auto row = std::ranges::lower_bound(rows, t + own_time()) - rows.begin();
-      return std::span(stated).subspan(std::min(static_cast<std::size_t>(row), rows.size() - 1) * width_,
-                                       width_);
+      return between_rows(std::span(stated).subspan(
+          std::min(static_cast<std::size_t>(row), rows.size() - 1) * width_, width_));
     };
     for (const EventRecord& event : motion.events) {
       const auto of_state = errors_at(event.t);
       result.event_errors.push_back(of_state.empty() ? std::nullopt : errors.of(event, of_state));
     }
     if (motion.stop && !rows.empty()) result.stop_error = stop_error(errors, errors_at(rows.back()));
+  }
+
+  /// Rows may meet an oscillation always in the same phase, where the error of a coordinate is small and that
+  /// of its velocity large, or the other way round: between them each turns into the other.
+  [[nodiscard]] std::vector<double> between_rows(std::span<const double> error) const {
+    std::vector<double> result(error.begin(), error.end());
+    const std::size_t n = width_ / 2;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double tau = largest_[i] / largest_[n + i];
+      if (!(tau > 0) || !std::isfinite(tau)) continue;
+      result[i] = hypotenuse(error[i], tau * error[n + i]);
+      result[n + i] = hypotenuse(error[i] / tau, error[n + i]);
+    }
+    return result;
   }
 
   /// The computations have each its own; they may agree by chance, and the last row is before all of them.

@@ -116,6 +116,31 @@ class EventTimes(Service):
         if times:
             self.judge(answer["stop"], times[0], request)
 
+    def test_between_few_rows_where_two_oscillations_meet_a_product(self):
+        """Rows may meet an oscillation where the error of x is small and that of x_dot large."""
+        for _ in range(4 * CASES):
+            draw = [round(self.random.uniform(*ends), 4) for ends in ((0.2, 30), (30, 400), (-2, 2), (-2, 2), (-2, 2), (-2, 2))]
+            a, b, x, v, y, u = map(mpf, map(str, draw))
+            level = round(float(x * y) * self.random.uniform(-0.3, 0.3), 5)
+            scene = {"name": "two_oscillations", "units": "none", "coordinates": [{"name": "x"}, {"name": "y"}],
+                     "lagrangian": f"(x_dot^2 + y_dot^2)/2 - {draw[0]}*x^2/2 - {draw[1]}*y^2/2"}
+            request = {"system": scene, "initial": dict(zip(("x", "x_dot", "y", "y_dot"), draw[2:])), "t_end": 25,
+                       "samples": 3, "events": [f"x*y={level}"], "accuracy": "balanced"}
+            p, q = mpmath.sqrt(a), mpmath.sqrt(b)
+
+            def distance(t):
+                here = x * mpmath.cos(p * t) + v / p * mpmath.sin(p * t)
+                return here * (y * mpmath.cos(q * t) + u / q * mpmath.sin(q * t)) - mpf(str(level))
+
+            answer = strict_json(self.post("simulate", request).data)
+            self.assertGreater(len(answer["events"]), 3, request)
+            for event in answer["events"][:40]:
+                if event["error"] is not None:
+                    near = (mpf(event["t"]) - mpf("1e-8"), mpf(event["t"]) + mpf("1e-8"))
+                    self.judge(event, mpmath.findroot(distance, near), request)
+        self.assertGreater(len(self.ratios), 100 * CASES)
+        self.assertLess(statistics.median(self.ratios), 100)
+
     def test_of_a_throw_that_grazes(self):
         """x = v t - t^2/2 meets its greatest height twice, ever nearer to one place."""
         for n in range(1, CASES + 1):
