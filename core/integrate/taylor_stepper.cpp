@@ -11,18 +11,13 @@
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/series_at_four.hpp"
 #include "core/integrate/series_sums.hpp"
+#include "core/integrate/taylor_orders.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/rough_powers.hpp"
 
 namespace qdot {
 namespace {
 
-constexpr unsigned order_loose = 16;  ///< cheaper per step; fewer digits need no more
-constexpr unsigned order_tight = 20;
-constexpr double loose = 1e-6;
-constexpr double round_off_wanted = 1e-14;  ///< rtol from which on truncation is kept below round-off
-constexpr double below_round_off = 1e-18;
-constexpr unsigned order_at_round_off = 24;
 constexpr int attempts = 60;            ///< at one step, each half as long
 constexpr double largest_defect = 1e3;  ///< of an unbounded step, at its end, in units of the tolerance
 /// Of a bounded step, times its length, in units of the tolerance. They are 1 to 100, as it happens: the
@@ -47,17 +42,6 @@ double powered(double x, unsigned k) {
     if (k % 2 == 1) result *= x;
   }
   return result;
-}
-
-double relative_tolerance(const RunRequest& request) {
-  const double rtol = request.tolerances.rtol;
-  return request.taylor_order == 0 && rtol <= round_off_wanted ? below_round_off : rtol;
-}
-
-unsigned order_for(const RunRequest& request) {
-  if (request.taylor_order > 0) return request.taylor_order;
-  if (request.tolerances.rtol <= round_off_wanted) return order_at_round_off;
-  return request.tolerances.rtol >= loose ? order_loose : order_tight;
 }
 
 class TaylorStepper final : public Stepper {

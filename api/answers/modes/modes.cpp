@@ -255,9 +255,8 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
   const Modes modes = is_constrained ? constrained_modes(*system.dynamics, parameters, y, guess)
                                      : normal_modes(*system.dynamics, parameters, y, guess);
   const ExactModes exact =
-      wants(call, "exact")
-          ? exact_modes(*system.dynamics, parameters, written_texts(request.system), modes)
-          : no_formulas(modes);
+      wants(call, "exact") ? exact_modes(*system.dynamics, parameters, written_texts(request.system), modes)
+                           : no_formulas(modes);
   const int digits = request.digits.value_or(shortest_digits);
   const Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
   call.timing.lap("solve");
