@@ -2,7 +2,7 @@
 // The order p of Taylor's method for a relative tolerance, and what its steps are held to. The terms of a
 // step as long as
 //
-//   h = min_i (w_i / |c_i,p|)^(1/p),   w_i = atol + rtol |y_i|
+//   h = min_i (w_i / |c_i,p|)^(1/p)      w_i: taylor_stepper.hpp
 //
 // end at the tolerance. Counting products alone, p = 1 - ln(rtol)/2 would be best, 8 at 1e-6; bounds, events
 // and rows cost by the step, so that longer ones pay. Between 8 and 24 no p is best for all motions: what one
