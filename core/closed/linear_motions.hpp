@@ -37,6 +37,7 @@ struct LinearMotions {
 [[nodiscard]] PlaceProblem place_problem(const LinearMotions& motions, ExactValues& values,
                                          std::span<const Interval> near);
 
+/// Of all coordinates, those with these numbers.
 [[nodiscard]] std::vector<Interval> those_of(std::span<const Interval> all,
                                              std::span<const std::size_t> coordinates);
 
