@@ -203,9 +203,10 @@ TEST(Remainder, IsFoundWhereTheMassMatrixMovesFar) {
   EXPECT_GE(found, 98);
 }
 
-/// From rest all coefficients are 0, up to the force's t^25: the defect is M^-1 t^25, as large as can be, and
-/// what is stated has to be as large and little more, while the entries of M move.
+/// From rest, before the force sets in, all coefficients are 0: after it the defect is M^-1 F, and what is
+/// stated has to be as large and little more, while the entries of M move.
 TEST(Remainder, OfThreeUnknownsIsCloseToTheDefect) {
+  constexpr double little_more = 5;  // minors that are 0 at first are bounded from both sides
   Scene scene;
   scene.name = "three_coupled";
   scene.without_units = true;
@@ -213,7 +214,7 @@ TEST(Remainder, OfThreeUnknownsIsCloseToTheDefect) {
   for (const char* pushed : {"x", "y", "z"}) {
     scene.lagrangian =
         "(2 + sin(t))*x_dot^2/2 + (2 - t/3)*y_dot^2/2 + z_dot^2 + t*x_dot*y_dot/2 + cos(t)*y_dot*z_dot/3 + "
-        "t^25*" +
+        "(1 + sign(t - 0.39))*" +
         std::string(pushed);
     const Dynamics dynamics(build_model(scene));
     const Step step(dynamics.accelerations(), {}, 0, std::vector<double>(6), 20, 0.4);
@@ -222,7 +223,7 @@ TEST(Remainder, OfThreeUnknownsIsCloseToTheDefect) {
     for (std::size_t i = 3; i < 6; ++i) {
       const double defect = step.defect_at(dynamics.accelerations(), workspace, 0, i, step.h);
       EXPECT_GE(step.defect[i], defect) << pushed << ' ' << i;
-      EXPECT_LE(step.defect[i], 3 * defect) << pushed << ' ' << i;
+      EXPECT_LE(step.defect[i], little_more * defect) << pushed << ' ' << i;
     }
   }
 }
