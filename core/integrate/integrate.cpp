@@ -58,6 +58,7 @@ class Integration {
     if (const auto failed = stepper_->step()) return failed;
     if (const auto wrong = unusable(stepper_->y(), request_.limits.max_magnitude)) return wrong;
 
+    if (request_.keeps_steps) keep_step();
     const EventSearch::Found found = events_.search(*stepper_);
     if (found.failure) return found.failure;
     const double t = found.terminal ? found.events.back().t : stepper_->t();
@@ -104,6 +105,11 @@ class Integration {
     for (std::size_t i = 0; i < count; ++i) {
       run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
     }
+  }
+
+  void keep_step() {
+    run_.step_ends.t.push_back(stepper_->t());
+    run_.step_ends.y.insert(run_.step_ends.y.end(), stepper_->y().begin(), stepper_->y().end());
   }
 
   void note_accelerations(std::size_t count) {

@@ -106,6 +106,7 @@ struct RunRequest {
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
   /// they may be off by.
   bool is_reference{false};
+  bool keeps_steps{false};  ///< Run::step_ends
   Tolerances tolerances{};  ///< not of gauss
   double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
   Limits limits{};
@@ -134,6 +135,12 @@ struct EventOccurrence {
   std::vector<double> y{};
 };
 
+/// Where steps ended, and the state there.
+struct StepEnds {
+  std::vector<double> t{};
+  std::vector<double> y{};  ///< steps x dimension, row-major
+};
+
 struct Run {
   std::size_t rows{};                     ///< instants of the grid that were reached: those up to t
   std::vector<double> states{};           ///< rows x dimension, row-major
@@ -154,6 +161,7 @@ struct Run {
   /// Of a reference, where y is (q, q'): for each row bounds of |q''| during the step that it lies in, not
   /// numbers where they are not known (rows x dimension/2). Otherwise empty.
   std::vector<double> accelerations{};
+  StepEnds step_ends{};  ///< where they are wanted; the last one may be beyond a terminal event
 };
 
 }  // namespace qdot

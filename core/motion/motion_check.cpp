@@ -9,6 +9,7 @@
 #include "core/motion/extended_impacts.hpp"
 #include "core/motion/extended_kinks.hpp"
 #include "core/motion/extended_pieces.hpp"
+#include "core/motion/growth_of_rounding.hpp"
 
 namespace qdot {
 namespace {
@@ -21,7 +22,8 @@ constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
 constexpr double loose = 1e-6;
 constexpr double drift_of_rounding = 1e-14;  ///< relative
 constexpr double much_better = 0.05;
-constexpr double much_more = 10;           ///< than the rounding of a step, which some rows alone have shown
+constexpr double counts = 1e-10;           ///< tolerances from which on grown rounding is looked for
+constexpr double much_more = 10;           ///< than rounding of which a sample is known
 constexpr std::size_t rows_looked_at = 8;  ///< each costs an evaluation in double-doubles
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
@@ -90,6 +92,23 @@ std::vector<double> rounding_of_a_step(const ComputedMotion& motion) {
   return rounding;
 }
 
+/// How far the last digits of the numbers that it began with may have taken the check, and rounding after
+/// them: for each component, none where that is not looked for.
+std::vector<double> grown_rounding(const ComputedMotion& motion, const Simulation& check) {
+  const bool is_one_section = check.sections.empty() && check.pieces.empty();
+  if (check.step_ends.t.empty() || motion.is_stiff || !is_one_section) return {};
+  const SimulationRequest& request = motion.request;
+  const SimulationRequest other = check_of(motion, 1);
+  std::vector<double> moved_by = other.y_start;
+  for (std::size_t i = 0; i < moved_by.size(); ++i) moved_by[i] -= request.y_start[i];
+  return growth_of_rounding(motion.dynamics.accelerations(), {.parameters = request.parameters,
+                                                              .moved_parameters = other.parameters,
+                                                              .moved_by = std::move(moved_by),
+                                                              .steps = check.step_ends,
+                                                              .t_start = request.t_start,
+                                                              .y_start = request.y_start});
+}
+
 /// None where the equations or what happens on the way cannot be followed in double-doubles.
 std::optional<ExtendedRun> extended_states_of(const Simulation& motion, const Dynamics& dynamics,
                                               const ExtendedMotionRequest& request) {
@@ -135,6 +154,7 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   const bool is_loose = motion.simulation.method != Method::gauss && motion.tolerances.rtol >= loose;
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
+  request.keeps_steps = motion.tolerances.rtol <= counts;
   request.tolerances = tolerances_of_check(motion);
   nudge(request.parameters, direction, 1);
   nudge(request.y_start, direction, 3);
@@ -145,22 +165,27 @@ bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
   const std::vector<double>& states = motion.simulation.states;
   const std::size_t width = motion.width(), n = width / 2;
   std::vector<double> differences;
+  std::vector<bool> varies(width);
   for (std::size_t k = 0; k < width; ++k) {
     double difference = 0, size = 0;
-    bool varies = false;
     for (std::size_t i = k; i < std::min(states.size(), check.states.size()); i += width) {
       difference = std::max(difference, std::abs(states[i] - check.states[i]));
       size = std::max(size, std::abs(states[i]));
-      varies = varies || states[i] != states[k];
+      varies[k] = varies[k] || states[i] != states[k];
     }
-    if (varies && difference <= near_round_off * size) return false;
+    if (varies[k] && difference <= near_round_off * size) return false;
     differences.push_back(difference);
   }
   const std::vector<double> in_common = rounding_of_a_step(motion);
   for (std::size_t i = 0; i < n; ++i) {
     if (differences[n + i] <= much_more * in_common[i]) return false;
   }
-  return keeps_better(motion.simulation, check);
+  if (!keeps_better(motion.simulation, check)) return false;
+  const std::vector<double> grown = grown_rounding(motion, check);
+  for (std::size_t k = 0; k < grown.size(); ++k) {
+    if (varies[k] && differences[k] <= much_more * grown[k]) return false;
+  }
+  return true;
 }
 
 const char* not_comparable(const ComputedMotion& motion, const Simulation& check) {

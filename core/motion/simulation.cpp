@@ -144,6 +144,7 @@ class Simulator {
     }
     run.taylor_order = request_.taylor_order;
     run.is_reference = request_.is_reference;
+    run.keeps_steps = request_.keeps_steps;
     run.tolerances = request_.tolerances;
     run.h = request_.h;
     run.limits = request_.limits;
@@ -156,6 +157,7 @@ class Simulator {
     add_unseen(done);
     result_.accelerations.insert(result_.accelerations.end(), done.accelerations.begin(),
                                  done.accelerations.end());
+    result_.step_ends = std::move(done.step_ends);
     result_.rows += done.rows;
     if (result_.states.empty()) {
       result_.states = std::move(done.states);

@@ -51,6 +51,7 @@ struct Simulation {
   std::vector<double> unseen;  ///< as Run::unseen, rows x 2n; empty where there is nothing
   /// As Run::accelerations, rows x n, of a reference; not a number where there is no bound.
   std::vector<double> accelerations;
+  StepEnds step_ends;  ///< where they are wanted, of the last section
 };
 
 /// Where abs and sign stand in the equations, every zero of their arguments ends a section of the motion that

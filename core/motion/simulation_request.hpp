@@ -26,6 +26,7 @@ struct SimulationRequest {
   Method method{Method::adams};
   unsigned taylor_order{};   ///< 0: by the tolerance
   bool is_reference{false};  ///< RunRequest::is_reference
+  bool keeps_steps{false};   ///< Simulation::step_ends
   Tolerances tolerances;     ///< not of gauss
   double h{};                ///< step of gauss
   Limits limits;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/calibration/verdict.hpp"
 
 namespace qdot::test {
@@ -46,6 +48,22 @@ TEST(Calibration, ErrorsAreTrueWhereImpactsPassRoundingOn) {
     remarks += tally.add(asked, outcome_of(asked, 20'000));
   }
   EXPECT_TRUE(tally.passes()) << remarks << tally.summary();
+}
+
+/// At nine of these tolerances the run was good by chance, and no farther from its check than the check from
+/// the motion.
+TEST(Calibration, ErrorsAreTrueWhereTheMotionAmplifiesRounding) {
+  Tally tally;
+  std::string remarks;
+  for (const int i : {10, 32, 65, 66, 67, 149, 175, 289, 306}) {
+    Asked asked = random_request(934, 145);
+    asked.goal = {};
+    asked.request.method = Method::taylor;
+    const double rtol = std::pow(10.0, -12 + 1.5 * i / 500);
+    asked.request.tolerances = {rtol, rtol * 1e-3};
+    remarks += tally.add(asked, outcome_of(asked, 5000));
+  }
+  EXPECT_TRUE(tally.understates_nothing()) << remarks << tally.summary();
 }
 
 TEST(Calibration, NothingSeenIsNoPass) { EXPECT_FALSE(Tally().passes()); }
