@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/closed/exact_roots.hpp"
 #include "core/closed/place_algebra.hpp"
 #include "core/expr/rational_function.hpp"
 #include "core/expr/simplify.hpp"
@@ -112,7 +113,7 @@ bool ExactPlace::solve(std::size_t k, const Expression& force) {
   const Polynomial above = without_factor(numerator(force), x);
   const int n = highest_power(above, x);
   const auto parts = n > 0 ? linear_in(graph, above, x, x, n) : std::nullopt;
-  if (!parts) return false;
+  if (!parts) return n == 2 && solve_quadratic(k, above);
   const RationalFunction value = -in_lowest_terms(parts->rest, parts->slope);
   if (n == 1) {
     settle(k, to_expression(graph, value));
@@ -129,6 +130,26 @@ bool ExactPlace::solve(std::size_t k, const Expression& force) {
   powers_.push_back({x, n, power});
   x_[k] = *principal;
   return true;
+}
+
+/// c0 + c1 x + c2 x^2 = 0: the root at which the slope c1 + 2 c2 x has the sign that it has at x_k.
+bool ExactPlace::solve_quadratic(std::size_t k, const Polynomial& force) {
+  const Expression& x = problem_->x[k];
+  Graph& graph = x.graph();
+  const auto c = quadratic_in(to_expression(graph, force), x);
+  if (!c || std::ranges::any_of(*c, [&](const Expression& e) { return depends_on(e, problem_->x); }))
+    return false;
+  const auto sign_at = [&](const Expression& place) {
+    const RationalFunction slope = rational_function((*c)[1] + Number(2) * (*c)[2] * place);
+    return problem_->sign(slope.above) * problem_->sign(slope.below);
+  };
+  const int near = sign_at(x);
+  for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], problem_->sign)) {
+    if (near == 0 || sign_at(root) != near) continue;
+    settle(k, root);
+    return true;
+  }
+  return false;
 }
 
 /// The root of x^n = value near x_k.

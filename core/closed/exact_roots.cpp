@@ -67,6 +67,17 @@ std::vector<Surd> roots_in_single_angles(const Expression& c0, const Expression&
   return quadratic_roots(one, in_lowest_terms(single(c1), leading), in_lowest_terms(single(c0), leading));
 }
 
+/// e as a function of u^2 = v, v written as u; no value where odd powers of u are in it.
+std::optional<Expression> in_squares(const Expression& e, const Expression& u) {
+  Polynomial halved;
+  for (const auto& [monomial, coefficient] : rational_function(e).above) {
+    const int power = exponent_of(monomial, u.id());
+    if (power % 2 != 0) return std::nullopt;
+    add(halved, times(monomial, u.id(), -power / 2), coefficient);
+  }
+  return to_expression(e.graph(), halved);
+}
+
 }  // namespace
 
 std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, const Expression& c2,
@@ -90,6 +101,22 @@ std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, con
       written(quadratic_roots(rational_function(c2), rational_function(c1), rational_function(c0)));
   const std::vector<Expression> single = written(roots_in_single_angles(c0, c1, c2));
   return length(single) < length(plain) ? single : plain;
+}
+
+std::vector<Expression> roots_in(const Expression& e, const Expression& u, const ExactValues& values) {
+  const SignOf sign = values.sign_of();
+  if (const auto c = quadratic_in(e, u)) return roots_of((*c)[0], (*c)[1], (*c)[2], sign);
+  const auto halved = in_squares(e, u);
+  const auto c = halved ? quadratic_in(*halved, u) : std::nullopt;
+  std::vector<Expression> roots;
+  if (!c) return roots;
+  for (const Expression& square : roots_of((*c)[0], (*c)[1], (*c)[2], sign)) {
+    const Real value = values.value(square);
+    if (!value.is_finite() || value.value <= 0) continue;
+    const Expression root = root_of(square, sign);
+    roots.insert(roots.end(), {root, -root});
+  }
+  return roots;
 }
 
 std::optional<std::vector<Expression>> quadratic_in(const Expression& e, const Expression& u) {

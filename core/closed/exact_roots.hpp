@@ -9,6 +9,11 @@ namespace qdot {
 [[nodiscard]] std::vector<Expression> roots_of(const Expression& c0, const Expression& c1,
                                                const Expression& c2, const SignOf& sign);
 
+/// All u with e = 0 where that says that a quadratic polynomial of u, or of u^2, vanishes; a factor u^n is
+/// left out, and so are roots of u^2 that are not positive where the symbols have their values.
+[[nodiscard]] std::vector<Expression> roots_in(const Expression& e, const Expression& u,
+                                               const ExactValues& values);
+
 /// The coefficients of 1, u, u^2 where e = 0 says that such a polynomial vanishes, u^n before it apart.
 [[nodiscard]] std::optional<std::vector<Expression>> quadratic_in(const Expression& e, const Expression& u);
 

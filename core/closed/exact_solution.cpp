@@ -166,8 +166,40 @@ class CriticalForm {
   }
 
   std::optional<ClosedForm> form() const {
+    Best best(values_, {});
     const auto proven = ExactPlace::of(problem_);
-    const ExactPlace place = proven ? *proven : ExactPlace::special(problem_);
+    consider(proven ? *proven : ExactPlace::special(problem_), best);
+    for (std::size_t i = 0; !best.form() && i < motions_.forces.size(); ++i) {
+      const auto problem = fold_along(i);
+      if (const auto place = problem ? ExactPlace::of(*problem) : std::nullopt) consider(*place, best);
+    }
+    return best.form();
+  }
+
+ private:
+  /// A fold, where force i gives the parameter by the place: it is left to solve for the place what that
+  /// makes of the others and of det K.
+  [[nodiscard]] std::optional<PlaceProblem> fold_along(std::size_t i) const {
+    const auto c = quadratic_in(motions_.forces[i], p_);
+    if (!c || (!(*c)[1].is_zero() && !(*c)[2].is_zero())) return std::nullopt;
+    const bool squared = (*c)[1].is_zero();
+    const Expression power = -(*c)[0] / (*c)[squared ? 2 : 1];
+    const std::vector<Replacement> p{{p_, squared ? sqrt(power) : power}};
+    PlaceProblem problem = problem_;
+    std::vector<Expression> left{determinant(motions_.stiffness)};
+    for (std::size_t k = 0; k < motions_.forces.size(); ++k) {
+      if (k != i) left.push_back(motions_.forces[k]);
+    }
+    problem.forces = motions_.surface;
+    for (const Expression& e : left) {
+      const Polynomial above = rational_function(substitute(e, p)).above;
+      if (above.empty()) return std::nullopt;
+      problem.forces.push_back(to_expression(*motions_.graph, above));
+    }
+    return problem;
+  }
+
+  void consider(const ExactPlace& place, Best& best) const {
     std::vector<Expression> conditions;
     for (const Expression& force : motions_.forces) conditions.push_back(place.at(force));
     Matrix stiffness = motions_.stiffness;
@@ -176,19 +208,14 @@ class CriticalForm {
     }
     conditions.push_back(determinant(stiffness));
     std::erase_if(conditions, [](const Expression& e) { return rational_function(e).is_zero(); });
-    Best best(values_, {});
     for (const Relations& relations : {Relations{}, values_.relations()}) {
       for (const Expression& condition : conditions) consider(condition, conditions, relations, best);
     }
-    return best.form();
   }
 
- private:
   void consider(const Expression& condition, const std::vector<Expression>& all, const Relations& relations,
                 Best& best) const {
-    const auto c = quadratic_in(substitute(condition, relations.replacements), p_);
-    if (!c) return;
-    for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of())) {
+    for (const Expression& root : roots_in(substitute(condition, relations.replacements), p_, values_)) {
       if (!agrees(values_.value(root), critical_.value, critical_.error)) continue;
       Trial trial(values_, relations);
       trial.set({p_}, {root});

@@ -179,29 +179,9 @@ class TurningForms {
     const Replacement replacement{unknown, u};
     e = substitute(e, {&replacement, 1});
     if (is_angle_ ? depends_on(e, x_) : false) return {};
-    if (const auto c = quadratic_in(e, u)) return roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of());
-    return is_angle_ ? std::vector<Expression>{} : roots_of_even(e, u);
-  }
-
-  /// Of a quadratic polynomial of u^2.
-  [[nodiscard]] std::vector<Expression> roots_of_even(const Expression& e, const Expression& u) const {
-    Polynomial halved;
-    for (const auto& [monomial, coefficient] : rational_function(e).above) {
-      const int power = exponent_of(monomial, u.id());
-      if (power % 2 != 0) return {};
-      add(halved, times(monomial, u.id(), -power / 2), coefficient);
-    }
-    const auto c = quadratic_in(to_expression(*graph_, halved), u);
-    if (!c) return {};
-    std::vector<Expression> roots;
-    for (const Expression& square : roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of())) {
-      const Real value = values_.value(square);
-      if (!value.is_finite() || value.value <= 0) continue;
-      const RationalFunction f = rational_function(square);
-      const Expression root = positive_root(*graph_, f, values_.sign_of());
-      roots.insert(roots.end(), {root, -root});
-    }
-    return roots;
+    if (!is_angle_) return qdot::roots_in(e, u, values_);
+    const auto c = quadratic_in(e, u);
+    return c ? roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of()) : std::vector<Expression>{};
   }
 
   [[nodiscard]] Found number(const Expression& root, const Finding& extremum,

@@ -9,6 +9,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
+#include "core/expr/bracket_memory.hpp"
 
 namespace qdot {
 namespace {
@@ -36,22 +37,43 @@ std::size_t hash_of(const Node& node) {
       node);
 }
 
-/// Coefficients by what they multiply, in node order.
-using Terms = std::map<NodeId, Number>;
-/// Exponents by base, in node order.
-using Factors = std::map<NodeId, Number>;
+/// Numbers by node, in node order: the coefficients of terms, or the exponents of bases. There are few of
+/// them most of the time, and they come in order.
+class Collected {
+ public:
+  explicit Collected(std::size_t expected) { entries_.reserve(expected); }
+  void add(NodeId id, const Number& number) { entries_.emplace_back(id, number); }
 
-void collect_terms(const Expression& e, Terms& terms) {
+  /// Each node once, with the sum of its numbers.
+  const std::vector<std::pair<NodeId, Number>>& together() {
+    const auto earlier = [](const auto& a, const auto& b) { return a.first < b.first; };
+    if (!std::ranges::is_sorted(entries_, earlier)) std::ranges::sort(entries_, earlier);
+    std::size_t kept = 0;
+    for (std::size_t i = 1; i < entries_.size(); ++i) {
+      if (entries_[i].first == entries_[kept].first) {
+        entries_[kept].second = entries_[kept].second + entries_[i].second;
+      } else if (++kept != i) {
+        entries_[kept] = std::move(entries_[i]);
+      }
+    }
+    if (!entries_.empty()) entries_.resize(kept + 1);
+    return entries_;
+  }
+
+ private:
+  std::vector<std::pair<NodeId, Number>> entries_;
+};
+
+void collect_terms(const Expression& e, Collected& terms) {
   if (const auto* sum = std::get_if<Sum>(&e.node())) {
     for (const NodeId id : sum->terms) collect_terms({e.graph(), id}, terms);
     return;
   }
   const auto [coefficient, rest] = split_coefficient(e);
-  Number& slot = terms[rest.id()];
-  slot = slot + coefficient;
+  terms.add(rest.id(), coefficient);
 }
 
-void collect_factors(const Expression& e, Number& coefficient, Factors& factors) {
+void collect_factors(const Expression& e, Number& coefficient, Collected& factors) {
   if (const Number* number = e.number()) {
     coefficient = coefficient * *number;
   } else if (const auto* product = std::get_if<Product>(&e.node())) {
@@ -59,8 +81,7 @@ void collect_factors(const Expression& e, Number& coefficient, Factors& factors)
     for (const NodeId id : product->factors) collect_factors({e.graph(), id}, coefficient, factors);
   } else {
     const auto [base, exponent] = split_power(e);
-    Number& slot = factors[base.id()];
-    slot = slot + exponent;
+    factors.add(base.id(), exponent);
   }
 }
 
@@ -89,6 +110,24 @@ Graph::Graph() {
   (void)number(1);
 }
 
+Graph::Graph(const Graph& other)
+    : nodes_(other.nodes_), lengths_(other.lengths_), index_(other.index_), simplified_(other.simplified_) {}
+
+Graph& Graph::operator=(const Graph& other) { return *this = Graph(other); }
+
+Graph::Graph(Graph&&) noexcept = default;
+
+Graph& Graph::operator=(Graph&&) noexcept = default;
+
+Graph::~Graph() = default;
+
+BracketMemory& Graph::brackets() {
+  if (brackets_ == nullptr) brackets_ = std::make_unique<BracketMemory>();
+  return *brackets_;
+}
+
+void Graph::forget_brackets() { brackets_.reset(); }
+
 Expression Graph::intern(Node node) {
   const std::size_t hash = hash_of(node);
   const auto [first, last] = index_.equal_range(hash);
@@ -115,10 +154,10 @@ Expression Graph::number(const Number& value) { return intern(Literal{value}); }
 Expression Graph::symbol(std::string_view name) { return intern(Symbol{std::string(name)}); }
 
 Expression Graph::sum(std::span<const Expression> terms) {
-  Terms collected;
+  Collected collected(terms.size());
   for (const Expression& term : terms) collect_terms(term, collected);
   std::vector<NodeId> ids;
-  for (const auto& [rest, coefficient] : collected) {
+  for (const auto& [rest, coefficient] : collected.together()) {
     if (!coefficient.is_zero()) ids.push_back((coefficient * Expression(*this, rest)).id());
   }
   if (ids.empty()) return number(0);
@@ -134,10 +173,10 @@ Expression Graph::sum(std::span<const Expression> terms) {
 
 Expression Graph::product(std::span<const Expression> factors) {
   Number coefficient(1);
-  Factors collected;
+  Collected collected(2 * factors.size());
   for (const Expression& factor : factors) collect_factors(factor, coefficient, collected);
   std::vector<NodeId> ids;
-  for (const auto& [base, exponent] : collected) {
+  for (const auto& [base, exponent] : collected.together()) {
     if (exponent.is_zero()) continue;
     const Expression factor = power({*this, base}, exponent);
     if (const Number* folded = factor.number()) {  // sqrt(2) sqrt(2)
@@ -146,16 +185,20 @@ Expression Graph::product(std::span<const Expression> factors) {
       ids.push_back(factor.id());
     }
   }
+  return scaled(coefficient, std::move(ids));
+}
+
+Expression Graph::scaled(const Number& coefficient, std::vector<NodeId> factors) {
   if (coefficient.is_zero()) return number(0);
-  if (ids.empty()) return number(coefficient);
-  if (ids.size() == 1 && coefficient.is_one()) return {*this, ids[0]};
-  if (const auto* only = std::get_if<Sum>(&nodes_[ids[0]]);
-      only != nullptr && ids.size() == 1 && coefficient == Number(-1)) {
+  if (factors.empty()) return number(coefficient);
+  if (factors.size() == 1 && coefficient.is_one()) return {*this, factors[0]};
+  if (const auto* only = std::get_if<Sum>(&nodes_[factors[0]]);
+      only != nullptr && factors.size() == 1 && coefficient == Number(-1)) {
     std::vector<Expression> terms;  // a sign goes into a sum: -(x - y) = y - x
     for (const NodeId id : only->terms) terms.push_back(-Expression(*this, id));
     return sum(terms);
   }
-  return intern(Product{coefficient, std::move(ids)});
+  return intern(Product{coefficient, std::move(factors)});
 }
 
 Expression Graph::power(const Expression& base, const Number& exponent) {
@@ -217,16 +260,18 @@ Expression operator*(const Expression& a, const Expression& b) {
 Expression operator/(const Expression& a, const Expression& b) { return a * pow(b, Number(-1)); }
 
 Expression operator*(const Number& a, const Expression& b) {
-  return a.is_one() ? b : b.graph().number(a) * b;
+  if (a.is_one()) return b;
+  Graph& graph = b.graph();
+  const Expression number = graph.number(a);
+  const auto* product = std::get_if<Product>(&b.node());
+  return product != nullptr ? graph.scaled(a * product->coefficient, product->factors) : number * b;
 }
 
 Scaled split_coefficient(const Expression& e) {
   if (const Number* number = e.number()) return {*number, e.graph().number(1)};
   const auto* product = std::get_if<Product>(&e.node());
   if (product == nullptr || product->coefficient.is_one()) return {Number(1), e};
-  std::vector<Expression> factors;
-  for (const NodeId id : product->factors) factors.emplace_back(e.graph(), id);
-  return {product->coefficient, e.graph().product(factors)};
+  return {product->coefficient, e.graph().scaled(Number(1), product->factors)};
 }
 
 Raised split_power(const Expression& e) {

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -22,7 +23,9 @@
 
 namespace qdot {
 
+class BracketMemory;
 class Graph;
+struct Scaled;
 
 /// Handle to a node: cheap to copy, compared by structure. It must not outlive its graph.
 class Expression {
@@ -57,6 +60,11 @@ class Graph {
   static constexpr std::size_t max_nodes = 200'000;
 
   Graph();
+  Graph(const Graph& other);
+  Graph(Graph&& other) noexcept;
+  Graph& operator=(const Graph& other);
+  Graph& operator=(Graph&& other) noexcept;
+  ~Graph();
   [[nodiscard]] Expression number(const Number& value);
   /// The symbol `name`, made on first use. A difference leads with the symbol that was made first:
   /// theta - gamma.
@@ -78,13 +86,23 @@ class Graph {
     simplified_.emplace(e.id(), form.id());
   }
 
+  /// What factored_form() made of brackets. Copies of the graph start without.
+  [[nodiscard]] BracketMemory& brackets();
+  void forget_brackets();
+
  private:
+  friend Expression operator*(const Number& a, const Expression& b);
+  friend Scaled split_coefficient(const Expression& e);
+
   [[nodiscard]] Expression intern(Node node);
+  /// coefficient times what a product can have for its factors, in their order.
+  [[nodiscard]] Expression scaled(const Number& coefficient, std::vector<NodeId> factors);
 
   std::deque<Node> nodes_;  // a deque: references to nodes stay good while nodes are added
   std::vector<Length> lengths_;
   std::unordered_multimap<std::size_t, NodeId> index_;
   std::unordered_map<NodeId, NodeId> simplified_;
+  std::unique_ptr<BracketMemory> brackets_;
 };
 
 /// What is compared to find the shorter of two forms: an operation counts two, a coefficient that is not a

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/expr/bracket_memory.hpp"
+
 namespace qdot {
 namespace {
 
@@ -14,13 +16,12 @@ constexpr int compared_levels = 4;
 /// A level of brackets, and in how many levels from there on alternatives are compared.
 struct FactorLevel {
   Graph& graph;
-  FactoredForms::Grouped& known;
   int depth{compared_levels};
-  [[nodiscard]] FactorLevel inside() const { return {graph, known, std::max(depth - 1, 0)}; }
+  [[nodiscard]] FactorLevel inside() const { return {graph, std::max(depth - 1, 0)}; }
 };
 
 Expression factored_form(FactorLevel level, const Polynomial& polynomial);
-Expression grouped(FactorLevel level, const Polynomial& polynomial);
+Expression primitive(FactorLevel level, const Polynomial& polynomial);
 
 Number size_of(const Number& number) { return number.is_negative() ? -number : number; }
 
@@ -42,18 +43,25 @@ bool all_negative(const Polynomial& polynomial) {
 /// Numbers worth taking out: the commonest and the least coefficient, one, and what divides them all.
 std::vector<Number> numeric_factors(const Polynomial& polynomial) {
   if (polynomial.size() > most_compared) return {common_coefficient(polynomial).value_or(Number(1))};
-  Number least = size_of(polynomial.begin()->second);
-  Number divisor = least;
-  std::map<Number, int> times;
+  std::vector<Number> sizes;
+  Number divisor = size_of(polynomial.begin()->second);
   for (const auto& [monomial, coefficient] : polynomial) {
-    least = std::min(least, size_of(coefficient));
     if (!divisor.is_one() || !coefficient.is_integer()) divisor = gcd(divisor, coefficient);
-    ++times[size_of(coefficient)];
+    sizes.push_back(size_of(coefficient));
   }
-  const auto commonest = std::max_element(times.begin(), times.end(),
-                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::ranges::sort(sizes, std::less<>());
+  auto commonest = sizes.begin();
+  std::ptrdiff_t most = 0;
+  for (auto at = sizes.begin(); at != sizes.end();) {
+    const auto end = std::find_if(at, sizes.end(), [&](const Number& size) { return !(size == *at); });
+    if (end - at > most) {
+      most = end - at;
+      commonest = at;
+    }
+    at = end;
+  }
   std::vector<Number> factors;
-  for (const Number& number : {commonest->first, least, Number(1), divisor}) {
+  for (const Number& number : {*commonest, sizes.front(), Number(1), divisor}) {
     if (std::find(factors.begin(), factors.end(), number) == factors.end()) factors.push_back(number);
   }
   return factors;
@@ -108,14 +116,6 @@ std::optional<Atom> most_shared_below(const Graph& graph, const Polynomial& poly
   return most->second.atom;
 }
 
-/// The polynomial without its common monomial and number.
-Expression primitive(FactorLevel level, const Polynomial& polynomial) {
-  if (polynomial.size() > 2) {
-    if (const auto root = exact_root(polynomial)) return pow(factored_form(level, *root), Number(2));
-  }
-  return grouped(level, polynomial);
-}
-
 /// polynomial = common (rest), with the number in front that makes the whole shortest.
 Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, const Monomial& common) {
   const Number sign(all_negative(polynomial) ? -1 : 1);
@@ -124,8 +124,9 @@ Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, c
   Expression best;
   std::size_t least = static_cast<std::size_t>(-1);
   for (const Number& number : numbers_in_front(level, rest)) {
-    const Expression bracket =
-        primitive(level.inside(), number.is_one() ? rest : scaled(rest, {}, Number(1) / number));
+    const Expression bracket = number.is_one()
+                                   ? primitive(level.inside(), rest)
+                                   : primitive(level.inside(), scaled(rest, {}, Number(1) / number));
     const Expression candidate = (sign * number) * front * bracket;
     const std::size_t cost = written_length(candidate);
     if (cost < least) {
@@ -136,22 +137,22 @@ Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, c
   return best;
 }
 
-Polynomial terms_with(const Polynomial& polynomial, const Atom& atom) {
-  Polynomial found;
+/// The terms that have the atom, or one of its powers of the same sign, and the others.
+std::pair<Polynomial, Polynomial> split_by(const Polynomial& polynomial, const Atom& atom) {
+  std::pair<Polynomial, Polynomial> parts;
   for (const auto& [monomial, coefficient] : polynomial) {
     const bool has = std::any_of(monomial.begin(), monomial.end(), [&](const Atom& a) {
       return a.base == atom.base && (a.p > 0) == (atom.p > 0);
     });
-    if (has) found.emplace_hint(found.end(), monomial, coefficient);
+    Polynomial& part = has ? parts.first : parts.second;
+    part.emplace_hint(part.end(), monomial, coefficient);
   }
-  return found;
+  return parts;
 }
 
 /// The terms that share the atom in a bracket of their own, the others beside it.
 Expression grouped_by(FactorLevel level, const Polynomial& polynomial, const Atom& atom) {
-  const Polynomial group = terms_with(polynomial, atom);
-  Polynomial others = polynomial;
-  add(others, group, Number(-1));
+  const auto [group, others] = split_by(polynomial, atom);
   if (others.empty()) return with_common_factor(level, polynomial, Monomial{atom});
   const Monomial front = common_monomial(group);
   const Polynomial bracket = scaled(group, inverse(front), 1);
@@ -185,11 +186,22 @@ Expression best_grouped(FactorLevel level, const Polynomial& polynomial) {
   return written_length(other) < written_length(best) ? other : best;
 }
 
-Expression grouped(FactorLevel level, const Polynomial& polynomial) {
-  if (polynomial.size() > most_compared || level.depth == 0) return best_grouped(level, polynomial);
-  const FactoredForms::Bracket bracket{level.depth, polynomial};
-  if (const auto found = level.known.find(bracket); found != level.known.end()) return found->second;
-  return level.known.emplace(bracket, best_grouped(level, polynomial)).first->second;
+Expression squared_or_grouped(FactorLevel level, const Polynomial& polynomial) {
+  if (polynomial.size() > 2) {
+    if (const auto root = exact_root(polynomial)) return pow(factored_form(level, *root), Number(2));
+  }
+  return best_grouped(level, polynomial);
+}
+
+/// The polynomial without its common monomial and number.
+Expression primitive(FactorLevel level, const Polynomial& polynomial) {
+  if (polynomial.size() > most_compared) return squared_or_grouped(level, polynomial);
+  BracketMemory& memory = level.graph.brackets();
+  const BracketMemory::Key key = BracketMemory::key(level.depth, polynomial);
+  if (const auto known = memory.form_of(key)) return {level.graph, *known};
+  const Expression form = squared_or_grouped(level, polynomial);
+  memory.keep(key, form);
+  return form;
 }
 
 Expression factored_form(FactorLevel level, const Polynomial& polynomial) {
@@ -204,19 +216,8 @@ Expression factored_form(FactorLevel level, const Polynomial& polynomial) {
 
 }  // namespace
 
-bool FactoredForms::InOrder::operator()(const Bracket& a, const Bracket& b) const {
-  if (a.first != b.first) return a.first < b.first;
-  return std::ranges::lexicographical_compare(a.second, b.second, [](const auto& x, const auto& y) {
-    return x.first != y.first ? LeadingFirst()(x.first, y.first) : x.second < y.second;
-  });
-}
-
-Expression FactoredForms::operator()(const Polynomial& polynomial) {
-  return factored_form(FactorLevel{graph_, grouped_}, polynomial);
-}
-
 Expression factored_form(Graph& graph, const Polynomial& polynomial) {
-  return FactoredForms(graph)(polynomial);
+  return factored_form(FactorLevel{graph}, polynomial);
 }
 
 Expression collected_form(Graph& graph, const Polynomial& polynomial, std::span<const Expression> symbols) {

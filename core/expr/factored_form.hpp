@@ -1,9 +1,7 @@
 #pragma once
 // Multiplied-out expressions written short again, with common factors in front of brackets.
 
-#include <map>
 #include <span>
-#include <utility>
 
 #include "core/expr/polynomial.hpp"
 
@@ -13,25 +11,8 @@ namespace qdot {
 /// grouped by the factor that most terms share, a bracket that divides the rest shared with it. A factor in
 /// front of terms whose coefficients are not whole multiples of one is taken out only where that spares three
 /// factors, as textbooks do: 1/2 m W^2 q^2 + 3/4 m r^2 W^2 stays, -3/2 m g l cos a - m g l cos b does not.
+/// The graph remembers its brackets (bracket_memory.hpp), so that each is grouped once.
 [[nodiscard]] Expression factored_form(Graph& graph, const Polynomial& polynomial);
-
-/// The forms of several polynomials that have brackets in common: each bracket is grouped once.
-class FactoredForms {
- public:
-  explicit FactoredForms(Graph& graph) : graph_(graph) {}
-  [[nodiscard]] Expression operator()(const Polynomial& polynomial);
-
-  /// A bracket, and in how many levels of it alternatives are compared.
-  using Bracket = std::pair<int, Polynomial>;
-  struct InOrder {
-    bool operator()(const Bracket& a, const Bracket& b) const;
-  };
-  using Grouped = std::map<Bracket, Expression, InOrder>;
-
- private:
-  Graph& graph_;
-  Grouped grouped_;
-};
 
 /// The same, as a sum over the monomials in `symbols` with a factored coefficient each: the kinetic energy by
 /// its velocities. A factor that all the coefficients share is taken out in front.

@@ -28,14 +28,22 @@ constexpr std::int64_t largest_small = std::int64_t{1} << 53;
 
 bool is_small(Wide integer) { return integer <= largest_small && -integer <= largest_small; }
 
+bool fits_a_word(Wide integer) { return integer == static_cast<std::int64_t>(integer); }
+
 Wide greatest_divisor(Wide a, Wide b) {
-  if (a < 0) a = -a;
-  while (b != 0) {
+  while (!fits_a_word(a) || !fits_a_word(b)) {
+    if (b == 0) return a < 0 ? -a : a;
     const Wide rest = a % b;
     a = b;
     b = rest;
   }
-  return a;
+  return std::gcd(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
+}
+
+/// sqrt(n) of 0 <= n <= 2^53, if it is whole: these roots of doubles are correctly rounded.
+std::optional<std::int64_t> whole_root(std::int64_t n) {
+  const auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
+  return root * root == n ? std::optional(root) : std::nullopt;
 }
 
 static_assert(sizeof(long) == sizeof(std::int64_t), "GMP takes long");
@@ -174,8 +182,10 @@ struct Arithmetic {
       q = -q;
     }
     const Wide divisor = greatest_divisor(p, q);
-    p /= divisor;
-    q /= divisor;
+    if (divisor != 1) {
+      p /= divisor;
+      q /= divisor;
+    }
     if (!is_small(p) || !is_small(q)) return large(mpq_class(integer_of(p), integer_of(q)));
     Number result;
     result.small_ = {static_cast<std::int64_t>(p), static_cast<std::int64_t>(q)};
@@ -211,7 +221,13 @@ struct Arithmetic {
   }
 };
 
-Number::Number(std::int64_t integer) { *this = Arithmetic::small_or_large(integer, 1); }
+Number::Number(std::int64_t integer) {
+  if (is_small(integer)) {
+    small_.numerator = integer;
+  } else {
+    *this = Arithmetic::small_or_large(integer, 1);
+  }
+}
 
 Number Number::ratio(std::int64_t p, std::int64_t q) { return Arithmetic::small_or_large(p, q); }
 
@@ -357,6 +373,12 @@ Number power(const Number& base, int exponent) {
 }
 
 Number gcd(const Number& a, const Number& b) {
+  if (a.large_ == nullptr && b.large_ == nullptr) {
+    const Fraction x = a.small_, y = b.small_;
+    const Wide shared = std::gcd(x.denominator, y.denominator);
+    return Arithmetic::small_or_large(std::gcd(x.numerator, y.numerator),
+                                      x.denominator / shared * y.denominator);
+  }
   const mpq_class x = Arithmetic::rational_of(a);
   const mpq_class y = Arithmetic::rational_of(b);
   // Of numbers in lowest terms these are in lowest terms again.
@@ -365,6 +387,10 @@ Number gcd(const Number& a, const Number& b) {
 
 std::optional<Number> exact_root(const Number& square) {
   if (square.is_negative()) return std::nullopt;
+  if (square.large_ == nullptr) {
+    const auto p = whole_root(square.small_.numerator), q = whole_root(square.small_.denominator);
+    return p && q ? std::optional(Number::ratio(*p, *q)) : std::nullopt;
+  }
   const mpq_class x = Arithmetic::rational_of(square);
   const bool exact = mpz_perfect_square_p(x.get_num().get_mpz_t()) != 0 &&
                      mpz_perfect_square_p(x.get_den().get_mpz_t()) != 0;

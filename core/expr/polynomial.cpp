@@ -32,6 +32,11 @@ class Expander {
  public:
   explicit Expander(Graph& graph) : graph_(graph) {}
 
+  Polynomial whole(const Expression& e) {
+    (void)(*this)(e.id());
+    return std::move(done_.at(e.id()));
+  }
+
   const Polynomial& operator()(NodeId id) {
     const auto found = done_.find(id);
     if (found != done_.end()) return found->second;
@@ -49,13 +54,27 @@ class Expander {
                      for (const NodeId term : x.terms) add(sum, (*this)(term));
                      return sum;
                    },
-                   [&](const Product& x) {
-                     Polynomial product = constant(x.coefficient);
-                     for (const NodeId factor : x.factors) product = product * (*this)(factor);
-                     return with_roots_opened(std::move(product));
-                   },
+                   [&](const Product& x) { return with_roots_opened(product_of(x)); },
                    [&](const Power& x) { return raised(id, x); }, [&](const Call& x) { return called(x); }},
         graph_.node(id));
+  }
+
+  Polynomial product_of(const Product& x) {
+    Monomial monomial;
+    Number coefficient = x.coefficient;
+    std::vector<const Polynomial*> sums;
+    for (const NodeId id : x.factors) {
+      const Polynomial& factor = (*this)(id);
+      if (factor.size() != 1) {
+        sums.push_back(&factor);
+        continue;
+      }
+      monomial = monomial * factor.begin()->first;
+      coefficient = coefficient * factor.begin()->second;
+    }
+    Polynomial product{{std::move(monomial), coefficient}};
+    for (const Polynomial* sum : sums) product = product * *sum;
+    return product;
   }
 
   static Polynomial constant(const Number& value) {
@@ -98,20 +117,28 @@ class Expander {
                                                      : (*this)(again.id());
   }
 
+  [[nodiscard]] bool is_opened(const Atom& a) const {
+    const Node& base = graph_.node(a.base);
+    const bool plain = std::holds_alternative<Symbol>(base) || std::holds_alternative<Call>(base) ||
+                       (std::holds_alternative<Sum>(base) && a.p < 0);
+    return a.q == 1 && !plain;
+  }
+
   /// sqrt(x + y) sqrt(x + y) has become an atom (x + y)^1: such atoms are no atoms any more.
   Polynomial with_roots_opened(Polynomial polynomial) {
+    const bool nothing_opens = std::ranges::none_of(polynomial, [&](const auto& term) {
+      return std::ranges::any_of(term.first, [&](const Atom& a) { return is_opened(a); });
+    });
+    if (nothing_opens) return polynomial;
     Polynomial result;
     for (const auto& [monomial, coefficient] : polynomial) {
       Monomial kept;
       Polynomial opened = constant(coefficient);
       for (const Atom& a : monomial) {
-        const Node& base = graph_.node(a.base);
-        const bool plain = std::holds_alternative<Symbol>(base) || std::holds_alternative<Call>(base) ||
-                           (std::holds_alternative<Sum>(base) && a.p < 0);
-        if (a.q != 1 || plain) {
-          kept.push_back(a);
-        } else {
+        if (is_opened(a)) {
           opened = opened * (*this)(graph_.power({graph_, a.base}, Number(a.p)).id());
+        } else {
+          kept.push_back(a);
         }
       }
       add(result, scaled(opened, kept, 1));
@@ -213,7 +240,7 @@ Polynomial scaled(const Polynomial& a, const Monomial& monomial, const Number& c
   return result;
 }
 
-Polynomial multiplied_out(const Expression& e) { return Expander(e.graph())(e.id()); }
+Polynomial multiplied_out(const Expression& e) { return Expander(e.graph()).whole(e); }
 
 Expression to_expression(Graph& graph, const Monomial& monomial) {
   std::vector<Expression> factors;
@@ -243,67 +270,71 @@ Expression expand(const Expression& e) { return to_expression(e.graph(), multipl
 Monomial common_monomial(const Polynomial& polynomial) {
   Monomial common = polynomial.begin()->first;
   for (const auto& [monomial, coefficient] : polynomial) {
-    Monomial shared;
+    std::size_t kept = 0;
+    auto b = monomial.begin();
     for (const Atom& a : common) {
-      for (const Atom& b : monomial) {
-        if (a.base != b.base || (a.p > 0) != (b.p > 0)) continue;
-        const bool a_nearer_zero = less(std::abs(a.p), a.q, std::abs(b.p), b.q);
-        shared.push_back(a_nearer_zero ? a : b);
-      }
+      while (b != monomial.end() && b->base < a.base) ++b;
+      if (b == monomial.end()) break;
+      if (a.base != b->base || (a.p > 0) != (b->p > 0)) continue;
+      const bool a_nearer_zero = less(std::abs(a.p), a.q, std::abs(b->p), b->q);
+      common[kept++] = a_nearer_zero ? a : *b;
     }
-    common = std::move(shared);
+    common.resize(kept);
+    if (common.empty()) break;
   }
   return common;
 }
 
 namespace {
 
-/// By base, how far its exponents reach from term to term; none where they are not all whole.
-std::map<NodeId, std::optional<int>> exponent_spans(const Polynomial& polynomial) {
-  struct Range {
-    int least{}, largest{};
-    bool whole{true};
-    std::size_t terms{};
-  };
-  std::map<NodeId, Range> ranges;
+/// How far the exponents of a base reach from term to term.
+struct Span {
+  NodeId base{};
+  int least{}, largest{};
+  bool whole{true};  ///< they are all whole numbers
+  std::size_t terms{};
+};
+
+/// Of each base; a term without it has the exponent 0.
+std::vector<Span> exponent_spans(const Polynomial& polynomial) {
+  std::vector<Span> spans;
   for (const auto& [monomial, coefficient] : polynomial) {
     for (const Atom& atom : monomial) {
-      Range& range = ranges.try_emplace(atom.base, Range{atom.p, atom.p}).first->second;
-      range.least = std::min(range.least, atom.p);
-      range.largest = std::max(range.largest, atom.p);
-      range.whole = range.whole && atom.q == 1;
-      ++range.terms;
+      auto span = std::ranges::find(spans, atom.base, &Span::base);
+      if (span == spans.end()) span = spans.insert(spans.end(), Span{atom.base, atom.p, atom.p});
+      span->least = std::min(span->least, atom.p);
+      span->largest = std::max(span->largest, atom.p);
+      span->whole = span->whole && atom.q == 1;
+      ++span->terms;
     }
   }
-  std::map<NodeId, std::optional<int>> spans;
-  for (const auto& [base, range] : ranges) {
-    const bool everywhere = range.terms == polynomial.size();
-    const int least = everywhere ? range.least : std::min(range.least, 0);
-    const int largest = everywhere ? range.largest : std::max(range.largest, 0);
-    spans.emplace(base, range.whole ? std::optional(largest - least) : std::nullopt);
+  for (Span& span : spans) {
+    if (span.terms == polynomial.size()) continue;
+    span.least = std::min(span.least, 0);
+    span.largest = std::max(span.largest, 0);
   }
   return spans;
 }
 
 /// The degrees of factors add up, in every base and from both ends: what reaches farther than a is no factor.
 bool may_be_factor(const Polynomial& b, const Polynomial& a) {
-  const std::map<NodeId, std::optional<int>> of_a = exponent_spans(a);
-  return std::ranges::all_of(exponent_spans(b), [&](const auto& entry) {
-    const auto& [base, span] = entry;
-    if (!span) return true;
-    const auto found = of_a.find(base);
-    if (found == of_a.end()) return *span == 0;
-    return !found->second || *span <= *found->second;
+  const std::vector<Span> of_a = exponent_spans(a);
+  return std::ranges::all_of(exponent_spans(b), [&](const Span& span) {
+    if (!span.whole) return true;
+    const int reach = span.largest - span.least;
+    const auto found = std::ranges::find(of_a, span.base, &Span::base);
+    if (found == of_a.end()) return reach == 0;
+    return !found->whole || reach <= found->largest - found->least;
   });
 }
 
 }  // namespace
 
 std::optional<Polynomial> exact_quotient(const Polynomial& a, const Polynomial& b) {
-  Polynomial rest = a;
   Polynomial quotient;
-  if (rest.empty()) return quotient;
+  if (a.empty()) return quotient;
   if (!may_be_factor(b, a)) return std::nullopt;
+  Polynomial rest = a;
   const Monomial leading_inverse = inverse(b.begin()->first);
   const Monomial last = a.rbegin()->first * inverse(b.rbegin()->first);
   const std::size_t most_terms = a.size() + b.size();
@@ -319,9 +350,10 @@ std::optional<Polynomial> exact_quotient(const Polynomial& a, const Polynomial& 
 }
 
 std::optional<Polynomial> exact_root(const Polynomial& a) {
-  const auto coefficient = exact_root(a.begin()->second);
   const auto monomial = exact_root(a.begin()->first);
-  if (!coefficient || !monomial) return std::nullopt;
+  if (!monomial || !exact_root(a.rbegin()->first)) return std::nullopt;  // the last terms multiply, too
+  const auto coefficient = exact_root(a.begin()->second);
+  if (!coefficient) return std::nullopt;
   Polynomial root{{*monomial, *coefficient}};
   Polynomial rest = a;
   add(rest, scaled(root, *monomial, *coefficient), Number(-1));

@@ -25,8 +25,8 @@ struct Candidate {
   std::size_t cost;
 };
 
-Candidate candidate(FactoredForms& forms, Polynomial polynomial) {
-  const Expression form = forms(polynomial);
+Candidate candidate(Graph& graph, Polynomial polynomial) {
+  const Expression form = factored_form(graph, polynomial);
   return {std::move(polynomial), form, written_length(form)};
 }
 
@@ -59,8 +59,7 @@ bool arguments_depend(Graph& graph, const Polynomial& polynomial) {
 Expression short_form(const Expression& e) {
   Graph& graph = e.graph();
   const Polynomial start = joined(graph, multiplied_out(e));
-  FactoredForms forms(graph);
-  Candidate best = candidate(forms, start);
+  Candidate best = candidate(graph, start);
   if (start.size() > most_terms_searched ||
       trigonometric_arguments(graph, start).size() > most_angles_searched) {
     return best.form;
@@ -68,7 +67,7 @@ Expression short_form(const Expression& e) {
   if (start.size() > 1 && arguments_depend(graph, start)) {
     const Polynomial opened = with_single_angles(graph, start);
     if (opened.size() <= most_terms_opened) {
-      Candidate other = candidate(forms, joined(graph, opened));
+      Candidate other = candidate(graph, joined(graph, opened));
       if (other.cost < best.cost) best = std::move(other);
     }
   }
@@ -78,7 +77,7 @@ Expression short_form(const Expression& e) {
     for (Polynomial& next : neighbours(graph, best.polynomial)) {
       if (std::ranges::find(tried, next) != tried.end()) continue;  // the way back, or a second way
       tried.push_back(next);
-      Candidate other = candidate(forms, std::move(next));
+      Candidate other = candidate(graph, std::move(next));
       if (other.cost >= best.cost) continue;
       best = std::move(other);
       improved = true;

@@ -43,9 +43,9 @@ NodeId partner_of(const Wave& wave) {
   return (wave.function == Function::sin ? cos(wave.argument) : sin(wave.argument)).id();
 }
 
-using Term = std::pair<Monomial, Number>;
+using Term = Polynomial::value_type;
 
-/// Both terms away, coefficient * rest * result in their place.
+/// Both terms away, coefficient * rest * result in their place. `first` may be the polynomial's own.
 void put(Polynomial& polynomial, const Monomial& first, const Monomial& second, const Expression& result,
          const Monomial& rest, const Number& coefficient) {
   const Polynomial replacement = scaled(multiplied_out(result), rest, coefficient);
@@ -78,8 +78,9 @@ bool join_square(Graph& graph, Polynomial& polynomial, const Term& term) {
 /// cos u cos v + sin u sin v = cos(u - v), sin u cos v - cos u sin v = sin(u - v), and the like with u + v.
 bool join_product(Graph& graph, Polynomial& polynomial, const Term& term) {
   const auto& [monomial, coefficient] = term;
-  for (const Wave& u : waves(graph, monomial)) {
-    for (const Wave& v : waves(graph, monomial)) {
+  const std::vector<Wave> all = waves(graph, monomial);
+  for (const Wave& u : all) {
+    for (const Wave& v : all) {
       const bool usable = v.function == Function::cos && u.argument != v.argument &&
                           (u.function == Function::sin || u.id < v.id);
       if (!usable) continue;
@@ -115,8 +116,8 @@ bool join_double_angle(Graph& graph, Polynomial& polynomial, const Term& term) {
 
 bool join_once(Graph& graph, Polynomial& polynomial) {
   for (const auto rule : {join_square, join_product, join_double_angle}) {
-    for (const auto& [monomial, coefficient] : polynomial) {
-      if (rule(graph, polynomial, {monomial, coefficient})) return true;
+    for (const Term& term : polynomial) {
+      if (rule(graph, polynomial, term)) return true;
     }
   }
   return false;
@@ -172,6 +173,13 @@ Expression of_single_angles(Function function, const Expression& argument) {
   const Expression rest_sine = of_single_angles(Function::sin, rest);
   return function == Function::cos ? cosine * rest_cosine - sine * rest_sine
                                    : sine * rest_cosine + cosine * rest_sine;
+}
+
+Polynomial with_single_angles(Graph& graph, const Atom& atom) {
+  const auto* call = std::get_if<Call>(&graph.node(atom.base));
+  const bool opens = call != nullptr && is_trigonometric(*call) && atom.q == 1 && atom.p > 0;
+  return multiplied_out(opens ? pow(of_single_angles(call->function, {graph, call->argument}), Number(atom.p))
+                              : pow(Expression(graph, atom.base), Number::ratio(atom.p, atom.q)));
 }
 
 }  // namespace
@@ -241,17 +249,16 @@ std::optional<Polynomial> trigonometric_quotient(Graph& graph, const Polynomial&
 }
 
 Polynomial with_single_angles(Graph& graph, const Polynomial& polynomial) {
+  std::vector<std::pair<Atom, Polynomial>> opened;
+  const auto single = [&](const Atom& atom) -> const Polynomial& {
+    const auto known = std::ranges::find(opened, atom, &std::pair<Atom, Polynomial>::first);
+    if (known != opened.end()) return known->second;
+    return opened.emplace_back(atom, with_single_angles(graph, atom)).second;
+  };
   Polynomial result;
   for (const auto& [monomial, coefficient] : polynomial) {
     Polynomial product{{Monomial{}, coefficient}};
-    for (const Atom& atom : monomial) {
-      const auto* call = std::get_if<Call>(&graph.node(atom.base));
-      const bool opens = call != nullptr && is_trigonometric(*call) && atom.q == 1 && atom.p > 0;
-      const Expression factor =
-          opens ? pow(of_single_angles(call->function, {graph, call->argument}), Number(atom.p))
-                : pow(Expression(graph, atom.base), Number::ratio(atom.p, atom.q));
-      product = product * multiplied_out(factor);
-    }
+    for (const Atom& atom : monomial) product = product * single(atom);
     add(result, product);
   }
   for (const Expression& u : trigonometric_arguments(graph, result)) {

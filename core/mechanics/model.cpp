@@ -105,6 +105,7 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   for (const ParsedCondition& report : model->parsed.reports) {
     model->reports.push_back(quantity_of(model->lagrangian, report));
   }
+  model->lagrangian.graph->forget_brackets();  // a model lives long, and asks little of them
   return model;
 }
 

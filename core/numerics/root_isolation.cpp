@@ -31,7 +31,7 @@ class Isolator {
     for (std::size_t boxes = 0; !waiting_.empty(); ++boxes) {
       if (boxes == most_boxes) {
         result.complete = false;
-        look_for_zeros_in_what_is_left(std::min(most_starts, most_boxes / boxes_per_start));
+        look_for_zeros_in_what_is_left(region, std::min(most_starts, most_boxes / boxes_per_start));
         break;
       }
       examine(pop());
@@ -85,11 +85,12 @@ class Isolator {
     return box;
   }
 
-  /// What was not finished may still show zeros: those to which Newton's iteration leads from some middles.
-  void look_for_zeros_in_what_is_left(std::size_t starts) {
+  /// What was not finished may still show zeros: those of the region to which Newton's iteration leads from
+  /// some middles.
+  void look_for_zeros_in_what_is_left(const Box& region, std::size_t starts) {
     for (std::size_t i = 0; i < starts && !waiting_.empty(); ++i) {
       const std::optional<Box> start = newton(middle(pop()));
-      if (!start) continue;
+      if (!start || !overlap(*start, region)) continue;
       const Box around = around_point(*start, 1e-6);
       Box contracted = krawczyk(around);
       if (!is_settled(contracted) && inside(contracted, around)) settle(around, std::move(contracted));

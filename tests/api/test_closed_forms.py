@@ -1,5 +1,6 @@
 """Closed forms over HTTP, read by SymPy: against the practice sheet, hand-written matrices and the answers' own numbers."""
 
+import json
 import pathlib
 import random
 import sys
@@ -11,13 +12,15 @@ import sympy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, strict_json  # noqa: E402
+from running_qdot import qdot  # noqa: E402  (service.py names its directory)
+from short_scene import DOWN_3D, G, lagrangian, particle, scene  # noqa: E402
 
 SETS = 1000  # of random parameters that a formula is held against
 ROUND_OFF = 1e-12  # relative: what double precision leaves of an eigenvalue
 
 
 def symbols_of(*texts):
-    names = {"m", "M", "l", "g", "k", "l0", "r", "R", "Omega", "omega0", "gamma", "theta", "phi", "psi"}
+    names = {"m", "M", "l", "g", "k", "l0", "r", "R", "Omega", "omega0", "gamma", "theta", "phi", "psi", "a", "b", "c", "F", "E"}
     return {name: sympy.Symbol(name, real=True) for name in names}
 
 
@@ -37,6 +40,32 @@ def same(form, expected):
     names = symbols_of()
     positive = {symbol: sympy.Symbol(name, positive=True) for name, symbol in names.items()}
     return sympy.simplify((read(form) - sympy.sympify(expected, locals=names)).subs(positive)) == 0
+
+
+ON_A_SHAFT = [["l*sin(theta)"], ["l*sin(theta)", "l*sin(phi)"]]
+# Scene, parameter that moves, its range, and the critical values by hand: a bead between a spring and a current, a plate
+# pulled in (Nathanson), a loaded double well, two pendulums on a shaft, a molecule torn apart, and polynomials.
+CRITICAL = [
+    (scene("current", "m kg 1; k N/m 5; a m 1; c J 0.5", "x m 0.1", bodies=[particle("m", "x", "0")],
+           potential="k/2*x^2 + c*log((a - x)/a)"), "c", 0.1, 3, ["k*a**2/4"]),
+    (scene("plate", "m kg 1; k N/m 5; a m 1; c N*m^2 0.2", "x m 0.1", bodies=[particle("m", "x", "0")],
+           potential="k/2*x^2 - c/(a - x)"), "c", 0.1, 3, ["4*k*a**3/27"]),
+    (scene("well", "m kg 1; a N/m 3; b N/m^3 2; F N 1", "x m 1", bodies=[particle("m", "x", "0")],
+           potential="b*x^4/4 - a*x^2/2 - F*x"), "F", -5, 5, ["-2*a/3*sqrt(a/(3*b))", "2*a/3*sqrt(a/(3*b))"]),
+    (scene("shaft", f"m kg 1; l m 1; Omega rad/s 1; {G}", "theta rad 0.1; phi rad 0.1", gravity=DOWN_3D,
+           bodies=[particle("m", f"({' + '.join(out)})*cos(Omega*t)", f"({' + '.join(out)})*sin(Omega*t)",
+                            f"-({' + '.join(out)})".replace("sin", "cos")) for out in ON_A_SHAFT]),
+     "Omega", 1, 4, ["sqrt((2 - sqrt(2))*g/l)"]),
+    (scene("atoms", "m kg 1; E J 1; l m 1; F N 1", "r m 1.1", bodies=[particle("m", "r", "0")],
+           potential="4*E*((l/r)^12 - (l/r)^6) - F*r"), "F", 0.1, 30, ["504*E/(169*l)*(7/26)**(1/6)"]),
+    (lagrangian("sextic", "a - 1; b - 2", "x - 1", "x_dot^2/2 - a*x^2/2 - x^6/6 + b*x^4/4"), "a", 0.1, 5,
+     ["b**2/4", "b**2/4"]),
+]
+
+
+def by_command(request):
+    """Of the command line, which may work longer than a service shared by many."""
+    return strict_json(qdot("bifurcations", stdin=json.dumps(request)).stdout)
 
 
 class ClosedForms(Service):
@@ -185,6 +214,28 @@ class ClosedForms(Service):
         self.assertEqual([c["exact"]["text"] for c in found["critical"]], ["sqrt(g/l)"])
         found = self.ask("bifurcations", {"system": "whirling_pendulum", "parameter": "l", "from": 0.1, "to": 1})
         self.assert_same(found["critical"][0]["exact"], "g/Omega**2")
+
+    def test_the_critical_values_of_other_problems(self):
+        for system, parameter, low, high, expected in CRITICAL:
+            for factor in (1, 1.2, 0.9):  # of the others: the same formulas
+                others = {p["name"]: factor*float(p["default"]) for p in system["parameters"] if p["name"] != parameter}
+                found = by_command({"system": system, "parameter": parameter, "from": low, "to": high, "parameters": others})
+                with self.subTest(scene=system["name"], factor=factor):
+                    self.assertEqual(len(found["critical"]), len(expected))
+                    for critical, by_hand in zip(found["critical"], expected):
+                        self.assert_same(critical["exact"], by_hand)
+                        off = abs(value(critical["exact"], found["request"]["parameters"]) - critical["value"])
+                        self.assertLessEqual(off, critical["error"]*1.01 + 1e-15)
+
+    def test_angles_of_critical_points_lie_within_a_turn(self):
+        """The search is given up at the singularity above; what it has seen elsewhere is the same point, turns away."""
+        between = [["0", "R"], ["R*sin(theta)", "-R*cos(theta)"]]
+        hoop = scene("hoop", f"m kg 1; R m 1; k N/m 30; l0 m 0.4; {G}", "theta rad 0.1", gravity=["0", "-g"],
+                     bodies=[particle("m", *between[1])],
+                     springs=[{"stiffness": "k", "between": between, "rest_length": "l0"}])
+        found = by_command({"system": hoop, "parameter": "k", "from": 1, "to": 90})
+        self.assertEqual([(c["kind"], c["state"]["theta"]) for c in found["critical"]], [("pitchfork", 0)])
+        self.assert_same(found["critical"][0]["exact"], "2*m*g/(2*R - l0)")
 
     def test_the_turning_points_of_the_seventh_problem(self):
         found = self.ask("turning_points", {"system": "orbiting_pendulum"})

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/expr/bracket_memory.hpp"
 #include "core/expr/factored_form.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/parse.hpp"
@@ -50,17 +51,41 @@ TEST(Simplify, IsTheSameAgainAndInACopyOfTheGraph) {
   }
 }
 
-TEST(FactoredForms, AreThoseThatEachHasAlone) {
+TEST(FactoredForm, IsTheSameWithoutWhatTheGraphRemembers) {
   test::Random random(28);
   for (int i = 0; i < 50; ++i) {
     Graph graph;
-    FactoredForms forms(graph);
     for (int k = 0; k < 4; ++k) {
       const Polynomial p = multiplied_out(test::random_polynomial(random, graph, 6));
       if (p.empty()) continue;
-      EXPECT_EQ(forms(p), factored_form(graph, p));
+      const Expression form = factored_form(graph, p);
+      EXPECT_EQ(factored_form(graph, p), form);
+      graph.forget_brackets();
+      EXPECT_EQ(factored_form(graph, p), form);
     }
   }
+}
+
+TEST(BracketMemory, KnowsAPolynomialOnlyAtItsLevel) {
+  Graph graph;
+  const Polynomial p = multiplied_out(parse("x*l + x*m + g/2", graph, names));
+  BracketMemory memory;
+  memory.keep(BracketMemory::key(2, p), graph.symbol("x"));
+  EXPECT_EQ(memory.form_of(BracketMemory::key(2, p)), graph.symbol("x").id());
+  EXPECT_FALSE(memory.form_of(BracketMemory::key(1, p)));
+  EXPECT_FALSE(memory.form_of(BracketMemory::key(2, scaled(p, {}, Number(2)))));
+  EXPECT_FALSE(memory.form_of(BracketMemory::key(2, multiplied_out(parse("x*l + x*m", graph, names)))));
+}
+
+TEST(BracketMemory, StaysBehindWhenAGraphIsCopied) {
+  Graph graph;
+  const Polynomial p = multiplied_out(parse("x*l + x*m", graph, names));
+  const BracketMemory::Key key = BracketMemory::key(1, p);
+  graph.brackets().keep(key, graph.symbol("x"));
+  Graph copy = graph;
+  EXPECT_FALSE(copy.brackets().form_of(key));
+  copy.brackets().keep(key, copy.symbol("m"));
+  EXPECT_EQ(graph.brackets().form_of(key), graph.symbol("x").id());
 }
 
 TEST(Simplify, LeavesNoBracketWithAMinusInAllTerms) {

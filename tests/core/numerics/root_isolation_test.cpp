@@ -177,5 +177,17 @@ TEST(ZerosInABox, GivingUpIsSaid) {
   EXPECT_FALSE(isolate_zeros(flat, {Interval(-1, 1)}, {}, 3).complete);
 }
 
+TEST(ZerosInABox, OfASearchGivenUpNoneLieOutsideTheBox) {
+  const auto unless_wide = [](const Interval& x, const Interval& value) {
+    return x.width() < 1e-4 ? value : Interval(-100, 100);
+  };
+  const SquareSystem cosine{
+      1, [&](Span x, auto out) { out[0] = unless_wide(x[0], evaluate(Function::cos, x[0])); },
+      [&](Span x, auto out) { out[0] = unless_wide(x[0], -evaluate(Function::sin, x[0])); }};
+  const Isolation none = isolate_zeros(cosine, {Interval(-1.5, 1.2)}, {}, 120);
+  EXPECT_FALSE(none.complete);
+  EXPECT_TRUE(none.zeros.empty());
+}
+
 }  // namespace
 }  // namespace qdot
