@@ -30,8 +30,8 @@ std::optional<NodeId> BracketMemory::form_of(const Key& key) const {
   return std::nullopt;
 }
 
-void BracketMemory::keep(const Key& key, const Expression& form) {
-  kept_.emplace(key.hash, Kept{{key.levels, key.polynomial}, form.id()});
+void BracketMemory::keep(const Key& key, NodeId form) {
+  kept_.emplace(key.hash, Kept{{key.levels, key.polynomial}, form});
 }
 
 }  // namespace qdot

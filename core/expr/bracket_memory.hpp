@@ -5,7 +5,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "core/expr/polynomial.hpp"
+#include "core/expr/monomial.hpp"
 
 namespace qdot {
 
@@ -24,7 +24,7 @@ class BracketMemory {
   };
   [[nodiscard]] static Key key(int levels, const Polynomial& polynomial);
   [[nodiscard]] std::optional<NodeId> form_of(const Key& key) const;
-  void keep(const Key& key, const Expression& form);
+  void keep(const Key& key, NodeId form);
 
  private:
   struct Kept {

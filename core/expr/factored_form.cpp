@@ -200,7 +200,7 @@ Expression primitive(FactorLevel level, const Polynomial& polynomial) {
   const BracketMemory::Key key = BracketMemory::key(level.depth, polynomial);
   if (const auto known = memory.form_of(key)) return {level.graph, *known};
   const Expression form = squared_or_grouped(level, polynomial);
-  memory.keep(key, form);
+  memory.keep(key, form.id());
   return form;
 }
 

@@ -374,10 +374,9 @@ Number power(const Number& base, int exponent) {
 
 Number gcd(const Number& a, const Number& b) {
   if (a.large_ == nullptr && b.large_ == nullptr) {
-    const Fraction x = a.small_, y = b.small_;
-    const Wide shared = std::gcd(x.denominator, y.denominator);
-    return Arithmetic::small_or_large(std::gcd(x.numerator, y.numerator),
-                                      x.denominator / shared * y.denominator);
+    const auto [p, q] = a.small_;
+    const auto [r, s] = b.small_;
+    return Arithmetic::small_or_large(std::gcd(p, r), Wide{q} / std::gcd(q, s) * s);
   }
   const mpq_class x = Arithmetic::rational_of(a);
   const mpq_class y = Arithmetic::rational_of(b);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
@@ -12,20 +11,6 @@ namespace {
 
 constexpr std::size_t largest_polynomial = 5'000;
 constexpr int largest_exponent = 64;
-constexpr std::int64_t largest_sum_of_exponents = 1'000'000;
-
-/// a.p/a.q < b.p/b.q, where an absent atom has exponent 0.
-bool less(std::int64_t ap, std::int64_t aq, std::int64_t bp, std::int64_t bq) { return ap * bq < bp * aq; }
-
-Atom sum_of_exponents(const Atom& a, const Atom& b) {
-  const std::int64_t p = std::int64_t{a.p} * b.q + std::int64_t{b.p} * a.q;
-  const std::int64_t q = std::int64_t{a.q} * b.q;
-  const std::int64_t divisor = std::gcd(p, q);
-  if (std::abs(p / divisor) > largest_sum_of_exponents || q / divisor > largest_sum_of_exponents) {
-    throw Error(ErrorCode::too_large, "an exponent grows too large");
-  }
-  return {a.base, static_cast<int>(p / divisor), static_cast<int>(q / divisor)};
-}
 
 /// Terms of e by their nodes, multiplied out bottom-up with memory.
 class Expander {
@@ -161,55 +146,6 @@ std::optional<Monomial> exact_root(const Monomial& square) {
 
 }  // namespace
 
-bool LeadingFirst::operator()(const Monomial& a, const Monomial& b) const {
-  auto x = a.begin();
-  auto y = b.begin();
-  while (x != a.end() && y != b.end()) {
-    if (x->base < y->base) return x->p > 0;
-    if (y->base < x->base) return y->p < 0;
-    if (x->p != y->p || x->q != y->q) return less(y->p, y->q, x->p, x->q);
-    ++x;
-    ++y;
-  }
-  if (x != a.end()) return x->p > 0;
-  return y != b.end() && y->p < 0;
-}
-
-Monomial operator*(const Monomial& a, const Monomial& b) {
-  Monomial product;
-  product.reserve(a.size() + b.size());
-  auto x = a.begin();
-  auto y = b.begin();
-  while (x != a.end() || y != b.end()) {
-    if (y == b.end() || (x != a.end() && x->base < y->base)) {
-      product.push_back(*x++);
-    } else if (x == a.end() || y->base < x->base) {
-      product.push_back(*y++);
-    } else {
-      const Atom joined = sum_of_exponents(*x++, *y++);
-      if (joined.p != 0) product.push_back(joined);
-    }
-  }
-  return product;
-}
-
-Monomial inverse(const Monomial& a) {
-  Monomial result = a;
-  for (Atom& atom : result) atom.p = -atom.p;
-  return result;
-}
-
-Monomial times(const Monomial& a, NodeId base, int p, int q) {
-  return p == 0 ? a : a * Monomial{{base, p, q}};
-}
-
-int exponent_of(const Monomial& a, NodeId base) {
-  for (const Atom& atom : a) {
-    if (atom.base == base) return atom.q == 1 ? atom.p : 0;
-  }
-  return 0;
-}
-
 void add(Polynomial& sum, const Monomial& monomial, const Number& coefficient) {
   const auto [position, is_new] = sum.try_emplace(monomial, coefficient);
   if (is_new) return;
@@ -276,7 +212,8 @@ Monomial common_monomial(const Polynomial& polynomial) {
       while (b != monomial.end() && b->base < a.base) ++b;
       if (b == monomial.end()) break;
       if (a.base != b->base || (a.p > 0) != (b->p > 0)) continue;
-      const bool a_nearer_zero = less(std::abs(a.p), a.q, std::abs(b->p), b->q);
+      const bool a_nearer_zero =
+          has_less_exponent({a.base, std::abs(a.p), a.q}, {b->base, std::abs(b->p), b->q});
       common[kept++] = a_nearer_zero ? a : *b;
     }
     common.resize(kept);

@@ -221,8 +221,8 @@ class CriticalSearch {
     Equilibria found = at(p);
     if (!found.complete) {
       gave_up_ = true;
-      result_.complete = false;
-      result_.reason = found.reason;
+      incomplete("The branches end at " + dynamics_.model().scene.parameters[index_].name + " = " +
+                 short_text(p) + ", where not all equilibria are found: " + found.reason);
     }
     return std::move(found.states);
   }
