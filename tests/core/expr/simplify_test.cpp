@@ -70,7 +70,7 @@ TEST(BracketMemory, KnowsAPolynomialOnlyAtItsLevel) {
   Graph graph;
   const Polynomial p = multiplied_out(parse("x*l + x*m + g/2", graph, names));
   BracketMemory memory;
-  memory.keep(BracketMemory::key(2, p), graph.symbol("x"));
+  memory.keep(BracketMemory::key(2, p), graph.symbol("x").id());
   EXPECT_EQ(memory.form_of(BracketMemory::key(2, p)), graph.symbol("x").id());
   EXPECT_FALSE(memory.form_of(BracketMemory::key(1, p)));
   EXPECT_FALSE(memory.form_of(BracketMemory::key(2, scaled(p, {}, Number(2)))));
@@ -81,10 +81,10 @@ TEST(BracketMemory, StaysBehindWhenAGraphIsCopied) {
   Graph graph;
   const Polynomial p = multiplied_out(parse("x*l + x*m", graph, names));
   const BracketMemory::Key key = BracketMemory::key(1, p);
-  graph.brackets().keep(key, graph.symbol("x"));
+  graph.brackets().keep(key, graph.symbol("x").id());
   Graph copy = graph;
   EXPECT_FALSE(copy.brackets().form_of(key));
-  copy.brackets().keep(key, copy.symbol("m"));
+  copy.brackets().keep(key, copy.symbol("m").id());
   EXPECT_EQ(graph.brackets().form_of(key), graph.symbol("x").id());
 }
 
