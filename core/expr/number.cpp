@@ -28,10 +28,8 @@ constexpr std::int64_t largest_small = std::int64_t{1} << 53;
 
 bool is_small(Wide integer) { return integer <= largest_small && -integer <= largest_small; }
 
-bool fits_a_word(Wide integer) { return integer == static_cast<std::int64_t>(integer); }
-
 Wide greatest_divisor(Wide a, Wide b) {
-  while (!fits_a_word(a) || !fits_a_word(b)) {
+  while (!is_small(a) || !is_small(b)) {
     if (b == 0) return a < 0 ? -a : a;
     const Wide rest = a % b;
     a = b;

@@ -42,6 +42,13 @@ TEST(Number, StaysExactBeyondTheRangeOfIntegersThatAreDoubles) {
   EXPECT_EQ(power(written("1e-200"), 3) * power(written("1e200"), 3), Number(1));
 }
 
+TEST(Number, OfTheLeastIntegerIsInLowestTerms) {
+  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  EXPECT_EQ(Number::ratio(least, 6), Number::ratio(least / 2, 3));
+  EXPECT_EQ(Number::ratio(least, least), Number(1));
+  EXPECT_EQ(Number(least) + Number(least), Number(2) * Number(least));
+}
+
 TEST(Number, ADifferenceOfDecimalsIsWhatItIsOnPaper) {
   // In doubles 4e-22 and the 1e-12 are lost.
   const Number a = written("100.1") * written("100.1") * written("100.1");
