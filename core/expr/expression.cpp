@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 
 #include "core/base/error.hpp"
