@@ -5,6 +5,9 @@
 // Source: van der Hoeven, Ball arithmetic (2009); Johansson, Arb: efficient arbitrary-precision
 // midpoint-radius interval arithmetic, IEEE Trans. Comput. 66 (2017).
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/numerics/double_double.hpp"
 #include "core/numerics/function.hpp"
 #include "core/numerics/interval.hpp"
@@ -40,6 +43,17 @@ struct Ball {
 [[nodiscard]] inline Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
 [[nodiscard]] Ball operator*(const Ball& a, const Ball& b);
 [[nodiscard]] Ball operator/(const Ball& a, const Ball& b);
+
+/// a 2^exponent, which rounds nothing as long as nothing underflows.
+[[nodiscard]] inline Ball scaled(const Ball& a, int exponent) {
+  return {{std::ldexp(a.middle.high, exponent), std::ldexp(a.middle.low, exponent)},
+          std::ldexp(a.radius, exponent)};
+}
+/// k where 2^k is about |a|; 0 where that is 0.
+[[nodiscard]] inline int size_of(const Ball& a) {
+  const double size = std::abs(a.middle.high);
+  return size > 0 ? std::clamp(std::ilogb(size), -1000, 1000) : 0;
+}
 
 [[nodiscard]] inline Ball square(const Ball& a) { return a * a; }
 [[nodiscard]] Ball sqrt(const Ball& a);

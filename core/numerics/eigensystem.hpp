@@ -35,10 +35,7 @@ struct ComplexBall {
 [[nodiscard]] inline ComplexBall operator*(const ComplexBall& a, const ComplexBall& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
-[[nodiscard]] inline ComplexBall operator/(const ComplexBall& a, const ComplexBall& b) {
-  const Ball size = square(b.re) + square(b.im);
-  return {(a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size};
-}
+[[nodiscard]] ComplexBall operator/(const ComplexBall& a, const ComplexBall& b);
 
 [[nodiscard]] inline double magnitude(const Ball& a) { return a.magnitude(); }
 [[nodiscard]] inline double magnitude(const ComplexBall& a) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/error.hpp"
@@ -56,7 +57,7 @@ Eigensystem<Ball> none() { return {{}, {}, SquareMatrix<Ball>(0), {}, {}}; }
 
 ComplexBall conjugate_root(const ComplexBall& a) { return {a.re, -a.im}; }
 
-/// One coordinate: s = (-D +- sqrt(D^2 - 4 M K))/(2 M), also where both are one.
+/// m s^2 + d s + k = 0: s = (-d +- sqrt(d^2 - 4 m k))/(2 m), also where both are one.
 Eigensystem<ComplexBall> quadratic_roots(const Ball& m, const Ball& d, const Ball& k) {
   const Ball discriminant = square(d) - Ball(4) * m * k;
   Eigensystem<ComplexBall> result{{}, {}, SquareMatrix<ComplexBall>(2), std::vector<double>(4, 0.0), {0, 1}};
@@ -78,6 +79,24 @@ Eigensystem<ComplexBall> quadratic_roots(const Ball& m, const Ball& d, const Bal
     result.values.push_back(middle_of(roots[i]));
     result.radii.push_back(hypotenuse(roots[i].re.radius, roots[i].im.radius) * (1 + 0x1p-50));
     result.vectors(0, i) = Ball(1);
+    result.vectors(1, i) = result.values[i];
+  }
+  return result;
+}
+
+/// One coordinate, in a unit of mass and one of time that make its numbers about ones: of other sizes the
+/// discriminant may have no place among doubles.
+Eigensystem<ComplexBall> one_coordinate(const Ball& mass, const Ball& rate, const Ball& stiffness) {
+  const int unit = size_of(mass);
+  const Ball d = scaled(rate, -unit), k = scaled(stiffness, -unit);
+  const int swings = size_of(k) / 2;
+  const int frequency = d.is_zero() ? swings : k.is_zero() ? size_of(d) : std::max(size_of(d), swings);
+  Eigensystem<ComplexBall> result =
+      quadratic_roots(scaled(mass, -unit), scaled(d, -frequency), scaled(k, -2 * frequency));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ComplexBall s = result.values[i];
+    result.values[i] = {scaled(s.re, frequency), scaled(s.im, frequency)};
+    result.radii[i] = std::ldexp(result.radii[i], frequency);
     result.vectors(1, i) = result.values[i];
   }
   return result;
@@ -147,7 +166,7 @@ Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
   state.topRightCorner(row_of(n), row_of(n)).setIdentity();
   state.bottomLeftCorner(row_of(n), row_of(n)) = -quotient(extended(motions.stiffness), m);
   state.bottomRightCorner(row_of(n), row_of(n)) = -quotient(extended(motions.rates), m);
-  if (n == 1) return quadratic_roots(motions.mass(0, 0), motions.rates(0, 0), motions.stiffness(0, 0));
+  if (n == 1) return one_coordinate(motions.mass(0, 0), motions.rates(0, 0), motions.stiffness(0, 0));
   const auto [a, b] = state_pencil(motions);
   SquareMatrix<ComplexBall> vectors(2 * n);
   const Eigen::EigenSolver<LongMatrix> solver(state);

@@ -73,7 +73,7 @@ class Walk {
 };
 
 Finding finding_of(const Ball& period) {
-  if (!period.is_finite()) return unknown();
+  if (!period.is_finite() || period.contains_zero()) return unknown();
   return {period.value(), period.error(), ""};
 }
 

@@ -18,8 +18,9 @@ constexpr const char* method_of_equilibria =
     "whole domain of each other coordinate. 'complete' means that no other equilibrium exists there; errors "
     "are proven bounds.";
 constexpr const char* multiple =
-    "A multiple zero of the forces, or several too close to be told apart in double precision: all of them "
-    "lie within the error. Given is the place where the forces are least.";
+    "A multiple zero of the forces, several too close to be told apart in double precision, or none where "
+    "the forces only come as near to zero as rounding: all of them lie within the error. Given is the place "
+    "where the forces are least.";
 
 class EquilibriaAnswer {
  public:

@@ -355,6 +355,28 @@ TEST(Modes, OfADampedOscillatorDecay) {
   EXPECT_EQ(critical.modes[0].multiplicity, 2U);
 }
 
+/// Two masses on springs that drag each other, and one alone: nothing is rigid.
+TEST(Modes, AreTheSameInAnyUnits) {
+  Scene both = oscillator("c*(x_dot^2 - x_dot*y_dot + y_dot^2)/2", 2);
+  both.springs = {{"s", "k", "x", "0"}, {"t", "k", "y", "0"}};
+  const auto pair = build_model(both), single = build_model(oscillator("c*x_dot^2/2"));
+  for (const double mass : {1e-200, 1e-150, 1.0, 1e150, 1e200}) {
+    for (const double rate : {1e-20, 1.0, 1e20}) {
+      const Values scaled{{"m", 2 * mass}, {"k", 18 * mass * rate * rate}, {"c", mass * rate}};
+      const Modes two = modes_of(pair, scaled), one = modes_of(single, scaled);
+      ASSERT_EQ(kinds(two), "decay decay") << mass << " " << rate;
+      ASSERT_EQ(kinds(one), "decay") << mass << " " << rate;
+      for (const auto& [mode, decay] :
+           {std::pair{two.modes[0], 0.375}, {two.modes[1], 0.125}, {one.modes[0], 0.25}}) {
+        EXPECT_NEAR(mode.rate / rate, decay, 1e-15);
+        EXPECT_NEAR(mode.omega / rate, std::sqrt(9 - decay * decay), 1e-14);
+        ASSERT_TRUE(mode.omega_error);
+        EXPECT_LE(*mode.omega_error, 1e-15 * mode.omega);
+      }
+    }
+  }
+}
+
 TEST(Modes, OfTwoMassesThatDragEachOther) {
   const auto model = build_model(oscillator("c*(y_dot - x_dot)^2/2", 2));
   const Modes found = modes_of(model, {{"c", 1}});  // relative: m/2 s^2 + c s + k
