@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/compile/tape_evaluator.hpp"
 #include "core/compile/taylor/composition.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
@@ -49,9 +51,31 @@ Series series_of(const Watched& watched, std::span<const double> parameters) {
   };
 }
 
+using Enclosure = decltype(Watch::enclosure);
+
+/// Numbers are the decimals that were typed: half a unit in the last place from their doubles.
+Interval around(double number) {
+  return {std::nextafter(number, -infinity), std::nextafter(number, infinity)};
+}
+
+/// Made ready when it is first wanted, for all copies.
+Enclosure enclosure_of(SharedFunction function, std::span<const double> parameters) {
+  std::vector<Interval> values;
+  for (const double parameter : parameters) values.push_back(around(parameter));
+  return [function, values, made = std::make_shared<std::unique_ptr<TapeEvaluator<Interval>>>()](
+             double t, std::span<const Interval> y) {
+    if (!*made) *made = std::make_unique<TapeEvaluator<Interval>>(*function, values);
+    (*made)->set_time(t);
+    Interval value;
+    (**made)(y, {&value, 1});
+    return value;
+  };
+}
+
 void watch_function(Watch& watch, const Watched& watched, std::span<const double> parameters) {
   watch.value = quantity(watched.value, parameters);
   watch.series = series_of(watched, parameters);
+  watch.enclosure = enclosure_of(watched.value, parameters);
 }
 
 /// A scene's own functions are compiled once for all motions.
@@ -63,6 +87,7 @@ Watched watched_column(const Dynamics& dynamics, const WatchRequest& request, co
 /// sign (y_i - limit)
 void watch_component(Watch& watch, std::size_t i, double sign, double limit) {
   watch.value = [=](double, std::span<const double> y) { return sign * (y[i] - limit); };
+  watch.enclosure = [=](double, std::span<const Interval> y) { return Interval(sign) * (y[i] - limit); };
   watch.series = [=](const MotionPiece& piece, unsigned order, std::span<double> coefficients) {
     const std::span<const double> row = piece.rows.subspan(i * (piece.order + 1), piece.order + 1);
     double rest = 0;
@@ -159,6 +184,13 @@ void add_singularities(const Dynamics& dynamics, const WatchRequest& request, st
 }
 
 }  // namespace
+
+double Watch::rounding(double t, std::span<const double> y) const {
+  std::vector<Interval> box;
+  for (const double x : y) box.push_back(around(x));
+  const Interval values = enclosure(t, box);
+  return values.upper - values.lower;
+}
 
 EventFunction Watch::event() const {
   return {value, series, direction, kind != Kind::event, kind == Kind::impact, condition};

@@ -9,6 +9,7 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/integrate/run.hpp"
+#include "core/numerics/interval.hpp"
 
 namespace qdot {
 
@@ -32,7 +33,11 @@ struct Watch {
   std::function<double(double t, std::span<const double> y)> value{};
   decltype(EventFunction::series) series{};
   std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: where a zero counts
+  /// Its values over a box of states; the whole line where there may be none.
+  std::function<Interval(double t, std::span<const Interval> y)> enclosure{};
 
+  /// How far values at a state that was rounded may be from each other, by their enclosure.
+  [[nodiscard]] double rounding(double t, std::span<const double> y) const;
   [[nodiscard]] EventFunction event() const;
 };
 

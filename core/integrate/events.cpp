@@ -103,17 +103,21 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time &&
-                      std::abs(c[0]) <= doubt_at_start(event, piece) + rounding + of_time;
+                      std::abs(c[0]) <= doubt_at_start(event, piece, rounding) + of_time;
   if (result.is_divided) result.first = 1;
   return result;
 }
 
-/// What g may be away from its first coefficient: the bound over a very short piece.
-double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece) const {
+/// What g may be away from its first coefficient: the bound over a very short piece, and rounding, which the
+/// whole step may show far larger than it is there.
+double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const {
   std::vector<double> c(low_order + 1);
   piece.h *= short_share;
   piece.defect = {};  // that of the whole step
-  return request_.events[event].series(piece, low_order, c);
+  const EventFunction& function = request_.events[event];
+  if (piece.t == request_.t_start && function.rounding_at_start)
+    rounding = std::min(rounding, function.rounding_at_start());
+  return function.series(piece, low_order, c) + rounding;
 }
 
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
@@ -123,6 +127,10 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
+  if (is_coming_back(event, pieces)) {
+    if (past_start(event) <= 0) return;
+    starts_at_zero_ = true;
+  }
   for (const SignPiece& piece : pieces) {
     if (piece.sign == 0) continue;
     const bool is_wanted =
@@ -137,12 +145,31 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   }
 }
 
+/// g was zero at t_start, but its number past that, and has not been on the side before it since then.
+bool EventSearch::is_coming_back(std::size_t event, std::span<const SignPiece> pieces) const {
+  const EventFunction& function = request_.events[event];
+  if (!function.is_zero_at_start || signs_[event] != 0) return false;
+  const int past = function.direction == Crossing::rising ? 1 : -1;
+  return std::ranges::any_of(pieces, [=](const SignPiece& piece) { return piece.sign == past; }) &&
+         std::ranges::none_of(pieces, [=](const SignPiece& piece) { return piece.sign == -past; });
+}
+
+/// How far g is past zero at the step's end, beyond what it was at t_start.
+double EventSearch::past_start(std::size_t event) const {
+  const EventFunction& function = request_.events[event];
+  const UnitSeries series = finite_series(event, polynomial_.whole());
+  double end = 0;
+  for (std::size_t k = series.end; k-- > 0;) end += series.c[k];
+  const double moved = end - function.value(request_.t_start, request_.y_start);
+  return function.direction == Crossing::rising ? moved : -moved;
+}
+
 /// g is zero but for the round-off of its values, all along: looking closer shows no more.
 bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
   for (const double c : series.coefficients()) size += std::abs(c);
   if (series.is_divided || size > of_doubt * series.off) return false;
-  return series.off <= 2 * (doubt_at_start(event, piece) + of_values * size);
+  return series.off <= 2 * doubt_at_start(event, piece, of_values * size);
 }
 
 /// In as many coefficients as are numbers with a bound that is one: near overflow high ones are not.

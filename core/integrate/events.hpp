@@ -11,7 +11,8 @@
 //
 // A zero at t_start counts only where that is asked for: there a motion goes on after the same event has
 // ended an earlier one. There g(s) = s (c_1 + c_2 s + ...), and later zeros are those of the bracket, however
-// soon they come.
+// soon they come. Where g is known to be zero there, and its number is not, it crosses zero when it comes
+// farther past zero than it was there, unless it has been back before.
 //
 // Where a method's dense output is no polynomial, it is looked at through nine places of each step.
 
@@ -58,6 +59,8 @@ class EventSearch {
 
   [[nodiscard]] bool is_quiet(std::size_t event);
   void walk(std::size_t event, std::vector<Crossed>& crossed);
+  [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const SignPiece> pieces) const;
+  [[nodiscard]] double past_start(std::size_t event) const;
   void explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces);
   /// g over a piece, in the unit of its length.
   struct UnitSeries {
@@ -73,7 +76,7 @@ class EventSearch {
   };
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
-  [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece) const;
+  [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);

@@ -1,6 +1,7 @@
 #include "core/motion/accumulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/numerics/constants.hpp"
 #include "core/numerics/root.hpp"
@@ -13,6 +14,15 @@ constexpr std::size_t similar_rounds = 6;  ///< their durations show a geometric
 constexpr double similar = 1e-2;
 constexpr double negligible = 1e-9;  ///< of the span: what is left of the series
 constexpr double no_time = 16;       ///< round-offs of t
+
+/// Of what is left of the series, whose ratios are as similar as that.
+constexpr double doubt_of_rest = 4 * similar;
+constexpr double safety_of_unseen = 16;
+constexpr double largest_ratio = 0.99;
+
+bool vanishes(const SectionRecord& section) {
+  return section.duration <= no_time * time_round_off(section.t);
+}
 
 /// The last sections as rounds of `length` impacts each.
 class Rounds {
@@ -66,6 +76,20 @@ std::optional<double> rest_of_impacts(std::span<const SectionRecord> sections, d
     if (rest && *rest <= negligible * span) return rest;
   }
   return std::nullopt;
+}
+
+double doubt_of_accumulation(std::span<const SectionRecord> sections, double span) {
+  if (const auto rest = rest_of_impacts(sections, span); rest && *rest > 0) return doubt_of_rest * *rest;
+  double longest = 0;
+  for (const SectionRecord& section : sections) longest = std::max(longest, section.duration);
+  while (!sections.empty() && vanishes(sections.back())) sections = sections.first(sections.size() - 1);
+  double ratio = 0;
+  for (std::size_t length = 1; length <= longest_round && ratio == 0; ++length) {
+    const Rounds rounds(sections, length);
+    if (rounds.repeat(3)) ratio = rounds.duration(0) / rounds.duration(1);
+  }
+  const double lowest_flight = std::sqrt(time_round_off(1)) * longest;
+  return safety_of_unseen * lowest_flight / (1 - std::clamp(ratio, 0.0, largest_ratio));
 }
 
 }  // namespace qdot

@@ -11,15 +11,11 @@ namespace qdot {
 namespace {
 
 constexpr double shortest_step = 1e-7;  ///< for a slope, relative
-constexpr double share = 1e-4;          ///< of the scale of the state, for slopes along the motion
 constexpr double rounding_of_values = 8 * std::numeric_limits<double>::epsilon();
-
-/// The smaller root of slope tau - curvature tau^2 / 2 = doubt.
-std::optional<double> first_root(double slope, double curvature, double doubt) {
-  const double discriminant = slope * slope - 2 * curvature * doubt;
-  if (!(slope > 0) || !(discriminant >= 0)) return std::nullopt;
-  return 2 * doubt / (slope + std::sqrt(discriminant));
-}
+constexpr double tried_first = 1.05, tried_next = 1.5;  ///< of what is tried
+constexpr double shortest_time = 1e-300;
+constexpr double share = 1e-4;          ///< of that time, for slopes along the motion
+constexpr double farthest_share = 0.1;  ///< of the time in which the motion goes through a component
 
 }  // namespace
 
@@ -52,37 +48,102 @@ std::optional<double> EventErrors::of(const Stop& stop, std::span<const double> 
 std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<const double> y,
                                       std::span<const double> errors) {
   const std::size_t n = y.size() / 2;
-  const std::vector<double> acceleration = accelerations(t, y);
-  double tau = infinity;
+  Place place{t, y, accelerations(t, y), {}};
+  double own_time = infinity;
   for (std::size_t k = 0; k < 2 * n; ++k) {
-    const double rate = std::abs(k < n ? y[n + k] : acceleration[k - n]);
-    if (rate > 0 && scale_[k] > 0) tau = std::min(tau, share * scale_[k] / rate);
+    place.errors.push_back(errors[k] + rounding_of_values * scale_[k]);
+    const double rate = std::abs(k < n ? y[n + k] : place.accelerations[k - n]);
+    if (!std::isfinite(rate)) return std::nullopt;
+    if (rate > 0 && scale_[k] > 0) own_time = std::min(own_time, scale_[k] / rate);
   }
-  if (!std::isfinite(tau)) return std::nullopt;
-  const double before = watch.value(t - tau, state_after(-tau, t, y)), now = watch.value(t, y),
-               after = watch.value(t + tau, state_after(tau, t, y));
-  const double slope = std::abs(after - before) / (2 * tau);
-  const double curvature = std::abs(after - 2 * now + before) / (tau * tau);
-  const auto root = first_root(slope, curvature, std::abs(now) + doubt(watch, t, y, errors));
-  if (!root) return std::nullopt;
-  return *root + time_round_off(t);
+  if (!std::isfinite(own_time)) return std::nullopt;
+  const double least = std::max({time_round_off(t), time_round_off(own_time), shortest_time});
+  const Linear around = linear(watch, place);
+  const double guess = around.doubt / std::abs(around.slope);
+  for (double tau = std::max(least, tried_first * (std::isfinite(guess) ? guess : 0));
+       tau <= farthest_share * own_time; tau *= tried_next) {
+    const std::optional<int> before = sign_after(-tau, watch, place);
+    const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
+    if (after && *before != *after) return tau + least;
+    if (after) return std::nullopt;
+  }
+  return by_slopes(watch, place, own_time, around.doubt);
 }
 
-double EventErrors::doubt(const Watch& watch, double t, std::span<const double> y,
-                          std::span<const double> errors) const {
-  std::vector<double> moved(y.begin(), y.end());
-  double doubt = 0;
-  for (std::size_t k = 0; k < y.size(); ++k) {
-    const double h = std::max(errors[k], shortest_step * std::max(scale_[k], std::abs(y[k])));
+/// Where g is enclosed too widely, as where it takes a linear system: the smaller root of
+///   |g'| tau - |g''| tau^2/2 = |g| + sum_k |dg/dy_k| e_k,
+/// with g' and g'' along the motion. An estimate.
+std::optional<double> EventErrors::by_slopes(const Watch& watch, const Place& place, double own_time,
+                                             double doubt) {
+  const double tau = share * own_time;
+  const auto g_after = [&](double length) {
+    return watch.value(place.t + length, state_after(length, place));
+  };
+  const double before = g_after(-tau), now = watch.value(place.t, place.y), after = g_after(tau);
+  const double slope = std::abs(after - before) / (2 * tau);
+  const double curvature = std::abs(after - 2 * now + before) / (tau * tau);
+  const double discriminant = slope * slope - 2 * curvature * doubt;
+  if (!(slope > 0) || !(discriminant >= 0)) return std::nullopt;
+  return 2 * doubt / (slope + std::sqrt(discriminant)) + time_round_off(place.t);
+}
+
+/// By the midpoint rule: right up to tau^2.
+std::vector<double> EventErrors::state_after(double tau, const Place& place) {
+  const std::size_t n = place.y.size() / 2;
+  std::vector<double> moved(place.y.begin(), place.y.end());
+  const auto move = [&](double length, const std::vector<double>& rates, std::span<const double> velocities) {
+    for (std::size_t i = 0; i < n; ++i) {
+      moved[i] = place.y[i] + length * velocities[i];
+      moved[n + i] = place.y[n + i] + length * rates[i];
+    }
+  };
+  move(tau / 2, place.accelerations, place.y.subspan(n));
+  const std::vector<double> middle = moved;
+  move(tau, accelerations(place.t + tau / 2, middle), std::span(middle).subspan(n));
+  return moved;
+}
+
+/// By slopes of g in each component.
+EventErrors::Linear EventErrors::linear(const Watch& watch, const Place& place) const {
+  const std::size_t n = place.y.size() / 2;
+  std::vector<double> moved(place.y.begin(), place.y.end());
+  Linear result{.doubt = std::abs(watch.value(place.t, place.y)), .slope = 0};
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const double h = std::max(place.errors[k], shortest_step * std::max(scale_[k], std::abs(place.y[k])));
     if (h == 0) continue;
-    moved[k] = y[k] + h;
-    const double beyond = watch.value(t, moved);
-    moved[k] = y[k] - h;
-    const double slope = std::abs(beyond - watch.value(t, moved)) / (2 * h);
-    moved[k] = y[k];
-    doubt += slope * (errors[k] + rounding_of_values * scale_[k]);
+    moved[k] = place.y[k] + h;
+    const double beyond = watch.value(place.t, moved);
+    moved[k] = place.y[k] - h;
+    const double partial = (beyond - watch.value(place.t, moved)) / (2 * h);
+    moved[k] = place.y[k];
+    result.doubt += std::abs(partial) * place.errors[k];
+    result.slope += partial * (k < n ? place.y[n + k] : place.accelerations[k - n]);
   }
-  return doubt;
+  return result;
+}
+
+/// Of g in all states that the motion may have then; none where both occur. By Heun's rule, and the states
+/// that it and Euler's differ by.
+std::optional<int> EventErrors::sign_after(double tau, const Watch& watch, const Place& place) {
+  const std::size_t n = place.y.size() / 2;
+  std::vector<double> ahead(place.y.begin(), place.y.end());
+  for (std::size_t i = 0; i < n; ++i) {
+    ahead[i] += tau * place.y[n + i];
+    ahead[n + i] += tau * place.accelerations[i];
+  }
+  const std::vector<double> then = accelerations(place.t + tau, ahead);
+  std::vector<Interval> box(2 * n);
+  const auto within = [](double middle, double radius) { return Interval(middle - radius, middle + radius); };
+  for (std::size_t i = 0; i < n; ++i) {
+    const double change = then[i] - place.accelerations[i];
+    const double q = ahead[i] + tau * tau * (place.accelerations[i] / 2 + change / 6);
+    const double v = ahead[n + i] + tau * change / 2;
+    box[i] = within(q, place.errors[i] + tau * tau * std::abs(change) / 6);
+    box[n + i] = within(v, place.errors[n + i] + std::abs(tau * change) / 2);
+  }
+  const Interval values = watch.enclosure(place.t + tau, box);
+  if (values.lower > 0) return 1;
+  return values.upper < 0 ? std::optional(-1) : std::nullopt;
 }
 
 std::vector<double> EventErrors::accelerations(double t, std::span<const double> y) {
@@ -91,22 +152,6 @@ std::vector<double> EventErrors::accelerations(double t, std::span<const double>
     std::ranges::fill(result, std::numeric_limits<double>::quiet_NaN());
   }
   return result;
-}
-
-/// By the midpoint rule: right up to tau^2.
-std::vector<double> EventErrors::state_after(double tau, double t, std::span<const double> y) {
-  const std::size_t n = y.size() / 2;
-  std::vector<double> moved(y.begin(), y.end());
-  const auto move = [&](double length, const std::vector<double>& rates, std::span<const double> velocities) {
-    for (std::size_t i = 0; i < n; ++i) {
-      moved[i] = y[i] + length * velocities[i];
-      moved[n + i] = y[n + i] + length * rates[i];
-    }
-  };
-  move(tau / 2, accelerations(t, y), y.subspan(n));
-  const std::vector<double> middle = moved;
-  move(tau, accelerations(t + tau / 2, middle), std::span(middle).subspan(n));
-  return moved;
 }
 
 }  // namespace qdot

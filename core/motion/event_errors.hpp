@@ -1,14 +1,17 @@
 #pragma once
 // The error of the time of an event, from that of the states around it.
 //
-// An event is a zero of g(t, y). A motion that is within e_k of the true one in component k has its zero
-// within tau of the true one, where
+// An event is a change of sign of g(t, y). A motion that is within e_k of the true one in component k has its
+// change of sign within tau of the true one where g has one sign in all states within e_k of y(t - tau), and
+// the other one in all those of y(t + tau): both by interval arithmetic. Where the slope of g decides, tau is
+// about
 //
-//   |g'| tau - |g''| tau^2 / 2 = |g| + sum_k |dg/dy_k| e_k  and what rounding does to g
+//   (|g| + sum_k |dg/dy_k| e_k)/|g'|,
 //
-// with g' and g'' along the motion, both of them measured at one place: right to second order in tau, an
-// estimate as the e_k are, and no enclosure. Where this has no solution the motion grazes: whether it comes
-// to a zero there is no more certain than the motion itself.
+// where the search for it begins; at a multiple root, or a level that is nearly touched, it may be any
+// larger. It is as good as the e_k are, which are estimates. Where intervals are too wide to tell, slopes and
+// curvatures do. Where no such tau exists, whether g changes sign
+// at all is no more certain than the motion itself.
 
 #include <optional>
 #include <span>
@@ -25,7 +28,7 @@ class EventErrors {
   /// `scale`: the largest magnitude of each component of the state. Keeps references to what it is given.
   EventErrors(const Dynamics& dynamics, const SimulationRequest& request, std::span<const double> scale);
 
-  /// In s; `errors` of the state at that time. Source: the implicit function theorem.
+  /// In s; `errors` of the state at that time.
   [[nodiscard]] std::optional<double> of(const EventRecord& event, std::span<const double> errors);
   /// Of a condition of validity or a singularity that has ended the motion in state y.
   [[nodiscard]] std::optional<double> of(const Stop& stop, std::span<const double> y,
@@ -34,9 +37,21 @@ class EventErrors {
  private:
   [[nodiscard]] std::optional<double> of(const Watch& watch, double t, std::span<const double> y,
                                          std::span<const double> errors);
-  [[nodiscard]] double doubt(const Watch& watch, double t, std::span<const double> y,
-                             std::span<const double> errors) const;
-  [[nodiscard]] std::vector<double> state_after(double tau, double t, std::span<const double> y);
+  /// A motion at t with its accelerations, and bounds of what its components may be off there.
+  struct Place {
+    double t{};
+    std::span<const double> y;
+    std::vector<double> accelerations, errors;
+  };
+  [[nodiscard]] std::optional<double> by_slopes(const Watch& watch, const Place& place, double own_time,
+                                                double doubt);
+  [[nodiscard]] std::vector<double> state_after(double tau, const Place& place);
+  struct Linear {
+    double doubt{};  ///< |g| + sum_k |dg/dy_k| e_k
+    double slope{};  ///< of g along the motion
+  };
+  [[nodiscard]] Linear linear(const Watch& watch, const Place& place) const;
+  [[nodiscard]] std::optional<int> sign_after(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> accelerations(double t, std::span<const double> y);
 
   const Dynamics& dynamics_;

@@ -1,0 +1,103 @@
+// Balls that bounce, whose motions are known: none falls through its floor, and their errors hold.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/motion/ladder.hpp"
+#include "tests/support/motions.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double g = 9.81;
+
+MeasuredSimulation measured(const Model& model, const Values& given, std::vector<double> grid,
+                            Method method) {
+  SimulationRequest request = test::request_for(model, given, std::move(grid));
+  request.method = method;
+  request.tolerances = {1e-9, 1e-12};
+  return simulate_with_error(Dynamics(std::make_shared<const Model>(model)), request, {});
+}
+
+/// A ball on a slope of this steepness, with the height `h` above it at the start.
+Scene ball_on_slope(double steepness, double e) {
+  Scene scene;
+  scene.name = "slope";
+  scene.parameters = {{"m", "kg", "1", {}, "", ""},
+                      {"g", "m/s^2", "9.81", {}, "", ""},
+                      {"s", "1", std::to_string(steepness), {}, "", ""}};
+  scene.coordinates = {{"x", "m", "0.7", "0.1", "", {}, "", ""}, {"y", "m", "1.9", "-0.2", "", {}, "", ""}};
+  scene.points = {{"ball", {"x", "y"}}};
+  scene.bodies = {Particle{"ball", "m", {"ball", {}}}};
+  scene.gravity = {"0", "-g"};
+  scene.events = {{"hit", "y + s*x", Crossing::falling, {}, {}}};
+  Impact impact;
+  impact.event = "hit";
+  impact.restitution = std::to_string(e);
+  scene.impacts = {impact};
+  return scene;
+}
+
+/// When a ball comes to rest that is at height h and rises with v under gravity g.
+double end_of_bounces(double h, double v, double gravity, double e) {
+  const double fall = std::sqrt(v * v + 2 * gravity * h);
+  return (v + fall + 2 * fall * e / (1 - e)) / gravity;
+}
+
+TEST(Impacts, AccumulateByEveryMethod) {
+  for (const Method method : test::all_methods) {
+    for (const double e : {0.0, 1e-6, 0.1, 0.5, 0.7}) {
+      const auto model = build_model(ball_on_slope(0, e));
+      const MeasuredSimulation m = measured(*model, {}, test::instants(20, 4), method);
+      ASSERT_TRUE(m.simulation.stop) << static_cast<int>(method) << " " << e;
+      EXPECT_EQ(m.simulation.stop->reason, "impacts_accumulate");
+      ASSERT_TRUE(m.stop_error);
+      EXPECT_LE(std::abs(m.simulation.stop->t - end_of_bounces(1.9, -0.2, g, e)), *m.stop_error)
+          << static_cast<int>(method) << " " << e;
+      EXPECT_LE(*m.stop_error, 5e-4);
+    }
+  }
+}
+
+TEST(Impacts, AccumulateOnASlopeAtATimeWithinItsError) {
+  int told = 0;
+  for (const double steepness : {0.25, 0.75, 1.5}) {
+    for (const double e : {0.002, 0.05, 0.27, 0.5}) {
+      const auto model = build_model(ball_on_slope(steepness, e));
+      const double normal = std::hypot(1, steepness);
+      const double end =
+          end_of_bounces((1.9 + 0.7 * steepness) / normal, (-0.2 + 0.1 * steepness) / normal, g / normal, e);
+      const MeasuredSimulation m = measured(*model, {}, test::instants(40, 4), Method::taylor);
+      ASSERT_TRUE(m.simulation.stop) << steepness << " " << e;
+      if (!m.stop_error) continue;  // checked in double-doubles, which has rows alone
+      ++told;
+      EXPECT_LE(std::abs(m.simulation.stop->t - end), *m.stop_error) << steepness << " " << e;
+    }
+  }
+  EXPECT_GE(told, 9);
+}
+
+/// A ball that keeps its speed v between two floors, L apart: x = v t, folded.
+TEST(Impacts, LeaveTheRoundingOfTheirInstantsInDoubt) {
+  Scene scene = ball_on_slope(0, 1);
+  scene.gravity = {"0", "0"};
+  scene.parameters.push_back({"L", "m", "1.27", {}, "", ""});
+  scene.events.push_back({"top", "L - y", Crossing::falling, {}, {}});
+  scene.impacts.push_back(scene.impacts[0]);
+  scene.impacts[1].event = "top";
+  const auto model = build_model(scene);
+  const std::vector<double> grid = test::instants(30, 120);
+  for (const double v : {1.706, 2.3, 0.917}) {
+    const MeasuredSimulation m = measured(*model, {{"y", 0.2564}, {"y_dot", v}}, grid, Method::taylor);
+    ASSERT_EQ(m.simulation.rows, grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      const long double way = 0.2564L + static_cast<long double>(v) * grid[i], there = std::fmod(way, 2.54L);
+      const long double y = there < 1.27L ? there : 2.54L - there;
+      EXPECT_LE(std::abs(static_cast<double>(test::row(m.simulation, i)[1] - y)), m.max_abs_error[1]) << v;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace qdot
