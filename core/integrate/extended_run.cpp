@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/work.hpp"
+#include "core/integrate/separation.hpp"
 #include "core/numerics/function.hpp"
 
 namespace qdot {
@@ -106,6 +107,25 @@ void ExtendedStepper::interpolate(const DoubleDouble& t, std::span<DoubleDouble>
   }
 }
 
+MotionPiece ExtendedStepper::polynomials() {
+  rows_.resize(coefficients_.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = coefficients_[i].high;
+  return {t_previous_.high, last_step_, rows_, order_, {}};
+}
+
+std::span<const double> ExtendedStepper::rounded() {
+  const std::size_t n = y_.size() / 2;
+  rounded_.resize(y_.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto c = row(coefficients_, i);
+    const auto [first, others] = largest_terms(c, last_step_);
+    const double share = others <= first ? others / std::max(first, std::numeric_limits<double>::min()) : 1;
+    rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
+    rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
+  }
+  return rounded_;
+}
+
 std::optional<Ending> ExtendedStepper::spent_limit() const {
   const Limits& limits = request_.limits;
   if (steps_ >= limits.max_steps || evaluations_ + order_ > limits.max_evaluations) return Ending::step_limit;
@@ -159,15 +179,21 @@ double ExtendedStepper::step_size() const {
 /// numbers left of each other, such as sin near pi, they have lost as much as all of a motion in doubles has.
 bool ExtendedStepper::doubles_are_small(double h) const {
   for (std::size_t i = 0; i < y_.size(); ++i) {
-    const auto c = row(next_, i);
-    double first = 0, others = 0, power = h;
-    for (unsigned k = 1; k <= order_; ++k, power *= h) {
-      double& largest = k < system_.first_in_doubles ? first : others;
-      largest = std::max(largest, power * std::abs(c[k].high));
-    }
-    if (others > small * first) return false;
+    const Terms terms = largest_terms(row(next_, i), h);
+    if (terms.in_doubles > small * terms.first) return false;
   }
   return true;
+}
+
+/// |c_k| h^k, k >= 1, of the coefficients in double-doubles and of those in doubles.
+ExtendedStepper::Terms ExtendedStepper::largest_terms(std::span<const DoubleDouble> c, double h) const {
+  Terms terms;
+  double power = h;
+  for (unsigned k = 1; k <= order_; ++k, power *= h) {
+    double& largest = k < system_.first_in_doubles ? terms.first : terms.in_doubles;
+    largest = std::max(largest, power * std::abs(c[k].high));
+  }
+  return terms;
 }
 
 /// The logarithm of the least over the components of (w / |part c_k|)^(1/k); infinite where all c_k are 0.
@@ -234,11 +260,18 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   ExtendedRun run;
   const std::size_t n = request.y_start.size();
   std::vector<double> passed(n);
+  std::optional<Separation> separation;
+  if (system.in_doubles.expansion)
+    separation.emplace(system.in_doubles, std::vector<double>(n), Separation::Scale::enlarged);
   const auto sample = [&] {
     for (std::size_t k = 0; k < n; ++k) passed[k] = std::max(passed[k], std::abs(stepper.y()[k].high));
     for (; run.rows < grid.size() && !is_before(stepper.t(), grid[run.rows]); ++run.rows) {
       run.states.resize((run.rows + 1) * n);
       run.passed.insert(run.passed.end(), passed.begin(), passed.end());
+      if (separation) {
+        const std::span<const double> apart = separation->in_last_step();
+        run.apart.insert(run.apart.end(), apart.begin(), apart.end());
+      }
       const auto row = std::span(run.states).last(n);
       if (stepper.steps() == 0) {
         std::ranges::copy(stepper.y(), row.begin());
@@ -251,6 +284,7 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   while (run.ending == Ending::reached_end && is_before(stepper.t(), request.t_end)) {
     const auto failed = stepper.step();
     if (failed) run.ending = *failed;
+    if (!failed && separation) separation->follow(stepper.polynomials(), stepper.rounded());
     sample();
   }
   run.t = stepper.t();

@@ -35,6 +35,9 @@ struct ExtendedSystem {
       hidden{};
   /// Coefficients from this order on are doubles; what is left of the sum is added up in doubles, too.
   unsigned first_in_doubles{~0U};
+  /// The equations in doubles, where it is wanted what the motion makes of the rounding of those
+  /// coefficients.
+  RightHandSide in_doubles{};
   /// The defect of the equation at the end of a step that rounding explains, relative to y'.
   double round_off{1e-28};
 };
@@ -62,6 +65,12 @@ class ExtendedStepper {
   /// y(t) for t_previous() <= t <= t().
   void interpolate(const DoubleDouble& t, std::span<DoubleDouble> y_out) const;
 
+  /// The polynomials of the last step in doubles.
+  [[nodiscard]] MotionPiece polynomials();
+  /// What coefficients in doubles have rounded in the last step, for each component: of |y| as much as their
+  /// terms are of the others.
+  [[nodiscard]] std::span<const double> rounded();
+
   /// Whether every step up to now has a bound of what it hides.
   [[nodiscard]] bool bounded() const { return bounded_; }
 
@@ -75,6 +84,10 @@ class ExtendedStepper {
   [[nodiscard]] double weight(std::size_t i) const;
   [[nodiscard]] double step_size() const;
   [[nodiscard]] bool doubles_are_small(double h) const;
+  struct Terms {
+    double first{}, in_doubles{};
+  };
+  [[nodiscard]] Terms largest_terms(std::span<const DoubleDouble> c, double h) const;
   [[nodiscard]] double log_of_step_by(unsigned k, double part = 1) const;
   /// A length up to h over which a step hides nothing; 0 where there is none.
   [[nodiscard]] double bounded_part(double h);
@@ -96,6 +109,7 @@ class ExtendedStepper {
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
   std::vector<double> place_, allowed_;  ///< scratch
+  std::vector<double> rows_, rounded_;   ///< of the last step
   bool bounded_;
 };
 
@@ -103,6 +117,9 @@ struct ExtendedRun {
   std::size_t rows{};                  ///< instants of the grid that were reached
   std::vector<DoubleDouble> states{};  ///< rows x dimension, row-major
   std::vector<double> passed{};        ///< largest |y| at steps up to each row, rows x dimension
+  /// What the rounding of coefficients in doubles has come to at each row, where that is wanted
+  /// (separation.hpp; rows x dimension).
+  std::vector<double> apart{};
   Ending ending{Ending::reached_end};
   DoubleDouble t;                 ///< where the run ended: t_end, or the last good step
   std::vector<DoubleDouble> y{};  ///< the state there

@@ -13,6 +13,7 @@
 #include "core/integrate/events.hpp"
 #include "core/integrate/methods.hpp"
 #include "core/integrate/progress.hpp"
+#include "core/integrate/separation.hpp"
 
 namespace qdot {
 namespace {
@@ -31,6 +32,9 @@ class Integration {
     if (!request.is_reference) return;
     run_.unseen.reserve(numbers);
     run_.accelerations.reserve(numbers / 2);
+    if (request.original == nullptr) return;
+    separation_.emplace(*request.original, request.apart);
+    run_.apart.reserve(numbers);
   }
 
   Run run() && {
@@ -58,7 +62,7 @@ class Integration {
     if (const auto failed = stepper_->step()) return failed;
     if (const auto wrong = unusable(stepper_->y(), request_.limits.max_magnitude)) return wrong;
 
-    if (request_.keeps_steps) keep_step();
+    if (separation_) follow();
     const EventSearch::Found found = events_.search(*stepper_);
     if (found.failure) return found.failure;
     const double t = found.terminal ? found.events.back().t : stepper_->t();
@@ -92,6 +96,7 @@ class Integration {
     }
     note_unseen(count);
     note_accelerations(count);
+    note_separation(count);
     run_.rows = end;
     return std::nullopt;
   }
@@ -107,9 +112,19 @@ class Integration {
     }
   }
 
-  void keep_step() {
-    run_.step_ends.t.push_back(stepper_->t());
-    run_.step_ends.y.insert(run_.step_ends.y.end(), stepper_->y().begin(), stepper_->y().end());
+  /// The defect of a series goes with s^(order - 1), and comes to this; what goes otherwise is in unseen().
+  void follow() {
+    const auto step = stepper_->polynomials();
+    if (!step) return;
+    own_error_.assign(step->defect.begin(), step->defect.end());
+    for (double& error : own_error_) error *= step->h / step->order;
+    separation_->follow(*step, own_error_);
+  }
+
+  void note_separation(std::size_t count) {
+    if (!separation_) return;
+    const std::span<const double> apart = separation_->in_last_step();
+    for (std::size_t i = 0; i < count; ++i) run_.apart.insert(run_.apart.end(), apart.begin(), apart.end());
   }
 
   void note_accelerations(std::size_t count) {
@@ -125,6 +140,8 @@ class Integration {
   std::unique_ptr<Stepper> stepper_;
   EventSearch events_;
   ProgressGuard progress_;
+  std::optional<Separation> separation_;
+  std::vector<double> own_error_;  ///< of the last step
   Run run_;
 };
 

@@ -67,6 +67,9 @@ struct EventFunction {
   bool counts_at_start{false};  ///< a zero at t_start that g then leaves in its direction is one
   std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: whether a zero counts
   int sign_at_start{0};  ///< the strict sign that g counts as having had at t_start, where that is known
+  /// What rounding may do to g at t_start, where that is known; it is asked where g is small there.
+  std::function<double()> rounding_at_start{};
+  bool is_zero_at_start{false};  ///< g is zero at t_start, however far from it the error of y leaves it
 };
 
 /// - taylor: Taylor series of order 16 or 20. It takes the fewest and longest steps, its polynomial is the
@@ -106,7 +109,10 @@ struct RunRequest {
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
   /// they may be off by.
   bool is_reference{false};
-  bool keeps_steps{false};  ///< Run::step_ends
+  /// The motion that a reference stands for, where its numbers are others; `apart` is how far it begins from
+  /// that one (separation.hpp). Needs an expansion.
+  const RightHandSide* original{};
+  std::vector<double> apart{};
   Tolerances tolerances{};  ///< not of gauss
   double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
   Limits limits{};
@@ -135,12 +141,6 @@ struct EventOccurrence {
   std::vector<double> y{};
 };
 
-/// Where steps ended, and the state there.
-struct StepEnds {
-  std::vector<double> t{};
-  std::vector<double> y{};  ///< steps x dimension, row-major
-};
-
 struct Run {
   std::size_t rows{};                     ///< instants of the grid that were reached: those up to t
   std::vector<double> states{};           ///< rows x dimension, row-major
@@ -161,7 +161,9 @@ struct Run {
   /// Of a reference, where y is (q, q'): for each row bounds of |q''| during the step that it lies in, not
   /// numbers where they are not known (rows x dimension/2). Otherwise empty.
   std::vector<double> accelerations{};
-  StepEnds step_ends{};  ///< where they are wanted; the last one may be beyond a terminal event
+  /// How far the run may be from the original, where there is one: for each row the larger of both ends of
+  /// the step that it lies in (rows x dimension).
+  std::vector<double> apart{};
 };
 
 }  // namespace qdot

@@ -15,13 +15,26 @@ constexpr double round_off_of_mixed = 1e-19;
 constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;  ///< as for doubles at round-off
 constexpr double round_off_of_full = 1e-32;
 
+std::vector<double> rounded(std::span<const DoubleDouble> numbers) {
+  std::vector<double> result;
+  for (const DoubleDouble& x : numbers) result.push_back(x.high);
+  return result;
+}
+
+RightHandSide in_doubles(const CompiledFunction& accelerations, std::span<const DoubleDouble> parameters) {
+  RightHandSide system;
+  const auto expansion = std::make_shared<TaylorExpansion>(accelerations, rounded(parameters));
+  system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
+    return expansion->expand(t, y, order, c);
+  };
+  return system;
+}
+
 /// By series in doubles, whose remainder is bounded beyond their digits.
 decltype(ExtendedSystem::hidden) hidden_of(const CompiledFunction& accelerations,
                                            std::span<const DoubleDouble> exact_parameters) {
   constexpr unsigned order = TaylorExpansion::highest_order;
-  std::vector<double> parameters;
-  for (const DoubleDouble& p : exact_parameters) parameters.push_back(p.high);
-  const auto expansion = std::make_shared<TaylorExpansion>(accelerations, parameters);
+  const auto expansion = std::make_shared<TaylorExpansion>(accelerations, rounded(exact_parameters));
   return [expansion, t_expanded = 0.0, place = std::vector<double>(), c = std::vector<double>(),
           defect = std::vector<double>()](double t, std::span<const double> y, double h,
                                           std::span<const double> allowed) mutable {
@@ -77,7 +90,10 @@ ExtendedSystem extended_system(const CompiledFunction& accelerations, const Exte
     use(mixed);
     system.first_in_doubles = MixedExpansion::first_in_doubles;
     system.round_off = 1e-18;
-    if (request.look_for_hidden) system.hidden = hidden_of(mixed);
+    if (request.look_for_hidden) {
+      system.hidden = hidden_of(mixed);
+      system.in_doubles = in_doubles(accelerations, request.parameters);
+    }
   }
   return system;
 }

@@ -63,6 +63,7 @@ bool ExtendedPieces::go_to(const ExtendedSystem& system, const DoubleDouble& t) 
   run_.rows -= 1;
   run_.states.resize(run_.rows * piece_.y_start.size());
   run_.passed.resize(run_.states.size());
+  run_.apart.resize(run_.states.size());
   return true;
 }
 
@@ -80,6 +81,7 @@ bool ExtendedPieces::go_on(const ExtendedSystem& system) {
   if (piece.rows < piece_.grid.size()) return false;
   run_.rows += piece.rows;
   run_.states.insert(run_.states.end(), piece.states.begin(), piece.states.end());
+  run_.apart.insert(run_.apart.end(), piece.apart.begin(), piece.apart.end());
   pass_on(piece.passed);
   piece_.t_start = piece_.grid.back();
   piece_.y_start = piece.y;

@@ -140,8 +140,9 @@ class ExtendedLadder {
         is_lost = is_lost || difference > 1e-3 * scale[k];
       }
       lost_ = lost_ || is_lost;
-      const std::vector<std::span<const double>> spans(other_rows.begin(), other_rows.end());
-      in_doubles.add(request_.grid[i].high, row, spans);
+      std::vector<RowErrors::Other> same_row;
+      for (const std::vector<double>& other : other_rows) same_row.push_back({.row = other, .apart = {}});
+      in_doubles.add(request_.grid[i].high, row, same_row);
       if (lost_) {
         for (std::size_t k = 0; k < width; ++k) error[k] = std::max(error[k], in_doubles.so_far()[k]);
       }

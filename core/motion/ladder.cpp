@@ -109,14 +109,14 @@ class Ladder {
     std::optional<Simulation> sharper;
     if (is_near) sharper = sharper_motion();
     const auto tells_all = [&] { return sharper && sharper->rows == result_.simulation.rows; };
-    if (tells_all() && !result_.simulation.stop) {
-      result_.verified_by = Method::taylor;
-      return state({std::move(*sharper)});
-    }
+    const auto is_enough = [&] { return tells_all() && !result_.simulation.stop; };
+    if (is_enough()) result_.verified_by = Method::taylor;
+    if (is_enough()) return state({std::move(*sharper)});
     std::vector<Simulation> others;
     if (!add_check(others, 1)) return;
     if (is_near || !tells_truncation(motion(), others.front())) {
       if (!is_near) sharper = sharper_motion();
+      if (is_enough()) return state({std::move(*sharper)});
       const bool can_afford_another = left() >= 2 * others.front().evaluations;
       if (!tells_all()) {
         if (can_afford_another && !add_check(others, -1)) return;

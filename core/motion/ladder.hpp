@@ -5,11 +5,13 @@
 // motion, from ten to a million. So a motion is computed twice, the second time a hundred times tighter and
 // by another method or order; where the second is much more accurate, the difference of the two is the error
 // of the first. The returned motion is the first, and its error is twice the largest difference met up to
-// each instant (row_errors.hpp), and what the steps of the second may be off by. The second has parameters
-// and initial values changed in their last bits, so that a difference is not small by chance. Where both are
-// as tight as double precision allows, what rounding does to the motion, that of the numbers that were typed
-// included, is measured in double-doubles (extended_motion.hpp, extended_impacts.hpp, extended_kinks.hpp). A
-// motion that cannot be followed so, or not to its end, is computed a third time, from the other side.
+// each instant (row_errors.hpp), and what the second may be off by. The second has parameters and initial
+// values changed in their last bits, so that a difference is not small by chance, and what the motion makes
+// of that change and of the second's own steps counts (core/integrate/separation.hpp): it may be as large as
+// the first one's error, and of the other sign. Where both are as tight as double precision allows, what
+// rounding does to the motion, that of the numbers that were typed included, is measured in double-doubles
+// (extended_motion.hpp, extended_impacts.hpp, extended_kinks.hpp). A motion that cannot be followed so, or
+// not to its end, is computed a third time, from the other side.
 //
 // Method gauss has a step in place of tolerances:
 // it is checked by the tightest run there is, and does not climb.

@@ -9,7 +9,6 @@
 #include "core/motion/extended_impacts.hpp"
 #include "core/motion/extended_kinks.hpp"
 #include "core/motion/extended_pieces.hpp"
-#include "core/motion/growth_of_rounding.hpp"
 
 namespace qdot {
 namespace {
@@ -22,7 +21,6 @@ constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
 constexpr double loose = 1e-6;
 constexpr double drift_of_rounding = 1e-14;  ///< relative
 constexpr double much_better = 0.05;
-constexpr double counts = 1e-10;           ///< tolerances from which on grown rounding is looked for
 constexpr double much_more = 10;           ///< than rounding of which a sample is known
 constexpr std::size_t rows_looked_at = 8;  ///< each costs an evaluation in double-doubles
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
@@ -92,23 +90,6 @@ std::vector<double> rounding_of_a_step(const ComputedMotion& motion) {
   return rounding;
 }
 
-/// How far the last digits of the numbers that it began with may have taken the check, and rounding after
-/// them: for each component, none where that is not looked for.
-std::vector<double> grown_rounding(const ComputedMotion& motion, const Simulation& check) {
-  const bool is_one_section = check.sections.empty() && check.pieces.empty();
-  if (check.step_ends.t.empty() || motion.is_stiff || !is_one_section) return {};
-  const SimulationRequest& request = motion.request;
-  const SimulationRequest other = check_of(motion, 1);
-  std::vector<double> moved_by = other.y_start;
-  for (std::size_t i = 0; i < moved_by.size(); ++i) moved_by[i] -= request.y_start[i];
-  return growth_of_rounding(motion.dynamics.accelerations(), {.parameters = request.parameters,
-                                                              .moved_parameters = other.parameters,
-                                                              .moved_by = std::move(moved_by),
-                                                              .steps = check.step_ends,
-                                                              .t_start = request.t_start,
-                                                              .y_start = request.y_start});
-}
-
 /// None where the equations or what happens on the way cannot be followed in double-doubles.
 std::optional<ExtendedRun> extended_states_of(const Simulation& motion, const Dynamics& dynamics,
                                               const ExtendedMotionRequest& request) {
@@ -154,8 +135,8 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   const bool is_loose = motion.simulation.method != Method::gauss && motion.tolerances.rtol >= loose;
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
-  request.keeps_steps = motion.tolerances.rtol <= counts;
   request.tolerances = tolerances_of_check(motion);
+  if (request.method == Method::taylor) request.original = {request.parameters, request.y_start};
   nudge(request.parameters, direction, 1);
   nudge(request.y_start, direction, 3);
   return request;
@@ -181,9 +162,8 @@ bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
     if (differences[n + i] <= much_more * in_common[i]) return false;
   }
   if (!keeps_better(motion.simulation, check)) return false;
-  const std::vector<double> grown = grown_rounding(motion, check);
-  for (std::size_t k = 0; k < grown.size(); ++k) {
-    if (varies[k] && differences[k] <= much_more * grown[k]) return false;
+  for (std::size_t i = 0; i < check.apart.size(); ++i) {
+    if (varies[i % width] && much_more * differences[i % width] <= check.apart[i]) return false;
   }
   return true;
 }
@@ -221,6 +201,7 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
   sharper.rows = run.rows;
   for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());
   sharper.unseen = rounding_in_common(motion, run.passed);
+  sharper.apart = run.apart;
   return result;
 }
 

@@ -34,9 +34,9 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
 
 /// One check tells the error of truncation. Where round-off is as large, as the difference or what is
-/// conserved shows, or the accelerations at some rows, or what the motion makes of rounding on its way, a
-/// single difference may be small by chance; two checks that start on either side cannot both be. An
-/// estimate: what grows is looked for at tight tolerances, in motions without kinks and impacts.
+/// conserved shows, or the accelerations at some rows, a single difference may be small by chance; two checks
+/// that start on either side cannot both be. Nor does it tell where most of the error stated would be what
+/// the check may be off by itself.
 [[nodiscard]] bool tells_truncation(const ComputedMotion& motion, const Simulation& check);
 
 /// Why the check does not tell the error of the motion; nullptr where it does.

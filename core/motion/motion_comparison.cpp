@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/motion/accumulation.hpp"
 #include "core/motion/event_errors.hpp"
 #include "core/motion/kept_quantities.hpp"
 #include "core/motion/row_errors.hpp"
@@ -63,6 +64,11 @@ class Comparing {
     return std::span(simulation.states).subspan(row * width_, width_);
   }
 
+  [[nodiscard]] std::span<const double> apart_of(const Simulation& simulation, std::size_t row) const {
+    if (simulation.apart.empty()) return {};
+    return std::span(simulation.apart).subspan(row * width_, width_);
+  }
+
   /// Impacts before the row's instant: the row is on the same side of all of them where their number is that
   /// of the motion. Motions in double-doubles go through the motion's own impacts.
   [[nodiscard]] std::size_t impacts_before(const Simulation& simulation, std::size_t row) const {
@@ -88,7 +94,7 @@ class Comparing {
   void add(std::size_t row) {
     same_row_.clear();
     for (const Simulation& other : others_) {
-      if (is_comparable(other, row)) same_row_.push_back(row_of(other, row));
+      if (is_comparable(other, row)) same_row_.push_back({row_of(other, row), apart_of(other, row)});
     }
     take_unseen(others_, row, missed_);
     add_rounding_of_instant(row);
@@ -135,7 +141,7 @@ class Comparing {
     const double to_next = row + 1 < t.size() ? t[row + 1] - t[row] : row > 0 ? t[row] - t[row - 1] : 0;
     const auto difference = [&](std::size_t k) {
       double largest = 0;
-      for (const auto& other : same_row_) largest = std::max(largest, std::abs(y[k] - other[k]));
+      for (const auto& other : same_row_) largest = std::max(largest, std::abs(y[k] - other.row[k]));
       return largest;
     };
     for (std::size_t i = 0; i < n; ++i) {
@@ -210,6 +216,15 @@ class Comparing {
     return result;
   }
 
+  [[nodiscard]] double accumulation_error(EventErrors& errors, std::span<const double> of_state) const {
+    const Simulation& motion = motion_.simulation;
+    double of_impacts = 0;
+    for (const EventRecord& event : motion.events)
+      of_impacts = std::max(of_impacts, errors.of(event, of_state).value_or(0));
+    return of_impacts +
+           doubt_of_accumulation(motion.sections, motion_.request.t_end - motion_.request.t_start);
+  }
+
   /// The computations have each its own; they may agree by chance, and the last row is before all of them.
   [[nodiscard]] std::optional<double> stop_error(EventErrors& errors,
                                                  std::span<const double> of_state) const {
@@ -219,7 +234,8 @@ class Comparing {
       if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
       error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
     }
-    const auto least = errors.of(stop, motion_.simulation.y, of_state);
+    const auto least = stop.reason == impacts_accumulate ? std::optional(accumulation_error(errors, of_state))
+                                                         : errors.of(stop, motion_.simulation.y, of_state);
     return error && least ? std::optional(std::max(*error, *least)) : std::nullopt;
   }
 
@@ -229,7 +245,7 @@ class Comparing {
   std::vector<double> largest_, scale_;
   RowErrors errors_;
   Workspace workspace_;
-  std::vector<std::span<const double>> same_row_;  ///< of the others
+  std::vector<RowErrors::Other> same_row_;  ///< of the others
   std::vector<double> missed_, acceleration_;
 };
 

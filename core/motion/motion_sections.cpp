@@ -41,6 +41,9 @@ MotionSections::MotionSections(const Dynamics& dynamics, const SimulationRequest
   }
   now_ = &sections_[{}];
   now_->system = motion_system(dynamics, request);
+  if (request.original) {
+    now_->original = motion_system(dynamics, request.original->parameters, request.method);
+  }
   now_->watches = qdot::watches(dynamics, watch_request(request));
   now_->parameters = request.parameters;
   history_.push_back(now_);
@@ -131,6 +134,11 @@ void MotionSections::enter(const KinkModes::Way& way, double t) {
     now_->staying = staying_on(way.sides);
     now_->parameters = modes_->parameters(way.sides);
     now_->system = motion_system(dynamics_, way.sides, now_->parameters, request_.method);
+    if (request_.original) {
+      std::vector<double> parameters = request_.original->parameters;
+      parameters.insert(parameters.end(), way.sides.begin(), way.sides.end());
+      now_->original = motion_system(dynamics_, way.sides, parameters, request_.method);
+    }
     WatchRequest watched = watch_request(request_);
     watched.parameters = now_->parameters;
     watched.staying = &now_->staying;

@@ -77,11 +77,18 @@ void add_projection(const Dynamics& dynamics, std::span<const double> parameters
 RightHandSide motion_system(const Dynamics& dynamics, const SimulationRequest& request) {
   std::optional<RightHandSide::CanonicalForm> canonical;
   if (request.method == Method::gauss) canonical = canonical_form(dynamics, request);
-  const bool by_jacobian = request.method == Method::bdf || (request.method == Method::gauss && !canonical);
-  RightHandSide system = system_of(dynamics.accelerations(), by_jacobian ? &dynamics.jacobian() : nullptr,
-                                   request.parameters, request.method);
+  // gauss steps by bdf's Jacobian where there are none.
+  const bool by_jacobian = request.method == Method::gauss && !canonical;
+  RightHandSide system =
+      motion_system(dynamics, request.parameters, by_jacobian ? Method::bdf : request.method);
   system.canonical = std::move(canonical);
-  add_projection(dynamics, request.parameters, system);
+  return system;
+}
+
+RightHandSide motion_system(const Dynamics& dynamics, std::span<const double> parameters, Method method) {
+  RightHandSide system = system_of(
+      dynamics.accelerations(), method == Method::bdf ? &dynamics.jacobian() : nullptr, parameters, method);
+  add_projection(dynamics, parameters, system);
   return system;
 }
 

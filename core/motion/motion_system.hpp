@@ -13,6 +13,10 @@ namespace qdot {
 /// The equations as they are; kinks count as functions like others.
 [[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, const SimulationRequest& request);
 
+/// The same without canonical variables.
+[[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, std::span<const double> parameters,
+                                          Method method);
+
 /// On the sides of the kinks; not for gauss. `parameters`: those of KinkModes.
 [[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, const Sides& sides,
                                           std::span<const double> parameters, Method method);

@@ -7,9 +7,10 @@
 namespace qdot {
 namespace {
 
-constexpr double storing = 0x1p-52;  ///< a number is rounded when it is stored
-constexpr double too_much = 0.5;     ///< of a column
-constexpr double of_lost = 4;        ///< times the range: the true motion may go farther than those computed
+constexpr double storing = 0x1p-52;      ///< a number is rounded when it is stored
+constexpr double too_much = 0.5;         ///< of a column
+constexpr double safety_of_samples = 2;  ///< of what another is off by: one sample of its signs
+constexpr double of_lost = 4;  ///< times the range: the true motion may go farther than those computed
 
 }  // namespace
 
@@ -20,19 +21,23 @@ RowErrors::RowErrors(std::vector<double> scale, Winding winding)
       lowest_(scale_.size(), std::numeric_limits<double>::infinity()),
       highest_(scale_.size(), -std::numeric_limits<double>::infinity()) {}
 
-void RowErrors::add(double t, std::span<const double> row, std::span<const std::span<const double>> others,
+void RowErrors::add(double t, std::span<const double> row, std::span<const Other> others,
                     std::span<const double> unseen) {
   const bool is_first = error_before_.empty();
   if (!lost_) error_before_ = error_;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    double difference = 0;
-    for (const auto& other : others) difference = std::max(difference, std::abs(row[k] - other[k]));
+    double difference = 0, apart = 0;
+    for (const Other& other : others) {
+      difference = std::max(difference, std::abs(row[k] - other.row[k]));
+      if (!other.apart.empty()) apart = std::max(apart, other.apart[k]);
+    }
     const double missed = unseen.empty() ? 0 : unseen[k];
-    error_[k] = std::max(error_[k], safety_of_differences * difference + storing * std::abs(row[k]) + missed);
+    error_[k] = std::max(error_[k], difference + std::max(difference, safety_of_samples * apart) +
+                                        storing * std::abs(row[k]) + missed);
     lost_ = lost_ || safety_of_differences * difference > too_much * scale_[k];
   }
   widen(row);
-  for (const auto& other : others) widen(other);
+  for (const Other& other : others) widen(other.row);
   if (!lost_ || is_first) t_before_ = t;
   if (lost_) widen_lost(t);
 }

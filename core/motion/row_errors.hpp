@@ -1,9 +1,10 @@
 #pragma once
 // The error of a motion's rows, from its differences to other computations of the same motion.
 //
-//   error = max over rows so far of ( 2 max_j |y - y_j| + eps |y| + unseen )
+//   error = max over rows so far of ( max_j (|y - y_j| + max(|y - y_j|, 2 e_j)) + eps |y| + unseen )
 //
-// with `unseen` what the others may have missed, or may be off by themselves. This holds while errors are
+// with e_j what another may be off by itself, as the motion has made it grow (core/integrate/separation.hpp),
+// and `unseen` what the others may have missed. This holds while errors are
 // small against the motion, for then they grow alike in all computations. Where a quarter of a column is in
 // doubt the motion is lost: two computations that are both wrong may agree by chance, and an angle that winds
 // may go any way. From there on the error is no less than four times the range of values that the
@@ -25,6 +26,10 @@ inline constexpr double safety_of_differences = 2;
 
 class RowErrors {
  public:
+  /// The same row of another computation, and how far that may be from the motion; may be empty.
+  struct Other {
+    std::span<const double> row{}, apart{};
+  };
   /// Which coordinates nothing brings back; asked where a motion is lost.
   using Winding = std::function<std::vector<bool>()>;
   /// The largest magnitude of each column of the motion, by which errors count as large: coordinates, then
@@ -33,7 +38,7 @@ class RowErrors {
 
   /// The next row, at t: of the motion, and of the other computations at the same instant; `unseen` may be
   /// empty.
-  void add(double t, std::span<const double> row, std::span<const std::span<const double>> others,
+  void add(double t, std::span<const double> row, std::span<const Other> others,
            std::span<const double> unseen = {});
 
   /// Of each column, up to the last row.

@@ -31,6 +31,8 @@ class Simulator {
     result_.t = request.t_start;
     result_.y = request.y_start;
     result_.method = request.method;
+    for (std::size_t i = 0; request.original && i < request.y_start.size(); ++i)
+      apart_.push_back(request.y_start[i] - request.original->y_start[i]);
     is_determined_ = sections_.begin(result_.t, result_.y);
     result_.symplectic = sections_.system().canonical.has_value();
   }
@@ -144,20 +146,30 @@ class Simulator {
     }
     run.taylor_order = request_.taylor_order;
     run.is_reference = request_.is_reference;
-    run.keeps_steps = request_.keeps_steps;
+    if (request_.original && run.method == Method::taylor) {
+      run.original = &sections_.original();
+      run.apart = apart_;
+    }
     run.tolerances = request_.tolerances;
     run.h = request_.h;
     run.limits = request_.limits;
     run.limits.max_steps -= std::min(run.limits.max_steps, result_.steps);
     run.limits.max_evaluations -= std::min(run.limits.max_evaluations, result_.evaluations);
-    for (const Watch& watch : sections_.watches()) run.events.push_back(watch.event());
+    for (const Watch& watch : sections_.watches()) {
+      run.events.push_back(watch.event());
+      if (run.t_start > request_.t_start) continue;  // the state is off by more than that
+      run.events.back().rounding_at_start = [&] {
+        return watch.rounding(request_.t_start, request_.y_start);
+      };
+    }
+    mark_impacts_of_now(run.events);
     for (EventFunction& end : sections_.ends()) run.events.push_back(std::move(end));
     Run done = integrate(sections_.system(), run);
     if (step) enclose(run, done);
     add_unseen(done);
     result_.accelerations.insert(result_.accelerations.end(), done.accelerations.begin(),
                                  done.accelerations.end());
-    result_.step_ends = std::move(done.step_ends);
+    add_apart(done);
     result_.rows += done.rows;
     if (result_.states.empty()) {
       result_.states = std::move(done.states);
@@ -171,6 +183,18 @@ class Simulator {
     result_.t = done.t;
     result_.y = done.y;
     return done;
+  }
+
+  /// An impact that has just happened, and left its distance as it was, begins at distance zero.
+  void mark_impacts_of_now(std::vector<EventFunction>& events) const {
+    if (result_.sections.empty() || result_.sections.back().t != result_.t) return;
+    const SectionRecord& last = result_.sections.back();
+    const std::size_t first = sections_.watches().size() - dynamics_.model().parsed.impacts.size();
+    for (const std::size_t impact : last.impacts) {
+      EventFunction& event = events[first + impact];
+      event.is_zero_at_start = event.direction != Crossing::either &&
+                               event.value(last.t, last.before) == event.value(last.t, last.after);
+    }
   }
 
   [[nodiscard]] std::vector<bool> kinks_met(const Run& done) const {
@@ -204,6 +228,13 @@ class Simulator {
     }
     for (std::size_t i = 0; i < done.unseen.size(); ++i) result_.unseen[before + i] += done.unseen[i];
     for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
+  }
+
+  void add_apart(const Run& done) {
+    if (!request_.original) return;
+    result_.apart.insert(result_.apart.end(), done.apart.begin(), done.apart.end());
+    for (std::size_t i = result_.apart.size(); i < (result_.rows + done.rows) * apart_.size(); ++i)
+      result_.apart.push_back(std::abs(apart_[i % apart_.size()]));
   }
 
   bool record_events(const Run& done) {
@@ -262,13 +293,33 @@ class Simulator {
                                      : std::optional(0.0);
     if (rest) {
       result_.t += *rest;
-      result_.stop = Stop{"impacts_accumulate", result_.t, accumulation};
+      result_.stop = Stop{impacts_accumulate, result_.t, accumulation};
       return false;
     }
     if (!obeys_constraints(passed.after)) return false;
+    const std::vector<double> before = std::move(result_.y), slopes_before = slopes(before);
     result_.y = std::move(passed.after);
     is_determined_ = sections_.begin(result_.t, result_.y);
+    if (is_determined_) doubt_instant(before, slopes_before);
     return true;
+  }
+
+  [[nodiscard]] std::vector<double> slopes(const std::vector<double>& y) const {
+    std::vector<double> result(y.size());
+    if (sections_.system().derivative(result_.t, y, result) != Evaluation::ok) std::ranges::fill(result, 0);
+    return result;
+  }
+
+  /// An impact may have been a round-off of t earlier or later, alike in all computations of this motion.
+  void doubt_instant(const std::vector<double>& before, const std::vector<double>& slopes_before) {
+    const std::vector<double> slopes_after = slopes(result_.y);
+    const std::size_t n = before.size() / 2;
+    const double late = time_round_off(result_.t);
+    unseen_.resize(before.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      unseen_[i] += late * std::abs(result_.y[n + i] - before[n + i]);
+      unseen_[n + i] += late * (std::abs(slopes_before[n + i]) + std::abs(slopes_after[n + i]));
+    }
   }
 
   /// An impact that is derived keeps what constraints ask for; one that is written has to.
@@ -315,6 +366,7 @@ class Simulator {
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;
   std::vector<double> unseen_;  ///< of the sections before
+  std::vector<double> apart_;   ///< from the original, with signs
   Simulation result_;
 };
 

@@ -26,9 +26,13 @@ struct SimulationRequest {
   Method method{Method::adams};
   unsigned taylor_order{};   ///< 0: by the tolerance
   bool is_reference{false};  ///< RunRequest::is_reference
-  bool keeps_steps{false};   ///< Simulation::step_ends
-  Tolerances tolerances;     ///< not of gauss
-  double h{};                ///< step of gauss
+  /// Of the motion that a reference stands for, where they are others by their last digits.
+  struct Original {
+    Reals parameters, y_start;
+  };
+  std::optional<Original> original{};
+  Tolerances tolerances;  ///< not of gauss
+  double h{};             ///< step of gauss
   Limits limits;
 };
 

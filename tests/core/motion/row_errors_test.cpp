@@ -10,8 +10,9 @@ namespace {
 using Row = std::vector<double>;
 
 void add(RowErrors& errors, const Row& row, const std::vector<Row>& others, double t = 0) {
-  const std::vector<std::span<const double>> spans(others.begin(), others.end());
-  errors.add(t, row, spans);
+  std::vector<RowErrors::Other> same_row;
+  for (const Row& other : others) same_row.push_back({.row = other, .apart = {}});
+  errors.add(t, row, same_row);
 }
 
 RowErrors errors_of(const std::vector<double>& scale, bool winds = false) {
@@ -25,6 +26,15 @@ TEST(RowErrors, AreTwiceTheLargestDifferenceMetSoFar) {
   add(errors, {0, 100}, {{1e-6, 100.001}, {0, 100}});
   EXPECT_NEAR(errors.so_far()[0], 6e-6, 1e-15);
   EXPECT_NEAR(errors.so_far()[1], 2e-3, 1e-12);
+}
+
+/// A difference may be small by chance, but then the other one is off, too.
+TEST(RowErrors, AreNoLessThanWhatTheOtherIsOffBy) {
+  RowErrors errors = errors_of({1, 1});
+  const Row row{0, 0}, other{1e-6, 1e-6}, apart{5e-6, 5e-7};
+  errors.add(0, row, std::vector<RowErrors::Other>{{.row = other, .apart = apart}});
+  EXPECT_NEAR(errors.so_far()[0], 11e-6, 1e-15);
+  EXPECT_NEAR(errors.so_far()[1], 2e-6, 1e-15);
 }
 
 TEST(RowErrors, AreNeverBelowTheRoundingOfANumber) {

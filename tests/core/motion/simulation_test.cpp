@@ -214,5 +214,19 @@ TEST(Reference, HasBoundsOfAccelerationsAroundEachRow) {
   for (std::size_t k = 0; k < 2; ++k) EXPECT_LT(bound[k], 50 * largest[k]);
 }
 
+/// A level that is near at t = 0 beside what the event is later, when the step is long.
+TEST(Events, AreSeenSoonAfterTheStart) {
+  const auto model = test::mass_under("-5.158*F");
+  SimulationRequest request = test::request_for(*model, {{"x", 0.3066}, {"x_dot", 3.654}}, {0, 8.145});
+  request.method = Method::taylor;
+  request.tolerances = {1e-9, 1e-12};
+  for (const std::string power : {"1", "3", "5"}) {
+    request.events = {"(x - 0.414901*L)^" + power + " = 0"};
+    const Simulation motion = simulate(Dynamics(model), request);
+    ASSERT_EQ(motion.events.size(), 2u) << power;
+    EXPECT_NEAR(motion.events[0].t, 0.030286435301899506, 1e-14) << power;
+  }
+}
+
 }  // namespace
 }  // namespace qdot

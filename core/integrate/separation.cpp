@@ -1,0 +1,101 @@
+#include "core/integrate/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/constants.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr unsigned low_order = 12;  ///< tried first
+constexpr double small = 1e-3;      ///< of the largest term: so the last ones show that these were enough
+constexpr double lost = 2;          ///< times what a component has reached
+constexpr double enlarged = 0x1p-30;
+
+/// y - e, and not y itself, where nothing would be rounded otherwise.
+double beside(double y, double e) {
+  const double difference = y - e;
+  return difference == y && e != 0 ? std::nextafter(y, e < 0 ? infinity : -infinity) : difference;
+}
+
+}  // namespace
+
+Separation::Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale)
+    : original_(original),
+      scale_(scale),
+      e_(std::move(moved_by)),
+      largest_(e_.size()),
+      y_(e_.size()),
+      size_(e_.size()),
+      beside_(e_.size()),
+      rise_(e_.size()) {
+  for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
+}
+
+void Separation::follow(const MotionPiece& step, std::span<const double> own) {
+  const unsigned order = std::min(low_order, step.order);
+  for (std::size_t i = 0; i < e_.size(); ++i) {
+    const double* c = step.rows.data() + i * (step.order + 1);
+    y_[i] = c[0];
+    double largest = std::abs(c[0]), power = 1;
+    for (std::size_t k = 1; k <= order; ++k) largest = std::max(largest, std::abs(c[k]) * (power *= step.h));
+    size_[i] = std::max(size_[i], largest);
+  }
+  project(step.t);
+  place_beside();
+  if (!rise(step, order)) (void)rise(step, step.order);
+  for (std::size_t i = 0; i < e_.size(); ++i) {
+    const double before = e_[i], after = before + rise_[i] / factor_;
+    const double added = own.empty() ? 0 : own[i];
+    if (!std::isfinite(after) || !std::isfinite(added)) continue;
+    e_[i] = std::clamp(after + std::copysign(added, after), -lost * size_[i], lost * size_[i]);
+    largest_[i] = std::max(std::abs(before), std::abs(e_[i]));
+  }
+}
+
+/// Motions that obey constraints are apart within them.
+void Separation::project(double t) {
+  if (!original_.project) return;
+  for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = y_[i] - e_[i];
+  if (!original_.project(t, beside_)) return;
+  for (std::size_t i = 0; i < e_.size(); ++i) e_[i] = y_[i] - beside_[i];
+}
+
+void Separation::place_beside() {
+  if (scale_ == Scale::as_it_is) {
+    for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = beside(y_[i], e_[i]);
+    return;
+  }
+  double part = 0;
+  for (std::size_t i = 0; i < e_.size(); ++i) {
+    if (e_[i] != 0) part = std::max(part, std::abs(e_[i]) / size_[i]);
+  }
+  factor_ = part > 0 && std::isfinite(part) ? std::max(1.0, enlarged / part) : 1;
+  for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = y_[i] - factor_ * e_[i];
+}
+
+/// rise_: what the step adds to e, by series of an order; false where their last terms do not show that these
+/// are enough.
+bool Separation::rise(const MotionPiece& step, unsigned order) {
+  std::ranges::fill(rise_, 0.0);
+  c_.resize(e_.size() * (order + 1));
+  if (original_.expansion(step.t, beside_, order, c_) != Evaluation::ok) return false;
+  bool is_enough = true;
+  for (std::size_t i = 0; i < e_.size(); ++i) {
+    const double* own = step.rows.data() + i * (step.order + 1);
+    const double* other = c_.data() + i * (order + 1);
+    double power = 1, largest = factor_ * std::abs(e_[i]), before = 0, last = 0;
+    for (std::size_t k = 1; k <= order; ++k) {
+      power *= step.h;
+      before = last;
+      last = (own[k] - other[k]) * power;
+      rise_[i] += last;
+      largest = std::max(largest, std::abs(last));
+    }
+    is_enough = is_enough && std::max(std::abs(before), std::abs(last)) <= small * largest;
+  }
+  return is_enough;
+}
+
+}  // namespace qdot

@@ -1,0 +1,53 @@
+#pragma once
+// How far a computation may be from the motion that it stands for.
+//
+// A reference goes from parameters p and initial values y that are moved by dp and dy, and each of its steps
+// adds an error d_k of its own. The motion makes of them
+//
+//   e' = df/dy e + df/dp dp,   e(0) = dy,   |e_i| += |d_k,i| at the end of step k,
+//
+// always to the side where e is already, so that they add up along what grows. It is followed beside the
+// steps: f by a Taylor series from the place e away from the reference's own, less the reference's, of as low
+// an order as does. Where it is as large as the motion it grows no more. One sample of the signs, good to a
+// factor of some units. Each e_i is in
+// the unit of y_i. Source of the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
+// I, 2nd ed., I.14 (differentiability with respect to initial values and parameters).
+
+#include <span>
+#include <vector>
+
+#include "core/integrate/run.hpp"
+
+namespace qdot {
+
+class Separation {
+ public:
+  /// What series in doubles differ by.
+  enum class Scale {
+    as_it_is,  ///< e, and the last digits that are rounded otherwise
+    enlarged   ///< e times so much that these do not count
+  };
+  /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
+  Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
+
+  /// The reference has taken this step, which may have made these errors |d_i| of its own. Where the original
+  /// has no values e stays as it is.
+  void follow(const MotionPiece& step, std::span<const double> own);
+
+  /// |e_i| at the two ends of the last step, the larger one.
+  [[nodiscard]] std::span<const double> in_last_step() const { return largest_; }
+
+ private:
+  void project(double t);
+  void place_beside();
+  [[nodiscard]] bool rise(const MotionPiece& step, unsigned order);
+
+  const RightHandSide& original_;
+  Scale scale_;
+  double factor_{1};  ///< e times it is what series differ by
+  std::vector<double> e_, largest_;
+  std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
+  std::vector<double> beside_, c_, rise_;  ///< scratch
+};
+
+}  // namespace qdot

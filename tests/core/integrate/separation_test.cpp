@@ -1,0 +1,127 @@
+// Two motions of x'' = k x that begin apart.
+
+#include "core/integrate/separation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/integrate/systems.hpp"
+
+namespace qdot {
+namespace {
+
+using namespace integrate_test;
+
+constexpr unsigned order = 22;
+
+/// Series of y = (x, x') for x'' = k x.
+RightHandSide pulled_by(double k) {
+  RightHandSide system;
+  system.dimension = 2;
+  system.expansion = [k](double, std::span<const double> y, unsigned highest, std::span<double> c) {
+    const auto x = c.first(highest + 1), v = c.subspan(highest + 1);
+    x[0] = y[0];
+    v[0] = y[1];
+    for (unsigned i = 0; i < highest; ++i) {
+      x[i + 1] = v[i] / (i + 1);
+      v[i + 1] = k * x[i] / (i + 1);
+    }
+    return Evaluation::ok;
+  };
+  return system;
+}
+
+struct Steps {
+  double k{}, k_of_reference{};
+  std::vector<double> own{};  ///< error of each step
+  double h{0.5};
+  std::vector<double> start{1, 0};
+  Separation::Scale scale{Separation::Scale::as_it_is};
+
+  [[nodiscard]] std::vector<double> apart(std::vector<double> moved_by, int count) const {
+    const RightHandSide original = pulled_by(k), reference = pulled_by(k_of_reference);
+    Separation separation(original, std::move(moved_by), scale);
+    std::vector<double> y = start, c(2 * (order + 1));
+    for (int i = 0; i < count; ++i) {
+      EXPECT_EQ(reference.expansion(i * h, y, order, c), Evaluation::ok);
+      separation.follow({.t = i * h, .h = h, .rows = c, .order = order, .defect = {}}, own);
+      for (std::size_t j = 0; j < 2; ++j) {
+        const auto row = std::span(c).subspan(j * (order + 1), order + 1);
+        y[j] = 0;
+        for (std::size_t n = order + 1; n-- > 0;) y[j] = y[j] * h + row[n];
+      }
+    }
+    return {separation.in_last_step().begin(), separation.in_last_step().end()};
+  }
+};
+
+TEST(Separation, GrowsAsTheMotionDoes) {
+  const auto apart = Steps{.k = 1, .k_of_reference = 1}.apart({1e-9, 0}, 24);
+  EXPECT_NEAR(apart[0], 1e-9 * std::cosh(12), 1e-4 * apart[0]);
+  EXPECT_NEAR(apart[1], 1e-9 * std::sinh(12), 1e-4 * apart[1]);
+}
+
+TEST(Separation, OfAnOscillationDoesNotGrow) {
+  const auto apart = Steps{.k = -1, .k_of_reference = -1}.apart({1e-9, 0}, 400);
+  EXPECT_NEAR(std::hypot(apart[0], apart[1]), 1e-9, 5e-10);  // the larger of both ends
+}
+
+/// More terms than the first try has.
+TEST(Separation, IsThatOfLongSteps) {
+  const auto apart = Steps{.k = 1, .k_of_reference = 1, .h = 6}.apart({1e-12, 0}, 2);
+  EXPECT_NEAR(apart[0], 1e-12 * std::cosh(12), 1e-3 * apart[0]);
+}
+
+TEST(Separation, ErrorsOfStepsAddUpAlongWhatGrows) {
+  const auto apart = Steps{.k = 1, .k_of_reference = 1, .own = {1e-9, 0}}.apart({0, 0}, 24);
+  double sum = 0;
+  for (int i = 0; i < 24; ++i) sum += 1e-9 * std::cosh(0.5 * i);
+  EXPECT_GE(apart[0], 0.999 * sum);
+  EXPECT_LE(apart[0], 1.5 * sum);
+}
+
+TEST(Separation, ComesFromParametersThatAreMoved) {
+  const double k = 1 + 1e-9;
+  const auto apart = Steps{.k = 1, .k_of_reference = k}.apart({0, 0}, 8);
+  EXPECT_NEAR(apart[0], std::cosh(std::sqrt(k) * 4) - std::cosh(4), 1e-3 * apart[0]);
+}
+
+/// An ulp of x is lost in y + e where y is large, and both computations would be the same.
+TEST(Separation, IsSeenWhereItIsLessThanAnUlp) {
+  EXPECT_GT((Steps{.k = 1, .k_of_reference = 1}.apart({0x1p-60, 0}, 6)[0]), 0x1p-53);
+  const Steps enlarged{.k = 1, .k_of_reference = 1, .scale = Separation::Scale::enlarged};
+  const auto apart = enlarged.apart({1e-25, 0}, 24);
+  EXPECT_NEAR(apart[0], 1e-25 * std::cosh(12), 1e-3 * apart[0]);
+}
+
+TEST(Separation, OfALostMotionIsAsLargeAsTheMotion) {
+  const Steps steps{.k = 1, .k_of_reference = 1, .start = {1, -1}};  // e^-t, beside it e^t
+  const auto apart = steps.apart({1e-3, 0}, 200);
+  EXPECT_LE(apart[0], 2);
+  EXPECT_GT(apart[0], 0.5);
+}
+
+TEST(Separation, StaysWhereTheOriginalHasNoValues) {
+  RightHandSide original = pulled_by(1);
+  original.expansion = [](double, auto, unsigned, auto) { return Evaluation::nonfinite; };
+  Separation separation(original, {1e-9, 0});
+  const std::vector<double> rows(2 * (order + 1), 1.0);
+  separation.follow({.t = 0, .h = 1, .rows = rows, .order = order, .defect = {}}, {});
+  EXPECT_EQ(separation.in_last_step()[0], 1e-9);
+}
+
+TEST(Separation, IsWithinConstraints) {
+  RightHandSide original = pulled_by(-1);
+  original.project = [](double, std::span<double> y) {
+    y[0] = 1;
+    return true;
+  };
+  Separation separation(original, {1e-3, 1e-9});
+  std::vector<double> c(2 * (order + 1));
+  ASSERT_EQ(original.expansion(0, std::vector<double>{1, 0}, order, c), Evaluation::ok);
+  separation.follow({.t = 0, .h = 1e-3, .rows = c, .order = order, .defect = {}}, {});
+  EXPECT_LT(separation.in_last_step()[0], 1e-11);
+  EXPECT_NEAR(separation.in_last_step()[1], 1e-9, 1e-12);
+}
+
+}  // namespace
+}  // namespace qdot
