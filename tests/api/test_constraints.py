@@ -268,7 +268,7 @@ class Refusals(Service):
         self.wrong(pendulum, [{"name": "c", "expression": "x - l", "multiplier": "g"}], "duplicate_name")
 
     def test_a_force_is_linear_in_a_multiplier(self):
-        force = {"vector": ["abs(lambda_string)*x", "0"], "point": "bob"}
+        force = {"vector": ["lambda_string^2*x*l/(m*g)", "0"], "point": "bob"}
         self.wrong(scenes.PENDULUM_BY_CONSTRAINT, scenes.PENDULUM_BY_CONSTRAINT["constraints"], "not_linear", forces=[force])
 
     def test_questions_that_are_not_answered_under_constraints_say_so(self):
