@@ -1,0 +1,56 @@
+#pragma once
+// How far a reference may be from the motion that it stands for (core/integrate/own_errors.hpp), from one
+// section of a motion to the next.
+//
+// Both motions meet the event at which a section ends. One meets it at (t, y). The other one is at y - e
+// then, and meets it later by delta, where its g is zero as that of the first is:
+//
+//   g(t + delta, y - e + delta f_-) = g(t, y),
+//   e_+ = y_+ - (map(y - e + delta f_-) - delta f_+),
+//
+// with f the slopes y' before and after it. Source: di Bernardo, Budd, Champneys, Kowalczyk,
+// Piecewise-smooth Dynamical Systems (2008), 2.3 and 2.5 (saltation matrices).
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/motion/simulation.hpp"
+
+namespace qdot {
+
+/// What ends a section, and the states y and slopes y' on both sides of it.
+struct SectionEnd {
+  double t{};
+  std::vector<double> before, slopes_before, after, slopes_after;
+  std::vector<double> reached{};  ///< the largest |y_i| up to there
+  std::function<double(double t, std::span<const double> y)> g;
+  /// The state after it by that before it; as it is, where there is no such function.
+  std::function<std::vector<double>(const std::vector<double>& y)> map{};
+};
+
+/// e after it; as large as the motion where it only grazes.
+[[nodiscard]] std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e);
+
+/// What of e_+ there is for each second that the event is taken too late: Dmap f_- - f_+.
+[[nodiscard]] std::vector<double> rates_of_instant(const SectionEnd& end);
+
+/// Of a reference, when the request has originals; of others nothing.
+class ApartAlong {
+ public:
+  explicit ApartAlong(const SimulationRequest& request);
+
+  [[nodiscard]] bool is_wanted() const { return is_wanted_; }
+  void ask(RunRequest& run, const Originals& originals) const;
+  /// The rows of a run, and where it ended. Where the run says nothing nothing has changed.
+  void add(const Run& done, Simulation& simulation);
+  /// Its `reached` is filled in here. The instant is off by its rounding.
+  void pass(SectionEnd end);
+
+ private:
+  bool is_wanted_;
+  Apart now_;
+  std::vector<double> reached_;
+};
+
+}  // namespace qdot
