@@ -104,6 +104,7 @@ void ApartAlong::add(const Run& done, Simulation& simulation) {
 }
 
 void ApartAlong::pass(SectionEnd end) {
+  if (!is_wanted_) return;
   end.reached = reached_;
   now_.by_truncation = apart_after(end, now_.by_truncation);
   now_.by_rounding = apart_after(end, now_.by_rounding);

@@ -11,23 +11,13 @@
 // with f the slopes y' before and after it. Source: di Bernardo, Budd, Champneys, Kowalczyk,
 // Piecewise-smooth Dynamical Systems (2008), 2.3 and 2.5 (saltation matrices).
 
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/motion/section_end.hpp"
 #include "core/motion/simulation.hpp"
 
 namespace qdot {
-
-/// What ends a section, and the states y and slopes y' on both sides of it.
-struct SectionEnd {
-  double t{};
-  std::vector<double> before, slopes_before, after, slopes_after;
-  std::vector<double> reached{};  ///< the largest |y_i| up to there
-  std::function<double(double t, std::span<const double> y)> g;
-  /// The state after it by that before it; as it is, where there is no such function.
-  std::function<std::vector<double>(const std::vector<double>& y)> map{};
-};
 
 /// e after it; as large as the motion where it only grazes.
 [[nodiscard]] std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e);
