@@ -12,10 +12,11 @@
 // Piecewise-smooth Dynamical Systems (2008), 2.3 and 2.5 (saltation matrices).
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/motion/section_end.hpp"
-#include "core/motion/simulation.hpp"
+#include "core/motion/simulation_request.hpp"
 
 namespace qdot {
 
@@ -32,15 +33,22 @@ class ApartAlong {
 
   [[nodiscard]] bool is_wanted() const { return is_wanted_; }
   void ask(RunRequest& run, const Originals& originals) const;
-  /// The rows of a run, and where it ended. Where the run says nothing nothing has changed.
-  void add(const Run& done, Simulation& simulation);
+  /// The next run's rows, and where it ended. Where the run says nothing nothing has changed.
+  void add(const Run& done);
   /// Its `reached` is filled in here. The instant is off by its rounding.
   void pass(SectionEnd end);
+
+  /// As in Run, of all runs.
+  struct Rows {
+    std::vector<double> all, by_rounding;
+  };
+  [[nodiscard]] Rows take_rows() { return std::move(rows_); }
 
  private:
   bool is_wanted_;
   Apart now_;
   std::vector<double> reached_;
+  Rows rows_;
 };
 
 }  // namespace qdot

@@ -53,6 +53,10 @@ class Simulator {
     record_piece({});
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
+    result_.unseen = unseen_.take_rows();
+    auto [apart, by_rounding] = apart_.take_rows();
+    result_.apart = std::move(apart);
+    result_.apart_by_rounding = std::move(by_rounding);
     fill_columns();
     result_.changes = conserved_changes(dynamics_, request_, result_.states, segments_);
     result_.conserved = conserved_records(dynamics_, request_, result_.changes);
@@ -196,10 +200,10 @@ class Simulator {
     Run done = integrate(sections_.system(), run);
     if (step) enclose(run, done);
     result_.bounded = result_.bounded && done.bounded;
-    unseen_.add(done, result_);
+    unseen_.add(done);
     result_.accelerations.insert(result_.accelerations.end(), done.accelerations.begin(),
                                  done.accelerations.end());
-    apart_.add(done, result_);
+    apart_.add(done);
     result_.rows += done.rows;
     if (result_.states.empty()) {
       result_.states = std::move(done.states);

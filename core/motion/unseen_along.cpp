@@ -6,15 +6,14 @@
 
 namespace qdot {
 
-void UnseenAlong::add(const Run& done, Simulation& simulation) {
-  const std::size_t width = done.y.size(), before = simulation.rows * width;
+void UnseenAlong::add(const Run& done) {
+  const std::size_t width = done.y.size(), before = count_ * width;
+  count_ += done.rows;
   if (unseen_.empty() && done.unseen_at_end.empty()) return;
   unseen_.resize(width);
-  simulation.unseen.resize(before);
-  for (std::size_t i = 0; i < done.rows; ++i) {
-    simulation.unseen.insert(simulation.unseen.end(), unseen_.begin(), unseen_.end());
-  }
-  for (std::size_t i = 0; i < done.unseen.size(); ++i) simulation.unseen[before + i] += done.unseen[i];
+  rows_.resize(before);
+  for (std::size_t i = 0; i < done.rows; ++i) rows_.insert(rows_.end(), unseen_.begin(), unseen_.end());
+  for (std::size_t i = 0; i < done.unseen.size(); ++i) rows_[before + i] += done.unseen[i];
   for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
 }
 
