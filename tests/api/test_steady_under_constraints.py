@@ -2,12 +2,13 @@
 values with their kinds and formulas, steady motions, small motions with gyroscopic forces and damping."""
 
 import pathlib
+import random
 import sys
 import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
-from short_scene import DOWN, DOWN_3D, G, particle, scene  # noqa: E402
+from short_scene import DOWN, DOWN_3D, G, lagrangian, particle, scene  # noqa: E402
 
 ROUNDING = 4e-16
 
@@ -112,7 +113,7 @@ class SteadyUnderConstraints(Service):
         for a, b in zip(with_constraints["critical"], own["critical"]):
             self.assertEqual(a["kind"], b["kind"])
             self.assert_near(a["value"], b["value"], a["error"] + b["error"])
-            self.assertLess(a["error"], 1e-13*abs(a["value"]))
+            self.assertLess(a["error"], 1e-13*(1 + abs(a["value"])))
             self.assertEqual(a.get("exact", {}).get("text"), b.get("exact", {}).get("text"))
         stability = [sorted(set(sum((branch["stability"] for branch in answer["branches"]), [])))
                      for answer in (with_constraints, own)]
@@ -136,6 +137,22 @@ class SteadyUnderConstraints(Service):
     def test_a_column_of_two_links_buckles(self):
         fork, = self.critical(COLUMN, "P", 0.1, 1.5)["critical"]
         self.assertEqual((fork["kind"], fork["exact"]["text"]), ("pitchfork", "(3 - sqrt(5))*c/(2*l)"))
+
+    def test_random_potentials_on_a_circle_have_the_critical_values_of_its_angle(self):
+        draw = random.Random(5)
+        found = 0
+        for _ in range(12):
+            a, b, c, d = (round(draw.uniform(-1.5, 1.5), 2) for _ in range(4))
+            terms = [f"({a})*X", f"({b})*Y", f"({c})*X^2", f"({d})*X*Y", "p*" + draw.choice(("X", "Y", "X^2", "X*Y", "X^2*Y"))]
+            potential = " + ".join(terms)
+            on_circle = lagrangian("on_circle", "p - 0.3", "x - 1; y -",
+                                   "(x_dot^2 + y_dot^2)/2 - (" + potential.replace("X", "x").replace("Y", "y") + ")",
+                                   constraints=[{"name": "circle", "expression": "x^2 + y^2 - 1"}])
+            by_angle = lagrangian("by_angle", "p - 0.3", "a -",
+                                  "a_dot^2/2 - (" + potential.replace("X", "cos(a)").replace("Y", "sin(a)") + ")")
+            by_angle["coordinates"][0]["unit"] = "rad"
+            found += len(self.critical((on_circle, by_angle), "p", -3, 3)["critical"])
+        self.assertGreater(found, 12)
 
     def test_branches_lie_on_the_surface(self):
         answer = self.critical(HOOP, "Omega", 1, 10)
