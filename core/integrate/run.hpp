@@ -28,7 +28,8 @@ struct RightHandSide {
   std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
       expansion{};
   /// Bounds over 0 <= s <= h of the defect |p_i'(s) - f_i(t + s, p(s))| of the polynomials p that `expansion`
-  /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Optional.
+  /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Where nothing is
+  /// `allowed` they are the closest there are. Optional.
   std::function<double(double h, std::span<const double> allowed, std::span<double> defect)> defect{};
   /// Moves a state that is near to it onto what all states obey: constraints, from which steps drift away by
   /// their errors. Returns whether it could. Optional; used by Method::taylor.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -251,10 +250,7 @@ class TaylorStepper final : public Stepper {
     if (hides_) bound_closely(h);
   }
 
-  void bound_closely(double h) {
-    std::ranges::fill(allowed_, std::numeric_limits<double>::min());
-    (void)system_.defect(h, allowed_, defect_);
-  }
+  void bound_closely(double h) { (void)system_.defect(h, {}, defect_); }
 
   /// After much shortening: between a length that does and one that does not.
   double lengthened(double good, double bad) {
