@@ -21,6 +21,14 @@ namespace {
 // The methods compare products of times with zero; squares of shorter spans underflow.
 constexpr double shortest_span = 1e-140;
 
+/// Appends so many copies of a row.
+void append(std::vector<double>& rows, std::span<const double> row, std::size_t count) {
+  const std::size_t begin = rows.size();
+  rows.resize(begin + count * row.size());
+  for (auto to = rows.begin() + static_cast<std::ptrdiff_t>(begin); to != rows.end();)
+    to = std::ranges::copy(row, to).out;
+}
+
 class Integration {
  public:
   Integration(const RightHandSide& system, const RunRequest& request)
@@ -107,9 +115,7 @@ class Integration {
     if (unseen.empty()) return;
     const std::size_t n = request_.y_start.size();
     run_.unseen.resize(run_.rows * n);
-    for (std::size_t i = 0; i < count; ++i) {
-      run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
-    }
+    append(run_.unseen, unseen, count);
   }
 
   /// The defect of a series goes with s^(order - 1), and comes to this; what goes otherwise is in unseen().
@@ -123,8 +129,7 @@ class Integration {
 
   void note_separation(std::size_t count) {
     if (!separation_) return;
-    const std::span<const double> apart = separation_->in_last_step();
-    for (std::size_t i = 0; i < count; ++i) run_.apart.insert(run_.apart.end(), apart.begin(), apart.end());
+    append(run_.apart, separation_->in_last_step(), count);
   }
 
   void note_accelerations(std::size_t count) {
@@ -133,7 +138,7 @@ class Integration {
     std::vector<double>& all = run_.accelerations;
     if (of_step.empty())
       all.resize((run_.rows + count) * (run_.y.size() / 2), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < count; ++i) all.insert(all.end(), of_step.begin(), of_step.end());
+    append(all, of_step, count);
   }
 
   const RunRequest& request_;

@@ -19,6 +19,7 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
+constexpr std::size_t rows_of_reference = 64;  ///< at which it is looked at what that keeps
 /// Of the terms of a constraint: what rounding leaves of it, and no more.
 constexpr double kept_by_impacts = 1e-9;
 constexpr const char* accumulation =
@@ -50,9 +51,7 @@ class Simulator {
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
     fill_columns();
-    result_.changes = conserved_changes(dynamics_, request_, result_.states, segments_);
-    result_.conserved = conserved_records(dynamics_, request_, result_.changes);
-    result_.constraints = constraints_along(dynamics_, request_, result_.states);
+    note_what_is_kept();
     return std::move(result_);
   }
 
@@ -223,10 +222,11 @@ class Simulator {
     if (unseen_.empty() && done.unseen_at_end.empty()) return;
     unseen_.resize(width);
     result_.unseen.resize(before);
-    for (std::size_t i = 0; i < done.rows; ++i) {
-      result_.unseen.insert(result_.unseen.end(), unseen_.begin(), unseen_.end());
+    result_.unseen.insert(result_.unseen.end(), done.unseen.begin(), done.unseen.end());
+    result_.unseen.resize(before + done.rows * width);
+    for (std::size_t i = before; i < result_.unseen.size(); i += width) {
+      for (std::size_t k = 0; k < width; ++k) result_.unseen[i + k] += unseen_[k];
     }
-    for (std::size_t i = 0; i < done.unseen.size(); ++i) result_.unseen[before + i] += done.unseen[i];
     for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
   }
 
@@ -341,6 +341,16 @@ class Simulator {
 
   [[nodiscard]] std::span<const double> row(std::size_t i) const {
     return std::span(result_.states).subspan(i * request_.y_start.size(), request_.y_start.size());
+  }
+
+  /// How well a reference keeps it some rows tell, of which the last is one.
+  void note_what_is_kept() {
+    const std::size_t every = request_.is_reference ? 1 + result_.rows / rows_of_reference : 1;
+    std::vector<double> changes = conserved_changes(dynamics_, request_, result_.states, segments_, every);
+    result_.conserved = conserved_records(dynamics_, request_, changes);
+    if (request_.is_reference) return;
+    result_.changes = std::move(changes);
+    result_.constraints = constraints_along(dynamics_, request_, result_.states);
   }
 
   void fill_columns() {
