@@ -57,12 +57,10 @@ double powered(double x, unsigned k) {
 template <std::size_t size>
 void fill_powers(std::array<double, size>& powers, double x, unsigned order) {
   const double x2 = x * x, x4 = x2 * x2;
-  powers[0] = 1;
-  powers[1] = x;
-  powers[2] = x2;
-  powers[3] = x2 * x;
-  for (unsigned k = 4; k <= order; k += 4) {
-    for (unsigned i = 0; i < 4; ++i) powers[k + i] = powers[k + i - 4] * x4;
+  Two low{1, x}, high{x2, x2 * x};
+  for (unsigned k = 0; k <= order; k += 4, low *= x4, high *= x4) {
+    std::memcpy(&powers[k], &low, sizeof low);
+    std::memcpy(&powers[k + 2], &high, sizeof high);
   }
 }
 
