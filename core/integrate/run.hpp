@@ -154,9 +154,9 @@ struct Run {
   /// Whether every step was accepted with a bound of its defect over its whole length: nothing lies hidden
   /// between the places where f was evaluated.
   bool bounded{false};
-  /// Where steps may hide something that their last coefficients do not show: how much of each component, up
-  /// to each row (rows x dimension). Of a reference, with all that its steps may be off by. Empty where there
-  /// is neither.
+  /// Of a reference: all that its steps may be off by, and where they may hide something that their last
+  /// coefficients do not show, how much of each component, up to each row (rows x dimension). Otherwise
+  /// empty.
   std::vector<double> unseen{};
   std::vector<double> unseen_at_end{};  ///< the same where the run ended
   /// Of a reference, where y is (q, q'): for each row bounds of |q''| during the step that it lies in, not
