@@ -286,7 +286,10 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   while (run.ending == Ending::reached_end && is_before(stepper.t(), request.t_end)) {
     const auto failed = stepper.step();
     if (failed) run.ending = *failed;
-    if (!failed && separation) separation->follow(stepper.polynomials(), stepper.rounded());
+    if (!failed && separation) {
+      separation->follow(stepper.polynomials());
+      separation->add(stepper.rounded(), separation->now());
+    }
     sample();
   }
   run.t = stepper.t();

@@ -12,8 +12,8 @@
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/methods.hpp"
+#include "core/integrate/own_errors.hpp"
 #include "core/integrate/progress.hpp"
-#include "core/integrate/separation.hpp"
 
 namespace qdot {
 namespace {
@@ -40,9 +40,10 @@ class Integration {
     if (!request.is_reference) return;
     run_.unseen.reserve(numbers);
     run_.accelerations.reserve(numbers / 2);
-    if (request.original == nullptr) return;
-    separation_.emplace(*request.original, request.apart);
+    if (request.originals == nullptr) return;
+    own_errors_.emplace(*request.originals, request.apart, request.t_start);
     run_.apart.reserve(numbers);
+    run_.apart_by_rounding.reserve(numbers);
   }
 
   Run run() && {
@@ -51,6 +52,7 @@ class Integration {
     run_.evaluations = stepper_->evaluations();
     run_.bounded = stepper_->bounded() && events_.saw_everything();
     run_.unseen_at_end.assign(stepper_->unseen().begin(), stepper_->unseen().end());
+    if (own_errors_) run_.apart_at_end = own_errors_->now();
     return std::move(run_);
   }
 
@@ -70,10 +72,10 @@ class Integration {
     if (const auto failed = stepper_->step()) return failed;
     if (const auto wrong = unusable(stepper_->y(), request_.limits.max_magnitude)) return wrong;
 
-    if (separation_) follow();
     const EventSearch::Found found = events_.search(*stepper_);
     if (found.failure) return found.failure;
     const double t = found.terminal ? found.events.back().t : stepper_->t();
+    if (own_errors_) follow_until(t);
     if (found.terminal) stepper_->end_at(t);
     if (const auto failed = sample_until(t)) return failed;
 
@@ -104,7 +106,7 @@ class Integration {
     }
     note_unseen(count);
     note_accelerations(count);
-    note_separation(count);
+    note_own_errors(count);
     run_.rows = end;
     return std::nullopt;
   }
@@ -118,18 +120,20 @@ class Integration {
     append(run_.unseen, unseen, count);
   }
 
-  /// The defect of a series goes with s^(order - 1), and comes to this; what goes otherwise is in unseen().
-  void follow() {
-    const auto step = stepper_->polynomials();
+  void follow_until(double t) {
+    auto step = stepper_->polynomials();
     if (!step) return;
-    own_error_.assign(step->defect.begin(), step->defect.end());
-    for (double& error : own_error_) error *= step->h / step->order;
-    separation_->follow(*step, own_error_);
+    step->h = std::min(step->h, t - step->t);
+    own_errors_->follow(*step);
   }
 
-  void note_separation(std::size_t count) {
-    if (!separation_) return;
-    append(run_.apart, separation_->in_last_step(), count);
+  void note_own_errors(std::size_t count) {
+    if (!own_errors_) return;
+    const std::size_t n = request_.y_start.size();
+    for (std::size_t i = 0; i < count * n; ++i) {
+      run_.apart.push_back(own_errors_->in_last_step(i % n));
+      run_.apart_by_rounding.push_back(own_errors_->rounding_in_last_step(i % n));
+    }
   }
 
   void note_accelerations(std::size_t count) {
@@ -145,8 +149,7 @@ class Integration {
   std::unique_ptr<Stepper> stepper_;
   EventSearch events_;
   ProgressGuard progress_;
-  std::optional<Separation> separation_;
-  std::vector<double> own_error_;  ///< of the last step
+  std::optional<OwnErrors> own_errors_;
   Run run_;
 };
 

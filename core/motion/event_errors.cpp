@@ -70,7 +70,7 @@ std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<co
   return by_slopes(watch, place, own_time, around.doubt);
 }
 
-/// Where g is enclosed too widely, as where it takes a linear system: the smaller root of
+/// Where g is enclosed too widely: the smaller root of
 ///   |g'| tau - |g''| tau^2/2 = |g| + sum_k |dg/dy_k| e_k,
 /// with g' and g'' along the motion. An estimate.
 std::optional<double> EventErrors::by_slopes(const Watch& watch, const Place& place, double own_time,

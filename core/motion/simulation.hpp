@@ -51,9 +51,8 @@ struct Simulation {
   std::vector<double> unseen;  ///< as Run::unseen, rows x 2n; empty where there is nothing
   /// As Run::accelerations, rows x n, of a reference; not a number where there is no bound.
   std::vector<double> accelerations;
-  /// As Run::apart, rows x 2n, of a reference that stands for another motion. At impacts and kinks it begins
-  /// anew.
-  std::vector<double> apart;
+  /// As in Run, rows x 2n, of a reference that stands for another motion.
+  std::vector<double> apart, apart_by_rounding;
 };
 
 /// Where abs and sign stand in the equations, every zero of their arguments ends a section of the motion that

@@ -53,4 +53,15 @@ void solve_linear(std::size_t n, std::span<const Ball> m, std::span<Ball> b) noe
   }
 }
 
+void solve_linear(std::size_t n, std::span<const Interval> m, std::span<Interval> b) noexcept {
+  Entries<Ball> matrix;
+  std::ranges::transform(m, matrix.begin(), &Ball::of);
+  for (std::span<Interval> right = b; !right.empty(); right = right.subspan(n)) {
+    std::array<Ball, largest_system> x;
+    std::ranges::transform(right.first(n), x.begin(), &Ball::of);
+    solve_linear(n, std::span<const Ball>(matrix).first(n * n), std::span(x).first(n));
+    for (std::size_t i = 0; i < n; ++i) right[i] = x[i].is_finite() ? x[i].interval() : Interval::whole();
+  }
+}
+
 }  // namespace qdot

@@ -7,11 +7,15 @@
 #include <span>
 
 #include "core/numerics/ball.hpp"
+#include "core/numerics/interval.hpp"
 
 namespace qdot {
 
 /// Replaces each right-hand side by an enclosure of its solutions, M given by rows (n x n), b and x by
 /// right-hand sides (k x n); not finite where M may have no inverse.
 void solve_linear(std::size_t n, std::span<const Ball> m, std::span<Ball> b) noexcept;
+
+/// The same with intervals; the whole line where M may have no inverse.
+void solve_linear(std::size_t n, std::span<const Interval> m, std::span<Interval> b) noexcept;
 
 }  // namespace qdot
