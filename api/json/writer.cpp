@@ -1,14 +1,11 @@
 #include "api/json/writer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "api/json/shortest_decimal.hpp"
 #include "core/base/work.hpp"
 
 namespace qdot::api {
@@ -25,7 +22,9 @@ double require_finite(double value) {
 }
 
 /// Where the notation without exponent is the one that people read.
-bool is_written_in_full(double magnitude) { return magnitude >= 1e-4 && magnitude < 1e15; }
+std::chars_format notation(double magnitude) {
+  return magnitude >= 1e-4 && magnitude < 1e15 ? std::chars_format::fixed : std::chars_format::scientific;
+}
 
 bool holds_structures(const Json& json) {
   return json.is_array() &&
@@ -50,77 +49,17 @@ void append_flat(std::string& out, const Json& json, std::string_view comma, int
   }
 }
 
-/// "000102..99"
-constexpr std::array<char, 200> pairs_of_digits = [] {
-  std::array<char, 200> pairs{};
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    pairs[i] = static_cast<char>('0' + (i % 2 == 0 ? i / 20 : i / 2 % 10));
-  return pairs;
-}();
-
-/// So many digits, from the last one on.
-void write_digits(char* text, std::uint64_t digits, int count) {
-  for (; count >= 2; digits /= 100) {
-    count -= 2;
-    std::copy_n(pairs_of_digits.data() + 2 * (digits % 100), 2, text + count);
-  }
-  if (count == 1) *text = static_cast<char>('0' + digits);
-}
-
-constexpr std::array<std::uint64_t, 20> powers_of_ten = [] {
-  std::array<std::uint64_t, 20> powers{1};
-  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
-  return powers;
-}();
-
-/// Of a number above zero: by that of its bits, 1233/4096 digits each, or one more.
-int count_of_digits(std::uint64_t digits) {
-  const int count = std::bit_width(digits) * 1233 >> 12;
-  return count + (digits >= powers_of_ten[static_cast<std::size_t>(count)] ? 1 : 0);
-}
-
-/// With a point before the digits, behind them, or among them.
-char* write_in_full(char* text, const Decimal& decimal, int count) {
-  const int before_point = count + decimal.exponent;
-  if (before_point <= 0) {
-    text = std::ranges::copy(std::string_view("0."), text).out;
-    text = std::fill_n(text, -before_point, '0');
-    write_digits(text, decimal.digits, count);
-    return text + count;
-  }
-  if (before_point >= count) {
-    write_digits(text, decimal.digits, count);
-    text = std::fill_n(text + count, before_point - count, '0');
-    return std::ranges::copy(std::string_view(".0"), text).out;
-  }
-  write_digits(text + 1, decimal.digits, count);
-  for (int i = 0; i < before_point; ++i) text[i] = text[i + 1];
-  text[before_point] = '.';
-  return text + count + 1;
-}
-
-/// An exponent has a sign and at least two digits.
-char* write_with_exponent(char* text, const Decimal& decimal, int count) {
-  write_digits(text + 1, decimal.digits, count);
-  text[0] = text[1];
-  text[1] = '.';
-  text += count > 1 ? count + 1 : 1;
-  const int exponent = count - 1 + decimal.exponent, size = std::abs(exponent);
-  *text++ = 'e';
-  *text++ = exponent < 0 ? '-' : '+';
-  if (size < 10) *text++ = '0';
-  return std::to_chars(text, text + 3, size).ptr;
-}
-
 /// The number's digits from `text` on, at most longest_number of them; returns their end.
 char* write_number(char* text, double value) {
   if (value == 0) return std::ranges::copy(std::string_view("0.0"), text).out;  // -0.0 too
-  if (value < 0) *text++ = '-';
-  const double magnitude = std::abs(value);
-  const Decimal decimal = shortest_decimal(magnitude);
-  const int count = count_of_digits(decimal.digits);
-  return is_written_in_full(magnitude) ? write_in_full(text, decimal, count)
-                                       : write_with_exponent(text, decimal, count);
+  const std::chars_format format = notation(std::abs(value));
+  char* end = std::to_chars(text, text + longest_number - 2, value, format).ptr;
+  // A whole number in fixed notation has no point; below 1e15 its double is exact, so the test is too.
+  if (format == std::chars_format::fixed && value == std::trunc(value)) {
+    *end++ = '.';
+    *end++ = '0';
+  }
+  return end;
 }
 
 }  // namespace
