@@ -21,6 +21,7 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
+constexpr std::size_t rows_of_reference = 64;  ///< at which it is looked at what that keeps
 /// Of the terms of a constraint: what rounding leaves of it, and no more.
 constexpr double kept_by_impacts = 1e-9;
 constexpr const char* accumulation =
@@ -58,9 +59,7 @@ class Simulator {
     result_.apart = std::move(apart);
     result_.apart_by_rounding = std::move(by_rounding);
     fill_columns();
-    result_.changes = conserved_changes(dynamics_, request_, result_.states, segments_);
-    result_.conserved = conserved_records(dynamics_, request_, result_.changes);
-    result_.constraints = constraints_along(dynamics_, request_, result_.states);
+    note_what_is_kept();
     return std::move(result_);
   }
 
@@ -352,6 +351,16 @@ class Simulator {
 
   [[nodiscard]] std::span<const double> row(std::size_t i) const {
     return std::span(result_.states).subspan(i * request_.y_start.size(), request_.y_start.size());
+  }
+
+  /// How well a reference keeps it some rows tell, of which the last is one.
+  void note_what_is_kept() {
+    const std::size_t every = request_.is_reference ? 1 + result_.rows / rows_of_reference : 1;
+    std::vector<double> changes = conserved_changes(dynamics_, request_, result_.states, segments_, every);
+    result_.conserved = conserved_records(dynamics_, request_, changes);
+    if (request_.is_reference) return;
+    result_.changes = std::move(changes);
+    result_.constraints = constraints_along(dynamics_, request_, result_.states);
   }
 
   void fill_columns() {
