@@ -78,8 +78,8 @@ SceneError::SceneError(std::vector<Diagnostic> diagnostics)
 std::shared_ptr<const Model> build_model(const Scene& scene) {
   std::vector<Diagnostic> diagnostics;
   ParsedScene parsed = parse_scene(scene, diagnostics);
+  if (diagnostics.empty()) diagnostics = write_sizes_of_reactions(scene, parsed);
   if (!diagnostics.empty()) throw SceneError(diagnostics);
-  write_sizes_of_reactions(scene, parsed);
   auto model = std::make_shared<Model>();
   model->scene = scene;
   model->parsed = std::move(parsed);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "core/mechanics/reaction_sizes.hpp"
 #include "core/mechanics/scene_text.hpp"
+#include "core/mechanics/sizes_in_forces.hpp"
 
 namespace qdot {
 namespace {

@@ -69,7 +69,7 @@ class SurfaceAnalysis {
     const SmallMotions on_surface{restricted(kept.mass), restricted(kept.stiffness), restricted(kept.rates)};
     const SmallMotions all = statics.linearized ? of_all(of(*statics.linearized)) : kept;
     write_place();
-    write_matrices(all, result_);
+    std::tie(result_.mass, result_.stiffness, result_.gyroscopic, result_.damping) = matrices_by_rows(all);
     result_.modes = modes_of({statics, constants_, place_, total(), on_surface, all, z_});
     SteadyStability stability = stability_of(on_surface);
     result_.stability = stability.stability;

@@ -37,11 +37,9 @@ SquareMatrix<Ball> square_matrix(const std::vector<Ball>& entries, std::size_t n
   return result;
 }
 
-void write_matrices(const SmallMotions& motions, Modes& modes) {
-  modes.mass = by_rows(motions.mass);
-  modes.stiffness = by_rows(motions.stiffness);
-  modes.gyroscopic = part(motions.rates, -1);
-  modes.damping = part(motions.rates, 1);
+std::tuple<std::vector<double>, std::vector<double>, std::vector<double>, std::vector<double>>
+matrices_by_rows(const SmallMotions& motions) {
+  return {by_rows(motions.mass), by_rows(motions.stiffness), part(motions.rates, -1), part(motions.rates, 1)};
 }
 
 }  // namespace qdot

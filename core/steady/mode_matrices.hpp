@@ -1,7 +1,9 @@
 #pragma once
 // Matrices of small motions as numbers.
 
-#include "core/steady/modes.hpp"
+#include <tuple>
+#include <vector>
+
 #include "core/steady/small_motions.hpp"
 
 namespace qdot {
@@ -10,8 +12,9 @@ namespace qdot {
 [[nodiscard]] SquareMatrix<Ball> square_matrix(const std::vector<Ball>& entries, std::size_t n,
                                                std::size_t width, std::size_t first = 0);
 
-/// Mass, stiffness, and the skew and the symmetric part of the rates, empty where zero. What is zero to
-/// within its error is exactly zero.
-void write_matrices(const SmallMotions& motions, Modes& modes);
+/// Mass, stiffness, and the skew (gyroscopic) and the symmetric part (damping) of the rates, empty where
+/// zero. What is zero to within its error is exactly zero.
+[[nodiscard]] std::tuple<std::vector<double>, std::vector<double>, std::vector<double>, std::vector<double>>
+matrices_by_rows(const SmallMotions& motions);
 
 }  // namespace qdot

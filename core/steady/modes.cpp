@@ -49,7 +49,7 @@ class Analysis {
                 square_matrix(all, total(), total(), 2 * entries)};
     }
     write_state();
-    write_matrices(whole_, result_);
+    std::tie(result_.mass, result_.stiffness, result_.gyroscopic, result_.damping) = matrices_by_rows(whole_);
     write_modes();
     write_stability();
     return std::move(result_);
