@@ -8,9 +8,9 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned low_order = 12;  ///< tried first
-constexpr double small = 1e-3;      ///< of the largest term: so the last ones show that these were enough
-constexpr double lost = 2;          ///< times what a component has reached
+constexpr unsigned low_order = 8;  ///< tried first
+constexpr double small = 0.03;     ///< of the largest term: so the last ones show that these were enough
+constexpr double lost = 2;         ///< times what a component has reached
 constexpr double enlarged = 0x1p-30;
 
 /// y - e, and not y itself, where nothing would be rounded otherwise.
