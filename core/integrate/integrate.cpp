@@ -21,6 +21,14 @@ namespace {
 // The methods compare products of times with zero; squares of shorter spans underflow.
 constexpr double shortest_span = 1e-140;
 
+/// Appends so many copies of a row.
+void append(std::vector<double>& rows, std::span<const double> row, std::size_t count) {
+  const std::size_t begin = rows.size();
+  rows.resize(begin + count * row.size());
+  for (auto to = rows.begin() + static_cast<std::ptrdiff_t>(begin); to != rows.end();)
+    to = std::ranges::copy(row, to).out;
+}
+
 class Integration {
  public:
   Integration(const RightHandSide& system, const RunRequest& request)
@@ -109,9 +117,7 @@ class Integration {
     if (unseen.empty()) return;
     const std::size_t n = request_.y_start.size();
     run_.unseen.resize(run_.rows * n);
-    for (std::size_t i = 0; i < count; ++i) {
-      run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
-    }
+    append(run_.unseen, unseen, count);
   }
 
   void follow_until(double t) {
@@ -136,7 +142,7 @@ class Integration {
     std::vector<double>& all = run_.accelerations;
     if (of_step.empty())
       all.resize((run_.rows + count) * (run_.y.size() / 2), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < count; ++i) all.insert(all.end(), of_step.begin(), of_step.end());
+    append(all, of_step, count);
   }
 
   const RunRequest& request_;

@@ -28,7 +28,8 @@ struct RightHandSide {
   std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
       expansion{};
   /// Bounds over 0 <= s <= h of the defect |p_i'(s) - f_i(t + s, p(s))| of the polynomials p that `expansion`
-  /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Optional.
+  /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Where nothing is
+  /// `allowed` they are the closest there are. Optional.
   std::function<double(double h, std::span<const double> allowed, std::span<double> defect)> defect{};
   /// Moves a state that is near to it onto what all states obey: constraints, from which steps drift away by
   /// their errors. Returns whether it could. Optional; used by Method::taylor.
@@ -164,9 +165,9 @@ struct Run {
   /// Whether every step was accepted with a bound of its defect over its whole length: nothing lies hidden
   /// between the places where f was evaluated.
   bool bounded{false};
-  /// Where steps may hide something that their last coefficients do not show: how much of each component, up
-  /// to each row (rows x dimension). Of a reference, with all that its steps may be off by. Empty where there
-  /// is neither.
+  /// Of a reference: all that its steps may be off by, and where they may hide something that their last
+  /// coefficients do not show, how much of each component, up to each row (rows x dimension). Otherwise
+  /// empty.
   std::vector<double> unseen{};
   std::vector<double> unseen_at_end{};  ///< the same where the run ended
   /// Of a reference, where y is (q, q'): for each row bounds of |q''| during the step that it lies in, not

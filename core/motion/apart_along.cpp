@@ -86,16 +86,16 @@ void ApartAlong::ask(RunRequest& run, const Originals& originals) const {
   run.apart = now_;
 }
 
-void ApartAlong::add(const Run& done, Simulation& simulation) {
+void ApartAlong::add(const Run& done) {
   if (!is_wanted_) return;
-  simulation.apart.insert(simulation.apart.end(), done.apart.begin(), done.apart.end());
-  simulation.apart_by_rounding.insert(simulation.apart_by_rounding.end(), done.apart_by_rounding.begin(),
-                                      done.apart_by_rounding.end());
-  const std::size_t width = reached_.size();
-  for (std::size_t i = simulation.apart.size(); i < (simulation.rows + done.rows) * width; ++i) {
+  const std::size_t width = reached_.size(), end = rows_.all.size() + done.rows * width;
+  rows_.all.insert(rows_.all.end(), done.apart.begin(), done.apart.end());
+  rows_.by_rounding.insert(rows_.by_rounding.end(), done.apart_by_rounding.begin(),
+                           done.apart_by_rounding.end());
+  for (std::size_t i = rows_.all.size(); i < end; ++i) {
     const double rounding = std::abs(now_.by_rounding[i % width]) / OwnErrors::enlarged;
-    simulation.apart.push_back(std::abs(now_.by_truncation[i % width]) + rounding);
-    simulation.apart_by_rounding.push_back(rounding);
+    rows_.all.push_back(std::abs(now_.by_truncation[i % width]) + rounding);
+    rows_.by_rounding.push_back(rounding);
   }
   for (std::size_t i = 0; i < width; ++i) reached_[i] = std::max(reached_[i], std::abs(done.y[i]));
   if (done.apart_at_end.reached.empty()) return;
@@ -104,6 +104,7 @@ void ApartAlong::add(const Run& done, Simulation& simulation) {
 }
 
 void ApartAlong::pass(SectionEnd end) {
+  if (!is_wanted_) return;
   end.reached = reached_;
   now_.by_truncation = apart_after(end, now_.by_truncation);
   now_.by_rounding = apart_after(end, now_.by_rounding);

@@ -11,23 +11,14 @@
 // with f the slopes y' before and after it. Source: di Bernardo, Budd, Champneys, Kowalczyk,
 // Piecewise-smooth Dynamical Systems (2008), 2.3 and 2.5 (saltation matrices).
 
-#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "core/motion/simulation.hpp"
+#include "core/motion/section_end.hpp"
+#include "core/motion/simulation_request.hpp"
 
 namespace qdot {
-
-/// What ends a section, and the states y and slopes y' on both sides of it.
-struct SectionEnd {
-  double t{};
-  std::vector<double> before, slopes_before, after, slopes_after;
-  std::vector<double> reached{};  ///< the largest |y_i| up to there
-  std::function<double(double t, std::span<const double> y)> g;
-  /// The state after it by that before it; as it is, where there is no such function.
-  std::function<std::vector<double>(const std::vector<double>& y)> map{};
-};
 
 /// e after it; as large as the motion where it only grazes.
 [[nodiscard]] std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e);
@@ -42,15 +33,22 @@ class ApartAlong {
 
   [[nodiscard]] bool is_wanted() const { return is_wanted_; }
   void ask(RunRequest& run, const Originals& originals) const;
-  /// The rows of a run, and where it ended. Where the run says nothing nothing has changed.
-  void add(const Run& done, Simulation& simulation);
+  /// The next run's rows, and where it ended. Where the run says nothing nothing has changed.
+  void add(const Run& done);
   /// Its `reached` is filled in here. The instant is off by its rounding.
   void pass(SectionEnd end);
+
+  /// As in Run, of all runs.
+  struct Rows {
+    std::vector<double> all, by_rounding;
+  };
+  [[nodiscard]] Rows take_rows() { return std::move(rows_); }
 
  private:
   bool is_wanted_;
   Apart now_;
   std::vector<double> reached_;
+  Rows rows_;
 };
 
 }  // namespace qdot

@@ -13,6 +13,7 @@
 #include "core/motion/instant_impacts.hpp"
 #include "core/motion/motion_sections.hpp"
 #include "core/motion/start_from_rest.hpp"
+#include "core/motion/unseen_along.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/root.hpp"
 
@@ -20,6 +21,7 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
+constexpr std::size_t rows_of_reference = 64;  ///< at which it is looked at what that keeps
 /// Of the terms of a constraint: what rounding leaves of it, and no more.
 constexpr double kept_by_impacts = 1e-9;
 constexpr const char* accumulation =
@@ -52,10 +54,12 @@ class Simulator {
     record_piece({});
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
+    result_.unseen = unseen_.take_rows();
+    auto [apart, by_rounding] = apart_.take_rows();
+    result_.apart = std::move(apart);
+    result_.apart_by_rounding = std::move(by_rounding);
     fill_columns();
-    result_.changes = conserved_changes(dynamics_, request_, result_.states, segments_);
-    result_.conserved = conserved_records(dynamics_, request_, result_.changes);
-    result_.constraints = constraints_along(dynamics_, request_, result_.states);
+    note_what_is_kept();
     return std::move(result_);
   }
 
@@ -124,7 +128,9 @@ class Simulator {
     }
     SectionEnd end = now_ending(sections_.ends()[first].value);
     is_determined_ = sections_.pass(result_.t, result_.y, met);
-    if (is_determined_) carry_on(std::move(end));
+    if (!is_determined_) return;
+    finish(end);
+    apart_.pass(std::move(end));
   }
 
   [[nodiscard]] SectionEnd now_ending(decltype(EventFunction::value) g) const {
@@ -136,11 +142,10 @@ class Simulator {
             .g = std::move(g)};
   }
 
-  /// How far others are apart in the section that has begun.
-  void carry_on(SectionEnd end) {
+  /// The section after it has begun.
+  void finish(SectionEnd& end) const {
     end.after = result_.y;
     end.slopes_after = slopes(result_.y);
-    apart_.pass(std::move(end));
   }
 
   /// Whether the motion goes on by a step away from a place where a speed is zero, or after one.
@@ -193,10 +198,11 @@ class Simulator {
     for (EventFunction& end : sections_.ends()) run.events.push_back(std::move(end));
     Run done = integrate(sections_.system(), run);
     if (step) enclose(run, done);
-    add_unseen(done);
+    result_.bounded = result_.bounded && done.bounded;
+    unseen_.add(done);
     result_.accelerations.insert(result_.accelerations.end(), done.accelerations.begin(),
                                  done.accelerations.end());
-    apart_.add(done, result_);
+    apart_.add(done);
     result_.rows += done.rows;
     if (result_.states.empty()) {
       result_.states = std::move(done.states);
@@ -241,20 +247,6 @@ class Simulator {
     done.unseen_at_end = *off;
     done.unseen.resize(done.states.size());
     for (std::size_t i = 0; i < done.unseen.size(); ++i) done.unseen[i] = (*off)[i % off->size()];
-  }
-
-  /// What a section may hide stays in doubt after it.
-  void add_unseen(const Run& done) {
-    const std::size_t width = result_.y.size(), before = result_.rows * width;
-    result_.bounded = result_.bounded && done.bounded;
-    if (unseen_.empty() && done.unseen_at_end.empty()) return;
-    unseen_.resize(width);
-    result_.unseen.resize(before);
-    for (std::size_t i = 0; i < done.rows; ++i) {
-      result_.unseen.insert(result_.unseen.end(), unseen_.begin(), unseen_.end());
-    }
-    for (std::size_t i = 0; i < done.unseen.size(); ++i) result_.unseen[before + i] += done.unseen[i];
-    for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
   }
 
   bool record_events(const Run& done) {
@@ -328,8 +320,9 @@ class Simulator {
     result_.y = passed.after;
     is_determined_ = sections_.begin(result_.t, result_.y);
     if (!is_determined_) return true;
-    doubt_instant(end.before, end.slopes_before);
-    if (apart_.is_wanted()) carry_on(std::move(end));
+    finish(end);
+    unseen_.doubt_instant(end);
+    apart_.pass(std::move(end));
     return true;
   }
 
@@ -337,18 +330,6 @@ class Simulator {
     std::vector<double> result(y.size());
     if (sections_.system().derivative(result_.t, y, result) != Evaluation::ok) std::ranges::fill(result, 0);
     return result;
-  }
-
-  /// An impact may have been a round-off of t earlier or later, alike in all computations of this motion.
-  void doubt_instant(const std::vector<double>& before, const std::vector<double>& slopes_before) {
-    const std::vector<double> slopes_after = slopes(result_.y);
-    const std::size_t n = before.size() / 2;
-    const double late = time_round_off(result_.t);
-    unseen_.resize(before.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      unseen_[i] += late * std::abs(result_.y[n + i] - before[n + i]);
-      unseen_[n + i] += late * (std::abs(slopes_before[n + i]) + std::abs(slopes_after[n + i]));
-    }
   }
 
   /// An impact that is derived keeps what constraints ask for; one that is written has to.
@@ -370,6 +351,16 @@ class Simulator {
 
   [[nodiscard]] std::span<const double> row(std::size_t i) const {
     return std::span(result_.states).subspan(i * request_.y_start.size(), request_.y_start.size());
+  }
+
+  /// How well a reference keeps it some rows tell, of which the last is one.
+  void note_what_is_kept() {
+    const std::size_t every = request_.is_reference ? 1 + result_.rows / rows_of_reference : 1;
+    std::vector<double> changes = conserved_changes(dynamics_, request_, result_.states, segments_, every);
+    result_.conserved = conserved_records(dynamics_, request_, changes);
+    if (request_.is_reference) return;
+    result_.changes = std::move(changes);
+    result_.constraints = constraints_along(dynamics_, request_, result_.states);
   }
 
   void fill_columns() {
@@ -395,7 +386,7 @@ class Simulator {
   bool is_determined_{true};
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;
-  std::vector<double> unseen_;  ///< of the sections before
+  UnseenAlong unseen_;
   Simulation result_;
 };
 

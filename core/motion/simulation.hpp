@@ -35,10 +35,10 @@ struct Simulation {
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};
-  double t{};             ///< how far it came
-  std::vector<double> y;  ///< the state there, before an impact that ends the motion
-  std::vector<ConservedRecord> conserved;
-  std::vector<double> changes;  ///< of what is conserved (conserved_changes in drift.hpp)
+  double t{};                              ///< how far it came
+  std::vector<double> y;                   ///< the state there, before an impact that ends the motion
+  std::vector<ConservedRecord> conserved;  ///< of a reference, by some of its rows
+  std::vector<double> changes;             ///< of what is conserved (conserved_changes in drift.hpp)
   std::vector<ConstraintRecord> constraints;
   Method method{};
   /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an
