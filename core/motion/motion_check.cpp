@@ -61,6 +61,34 @@ Reals rounded_otherwise(Reals numbers) {
   return numbers;
 }
 
+/// The state at t_start of the motion that has y_start at the instant that was typed, r later:
+///
+///   y(t_start) = y_start - r f(t_start, y_start).
+///
+/// As r is below the rounding of t_start, its square is nothing beside it.
+Reals start_as_typed(const ComputedMotion& motion) {
+  const SimulationRequest& request = motion.request;
+  Reals start = request.y_start;
+  const double left_out = request.t_start_left_out;
+  const std::size_t n = start.size() / 2;
+  std::vector<double> acceleration(n);
+  const CompiledFunction& function = motion.dynamics.accelerations();
+  Workspace workspace = function.bind(request.parameters);
+  if (left_out == 0 ||
+      function.evaluate(request.t_start, request.y_start, workspace, acceleration) != Evaluation::ok)
+    return start;
+  const auto move = [&](std::size_t i, double rate) {
+    const Real& typed = request.y_start.exact(i);
+    const DoubleDouble moved = typed.double_double() - DoubleDouble(left_out * rate);
+    start.set(i, {moved.high, moved.low, typed.error});
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    move(i, request.y_start[n + i]);
+    move(n + i, acceleration[i]);
+  }
+  return start;
+}
+
 Tolerances tolerances_of_check(const ComputedMotion& motion) {
   const double least = motion.is_stiff ? 1e-14 : tightest_check;
   const Method first = motion.simulation.method;
@@ -152,6 +180,7 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
   request.tolerances = tolerances_of_check(motion);
+  request.y_start = start_as_typed(motion);
   if (request.method == Method::taylor)
     request.originals = {{request.parameters, request.y_start},
                          {rounded_otherwise(request.parameters), rounded_otherwise(request.y_start)}};
@@ -208,7 +237,7 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
   const Simulation& first = motion.simulation;
   if (motion.is_stiff || first.rows == 0) return {};
   ExtendedMotionRequest request =
-      extended_request(motion.request.parameters, motion.request.y_start, motion.request.t_start,
+      extended_request(motion.request.parameters, start_as_typed(motion), motion.request.t_start,
                        std::span(motion.grid.t).first(first.rows));
   request.look_for_hidden = true;
   request.limits.max_evaluations = evaluations_left / cost_of_digits;

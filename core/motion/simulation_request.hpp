@@ -16,6 +16,7 @@ struct SimulationRequest {
   Reals parameters;  ///< all of them, in order
   Reals y_start;     ///< q, then q'
   double t_start{};
+  double t_start_left_out{};  ///< what t_start leaves out of the instant that was typed
   double t_end{};
   std::vector<double> grid;         ///< increasing, in [t_start, t_end]
   std::vector<Column> columns;      ///< wanted beside the state

@@ -66,6 +66,19 @@ class Saddles(Service):
                 judged += error > 0
         self.assertGreater(judged, CASES)
 
+    def test_what_the_instant_of_the_start_is_rounded_by_grows_with_the_motion(self):
+        chance = random.Random(41)
+        for case in cases():
+            start = round(chance.uniform(-1e4, 1e4), 3)
+            end = round(start + case["t_end"] / 2, 3)
+            request = {"system": SADDLE, "parameters": {name: case[name] for name in ("k", "mu")},
+                       "initial": {"x": round(case["x"], 2) + 1, "x_dot": round(case["x_dot"], 2)}, "t_start": start,
+                       "t_end": end, "rtol": case["rtol"], "method": "taylor", "samples": 2}
+            answer = strict_json(self.post("simulate", request).data)
+            for name, true in zip(("x", "x_dot"), exact(case | request["initial"], mpf(repr(end)) - mpf(repr(start)))):
+                error = abs(mpf(repr(answer["trajectory"][name][-1])) - true)
+                self.assertLessEqual(error, mpf(repr(answer["accuracy"]["max_abs_error"][name])), (name, request))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -4,6 +4,7 @@
 
 #include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/simulate/extended_number.hpp"
 #include "api/answers/time_grid.hpp"
 #include "api/json/limits.hpp"
 
@@ -106,6 +107,7 @@ SimulationRequest core_request(const SimulateRequest& request, const Dynamics& d
   core.parameters = state.parameters;
   core.y_start = state.y;
   core.t_start = request.t_start;
+  core.t_start_left_out = as_written(request.t_start).low;
   if (request.steps) core.end_after_impacts = static_cast<std::size_t>(*request.steps);
   core.t_end = request.t_end ? *request.t_end
                              : core.t_start + patience(dynamics.model(), state.parameters, *request.steps);
