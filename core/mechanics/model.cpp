@@ -79,7 +79,8 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   std::vector<Diagnostic> diagnostics;
   ParsedScene parsed = parse_scene(scene, diagnostics);
   if (!diagnostics.empty()) throw SceneError(diagnostics);
-  write_sizes_of_reactions(scene, parsed);
+  diagnostics = write_sizes_of_reactions(scene, parsed);
+  if (!diagnostics.empty()) throw SceneError(diagnostics);
   auto model = std::make_shared<Model>();
   model->scene = scene;
   model->parsed = std::move(parsed);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/mechanics/reaction_sizes.hpp"
+#include "core/mechanics/reaction_terms.hpp"
 #include "core/mechanics/scene_text.hpp"
 
 namespace qdot {

@@ -13,12 +13,8 @@
 
 namespace qdot {
 
-/// Whether a component of a force is linear in multipliers and in their sizes.
-[[nodiscard]] bool is_linear_in_reactions(const Expression& component,
-                                          const std::vector<Expression>& multipliers);
-
-/// Puts functions of the state into forces that contain |lambda_j|. Throws SceneError where friction changes
-/// lambda_j, or where its function is too long to be written.
-void write_sizes_of_reactions(const Scene& scene, ParsedScene& parsed);
+/// Puts functions of the state into forces that contain |lambda_j|. Returns what is wrong: friction changes
+/// lambda_j, or its function is too long to be written.
+[[nodiscard]] std::vector<Diagnostic> write_sizes_of_reactions(const Scene& scene, ParsedScene& parsed);
 
 }  // namespace qdot

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 namespace qdot {
-namespace {
-
 std::vector<double> by_rows(const SquareMatrix<Ball>& a) {
   std::vector<double> values;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -14,7 +12,6 @@ std::vector<double> by_rows(const SquareMatrix<Ball>& a) {
   return values;
 }
 
-/// (A + sign A^T)/2 by rows, or nothing where that is zero.
 std::vector<double> part(const SquareMatrix<Ball>& a, int sign) {
   SquareMatrix<Ball> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -26,8 +23,6 @@ std::vector<double> part(const SquareMatrix<Ball>& a, int sign) {
   return values;
 }
 
-}  // namespace
-
 SquareMatrix<Ball> square_matrix(const std::vector<Ball>& entries, std::size_t n, std::size_t width,
                                  std::size_t first) {
   SquareMatrix<Ball> result(n);
@@ -35,13 +30,6 @@ SquareMatrix<Ball> square_matrix(const std::vector<Ball>& entries, std::size_t n
     for (std::size_t j = 0; j < n; ++j) result(i, j) = entries[first + i * width + j];
   }
   return result;
-}
-
-void write_matrices(const SmallMotions& motions, Modes& modes) {
-  modes.mass = by_rows(motions.mass);
-  modes.stiffness = by_rows(motions.stiffness);
-  modes.gyroscopic = part(motions.rates, -1);
-  modes.damping = part(motions.rates, 1);
 }
 
 }  // namespace qdot

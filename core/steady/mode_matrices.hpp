@@ -1,7 +1,6 @@
 #pragma once
 // Matrices of small motions as numbers.
 
-#include "core/steady/modes.hpp"
 #include "core/steady/small_motions.hpp"
 
 namespace qdot {
@@ -10,8 +9,9 @@ namespace qdot {
 [[nodiscard]] SquareMatrix<Ball> square_matrix(const std::vector<Ball>& entries, std::size_t n,
                                                std::size_t width, std::size_t first = 0);
 
-/// Mass, stiffness, and the skew and the symmetric part of the rates, empty where zero. What is zero to
-/// within its error is exactly zero.
-void write_matrices(const SmallMotions& motions, Modes& modes);
+/// By rows; what is zero to within its error is exactly zero.
+[[nodiscard]] std::vector<double> by_rows(const SquareMatrix<Ball>& a);
+/// (A + sign A^T)/2 by rows, or nothing where that is zero.
+[[nodiscard]] std::vector<double> part(const SquareMatrix<Ball>& a, int sign);
 
 }  // namespace qdot

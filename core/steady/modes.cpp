@@ -200,6 +200,13 @@ const char* name(Stability stability) {
   return "neutral";
 }
 
+void write_matrices(const SmallMotions& motions, Modes& modes) {
+  modes.mass = by_rows(motions.mass);
+  modes.stiffness = by_rows(motions.stiffness);
+  modes.gyroscopic = part(motions.rates, -1);
+  modes.damping = part(motions.rates, 1);
+}
+
 Modes normal_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                    const std::optional<std::vector<double>>& guess) {
   return Analysis(dynamics, parameters, initial).at(guess);

@@ -18,6 +18,7 @@
 
 #include "core/steady/equilibrium.hpp"
 #include "core/steady/mode.hpp"
+#include "core/steady/small_motions.hpp"
 
 namespace qdot {
 
@@ -34,6 +35,9 @@ struct Modes {
   std::vector<double> gyroscopic, damping;  ///< empty where zero
   std::vector<Mode> modes;                  ///< by omega; at 0 in the order of ModeKind
 };
+
+/// Mass, stiffness, and the skew and the symmetric part of the rates.
+void write_matrices(const SmallMotions& motions, Modes& modes);
 
 /// `initial` (q, q') gives ignorable coordinates their momenta and all coordinates a guess; `guess` (q),
 /// where given, is the equilibrium meant or near it. Without, the stable one that lies down the
