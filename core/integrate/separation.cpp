@@ -8,9 +8,9 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned low_order = 12;  ///< tried first
-constexpr double small = 1e-3;      ///< of the largest term: so the last ones show that these were enough
-constexpr double lost = 2;          ///< times what a component has reached
+constexpr unsigned order_tried_first = 12;  ///< tried first
+constexpr double negligible = 1e-3;  ///< of the largest term: so the last ones show that these were enough
+constexpr double lost = 2;           ///< times what a component has reached
 constexpr double enlarged = 0x1p-30;
 
 /// y - e, and not y itself, where nothing would be rounded otherwise.
@@ -34,7 +34,7 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
 }
 
 void Separation::follow(const MotionPiece& step, std::span<const double> own) {
-  const unsigned order = std::min(low_order, step.order);
+  const unsigned order = std::min(order_tried_first, step.order);
   for (std::size_t i = 0; i < e_.size(); ++i) {
     const double* c = step.rows.data() + i * (step.order + 1);
     y_[i] = c[0];
@@ -93,7 +93,7 @@ bool Separation::rise(const MotionPiece& step, unsigned order) {
       rise_[i] += last;
       largest = std::max(largest, std::abs(last));
     }
-    is_enough = is_enough && std::max(std::abs(before), std::abs(last)) <= small * largest;
+    is_enough = is_enough && std::max(std::abs(before), std::abs(last)) <= negligible * largest;
   }
   return is_enough;
 }
