@@ -76,9 +76,9 @@ TEST(EnclosedSystem, OfIntervalsHoldsTheSolutionsOfTheirEnds) {
   const std::vector<Interval> m{{2, 2.001}, 1, 1, {3, 3.001}};
   std::vector<Interval> x{{5, 5.01}, 10};
   solve_linear(2, m, std::span(x));
-  for (const double a : {2, 2.001})
-    for (const double d : {3, 3.001})
-      for (const double b : {5, 5.01}) {
+  for (const double a : {2.0, 2.001})
+    for (const double d : {3.0, 3.001})
+      for (const double b : {5.0, 5.01}) {
         EXPECT_TRUE(x[0].contains((b * d - 10) / (a * d - 1)));
         EXPECT_TRUE(x[1].contains((10 * a - b) / (a * d - 1)));
       }
