@@ -102,7 +102,7 @@ struct Service::Impl {
     get("/v1/systems", [this](Call& call) { return answer_systems(call); });
     get("/v1/systems/{name}", [this](Call& call) { return answer_system(call); });
     get("/v1/systems/{name}/scene", [this](Call& call) { return answer_scene(call); });
-    get("/v1/problems", exercise_list());
+    get("/v1/problems", [](Call& call) { return json_response(exercise_list(), call.layout); });
     get("/v1/problems/{number}", [this](Call& call) { return answer_exercise(call); }, {"application/json"},
         {.milliseconds = 4});
   }

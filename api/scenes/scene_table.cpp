@@ -141,7 +141,8 @@ const Table<Damper> dampers(
 const Table<Force> forces(
     "force",
     "A force applied at a point, a force or torque along one quantity, or a torque on a body in space. Each may "
-    "depend on the state and the time.",
+    "depend on the state and the time, and as friction does on the multiplier N of a constraint: -mu*N*sign(x_dot), or "
+    "-mu*abs(N)*sign(x_dot) where the constraint holds from both sides.",
     {value("name", &Force::name, NameKind{}, "what it is called"),
      value("vector", &Force::vector, VectorKind{}, "the components of a force",
            {.aliases = {"force", "components", "f"}}),

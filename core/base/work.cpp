@@ -1,5 +1,6 @@
 #include "core/base/work.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "core/base/error.hpp"
@@ -29,6 +30,10 @@ void spend_work(std::uint64_t units) {
   if (scope->unpolled_ < poll_interval) return;
   scope->unpolled_ = 0;
   check_interruption();
+}
+
+std::uint64_t work_left() {
+  return innermost == nullptr ? std::numeric_limits<std::uint64_t>::max() : innermost->left_;
 }
 
 void check_interruption() {

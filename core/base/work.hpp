@@ -24,6 +24,7 @@ class WorkScope {
 
  private:
   friend void spend_work(std::uint64_t units);
+  friend std::uint64_t work_left();
   friend void check_interruption();
 
   std::uint64_t left_;
@@ -35,6 +36,10 @@ class WorkScope {
 /// Counts the units against the innermost scope of this thread; without a scope nothing is bounded. Throws
 /// Error(too_large) past the bound. Every few thousand units it checks for an interruption, too.
 void spend_work(std::uint64_t units = 1);
+
+/// What the innermost scope of this thread still allows: a search ends before all of it is spent, so that
+/// what was found can be told. Without a scope, the largest number.
+[[nodiscard]] std::uint64_t work_left();
 
 /// Throws Interrupted if the scope's `interrupted` says that nobody waits any more.
 void check_interruption();

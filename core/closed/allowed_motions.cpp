@@ -108,11 +108,6 @@ std::optional<LinearMotions> allowed_motions(const LinearMotions& motions, const
                                              const ExactValues& values) {
   const std::size_t n = motions.moving.size(), m = motions.x.size() - n;
   Graph& graph = *motions.graph;
-  for (const auto& row : motions.damping) {
-    for (const Expression& e : row) {
-      if (!rational_function(place.at(e)).is_zero()) return std::nullopt;
-    }
-  }
   const Rationals a = slopes(motions, place, n, m);
   const SolvedSlopes numbers = numbers_of(graph, a, n, values);
   const Rationals z = allowed(a, numbers, n);
@@ -123,7 +118,7 @@ std::optional<LinearMotions> allowed_motions(const LinearMotions& motions, const
   result.mass = within(motions.mass, z, place, graph);
   result.stiffness = within(motions.stiffness, z, place, graph);
   const std::vector<Expression> zeros(numbers.free.size(), graph.number(0));
-  result.damping = Matrix(numbers.free.size(), zeros);
+  result.damping = within(motions.damping, z, place, graph);
   result.following_slopes = Matrix(m, zeros);
   result.following_rates.clear();
   for (const std::size_t d : numbers.dependent) {

@@ -215,8 +215,7 @@ bool rests(const Modes& found) {
 std::vector<Interval> enclosed_place(const Dynamics& dynamics, const Reals& parameters, const Modes& found) {
   constexpr double rounding = 1e-12;
   std::vector<Interval> near = enclosed_state(found);
-  const std::vector<double> all =
-      with_multipliers(dynamics, parameters, {found.y.begin(), found.y.begin() + near.size()});
+  const std::vector<double> all = with_multipliers(dynamics, parameters, found.y);
   for (std::size_t j = near.size(); j < all.size(); ++j) {
     const double error = rounding * std::max(1.0, std::abs(all[j]));
     near.emplace_back(all[j] - error, all[j] + error);

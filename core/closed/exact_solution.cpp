@@ -1,6 +1,7 @@
 #include "core/closed/exact_solution.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
@@ -8,6 +9,7 @@
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/trial.hpp"
+#include "core/steady/surface_statics.hpp"
 
 namespace qdot {
 namespace {
@@ -246,6 +248,41 @@ std::vector<ExactSolution> exact_solutions(const Dynamics& dynamics, const Reals
   }
 }
 
+namespace {
+
+/// With the multipliers that hold the system there as coordinates of their own; one that is nearly 0 may be
+/// 0, which is then proven.
+CriticalValue with_multipliers_of(const Dynamics& dynamics, const Reals& there, CriticalValue critical) {
+  constexpr double rounding = 1e-12;
+  const std::size_t n = critical.y.size() / 2;
+  critical.y = with_multipliers(dynamics, there, critical.y);
+  critical.errors.resize(n);
+  for (std::size_t j = n; j < critical.y.size(); ++j)
+    critical.errors.push_back(rounding * std::max(1.0, std::abs(critical.y[j])));
+  critical.y.resize(2 * critical.y.size());
+  return critical;
+}
+
+/// On a surface det K of (q, lambda) vanishes where that of the displacements on it does.
+std::optional<ClosedForm> critical_form(const Dynamics& dynamics, const Reals& there, const Reals& y,
+                                        std::size_t index, const WrittenTexts& written,
+                                        const CriticalValue& critical) {
+  if (dynamics.model().has_constraints()) {
+    const SurfaceStatics whole = surface_statics(dynamics, there);
+    if (!whole.statics->reduction.ignored.empty() || whole.coordinates > largest_written_system)
+      return std::nullopt;
+    const CriticalValue place = with_multipliers_of(dynamics, there, critical);
+    return CriticalForm(*whole.dynamics, *whole.statics, there, index, written, place).form();
+  }
+  const auto statics = dynamics.statics(there);
+  if (statics->reduction.degrees_of_freedom() > largest_written_system ||
+      !momenta_vanish(dynamics, *statics, there, y))
+    return std::nullopt;
+  return CriticalForm(dynamics, *statics, there, index, written, critical).form();
+}
+
+}  // namespace
+
 Forms exact_critical_values(const Dynamics& dynamics, const Reals& parameters, const Reals& y,
                             std::size_t index, const WrittenTexts& written, const Bifurcations& found) {
   Forms result;
@@ -255,11 +292,7 @@ Forms exact_critical_values(const Dynamics& dynamics, const Reals& parameters, c
     const Reals there = with(parameters, index, critical.value);
     try {
       const WorkScope budget(most_algebra);
-      const auto statics = dynamics.statics(there);
-      if (statics->reduction.degrees_of_freedom() > largest_written_system ||
-          !momenta_vanish(dynamics, *statics, there, y))
-        continue;
-      result.back() = CriticalForm(dynamics, *statics, there, index, written, critical).form();
+      result.back() = critical_form(dynamics, there, y, index, written, critical);
     } catch (const Error&) {  // as above
     }
   }

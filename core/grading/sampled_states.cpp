@@ -25,15 +25,6 @@ double value_in(const Domain& domain, RandomBits& random, bool is_wide) {
 
 }  // namespace
 
-std::uint64_t RandomBits::operator()() {
-  std::uint64_t z = (state_ += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31U);
-}
-
-double RandomBits::fraction() { return static_cast<double>((*this)() >> 11U) * 0x1p-53; }
-
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t hash = 0xCBF29CE484222325U;  // FNV-1a
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;

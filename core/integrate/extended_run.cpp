@@ -187,13 +187,15 @@ bool ExtendedStepper::doubles_are_small(double h) const {
 
 /// |c_k| h^k, k >= 1, of the coefficients in double-doubles and of those in doubles.
 ExtendedStepper::Terms ExtendedStepper::largest_terms(std::span<const DoubleDouble> c, double h) const {
-  Terms terms;
   double power = h;
-  for (unsigned k = 1; k <= order_; ++k, power *= h) {
-    double& largest = k < system_.first_in_doubles ? terms.first : terms.in_doubles;
-    largest = std::max(largest, power * std::abs(c[k].high));
-  }
-  return terms;
+  unsigned k = 1;
+  const auto largest_until = [&](unsigned end) {
+    double largest = 0;
+    for (; k < end; ++k, power *= h) largest = std::max(largest, power * std::abs(c[k].high));
+    return largest;
+  };
+  const double first = largest_until(std::min(system_.first_in_doubles, order_ + 1));
+  return {first, largest_until(order_ + 1)};
 }
 
 /// The logarithm of the least over the components of (w / |part c_k|)^(1/k); infinite where all c_k are 0.
@@ -284,7 +286,10 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   while (run.ending == Ending::reached_end && is_before(stepper.t(), request.t_end)) {
     const auto failed = stepper.step();
     if (failed) run.ending = *failed;
-    if (!failed && separation) separation->follow(stepper.polynomials(), stepper.rounded());
+    if (!failed && separation) {
+      separation->follow(stepper.polynomials());
+      separation->add(stepper.rounded(), separation->now());
+    }
     sample();
   }
   run.t = stepper.t();

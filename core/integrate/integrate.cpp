@@ -12,14 +12,22 @@
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/methods.hpp"
+#include "core/integrate/own_errors.hpp"
 #include "core/integrate/progress.hpp"
-#include "core/integrate/separation.hpp"
 
 namespace qdot {
 namespace {
 
 // The methods compare products of times with zero; squares of shorter spans underflow.
 constexpr double shortest_span = 1e-140;
+
+/// Appends so many copies of a row.
+void append(std::vector<double>& rows, std::span<const double> row, std::size_t count) {
+  const std::size_t begin = rows.size();
+  rows.resize(begin + count * row.size());
+  for (auto to = rows.begin() + static_cast<std::ptrdiff_t>(begin); to != rows.end();)
+    to = std::ranges::copy(row, to).out;
+}
 
 class Integration {
  public:
@@ -32,9 +40,10 @@ class Integration {
     if (!request.is_reference) return;
     run_.unseen.reserve(numbers);
     run_.accelerations.reserve(numbers / 2);
-    if (request.original == nullptr) return;
-    separation_.emplace(*request.original, request.apart);
+    if (request.originals == nullptr) return;
+    own_errors_.emplace(*request.originals, request.apart, request.t_start);
     run_.apart.reserve(numbers);
+    run_.apart_by_rounding.reserve(numbers);
   }
 
   Run run() && {
@@ -43,6 +52,7 @@ class Integration {
     run_.evaluations = stepper_->evaluations();
     run_.bounded = stepper_->bounded() && events_.saw_everything();
     run_.unseen_at_end.assign(stepper_->unseen().begin(), stepper_->unseen().end());
+    if (own_errors_) run_.apart_at_end = own_errors_->now();
     return std::move(run_);
   }
 
@@ -62,10 +72,10 @@ class Integration {
     if (const auto failed = stepper_->step()) return failed;
     if (const auto wrong = unusable(stepper_->y(), request_.limits.max_magnitude)) return wrong;
 
-    if (separation_) follow();
     const EventSearch::Found found = events_.search(*stepper_);
     if (found.failure) return found.failure;
     const double t = found.terminal ? found.events.back().t : stepper_->t();
+    if (own_errors_) follow_until(t);
     if (found.terminal) stepper_->end_at(t);
     if (const auto failed = sample_until(t)) return failed;
 
@@ -96,7 +106,7 @@ class Integration {
     }
     note_unseen(count);
     note_accelerations(count);
-    note_separation(count);
+    note_own_errors(count);
     run_.rows = end;
     return std::nullopt;
   }
@@ -107,24 +117,23 @@ class Integration {
     if (unseen.empty()) return;
     const std::size_t n = request_.y_start.size();
     run_.unseen.resize(run_.rows * n);
-    for (std::size_t i = 0; i < count; ++i) {
-      run_.unseen.insert(run_.unseen.end(), unseen.begin(), unseen.end());
-    }
+    append(run_.unseen, unseen, count);
   }
 
-  /// The defect of a series goes with s^(order - 1), and comes to this; what goes otherwise is in unseen().
-  void follow() {
-    const auto step = stepper_->polynomials();
+  void follow_until(double t) {
+    auto step = stepper_->polynomials();
     if (!step) return;
-    own_error_.assign(step->defect.begin(), step->defect.end());
-    for (double& error : own_error_) error *= step->h / step->order;
-    separation_->follow(*step, own_error_);
+    step->h = std::min(step->h, t - step->t);
+    own_errors_->follow(*step);
   }
 
-  void note_separation(std::size_t count) {
-    if (!separation_) return;
-    const std::span<const double> apart = separation_->in_last_step();
-    for (std::size_t i = 0; i < count; ++i) run_.apart.insert(run_.apart.end(), apart.begin(), apart.end());
+  void note_own_errors(std::size_t count) {
+    if (!own_errors_) return;
+    const std::size_t n = request_.y_start.size();
+    for (std::size_t i = 0; i < count * n; ++i) {
+      run_.apart.push_back(own_errors_->in_last_step(i % n));
+      run_.apart_by_rounding.push_back(own_errors_->rounding_in_last_step(i % n));
+    }
   }
 
   void note_accelerations(std::size_t count) {
@@ -133,15 +142,14 @@ class Integration {
     std::vector<double>& all = run_.accelerations;
     if (of_step.empty())
       all.resize((run_.rows + count) * (run_.y.size() / 2), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < count; ++i) all.insert(all.end(), of_step.begin(), of_step.end());
+    append(all, of_step, count);
   }
 
   const RunRequest& request_;
   std::unique_ptr<Stepper> stepper_;
   EventSearch events_;
   ProgressGuard progress_;
-  std::optional<Separation> separation_;
-  std::vector<double> own_error_;  ///< of the last step
+  std::optional<OwnErrors> own_errors_;
   Run run_;
 };
 

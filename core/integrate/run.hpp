@@ -28,7 +28,8 @@ struct RightHandSide {
   std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
       expansion{};
   /// Bounds over 0 <= s <= h of the defect |p_i'(s) - f_i(t + s, p(s))| of the polynomials p that `expansion`
-  /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Optional.
+  /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Where nothing is
+  /// `allowed` they are the closest there are. Optional.
   std::function<double(double h, std::span<const double> allowed, std::span<double> defect)> defect{};
   /// Moves a state that is near to it onto what all states obey: constraints, from which steps drift away by
   /// their errors. Returns whether it could. Optional; used by Method::taylor.
@@ -97,6 +98,17 @@ struct Limits {
   double max_magnitude{1e150};
 };
 
+/// Two samples of how far a computation may be from the motion that it stands for (own_errors.hpp), each with
+/// the signs of its components: from the motion as it is asked for, and, enlarged, from one whose numbers are
+/// rounded otherwise.
+struct Apart {
+  std::vector<double> by_truncation{}, by_rounding{};
+  std::vector<double> reached{};  ///< the largest |y_i|, of the end of a run
+};
+struct Originals {
+  RightHandSide asked{}, rounded{};
+};
+
 struct RunRequest {
   double t_start{};
   std::vector<double> y_start{};
@@ -109,10 +121,10 @@ struct RunRequest {
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
   /// they may be off by.
   bool is_reference{false};
-  /// The motion that a reference stands for, where its numbers are others; `apart` is how far it begins from
-  /// that one (separation.hpp). Needs an expansion.
-  const RightHandSide* original{};
-  std::vector<double> apart{};
+  /// The motion that a reference stands for, and one beside both, where their numbers are others; `apart` is
+  /// how far it begins from them. Both need an expansion.
+  const Originals* originals{};
+  Apart apart{};
   Tolerances tolerances{};  ///< not of gauss
   double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
   Limits limits{};
@@ -153,17 +165,18 @@ struct Run {
   /// Whether every step was accepted with a bound of its defect over its whole length: nothing lies hidden
   /// between the places where f was evaluated.
   bool bounded{false};
-  /// Where steps may hide something that their last coefficients do not show: how much of each component, up
-  /// to each row (rows x dimension). Of a reference, with all that its steps may be off by. Empty where there
-  /// is neither.
+  /// Of a reference: all that its steps may be off by, and where they may hide something that their last
+  /// coefficients do not show, how much of each component, up to each row (rows x dimension). Otherwise
+  /// empty.
   std::vector<double> unseen{};
   std::vector<double> unseen_at_end{};  ///< the same where the run ended
   /// Of a reference, where y is (q, q'): for each row bounds of |q''| during the step that it lies in, not
   /// numbers where they are not known (rows x dimension/2). Otherwise empty.
   std::vector<double> accelerations{};
-  /// How far the run may be from the original, where there is one: for each row the larger of both ends of
-  /// the step that it lies in (rows x dimension).
-  std::vector<double> apart{};
+  /// How far the run may be from the original, where there is one, and by its rounding alone: for each row
+  /// the larger of both ends of the step that it lies in (rows x dimension).
+  std::vector<double> apart{}, apart_by_rounding{};
+  Apart apart_at_end{};  ///< where the run ended
 };
 
 }  // namespace qdot

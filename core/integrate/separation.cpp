@@ -21,6 +21,15 @@ double beside(double y, double e) {
 
 }  // namespace
 
+double largest_term(std::span<const double> c, double h) {
+  double largest = 0, power = 1;
+  for (const double coefficient : c) {
+    largest = std::max(largest, std::abs(coefficient) * power);
+    power *= h;
+  }
+  return largest;
+}
+
 Separation::Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale)
     : original_(original),
       scale_(scale),
@@ -33,25 +42,28 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
-void Separation::follow(const MotionPiece& step, std::span<const double> own) {
+void Separation::follow(const MotionPiece& step) {
   const unsigned order = std::min(order_tried_first, step.order);
   for (std::size_t i = 0; i < e_.size(); ++i) {
-    const double* c = step.rows.data() + i * (step.order + 1);
+    const std::span<const double> c = step.rows.subspan(i * (step.order + 1), step.order + 1);
     y_[i] = c[0];
-    double largest = std::abs(c[0]), power = 1;
-    for (std::size_t k = 1; k <= order; ++k) largest = std::max(largest, std::abs(c[k]) * (power *= step.h));
-    size_[i] = std::max(size_[i], largest);
+    size_[i] = std::max(size_[i], largest_term(c.first(order + 1), step.h));
   }
   project(step.t);
+  for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
   place_beside();
   if (!rise(step, order)) (void)rise(step, step.order);
-  for (std::size_t i = 0; i < e_.size(); ++i) {
-    const double before = e_[i], after = before + rise_[i] / factor_;
-    const double added = own.empty() ? 0 : own[i];
-    if (!std::isfinite(after) || !std::isfinite(added)) continue;
-    e_[i] = std::clamp(after + std::copysign(added, after), -lost * size_[i], lost * size_[i]);
-    largest_[i] = std::max(std::abs(before), std::abs(e_[i]));
-  }
+  for (std::size_t i = 0; i < e_.size(); ++i) move_to(i, e_[i] + rise_[i] / factor_);
+}
+
+void Separation::add(std::span<const double> sizes, std::span<const double> sides) {
+  for (std::size_t i = 0; i < sizes.size(); ++i) move_to(i, e_[i] + std::copysign(sizes[i], sides[i]));
+}
+
+void Separation::move_to(std::size_t i, double e) {
+  if (!std::isfinite(e)) return;
+  e_[i] = std::clamp(e, -lost * size_[i], lost * size_[i]);
+  largest_[i] = std::max(largest_[i], std::abs(e_[i]));
 }
 
 /// Motions that obey constraints are apart within them.

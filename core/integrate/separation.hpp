@@ -4,14 +4,13 @@
 // A reference goes from parameters p and initial values y that are moved by dp and dy, and each of its steps
 // adds an error d_k of its own. The motion makes of them
 //
-//   e' = df/dy e + df/dp dp,   e(0) = dy,   |e_i| += |d_k,i| at the end of step k,
+//   e' = df/dy e + df/dp dp,   e(0) = dy,   e_i += d_k,i at the end of step k.
 //
-// always to the side where e is already, so that they add up along what grows. It is followed beside the
-// steps: f by a Taylor series from the place e away from the reference's own, less the reference's, of as low
-// an order as does. Where it is as large as the motion it grows no more. One sample of the signs, good to a
-// factor of some units. Each e_i is in
-// the unit of y_i. Source of the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
-// I, 2nd ed., I.14 (differentiability with respect to initial values and parameters).
+// It is followed beside the steps: f by a Taylor series from the place e away from the reference's own, less
+// the reference's, of as low an order as does. Where it is as large as the motion it grows no more. Of the
+// d_k only the sizes are known: whoever adds them chooses signs. Each e_i is in the unit of y_i. Source of
+// the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14
+// (differentiability with respect to initial values and parameters).
 
 #include <span>
 #include <vector>
@@ -19,6 +18,9 @@
 #include "core/integrate/run.hpp"
 
 namespace qdot {
+
+/// The largest |c_k| h^k.
+[[nodiscard]] double largest_term(std::span<const double> c, double h);
 
 class Separation {
  public:
@@ -30,17 +32,22 @@ class Separation {
   /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
 
-  /// The reference has taken this step, which may have made these errors |d_i| of its own. Where the original
-  /// has no values e stays as it is.
-  void follow(const MotionPiece& step, std::span<const double> own);
+  /// The reference has taken this step. Where the original has no values e stays as it is.
+  void follow(const MotionPiece& step);
+  /// Errors |d_i| that the step has made, each to the side where `sides` are.
+  void add(std::span<const double> sizes, std::span<const double> sides);
 
+  [[nodiscard]] const std::vector<double>& now() const { return e_; }
+  /// The largest |y_i| of the reference.
+  [[nodiscard]] const std::vector<double>& reached() const { return size_; }
   /// |e_i| at the two ends of the last step, the larger one.
-  [[nodiscard]] std::span<const double> in_last_step() const { return largest_; }
+  [[nodiscard]] const std::vector<double>& in_last_step() const { return largest_; }
 
  private:
   void project(double t);
   void place_beside();
   [[nodiscard]] bool rise(const MotionPiece& step, unsigned order);
+  void move_to(std::size_t i, double e);
 
   const RightHandSide& original_;
   Scale scale_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -241,7 +240,7 @@ class TaylorStepper final : public Stepper {
       share_ = std::max(least_share, good / h);
     }
     if (bad <= 4 * h && good <= h / 4) good = lengthened(good, bad);
-    look_closely(good);
+    if (request_.is_reference) look_closely(good);
     return {good, true};
   }
 
@@ -251,10 +250,7 @@ class TaylorStepper final : public Stepper {
     if (hides_) bound_closely(h);
   }
 
-  void bound_closely(double h) {
-    std::ranges::fill(allowed_, std::numeric_limits<double>::min());
-    (void)system_.defect(h, allowed_, defect_);
-  }
+  void bound_closely(double h) { (void)system_.defect(h, {}, defect_); }
 
   /// After much shortening: between a length that does and one that does not.
   double lengthened(double good, double bad) {
@@ -266,8 +262,8 @@ class TaylorStepper final : public Stepper {
     return good;
   }
 
-  /// What the step may hide: what its last coefficients do not show. It moves on with the velocities. What a
-  /// reference may be off by anyway is much less, and only summed.
+  /// What the step of a reference may hide: what its last coefficients do not show. It moves on with the
+  /// velocities. What it may be off by anyway is much less, and only summed.
   void note_unseen(double h) {
     const std::size_t n = y_.size() / 2;
     off_before_ = off_so_far_;
@@ -278,9 +274,9 @@ class TaylorStepper final : public Stepper {
     for (std::size_t i = 0; i < n && !hidden_so_far_.empty(); ++i) {
       hidden_so_far_[i] += h * hidden_so_far_[n + i];
     }
-    if (hides || request_.is_reference) unseen_.resize(y_.size());
+    unseen_.resize(y_.size());
     for (std::size_t i = 0; i < unseen_.size(); ++i) {
-      if (request_.is_reference) off_so_far_[i] += h * defect_[i];
+      off_so_far_[i] += h * defect_[i];
       unseen_[i] = off_so_far_[i] + (hidden_so_far_.empty() ? 0 : hidden_so_far_[i]);
     }
   }
@@ -314,7 +310,7 @@ class TaylorStepper final : public Stepper {
     }
     if (expand(t, y, beyond_)) return false;
     if (!bound.found && !holds_until(h)) return false;
-    if (bound.found) note_unseen(h);
+    if (bound.found && request_.is_reference) note_unseen(h);
     last_is_bounded_ = bound.found;
     bounded_ = bounded_ && bound.found;
     last_step_ = h;

@@ -7,6 +7,7 @@
 #include "core/mechanics/impacts.hpp"
 #include "core/mechanics/inertia_check.hpp"
 #include "core/mechanics/negative_inertia.hpp"
+#include "core/mechanics/reaction_sizes.hpp"
 
 namespace qdot {
 namespace {
@@ -78,6 +79,7 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   std::vector<Diagnostic> diagnostics;
   ParsedScene parsed = parse_scene(scene, diagnostics);
   if (!diagnostics.empty()) throw SceneError(diagnostics);
+  write_sizes_of_reactions(scene, parsed);
   auto model = std::make_shared<Model>();
   model->scene = scene;
   model->parsed = std::move(parsed);

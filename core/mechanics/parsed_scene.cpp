@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/mechanics/reaction_sizes.hpp"
 #include "core/mechanics/scene_text.hpp"
 
 namespace qdot {
@@ -130,17 +131,13 @@ class SceneParser {
   /// Reactions follow from a linear system.
   void check_multipliers(const Vector& force, const std::string& place) {
     const std::vector<Expression>& multipliers = parsed_.symbols.multipliers;
-    for (const Expression& component : force) {
-      for (const Expression& lambda : multipliers) {
-        if (!depends_on(component, lambda) || !depends_on(differentiate(component, lambda), multipliers))
-          continue;
-        text_.complain(
-            place, "not_linear",
-            "A force is linear in multipliers: for friction write -mu*N*sign(x_dot), with a condition "
-            "under valid_while that ends the motion where N changes its sign, not abs(N).");
-        return;
-      }
-    }
+    const auto is_linear = [&](const Expression& c) { return is_linear_in_reactions(c, multipliers); };
+    if (std::ranges::all_of(force, is_linear)) return;
+    text_.complain(
+        place, "not_linear",
+        "A force is linear in multipliers, or in their sizes: for friction write -mu*N*sign(x_dot), with a "
+        "condition under valid_while that ends the motion where N changes its sign, or "
+        "-mu*abs(N)*sign(x_dot).");
   }
 
   void read_constraints() {

@@ -17,7 +17,8 @@ std::span<const double> row_of(std::span<const double> states, std::size_t i, st
 }  // namespace
 
 std::vector<double> conserved_changes(const Dynamics& dynamics, const SimulationRequest& request,
-                                      std::span<const double> states, std::span<const Segment> segments) {
+                                      std::span<const double> states, std::span<const Segment> segments,
+                                      std::size_t every) {
   const auto conserved = dynamics.conserved(request.parameters);
   const std::size_t count = conserved->quantities.size(), width = request.y_start.size();
   const std::size_t rows = states.size() / width;
@@ -27,14 +28,15 @@ std::vector<double> conserved_changes(const Dynamics& dynamics, const Simulation
     if (conserved->values->evaluate(t, y, workspace, out) == Evaluation::ok) return;
     std::ranges::fill(out, std::numeric_limits<double>::quiet_NaN());
   };
-  std::vector<double> reference(count), changes(rows * count);
-  for (std::size_t i = 0, next = 0; i < rows; ++i) {
+  const std::size_t first = (rows - 1) % every;
+  std::vector<double> reference(count), changes((1 + (rows - 1 - first) / every) * count);
+  std::span<double> change(changes);
+  for (std::size_t i = first, next = 0; i < rows; i += every, change = change.subspan(count)) {
     if (i % 256 == 0) check_interruption();
     for (; next < segments.size() && segments[next].first_row <= i; ++next) {
       evaluate(segments[next].t, segments[next].y, reference);
     }
-    const std::span<double> change = std::span(changes).subspan(i * count, count);
-    evaluate(request.grid[i], row_of(states, i, width), change);
+    evaluate(request.grid[i], row_of(states, i, width), change.first(count));
     for (std::size_t k = 0; k < count; ++k) change[k] = next > 0 ? std::abs(change[k] - reference[k]) : 0;
   }
   return changes;

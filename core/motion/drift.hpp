@@ -33,11 +33,12 @@ struct Segment {
 };
 
 /// By how much each conserved quantity has changed since its segment began: rows x quantities, of the first
-/// rows of the request's grid, `states` being their states. Not a number where there is no value.
+/// rows of the request's grid, `states` being their states. Not a number where there is no value. Of one row
+/// in so many, the last among them, where `every` is more than 1.
 [[nodiscard]] std::vector<double> conserved_changes(const Dynamics& dynamics,
                                                     const SimulationRequest& request,
                                                     std::span<const double> states,
-                                                    std::span<const Segment> segments);
+                                                    std::span<const Segment> segments, std::size_t every = 1);
 
 /// The largest of these; none where one of them is not a number.
 [[nodiscard]] std::vector<ConservedRecord> conserved_records(const Dynamics& dynamics,

@@ -69,10 +69,20 @@ bool InstantImpacts::follows(std::size_t impact, double t, const std::vector<dou
   return !watch.condition || watch.condition(t, y);
 }
 
+std::vector<double> InstantImpacts::repeat(double t, std::vector<double> y,
+                                           std::span<const Happened> impacts) const {
+  for (const Happened& happened : impacts) change(happened.impact, t, y);
+  return y;
+}
+
 void InstantImpacts::apply(std::size_t impact, double t, Passed& passed) const {
-  const Rule& rule = rules_[impact];
   passed.all.push_back({impact, passed.after});
-  rule.map.assign(values_at(*rule.after, rule.map.components, parameters_, t, passed.after), passed.after);
+  change(impact, t, passed.after);
+}
+
+void InstantImpacts::change(std::size_t impact, double t, std::vector<double>& y) const {
+  const Rule& rule = rules_[impact];
+  rule.map.assign(values_at(*rule.after, rule.map.components, parameters_, t, y), y);
 }
 
 }  // namespace qdot

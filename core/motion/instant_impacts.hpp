@@ -36,6 +36,10 @@ class InstantImpacts {
   [[nodiscard]] Passed pass(double t, const std::vector<double>& y, const std::vector<bool>& met,
                             std::span<const Watch> watches);
 
+  /// What the same impacts, one after the other, do to another state.
+  [[nodiscard]] std::vector<double> repeat(double t, std::vector<double> y,
+                                           std::span<const Happened> impacts) const;
+
  private:
   struct Rule {
     ImpactMap map;
@@ -46,6 +50,7 @@ class InstantImpacts {
   [[nodiscard]] bool follows(std::size_t impact, double t, const std::vector<double>& y,
                              const Watch& watch) const;
   void apply(std::size_t impact, double t, Passed& passed) const;
+  void change(std::size_t impact, double t, std::vector<double>& y) const;
 
   std::span<const double> parameters_;
   double resolution_;

@@ -157,6 +157,7 @@ class Ladder {
     result_.event_errors = std::move(comparison.event_errors);
     result_.stop_error = comparison.stop_error;
     result_.horizon = comparison.horizon;
+    result_.at_impacts = std::move(comparison.at_impacts);
     contradicts_ = !comparison.changed.empty();
     if (contradicts_) result_.reason = contradiction(comparison.changed);
   }

@@ -50,6 +50,9 @@ struct MeasuredSimulation {
   /// row.
   std::vector<std::optional<double>> event_errors;
   std::optional<double> stop_error;
+  /// The returned instants that are at an impact to within its error: their rows are on one side of it, and
+  /// whether the motion is there is not known.
+  std::vector<double> at_impacts;
   /// The first returned instant where the error passes 1e-3 of a column's largest magnitude.
   std::optional<double> horizon;
   std::optional<bool> meets_request;  ///< no value where no error was wanted

@@ -1,14 +1,18 @@
 #include "core/motion/motion_check.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include "core/compile/extended/expansion.hpp"
+#include "core/integrate/own_errors.hpp"
 #include "core/motion/extended_impacts.hpp"
 #include "core/motion/extended_kinks.hpp"
 #include "core/motion/extended_pieces.hpp"
+#include "core/numerics/random_bits.hpp"
 
 namespace qdot {
 namespace {
@@ -21,8 +25,9 @@ constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
 constexpr double loose = 1e-6;
 constexpr double drift_of_rounding = 1e-14;  ///< relative
 constexpr double much_better = 0.05;
-constexpr double much_more = 10;           ///< than rounding of which a sample is known
-constexpr std::size_t rows_looked_at = 8;  ///< each costs an evaluation in double-doubles
+constexpr double farther_than_samples = 50;  ///< one sample of rounding in fifty is as small by chance
+constexpr double much_more = 10;             ///< than rounding of which a sample is known
+constexpr std::size_t rows_looked_at = 8;    ///< each costs an evaluation in double-doubles
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
 constexpr double common_rounding = 0x1p-53;
@@ -43,6 +48,17 @@ void nudge(Reals& numbers, double direction, int least) {
     numbers.set(i, x);
     towards = -towards;
   }
+}
+
+/// The same for OwnErrors: by other amounts, farther away.
+Reals rounded_otherwise(Reals numbers) {
+  constexpr double unit = 2 * std::numeric_limits<double>::epsilon() * OwnErrors::enlarged;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    RandomBits random(std::bit_cast<std::uint64_t>(numbers[i]) + i);
+    const double side = random() % 2 == 0 ? 1 : -1;
+    numbers.set(i, numbers[i] * (1 + side * unit * (0.25 + random.fraction())));
+  }
+  return numbers;
 }
 
 Tolerances tolerances_of_check(const ComputedMotion& motion) {
@@ -136,7 +152,9 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
   request.tolerances = tolerances_of_check(motion);
-  if (request.method == Method::taylor) request.original = {request.parameters, request.y_start};
+  if (request.method == Method::taylor)
+    request.originals = {{request.parameters, request.y_start},
+                         {rounded_otherwise(request.parameters), rounded_otherwise(request.y_start)}};
   nudge(request.parameters, direction, 1);
   nudge(request.y_start, direction, 3);
   return request;
@@ -163,7 +181,9 @@ bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
   }
   if (!keeps_better(motion.simulation, check)) return false;
   for (std::size_t i = 0; i < check.apart.size(); ++i) {
-    if (varies[i % width] && much_more * differences[i % width] <= check.apart[i]) return false;
+    const double difference = differences[i % width];
+    if (varies[i % width] && much_more * difference <= check.apart[i]) return false;
+    if (varies[i % width] && difference <= farther_than_samples * check.apart_by_rounding[i]) return false;
   }
   return true;
 }

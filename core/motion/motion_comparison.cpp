@@ -8,6 +8,7 @@
 #include "core/motion/event_errors.hpp"
 #include "core/motion/kept_quantities.hpp"
 #include "core/motion/row_errors.hpp"
+#include "core/motion/rows_at_impacts.hpp"
 #include "core/motion/winding.hpp"
 #include "core/numerics/root.hpp"
 #include "core/numerics/same_bits.hpp"
@@ -36,6 +37,7 @@ class Comparing {
         width_(motion.width()),
         largest_(largest_magnitudes(motion, Rows::all)),
         scale_(largest_magnitudes(motion, Rows::wanted)),
+        at_impacts_(motion, largest_),
         errors_(largest_, [&] { return winding_coordinates(motion.dynamics.model()); }),
         workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)),
         missed_(width_),
@@ -56,6 +58,7 @@ class Comparing {
     }
     result.changed = changed(stated);
     add_event_errors(stated, result);
+    add_rows_at_impacts(rows, result);
     return result;
   }
 
@@ -64,37 +67,24 @@ class Comparing {
     return std::span(simulation.states).subspan(row * width_, width_);
   }
 
+  /// On the motion's side of an impact. Motions in double-doubles go through the motion's own impacts.
+  [[nodiscard]] std::span<const double> state_of(const Simulation& other, std::size_t row) {
+    if (other.sections.empty()) return row_of(other, row);
+    auto beside = at_impacts_.on_side_of_motion(other, row);
+    return beside ? beside_impacts_.emplace_back(std::move(*beside)) : row_of(other, row);
+  }
+
   [[nodiscard]] std::span<const double> apart_of(const Simulation& simulation, std::size_t row) const {
     if (simulation.apart.empty()) return {};
     return std::span(simulation.apart).subspan(row * width_, width_);
   }
 
-  /// Impacts before the row's instant: the row is on the same side of all of them where their number is that
-  /// of the motion. Motions in double-doubles go through the motion's own impacts.
-  [[nodiscard]] std::size_t impacts_before(const Simulation& simulation, std::size_t row) const {
-    const auto next =
-        std::ranges::lower_bound(simulation.sections, motion_.grid.t[row], {}, &SectionRecord::t);
-    return static_cast<std::size_t>(next - simulation.sections.begin());
-  }
-
-  [[nodiscard]] bool is_at_impact(std::size_t row) const {
-    const double t = motion_.grid.t[row], near = 2 * time_round_off(t);
-    const std::vector<SectionRecord>& sections = motion_.simulation.sections;
-    const auto next = std::ranges::lower_bound(sections, t - near, {}, &SectionRecord::t);
-    return next != sections.end() && next->t <= t + near;
-  }
-
-  /// Where the row is at an impact, another computation may be on its other side by a rounding of t.
-  [[nodiscard]] bool is_comparable(const Simulation& other, std::size_t row) const {
-    if (row >= other.rows) return false;
-    return other.sections.empty() || !is_at_impact(row) ||
-           impacts_before(other, row) == impacts_before(motion_.simulation, row);
-  }
-
   void add(std::size_t row) {
     same_row_.clear();
+    beside_impacts_.clear();
+    beside_impacts_.reserve(others_.size());
     for (const Simulation& other : others_) {
-      if (is_comparable(other, row)) same_row_.push_back({row_of(other, row), apart_of(other, row)});
+      if (row < other.rows) same_row_.push_back({state_of(other, row), apart_of(other, row)});
     }
     take_unseen(others_, row, missed_);
     add_rounding_of_instant(row);
@@ -202,6 +192,21 @@ class Comparing {
     if (motion.stop && !rows.empty()) result.stop_error = stop_error(errors, errors_at(rows.back()));
   }
 
+  void add_rows_at_impacts(std::size_t rows, RowComparison& result) const {
+    const Simulation& motion = motion_.simulation;
+    const std::vector<double>& times = motion_.grid.t;
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < result.event_errors.size(); ++i) {
+      const double t = motion.events[i].t;
+      if (!std::ranges::binary_search(motion.sections, t, {}, &SectionRecord::t)) continue;
+      const double near = std::max(result.event_errors[i].value_or(0), time_round_off(t));
+      while (row < rows && times[row] < t - near) ++row;
+      for (; row < rows && times[row] <= t + near; ++row) {
+        if (motion_.grid.wanted[row]) result.at_impacts.push_back(times[row]);
+      }
+    }
+  }
+
   /// Rows may meet an oscillation always in the same phase, where the error of a coordinate is small and that
   /// of its velocity large, or the other way round: between them each turns into the other.
   [[nodiscard]] std::vector<double> between_rows(std::span<const double> error) const {
@@ -243,9 +248,11 @@ class Comparing {
   const std::vector<Simulation>& others_;
   std::size_t width_;
   std::vector<double> largest_, scale_;
+  RowsAtImpacts at_impacts_;
   RowErrors errors_;
   Workspace workspace_;
-  std::vector<RowErrors::Other> same_row_;  ///< of the others
+  std::vector<RowErrors::Other> same_row_;           ///< of the others
+  std::vector<std::vector<double>> beside_impacts_;  ///< those of them that were moved
   std::vector<double> missed_, acceleration_;
 };
 

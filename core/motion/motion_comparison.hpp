@@ -21,6 +21,8 @@ struct RowComparison {
   /// Of the time of each event (event_errors.hpp); of one after the last row there is none.
   std::vector<std::optional<double>> event_errors;
   std::optional<double> stop_error;  ///< of the time of the stop
+  /// Rows asked for that are at an impact to within its error, each on the motion's side of it.
+  std::vector<double> at_impacts;
   std::string changed;  ///< a conserved quantity that changes by more than the errors explain; empty: none
 };
 

@@ -41,8 +41,10 @@ MotionSections::MotionSections(const Dynamics& dynamics, const SimulationRequest
   }
   now_ = &sections_[{}];
   now_->system = motion_system(dynamics, request);
-  if (request.original) {
-    now_->original = motion_system(dynamics, request.original->parameters, request.method);
+  if (request.originals) {
+    const auto& [asked, rounded] = *request.originals;
+    now_->originals = {motion_system(dynamics, asked.parameters, request.method),
+                       motion_system(dynamics, rounded.parameters, request.method)};
   }
   now_->watches = qdot::watches(dynamics, watch_request(request));
   now_->parameters = request.parameters;
@@ -134,10 +136,13 @@ void MotionSections::enter(const KinkModes::Way& way, double t) {
     now_->staying = staying_on(way.sides);
     now_->parameters = modes_->parameters(way.sides);
     now_->system = motion_system(dynamics_, way.sides, now_->parameters, request_.method);
-    if (request_.original) {
-      std::vector<double> parameters = request_.original->parameters;
-      parameters.insert(parameters.end(), way.sides.begin(), way.sides.end());
-      now_->original = motion_system(dynamics_, way.sides, parameters, request_.method);
+    if (request_.originals) {
+      const auto system_of = [&](std::vector<double> parameters) {
+        parameters.insert(parameters.end(), way.sides.begin(), way.sides.end());
+        return motion_system(dynamics_, way.sides, parameters, request_.method);
+      };
+      now_->originals = {system_of(request_.originals->asked.parameters),
+                         system_of(request_.originals->rounded.parameters)};
     }
     WatchRequest watched = watch_request(request_);
     watched.parameters = now_->parameters;

@@ -28,8 +28,8 @@ class MotionSections {
   void finish(double t);
 
   [[nodiscard]] const RightHandSide& system() const { return now_->system; }
-  /// The same of the motion that the request stands for, where there is one.
-  [[nodiscard]] const RightHandSide& original() const { return now_->original; }
+  /// The same of the motions that the request stands for, where there are such.
+  [[nodiscard]] const Originals& originals() const { return now_->originals; }
   [[nodiscard]] const std::vector<Watch>& watches() const { return now_->watches; }
   /// Where the section ends by itself: one event for each kink.
   [[nodiscard]] std::vector<EventFunction> ends() const;
@@ -53,7 +53,8 @@ class MotionSections {
 
  private:
   struct Section {
-    RightHandSide system, original;
+    RightHandSide system;
+    Originals originals;
     std::vector<Watch> watches;
     std::vector<double> parameters;
     Staying staying;

@@ -9,9 +9,11 @@
 #include "core/integrate/events.hpp"
 #include "core/integrate/integrate.hpp"
 #include "core/motion/accumulation.hpp"
+#include "core/motion/apart_along.hpp"
 #include "core/motion/instant_impacts.hpp"
 #include "core/motion/motion_sections.hpp"
 #include "core/motion/start_from_rest.hpp"
+#include "core/motion/unseen_along.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/root.hpp"
 
@@ -19,6 +21,7 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
+constexpr std::size_t rows_of_reference = 64;  ///< at which it is looked at what that keeps
 /// Of the terms of a constraint: what rounding leaves of it, and no more.
 constexpr double kept_by_impacts = 1e-9;
 constexpr const char* accumulation =
@@ -27,12 +30,14 @@ constexpr const char* accumulation =
 class Simulator {
  public:
   Simulator(const Dynamics& dynamics, const SimulationRequest& request)
-      : dynamics_(dynamics), request_(request), sections_(dynamics, request), from_rest_(dynamics, request) {
+      : dynamics_(dynamics),
+        request_(request),
+        sections_(dynamics, request),
+        from_rest_(dynamics, request),
+        apart_(request) {
     result_.t = request.t_start;
     result_.y = request.y_start;
     result_.method = request.method;
-    for (std::size_t i = 0; request.original && i < request.y_start.size(); ++i)
-      apart_.push_back(request.y_start[i] - request.original->y_start[i]);
     is_determined_ = sections_.begin(result_.t, result_.y);
     result_.symplectic = sections_.system().canonical.has_value();
   }
@@ -49,10 +54,12 @@ class Simulator {
     record_piece({});
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
+    result_.unseen = unseen_.take_rows();
+    auto [apart, by_rounding] = apart_.take_rows();
+    result_.apart = std::move(apart);
+    result_.apart_by_rounding = std::move(by_rounding);
     fill_columns();
-    result_.changes = conserved_changes(dynamics_, request_, result_.states, segments_);
-    result_.conserved = conserved_records(dynamics_, request_, result_.changes);
-    result_.constraints = constraints_along(dynamics_, request_, result_.states);
+    note_what_is_kept();
     return std::move(result_);
   }
 
@@ -107,10 +114,38 @@ class Simulator {
       }
       const std::vector<bool> met = kinks_met(done);
       record_piece(met);
-      is_determined_ = sections_.pass(result_.t, result_.y, met);
+      pass_kinks(met);
     }
     result_.ending = Ending::undetermined;
     return false;
+  }
+
+  void pass_kinks(const std::vector<bool>& met) {
+    const auto first = static_cast<std::size_t>(std::ranges::find(met, true) - met.begin());
+    if (!apart_.is_wanted() || first == met.size()) {
+      is_determined_ = sections_.pass(result_.t, result_.y, met);
+      return;
+    }
+    SectionEnd end = now_ending(sections_.ends()[first].value);
+    is_determined_ = sections_.pass(result_.t, result_.y, met);
+    if (!is_determined_) return;
+    finish(end);
+    apart_.pass(std::move(end));
+  }
+
+  [[nodiscard]] SectionEnd now_ending(decltype(EventFunction::value) g) const {
+    return {.t = result_.t,
+            .before = result_.y,
+            .slopes_before = slopes(result_.y),
+            .after = {},
+            .slopes_after = {},
+            .g = std::move(g)};
+  }
+
+  /// The section after it has begun.
+  void finish(SectionEnd& end) const {
+    end.after = result_.y;
+    end.slopes_after = slopes(result_.y);
   }
 
   /// Whether the motion goes on by a step away from a place where a speed is zero, or after one.
@@ -146,10 +181,7 @@ class Simulator {
     }
     run.taylor_order = request_.taylor_order;
     run.is_reference = request_.is_reference;
-    if (request_.original && run.method == Method::taylor) {
-      run.original = &sections_.original();
-      run.apart = apart_;
-    }
+    apart_.ask(run, sections_.originals());
     run.tolerances = request_.tolerances;
     run.h = request_.h;
     run.limits = request_.limits;
@@ -166,10 +198,11 @@ class Simulator {
     for (EventFunction& end : sections_.ends()) run.events.push_back(std::move(end));
     Run done = integrate(sections_.system(), run);
     if (step) enclose(run, done);
-    add_unseen(done);
+    result_.bounded = result_.bounded && done.bounded;
+    unseen_.add(done);
     result_.accelerations.insert(result_.accelerations.end(), done.accelerations.begin(),
                                  done.accelerations.end());
-    add_apart(done);
+    apart_.add(done);
     result_.rows += done.rows;
     if (result_.states.empty()) {
       result_.states = std::move(done.states);
@@ -216,27 +249,6 @@ class Simulator {
     for (std::size_t i = 0; i < done.unseen.size(); ++i) done.unseen[i] = (*off)[i % off->size()];
   }
 
-  /// What a section may hide stays in doubt after it.
-  void add_unseen(const Run& done) {
-    const std::size_t width = result_.y.size(), before = result_.rows * width;
-    result_.bounded = result_.bounded && done.bounded;
-    if (unseen_.empty() && done.unseen_at_end.empty()) return;
-    unseen_.resize(width);
-    result_.unseen.resize(before);
-    for (std::size_t i = 0; i < done.rows; ++i) {
-      result_.unseen.insert(result_.unseen.end(), unseen_.begin(), unseen_.end());
-    }
-    for (std::size_t i = 0; i < done.unseen.size(); ++i) result_.unseen[before + i] += done.unseen[i];
-    for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
-  }
-
-  void add_apart(const Run& done) {
-    if (!request_.original) return;
-    result_.apart.insert(result_.apart.end(), done.apart.begin(), done.apart.end());
-    for (std::size_t i = result_.apart.size(); i < (result_.rows + done.rows) * apart_.size(); ++i)
-      result_.apart.push_back(std::abs(apart_[i % apart_.size()]));
-  }
-
   bool record_events(const Run& done) {
     bool impact = false;
     const std::size_t impacts = dynamics_.model().parsed.impacts.size();
@@ -263,12 +275,15 @@ class Simulator {
       throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
   }
 
+  [[nodiscard]] std::span<const Watch> watches_of_impacts() const {
+    return std::span(sections_.watches()).last(dynamics_.model().parsed.impacts.size());
+  }
+
   /// All impacts of this instant. Those that others have started are told as events here.
   [[nodiscard]] InstantImpacts::Passed pass_impacts() {
     const std::vector<ParsedImpact>& impacts = dynamics_.model().parsed.impacts;
     if (!impacts_) impacts_.emplace(dynamics_, request_.parameters, sections_.resolution());
-    InstantImpacts::Passed passed = impacts_->pass(result_.t, result_.y, met_impacts_,
-                                                   std::span(sections_.watches()).last(impacts.size()));
+    InstantImpacts::Passed passed = impacts_->pass(result_.t, result_.y, met_impacts_, watches_of_impacts());
     for (const auto& [impact, before] : passed.all) {
       if (met_impacts_[impact]) {
         met_impacts_[impact] = false;  // told already
@@ -297,10 +312,17 @@ class Simulator {
       return false;
     }
     if (!obeys_constraints(passed.after)) return false;
-    const std::vector<double> before = std::move(result_.y), slopes_before = slopes(before);
-    result_.y = std::move(passed.after);
+    const std::size_t first = passed.all.front().impact;
+    SectionEnd end = now_ending(watches_of_impacts()[first].value);
+    end.map = [this, t = end.t, all = passed.all](const std::vector<double>& y) {
+      return impacts_->repeat(t, y, all);
+    };
+    result_.y = passed.after;
     is_determined_ = sections_.begin(result_.t, result_.y);
-    if (is_determined_) doubt_instant(before, slopes_before);
+    if (!is_determined_) return true;
+    finish(end);
+    unseen_.doubt_instant(end);
+    apart_.pass(std::move(end));
     return true;
   }
 
@@ -308,18 +330,6 @@ class Simulator {
     std::vector<double> result(y.size());
     if (sections_.system().derivative(result_.t, y, result) != Evaluation::ok) std::ranges::fill(result, 0);
     return result;
-  }
-
-  /// An impact may have been a round-off of t earlier or later, alike in all computations of this motion.
-  void doubt_instant(const std::vector<double>& before, const std::vector<double>& slopes_before) {
-    const std::vector<double> slopes_after = slopes(result_.y);
-    const std::size_t n = before.size() / 2;
-    const double late = time_round_off(result_.t);
-    unseen_.resize(before.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      unseen_[i] += late * std::abs(result_.y[n + i] - before[n + i]);
-      unseen_[n + i] += late * (std::abs(slopes_before[n + i]) + std::abs(slopes_after[n + i]));
-    }
   }
 
   /// An impact that is derived keeps what constraints ask for; one that is written has to.
@@ -343,6 +353,16 @@ class Simulator {
     return std::span(result_.states).subspan(i * request_.y_start.size(), request_.y_start.size());
   }
 
+  /// How well a reference keeps it some rows tell, of which the last is one.
+  void note_what_is_kept() {
+    const std::size_t every = request_.is_reference ? 1 + result_.rows / rows_of_reference : 1;
+    std::vector<double> changes = conserved_changes(dynamics_, request_, result_.states, segments_, every);
+    result_.conserved = conserved_records(dynamics_, request_, changes);
+    if (request_.is_reference) return;
+    result_.changes = std::move(changes);
+    result_.constraints = constraints_along(dynamics_, request_, result_.states);
+  }
+
   void fill_columns() {
     if (request_.columns.empty()) return;
     const std::size_t width = request_.columns.size();
@@ -360,13 +380,13 @@ class Simulator {
   const SimulationRequest& request_;
   MotionSections sections_;
   StartFromRest from_rest_;
+  ApartAlong apart_;
   std::optional<InstantImpacts> impacts_;
   std::vector<bool> met_impacts_;  ///< at the end of the section
   bool is_determined_{true};
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;
-  std::vector<double> unseen_;  ///< of the sections before
-  std::vector<double> apart_;   ///< from the original, with signs
+  UnseenAlong unseen_;
   Simulation result_;
 };
 

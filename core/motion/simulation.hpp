@@ -35,10 +35,10 @@ struct Simulation {
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};
-  double t{};             ///< how far it came
-  std::vector<double> y;  ///< the state there, before an impact that ends the motion
-  std::vector<ConservedRecord> conserved;
-  std::vector<double> changes;  ///< of what is conserved (conserved_changes in drift.hpp)
+  double t{};                              ///< how far it came
+  std::vector<double> y;                   ///< the state there, before an impact that ends the motion
+  std::vector<ConservedRecord> conserved;  ///< of a reference, by some of its rows
+  std::vector<double> changes;             ///< of what is conserved (conserved_changes in drift.hpp)
   std::vector<ConstraintRecord> constraints;
   Method method{};
   /// gauss: whether it stepped in (q, p). It steps in (q, q') where p = dL/dq' does not determine q': for an
@@ -51,9 +51,8 @@ struct Simulation {
   std::vector<double> unseen;  ///< as Run::unseen, rows x 2n; empty where there is nothing
   /// As Run::accelerations, rows x n, of a reference; not a number where there is no bound.
   std::vector<double> accelerations;
-  /// As Run::apart, rows x 2n, of a reference that stands for another motion. At impacts and kinks it begins
-  /// anew.
-  std::vector<double> apart;
+  /// As in Run, rows x 2n, of a reference that stands for another motion.
+  std::vector<double> apart, apart_by_rounding;
 };
 
 /// Where abs and sign stand in the equations, every zero of their arguments ends a section of the motion that

@@ -26,11 +26,15 @@ struct SimulationRequest {
   Method method{Method::adams};
   unsigned taylor_order{};   ///< 0: by the tolerance
   bool is_reference{false};  ///< RunRequest::is_reference
-  /// Of the motion that a reference stands for, where they are others by their last digits.
-  struct Original {
+  /// The motion that a reference stands for, where its numbers are others by their last digits, and a third
+  /// one beside both: two samples of what such digits come to (core/integrate/own_errors.hpp).
+  struct Numbers {
     Reals parameters, y_start;
   };
-  std::optional<Original> original{};
+  struct Originals {
+    Numbers asked, rounded;
+  };
+  std::optional<Originals> originals{};
   Tolerances tolerances;  ///< not of gauss
   double h{};             ///< step of gauss
   Limits limits;

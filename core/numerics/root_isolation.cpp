@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/work.hpp"
 #include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/same_bits.hpp"
 
@@ -18,6 +19,9 @@ constexpr std::size_t most_starts = 500;
 constexpr std::size_t boxes_per_start = 40;  ///< where fewer boxes are looked at, so are fewer starts
 constexpr double widest_cluster = 0.05;      ///< wider ones are no place but a region
 
+/// Of the work that a question may cost (core/base/work.hpp), so much is left to what comes after a search.
+constexpr std::uint64_t part_for_others = 4;
+
 class Isolator {
  public:
   Isolator(const SquareSystem& system, std::span<const double> scales)
@@ -28,10 +32,12 @@ class Isolator {
   Isolation run(const Box& region, std::size_t most_boxes) {
     push(region);
     Isolation result;
+    const std::uint64_t kept_for_others = work_left() / part_for_others;
     for (std::size_t boxes = 0; !waiting_.empty(); ++boxes) {
-      if (boxes == most_boxes) {
+      if (boxes == most_boxes || work_left() < kept_for_others) {
         result.complete = false;
-        look_for_zeros_in_what_is_left(region, std::min(most_starts, most_boxes / boxes_per_start));
+        look_for_zeros_in_what_is_left(region, std::min(most_starts, most_boxes / boxes_per_start),
+                                       kept_for_others / 2);
         break;
       }
       examine(pop());
@@ -87,8 +93,8 @@ class Isolator {
 
   /// What was not finished may still show zeros: those of the region to which Newton's iteration leads from
   /// some middles.
-  void look_for_zeros_in_what_is_left(const Box& region, std::size_t starts) {
-    for (std::size_t i = 0; i < starts && !waiting_.empty(); ++i) {
+  void look_for_zeros_in_what_is_left(const Box& region, std::size_t starts, std::uint64_t kept_for_others) {
+    for (std::size_t i = 0; i < starts && !waiting_.empty() && work_left() >= kept_for_others; ++i) {
       const std::optional<Box> start = newton(middle(pop()));
       if (!start || !overlap(*start, region)) continue;
       const Box around = around_point(*start, 1e-6);

@@ -37,7 +37,7 @@ struct IsolatedZero {
 
 struct Isolation {
   std::vector<IsolatedZero> zeros;  ///< sorted by the first unknown that differs
-  bool complete{true};              ///< false: given up after most_boxes, zeros may be missing
+  bool complete{true};  ///< false: given up after most_boxes or most of the work, zeros may be missing
   /// Too wide to be called one place: F may vanish anywhere there, as far as rounding lets one see.
   std::vector<Box> undecided;
   std::vector<Box> poles;  ///< F is not bounded even in the smallest boxes there

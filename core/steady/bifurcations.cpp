@@ -1,16 +1,20 @@
 #include "core/steady/bifurcations.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/error.hpp"
+#include "core/steady/critical_problem.hpp"
 #include "core/steady/mirrors.hpp"
 #include "core/steady/normal_form.hpp"
 #include "core/steady/region_ends.hpp"
 
 namespace qdot {
 namespace {
+
+/// Of a value of the parameter, as a part of its range.
+constexpr double rounding_of_range = 1e-12;
 
 constexpr const char* degenerate_crossing =
     "Curves of equilibria cross here, but a derivative that decides how is zero to within its error.";
@@ -27,36 +31,31 @@ class CriticalSearch {
  public:
   CriticalSearch(const Dynamics& dynamics, const Reals& parameters, const Reals& y, std::size_t index,
                  double from, double to)
-      : dynamics_(dynamics), y_(y.begin(), y.end()), index_(index), from_(from), to_(to) {
-    Reals present = parameters;
-    if (present[index] == 0) present.set(index, to != 0 ? to : from);  // it must not count as vanishing
-    problem_ = steady_problem(dynamics, present, y);
-    const std::size_t momenta = problem_.statics->reduction.ignored.size();
-    std::string key = "bifurcations " + dynamics.model().scene.parameters[index].name;
-    for (std::size_t k = 0; k < momenta; ++k)
-      key += problem_.constants[present.size() + k].width() == 0 ? " 0" : " p";
-    systems_ = dynamics.derived<BifurcationSystems>(key, present, [&](const Statics& statics) {
-      return derive_bifurcation_systems(dynamics_.model().scene, statics.reduction, *problem_.forces, index);
-    });
+      : dynamics_(dynamics),
+        y_(y.begin(), y.end()),
+        index_(index),
+        from_(from),
+        to_(to),
+        all_(dynamics, parameters, y, index, {from, to}) {
+    use(all_.charts().front());
   }
 
   Bifurcations run() {
     const std::string& name = dynamics_.model().scene.parameters[index_].name;
-    if (problem_.forces->unknowns.size() != problem_.forces->equations.size() ||
-        problem_.forces->unknowns.empty()) {
+    if (!std::ranges::all_of(all_.charts(), has_points)) {
       result_.reason =
           "The equilibria of this system are not isolated points, so none of them can appear or vanish.";
       result_.complete = false;
       return std::move(result_);
     }
-    if (!systems_->depends) {
+    if (std::ranges::none_of(all_.charts(), [](const CriticalChart& c) { return c.systems->depends; })) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
     } else {
       search();
     }
     trace();
     if (!result_.complete && !gave_up_ && add_missed()) trace();
-    if (result_.complete && changes_between(result_.branches, result_.critical)) {
+    if (result_.complete && changes_between(result_.branches, result_.critical, result_.degenerate)) {
       incomplete(
           "The stability of an equilibrium changes where no equilibrium meets another: oscillations about it begin "
           "to grow, and the value at which they do is not looked for. The branches show between which it is.");
@@ -65,12 +64,40 @@ class CriticalSearch {
   }
 
  private:
+  static bool has_points(const CriticalChart& chart) {
+    const SteadyForces& forces = *chart.problem.forces;
+    return !forces.unknowns.empty() && forces.unknowns.size() == forces.equations.size();
+  }
+
+  void use(const CriticalChart& chart) {
+    chart_ = &chart;
+    problem_ = chart.problem;
+    systems_ = chart.systems;
+  }
+
   void incomplete(const std::string& reason) {
     result_.complete = false;
+    if (result_.reason.find(reason) != std::string::npos) return;
     result_.reason += (result_.reason.empty() ? "" : " ") + reason;
   }
 
   void search() {
+    for (const CriticalChart& chart : all_.charts()) {
+      use(chart);
+      search_chart();
+    }
+    std::ranges::sort(result_.critical, [](const CriticalValue& a, const CriticalValue& b) {
+      return a.value != b.value ? a.value < b.value : a.y < b.y;
+    });
+    if (result_.critical.empty() && result_.reason.empty()) {
+      result_.reason =
+          result_.degenerate.empty()
+              ? "No equilibrium appears, vanishes or meets another in this range."
+              : "No equilibrium appears, vanishes or meets another but at the values in 'degenerate'.";
+    }
+  }
+
+  void search_chart() {
     if (problem_.forces->smooth.kinks() > 0) {
       return incomplete(
           "The forces have kinks (abs or sign), at which equilibria appear and vanish, too: critical values are "
@@ -78,9 +105,10 @@ class CriticalSearch {
     }
     std::optional<SymmetryAxes> axes;
     if (unknowns().size() == 1) axes.emplace(problem_, *systems_, Interval(from_, to_));
-    const CriticalZeros found =
+    CriticalZeros found =
         critical_zeros(dynamics_.model(), problem_, *systems_, {from_, to_},
                        [&](std::span<const Interval> box) { return axes && axes->explain(box); });
+    leave_to_other_charts(found);
     result_.degenerate = found.degenerate;
     if (!found.complete) {
       incomplete("The search was given up before it was finished, so critical values may be missing.");
@@ -93,13 +121,17 @@ class CriticalSearch {
     } else {
       classify_by_families(found);
     }
-    std::ranges::sort(result_.critical, [](const CriticalValue& a, const CriticalValue& b) {
-      return a.value != b.value ? a.value < b.value : a.y < b.y;
-    });
     watch_ends();
-    if (result_.critical.empty() && result_.reason.empty()) {
-      result_.reason = "No equilibrium appears, vanishes or meets another in this range.";
-    }
+  }
+
+  void leave_to_other_charts(CriticalZeros& found) {
+    std::erase_if(found.zeros, [&](const CriticalZero& zero) {
+      const auto place = all_.place_in(*chart_, zero);
+      if (place == CriticalProblem::Place::singular)
+        incomplete(
+            "Somewhere in this range the constraints depend on each other: what happens there is not known.");
+      return place != CriticalProblem::Place::here;
+    });
   }
 
   /// Equilibria that come from an end of the region or leave it there.
@@ -109,20 +141,8 @@ class CriticalSearch {
       const auto is_there = [&](double p) { return crossing.p.is_finite() && crossing.p.contains(p); };
       if (std::ranges::any_of(result_.degenerate, is_there)) continue;
       const std::string& x = dynamics_.model().scene.coordinates[kept()[unknowns()[crossing.unknown]]].name;
-      const std::string end = std::abs(crossing.end) < largest_length ? x + " = " + short_text(crossing.end)
-                              : crossing.end < 0                      ? x + " = -infinity"
-                                                                      : x + " = infinity";
-      incomplete(crossing.p.is_finite()
-                     ? "At " + parameter + " = " + short_text(crossing.p.middle()) +
-                           " an equilibrium appears from or vanishes to " + end + "."
-                     : "Whether equilibria appear from or vanish to " + end + " could not be told.");
+      incomplete(sentence(crossing, x, parameter, {from_, to_}));
     }
-  }
-
-  static std::string short_text(double x) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, 10).ptr;
-    return {text, end};
   }
 
   void trace() {
@@ -187,7 +207,7 @@ class CriticalSearch {
   std::optional<SteadyState> nearest(const std::vector<double>& x, double p) {
     std::optional<SteadyState> best;
     double least = 0.2;
-    for (SteadyState& state : at(p).states) {
+    for (SteadyState& state : all_.at(p).states) {
       double distance = 0;
       for (const std::size_t i : kept()) distance = std::max(distance, std::abs(state.y[i] - x[i]));
       if (distance < least) {
@@ -199,14 +219,7 @@ class CriticalSearch {
   }
 
   [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return systems_->unknowns; }
-  [[nodiscard]] const std::vector<std::size_t>& kept() const { return problem_.statics->reduction.kept; }
-
-  Equilibria at(double p) {
-    SteadyProblem here = problem_;
-    here.constants[index_] = p;
-    here.parameters[index_] = p == 0 ? here.parameters[index_] : p;
-    return equilibria(dynamics_, here, y_);
-  }
+  [[nodiscard]] const std::vector<std::size_t>& kept() const { return all_.kept(); }
 
   [[nodiscard]] std::vector<bool> turns() const {
     std::vector<bool> result(y_.size() / 2);
@@ -217,14 +230,25 @@ class CriticalSearch {
   /// Where a force vanishes everywhere, equilibria are no points of a curve; where not all can be found,
   /// there are no curves from there on.
   [[nodiscard]] std::vector<SteadyState> column(double p) {
-    if (gave_up_ || std::ranges::find(result_.degenerate, p) != result_.degenerate.end()) return {};
-    Equilibria found = at(p);
-    if (!found.complete) {
-      gave_up_ = true;
-      incomplete("The branches end at " + dynamics_.model().scene.parameters[index_].name + " = " +
-                 short_text(p) + ", where not all equilibria are found: " + found.reason);
+    const auto is_there = [&](double value) {
+      return std::abs(value - p) <= rounding_of_range * (to_ - from_);
+    };
+    if (gave_up_ || std::ranges::any_of(result_.degenerate, is_there)) return {};
+    try {
+      Equilibria found = all_.at(p);
+      if (!found.complete) end_branches(p, "where not all equilibria are found: " + found.reason);
+      return std::move(found.states);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::too_large) throw;
+      end_branches(p, "as to follow them further would cost more than one answer may.");
+      return {};
     }
-    return std::move(found.states);
+  }
+
+  void end_branches(double p, const std::string& why) {
+    gave_up_ = true;
+    incomplete("The branches end at " + dynamics_.model().scene.parameters[index_].name + " = " +
+               short_number(p, 10) + ", " + why);
   }
 
   void classify_by_normal_form(const std::vector<CriticalZero>& zeros, SymmetryAxes& axes) {
@@ -258,22 +282,6 @@ class CriticalSearch {
   static const char* reason_of(const CriticalZero& zero) {
     if (!zero.simple) return several_events;
     return zero.kind == BifurcationSystem::Kind::meeting ? degenerate_crossing : degenerate_fold;
-  }
-
-  /// What may be the same place becomes one that is not simple.
-  static void join(std::vector<CriticalZero>& places, CriticalZero zero) {
-    for (std::size_t k = 0; k < places.size();) {
-      if (!overlap(places[k], zero)) {
-        ++k;
-        continue;
-      }
-      for (std::size_t j = 0; j < zero.x.size(); ++j) zero.x[j] = hull(zero.x[j], places[k].x[j]);
-      zero.p = hull(zero.p, places[k].p);
-      zero.simple = false;
-      places.erase(places.begin() + static_cast<std::ptrdiff_t>(k));
-      k = 0;
-    }
-    places.push_back(std::move(zero));
   }
 
   /// A fold alone is a saddle-node: its system is regular only where it is one. Two families that cross, and
@@ -320,7 +328,7 @@ class CriticalSearch {
 
   std::size_t simple_near(const CriticalZero& here, double p, double reach) {
     std::size_t count = 0;
-    for (const SteadyState& state : at(p).states) {
+    for (const SteadyState& state : all_.at(p).states) {
       bool close = state.simple;
       for (std::size_t k = 0; k < here.x.size(); ++k) {
         const double d = state.y[kept()[unknowns()[k]]] - here.x[k].middle();
@@ -331,14 +339,6 @@ class CriticalSearch {
       count += close ? 1 : 0;
     }
     return count;
-  }
-
-  /// Of all unknowns of the forces.
-  [[nodiscard]] Box values_of(const CriticalZero& found) const {
-    Box place = found.x, values(problem_.forces->unknowns.size());
-    place.push_back(found.p);
-    TapeEvaluator<Interval>(systems_->values, problem_.constants)(place, values);
-    return values;
   }
 
   void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "") {
@@ -352,17 +352,12 @@ class CriticalSearch {
     critical.y.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n));
     critical.y.resize(2 * n, 0.0);
     critical.errors.assign(2 * n, 0.0);
-    std::vector<Interval> place;
-    for (const std::size_t i : kept()) place.emplace_back(y_[i]);
     std::vector<Interval> constants = problem_.constants;
     constants[index_] = found.p;
-    const std::vector<std::size_t>& all = problem_.forces->unknowns;
-    const Box x = values_of(found);
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const std::size_t i = kept()[all[k]];
-      place[all[k]] = x[k];
-      critical.y[i] = representative(x[k]);
-      critical.errors[i] = distance_bound(critical.y[i], x[k]);
+    const Box place = all_.place_of(*chart_, found);
+    for (const std::size_t k : problem_.forces->unknowns) {
+      critical.y[kept()[k]] = representative(place[k]);
+      critical.errors[kept()[k]] = distance_bound(critical.y[kept()[k]], place[k]);
     }
     std::vector<Interval> rates(problem_.statics->reduction.ignored.size());
     TapeEvaluator<Interval>(problem_.forces->ignored_rates, constants)(place, rates);
@@ -371,14 +366,19 @@ class CriticalSearch {
       critical.y[i] = representative(rates[k]);
       critical.errors[i] = distance_bound(critical.y[i], rates[k]);
     }
-    result_.critical.push_back(std::move(critical));
+    // Where charts overlap, both may tell of it.
+    const auto is_same = [&](const CriticalValue& other) { return same_place(other, critical); };
+    if (all_.charts().size() == 1 || std::ranges::none_of(result_.critical, is_same))
+      result_.critical.push_back(std::move(critical));
   }
 
   const Dynamics& dynamics_;
   std::vector<double> y_;
   std::size_t index_;
   double from_, to_;
-  SteadyProblem problem_;
+  CriticalProblem all_;
+  const CriticalChart* chart_{};
+  SteadyProblem problem_;  ///< of the chart, as are its systems
   std::shared_ptr<const BifurcationSystems> systems_;
   bool gave_up_{};
   Bifurcations result_;

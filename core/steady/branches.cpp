@@ -20,6 +20,11 @@ struct SampledState {
   Stability stability{};
 };
 
+/// Between stable and unstable.
+bool change_between(Stability a, Stability b) {
+  return a != b && a != Stability::neutral && b != Stability::neutral;
+}
+
 class Tracer {
  public:
   Tracer(const EquilibriaAt& equilibria_at, std::span<const CriticalValue> critical,
@@ -65,6 +70,15 @@ class Tracer {
     return std::sqrt(sum);
   }
 
+  /// From where the curve is heading; and where its stability would change, from where it was, too: a steep
+  /// curve may head for a place of another one.
+  [[nodiscard]] double distance(const EquilibriumBranch& branch, const std::vector<double>& ahead,
+                                const SampledState& point) const {
+    const double d = distance(ahead, point.x);
+    const bool changes = change_between(branch.stability.back(), point.stability);
+    return changes ? std::max(d, distance(branch.x.back(), point.x)) : d;
+  }
+
   /// Where a curve is heading at p.
   [[nodiscard]] std::vector<double> extrapolated(const EquilibriumBranch& branch, double p) const {
     const std::size_t n = branch.parameter.size();
@@ -95,7 +109,7 @@ class Tracer {
         const std::vector<double> ahead = extrapolated(result_[waiting[b]], p);
         for (std::size_t i = 0; i < points.size(); ++i) {
           if (used[i]) continue;
-          if (const double d = distance(ahead, points[i].x); d < best) {
+          if (const double d = distance(result_[waiting[b]], ahead, points[i]); d < best) {
             best = d;
             branch = b;
             point = i;
@@ -174,7 +188,8 @@ std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, doubl
   return Tracer(equilibria_at, critical, turns).run(from, to);
 }
 
-bool changes_between(std::span<const EquilibriumBranch> branches, std::span<const CriticalValue> critical) {
+bool changes_between(std::span<const EquilibriumBranch> branches, std::span<const CriticalValue> critical,
+                     std::span<const double> degenerate) {
   return std::ranges::any_of(branches, [&](const EquilibriumBranch& branch) {
     const std::vector<double>& p = branch.parameter;
     for (std::size_t i = 0; i + 1 < p.size(); ++i) {
@@ -184,7 +199,9 @@ bool changes_between(std::span<const EquilibriumBranch> branches, std::span<cons
       const auto is_near = [low = low, high = high](const CriticalValue& c) {
         return c.value + c.error >= low && c.value - c.error <= high;
       };
-      if (std::ranges::none_of(critical, is_near)) return true;
+      const auto is_between = [low = low, high = high](double p) { return p >= low && p <= high; };
+      if (std::ranges::none_of(critical, is_near) && std::ranges::none_of(degenerate, is_between))
+        return true;
     }
     return false;
   });

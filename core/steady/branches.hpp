@@ -27,9 +27,10 @@ using EquilibriaAt = std::function<std::vector<SteadyState>(double parameter)>;
                                                       double to, std::span<const CriticalValue> critical,
                                                       const std::vector<bool>& turns);
 
-/// Whether a branch's stability changes where no critical value is, as where gyroscopic or damping forces
-/// hold what the potential does not.
+/// Whether a branch's stability changes where no critical value is, and none at which a force vanishes
+/// everywhere, as where gyroscopic or damping forces hold what the potential does not.
 [[nodiscard]] bool changes_between(std::span<const EquilibriumBranch> branches,
-                                   std::span<const CriticalValue> critical);
+                                   std::span<const CriticalValue> critical,
+                                   std::span<const double> degenerate);
 
 }  // namespace qdot

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/steady/equilibria.hpp"
+#include "core/steady/surface_problem.hpp"
 
 namespace qdot {
 
@@ -18,8 +19,12 @@ struct ConstrainedEquilibria {
   std::vector<std::optional<std::vector<Ball>>> multipliers;
 };
 
-/// `y` gives free coordinates their values, as in equilibria.hpp. Throws what surface_statics throws.
+/// `y` gives free coordinates their values, as in equilibria.hpp. Throws what surface_problem throws.
 [[nodiscard]] ConstrainedEquilibria constrained_equilibria(const Dynamics& dynamics, const Reals& parameters,
                                                            const Reals& y);
+
+/// The same for a problem that is there, and for other constants of it: `problem.constants` are those of
+/// `problem.steady`, too.
+[[nodiscard]] ConstrainedEquilibria constrained_equilibria(const SurfaceProblem& problem);
 
 }  // namespace qdot

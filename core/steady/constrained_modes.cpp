@@ -1,22 +1,25 @@
 #include "core/steady/constrained_modes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/rolling_modes.hpp"
+#include "core/steady/steady_forces.hpp"
 #include "core/steady/steady_rolling.hpp"
 
 namespace qdot {
 namespace {
 
+constexpr const char* no_stiffness =
+    "Along a neutral mode the stiffness is zero to within its error: higher terms of the potential decide.";
+
 class SurfaceAnalysis {
  public:
-  SurfaceAnalysis(const SurfaceStatics& whole, const Reals& parameters)
-      : whole_(whole), n_(whole.coordinates), m_(whole.constraints), constants_(parameters.as<Ball>()) {
-    if (!whole.statics->potential) undetermined_on_surface("not all forces have a potential.");
-  }
+  SurfaceAnalysis(const SurfaceStatics& whole, const std::vector<Ball>& constants,
+                  const std::vector<double>& y)
+      : whole_(whole), n_(whole.coordinates), m_(whole.constraints), constants_(constants), y_(y) {}
 
   SurfaceModes near(const std::vector<double>& guess) {
     place_ =
@@ -40,8 +43,14 @@ class SurfaceAnalysis {
   }
 
  private:
+  [[nodiscard]] const Reduction& reduction() const { return whole_.statics->reduction; }
+  [[nodiscard]] std::size_t total() const { return y_.size() / 2; }
   [[nodiscard]] std::vector<Ball> of(const CompiledFunction& function) const {
     return evaluated(function, constants_, place_.x);
+  }
+  /// Without the multipliers.
+  [[nodiscard]] SquareMatrix<Ball> matrix(const CompiledFunction& function) const {
+    return square_matrix(of(function), n_, n_ + m_);
   }
 
   [[nodiscard]] BallMatrix slopes() const {
@@ -54,43 +63,36 @@ class SurfaceAnalysis {
   }
 
   SurfaceModes about_place(SolvedSlopes a) {
-    const std::vector<Ball> rates = of(whole_.statics->damping);
-    if (!std::ranges::all_of(rates, [](const Ball& d) { return d.is_zero(); }))
-      undetermined_on_surface("forces depend on velocities.");
-    mass_ = corner(of(whole_.statics->inertia));
-    stiffness_ = corner(of(whole_.statics->stiffness));
     z_ = std::move(a.allowed);
+    const Statics& statics = *whole_.statics;
+    const SmallMotions kept{matrix(statics.inertia), matrix(statics.stiffness), matrix(statics.damping)};
+    const SmallMotions on_surface{restricted(kept.mass), restricted(kept.stiffness), restricted(kept.rates)};
+    const SmallMotions all = statics.linearized ? of_all(of(*statics.linearized)) : kept;
     write_place();
-    if (n_ > m_) write_modes();
-    write_stability();
-    return {std::move(result_), std::move(place_)};
+    write_matrices(all, result_);
+    result_.modes = modes_of({statics, constants_, place_, total(), on_surface, all, z_});
+    SteadyStability stability = stability_of(on_surface);
+    result_.stability = stability.stability;
+    result_.undecided = stability.undecided;
+    return {std::move(result_), std::move(stability), std::move(place_)};
   }
 
-  /// Of all coordinates, without the multipliers.
-  [[nodiscard]] BallMatrix corner(const std::vector<Ball>& all) const {
-    BallMatrix result(n_);
-    for (std::size_t i = 0; i < n_; ++i) {
-      for (std::size_t j = 0; j < n_; ++j) result[i].push_back(all[i * (n_ + m_) + j]);
-    }
-    return result;
-  }
-
-  [[nodiscard]] static std::vector<double> by_rows(const BallMatrix& a) {
-    std::vector<double> values;
-    for (const auto& row : a) {
-      for (const Ball& entry : row) values.push_back(entry.contains_zero() ? 0.0 : entry.value());
-    }
-    return values;
+  [[nodiscard]] SmallMotions of_all(const std::vector<Ball>& linearized) const {
+    const std::size_t width = total() + m_;
+    const auto part = [&](std::size_t k) {
+      return square_matrix(linearized, total(), width, k * width * width);
+    };
+    return {part(0), part(1), part(2)};
   }
 
   /// Z^T a Z
-  [[nodiscard]] SquareMatrix<Ball> restricted(const BallMatrix& a) const {
+  [[nodiscard]] SquareMatrix<Ball> restricted(const SquareMatrix<Ball>& a) const {
     SquareMatrix<Ball> result(n_ - m_);
     for (std::size_t f = 0; f < result.size(); ++f) {
       for (std::size_t g = 0; g < result.size(); ++g) {
         Ball sum(0);
         for (std::size_t i = 0; i < n_; ++i) {
-          for (std::size_t j = 0; j < n_; ++j) sum = sum + z_[i][f] * a[i][j] * z_[j][g];
+          for (std::size_t j = 0; j < n_; ++j) sum = sum + z_[i][f] * a(i, j) * z_[j][g];
         }
         result(f, g) = sum;
       }
@@ -99,110 +101,64 @@ class SurfaceAnalysis {
   }
 
   void write_place() {
-    for (std::size_t i = 0; i < n_; ++i) {
-      const Ball& x = place_.x[i];
-      result_.y.push_back(x.value());
-      const bool proven = place_.isolated || x.error() == 0;
-      result_.y_error.push_back(proven ? std::optional(x.error()) : std::nullopt);
-    }
-    result_.y.resize(2 * n_);
-    result_.y_error.resize(2 * n_, 0.0);
-    result_.mass = by_rows(mass_);
-    result_.stiffness = by_rows(stiffness_);
-  }
-
-  void write_modes() {
-    const SmallMotions motions{restricted(mass_), restricted(stiffness_), SquareMatrix<Ball>(n_ - m_)};
-    const Eigensystem<Ball> found = squares(motions);
-    if (found.values.size() != n_ - m_)
-      undetermined_on_surface("no bound of their frequencies could be proven.");
-    for (std::size_t first = 0; first < found.values.size(); ++first) {
-      std::vector<std::size_t> members;
-      for (std::size_t i = 0; i < found.values.size(); ++i) {
-        if (found.group[i] == first) members.push_back(i);
-      }
-      write_group(found, members);
-    }
-    std::ranges::stable_sort(result_.modes, {}, &Mode::omega);
-  }
-
-  void write_group(const Eigensystem<Ball>& found, const std::vector<std::size_t>& members) {
-    std::vector<std::vector<ComplexBall>> shapes;
-    for (const std::size_t i : members) shapes.push_back(shape_of(found, i));
-    if (!shapes.empty()) shapes = echelon_form(std::move(shapes));
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      Mode mode = mode_of(found.values[members[k]], found.radii[members[k]]);
-      mode.multiplicity = members.size();
-      for (const ComplexBall& entry : shapes[k]) mode.shape.emplace_back(entry.re.value(), entry.im.value());
-      result_.modes.push_back(std::move(mode));
-    }
-  }
-
-  [[nodiscard]] std::vector<ComplexBall> shape_of(const Eigensystem<Ball>& found, std::size_t i) const {
-    std::vector<ComplexBall> shape(n_);
-    for (std::size_t j = 0; j < n_; ++j) {
-      Ball sum(0);
-      for (std::size_t f = 0; f < n_ - m_; ++f) {
-        Ball entry = found.vectors(f, i);
-        entry.radius += found.bounds[f * found.values.size() + i];
-        sum = sum + z_[j][f] * entry;
-      }
-      shape[j] = ComplexBall(sum);
-    }
-    return shape;
-  }
-
-  [[nodiscard]] static Mode mode_of(const Ball& value, double radius) {
-    if (!std::isfinite(radius)) undetermined_on_surface("no bound of their frequencies could be proven.");
-    const Ball lambda(value.middle, radius);
-    Mode mode;
-    mode.lambda = 0.0;
-    mode.kind = ModeKind::neutral;
-    mode.omega_error = std::sqrt(lambda.magnitude());
-    if (lambda.contains_zero()) return mode;
-    const bool grows = lambda.value() < 0;
-    const Ball root = sqrt(grows ? -lambda : lambda);
-    mode.kind = grows ? ModeKind::growth : ModeKind::oscillation;
-    mode.lambda = lambda.value();
-    (grows ? mode.rate : mode.omega) = root.value();
-    mode.omega_error = grows ? std::nullopt : std::optional(root.error());
-    if (grows) mode.rate_error = root.error();
-    return mode;
-  }
-
-  void write_stability() {
-    const auto has = [&](ModeKind kind) {
-      return std::ranges::any_of(result_.modes, [&](const Mode& mode) { return mode.kind == kind; });
+    result_.y = y_;
+    result_.y_error.assign(y_.size(), 0.0);
+    const auto put = [&](std::size_t i, const Ball& value) {
+      if (!value.is_finite()) undetermined_on_surface("a steady rate has no finite value there.");
+      result_.y[i] = value.value();
+      const bool proven = place_.isolated || value.error() == 0;
+      result_.y_error[i] = proven ? std::optional(value.error()) : std::nullopt;
     };
-    result_.stability = Stability::stable;
-    if (has(ModeKind::growth)) {
-      result_.stability = Stability::unstable;
-    } else if (has(ModeKind::neutral)) {
-      result_.stability = Stability::neutral;
-      result_.undecided =
-          "Along the neutral mode the stiffness is zero to within its error: higher terms of the potential "
-          "decide.";
+    for (std::size_t i = 0; i < n_; ++i) {
+      put(reduction().kept[i], place_.x[i]);
+      result_.y[total() + reduction().kept[i]] = 0;
     }
+    const std::vector<Ball> rates = of(whole_.statics->ignored_rates);
+    for (std::size_t c = 0; c < rates.size(); ++c) put(total() + reduction().ignored[c], rates[c]);
+  }
+
+  [[nodiscard]] SteadyStability stability_of(const SmallMotions& motions) const {
+    const auto intervals = [&](const SquareMatrix<Ball>& a) {
+      std::vector<Interval> entries;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < a.size(); ++j) entries.push_back(a(i, j).interval());
+      }
+      return entries;
+    };
+    const Model& model = whole_.dynamics->model();
+    SteadyStability result = linear_stability(
+        {motions.size(), intervals(motions.mass), intervals(motions.rates), intervals(motions.stiffness),
+         is_gradient(model, *whole_.statics), has_potential(model, *whole_.statics)},
+        [] { return no_stiffness; });
+    return result;
   }
 
   const SurfaceStatics& whole_;
   std::size_t n_, m_;
-  std::vector<Ball> constants_;
+  const std::vector<Ball>& constants_;
+  const std::vector<double>& y_;
   Equilibrium place_;
-  BallMatrix mass_, stiffness_, z_;
+  BallMatrix z_;
   Modes result_;
 };
 
-}  // namespace
-
-SurfaceModes surface_modes(const SurfaceStatics& whole, const Reals& parameters,
-                           const std::vector<double>& guess) {
-  return SurfaceAnalysis(whole, parameters).near(guess);
+/// Of a state (q, q') near a steady motion, x = (q, lambda) to begin from.
+std::vector<double> guess_on_surface(const SurfaceStatics& whole, const Dynamics& dynamics,
+                                     const Reals& parameters, std::vector<double> y) {
+  const Reduction& reduction = whole.statics->reduction;
+  const std::size_t total = y.size() / 2;
+  for (std::size_t k = 0; k < whole.coordinates; ++k) y[total + reduction.kept[k]] = 0;
+  const std::vector<double> all = with_multipliers(dynamics, parameters, y);
+  std::vector<double> guess;
+  for (const std::size_t k : reduction.kept) guess.push_back(all[k]);
+  return guess;
 }
 
-SurfaceModes surface_modes_at(const SurfaceStatics& whole, const Reals& parameters,
-                              std::span<const Interval> q) {
-  return SurfaceAnalysis(whole, parameters).at(q);
+}  // namespace
+
+SurfaceModes surface_modes_at(const SurfaceStatics& whole, const std::vector<Ball>& constants,
+                              std::span<const Interval> x, const std::vector<double>& y) {
+  return SurfaceAnalysis(whole, constants, y).at(x);
 }
 
 Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
@@ -210,10 +166,10 @@ Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const
   if (has_constraint_in_velocities(dynamics.model()))
     return rolling_modes(dynamics, parameters, initial, guess);
   const SurfaceStatics whole = surface_statics(dynamics, parameters);
-  const std::vector<double> start(initial.begin(),
-                                  initial.begin() + static_cast<std::ptrdiff_t>(whole.coordinates));
-  return surface_modes(whole, parameters, with_multipliers(dynamics, parameters, guess.value_or(start)))
-      .modes;
+  std::vector<double> y(initial.begin(), initial.end());
+  if (guess) std::ranges::copy(*guess, y.begin());
+  const std::vector<Ball> constants = constants_on_surface(whole, dynamics, parameters, initial);
+  return SurfaceAnalysis(whole, constants, y).near(guess_on_surface(whole, dynamics, parameters, y)).modes;
 }
 
 }  // namespace qdot

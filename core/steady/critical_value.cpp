@@ -1,5 +1,7 @@
 #include "core/steady/critical_value.hpp"
 
+#include <cmath>
+
 namespace qdot {
 
 const char* name(BifurcationKind kind) {
@@ -14,6 +16,13 @@ const char* name(BifurcationKind kind) {
       break;
   }
   return "unresolved";
+}
+
+bool same_place(const CriticalValue& a, const CriticalValue& b) {
+  bool same = std::abs(a.value - b.value) <= a.error + b.error;
+  for (std::size_t i = 0; i < a.y.size(); ++i)
+    same = same && std::abs(a.y[i] - b.y[i]) <= a.errors[i] + b.errors[i];
+  return same;
 }
 
 }  // namespace qdot

@@ -21,4 +21,7 @@ struct CriticalValue {
   std::string reason;  ///< why the kind is unresolved, a sentence
 };
 
+/// To within their errors.
+[[nodiscard]] bool same_place(const CriticalValue& a, const CriticalValue& b);
+
 }  // namespace qdot

@@ -96,6 +96,21 @@ bool overlap(const CriticalZero& a, const CriticalZero& b) {
   return !is_empty(intersection(a.p, b.p));
 }
 
+void join(std::vector<CriticalZero>& places, CriticalZero zero) {
+  for (std::size_t k = 0; k < places.size();) {
+    if (!overlap(places[k], zero)) {
+      ++k;
+      continue;
+    }
+    for (std::size_t j = 0; j < zero.x.size(); ++j) zero.x[j] = hull(zero.x[j], places[k].x[j]);
+    zero.p = hull(zero.p, places[k].p);
+    zero.simple = false;
+    places.erase(places.begin() + static_cast<std::ptrdiff_t>(k));
+    k = 0;
+  }
+  places.push_back(std::move(zero));
+}
+
 CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
                              const BifurcationSystems& systems, const Interval& range,
                              const std::function<bool(std::span<const Interval>)>& known) {

@@ -21,6 +21,8 @@ struct CriticalZero {
 
 /// Whether both may be the same place.
 [[nodiscard]] bool overlap(const CriticalZero& a, const CriticalZero& b);
+/// Adds one; what may be the same place becomes one that is not simple.
+void join(std::vector<CriticalZero>& places, CriticalZero zero);
 
 struct CriticalZeros {
   std::vector<CriticalZero> zeros;

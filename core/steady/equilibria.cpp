@@ -1,7 +1,6 @@
 #include "core/steady/equilibria.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -17,12 +16,6 @@ namespace {
 constexpr std::size_t most_boxes(std::size_t unknowns) { return unknowns < 3 ? 20'000 : 60'000; }
 constexpr std::size_t most_boxes_of_middle = 2'000;
 constexpr std::size_t most_kinks = 5;  ///< each multiplies the work by three
-
-std::string short_number(double x) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, 4).ptr;
-  return {text, end};
-}
 
 class RegionSearch {
  public:

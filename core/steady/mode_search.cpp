@@ -29,11 +29,47 @@ class ModeSearch {
   explicit ModeSearch(const Linearization& linearization) : at_(linearization) {}
 
   std::vector<Mode> run() {
+    add_rigid();
     if (at_.reduced.size() > 0 && !(at_.reduced.depends_on_squares() && from_squares())) from_exponents();
+    put_in_order();
     return std::move(modes_);
   }
 
  private:
+  void add_rigid() {
+    for (const std::size_t c : at_.statics.reduction.ignored) {
+      Mode rigid;
+      rigid.kind = ModeKind::rigid;
+      rigid.omega_error = rigid.lambda = 0.0;
+      rigid.shape.assign(at_.coordinates, 0.0);
+      rigid.shape[c] = 1;
+      modes_.push_back(std::move(rigid));
+    }
+  }
+
+  void put_in_order() {
+    std::ranges::stable_sort(modes_, [](const Mode& a, const Mode& b) {
+      if (a.omega != b.omega) return a.omega < b.omega;
+      return a.kind != b.kind ? a.kind < b.kind : a.rate > b.rate;
+    });
+    const auto is_rigid = [](const Mode& mode) { return mode.kind == ModeKind::rigid; };
+    const auto rigid = static_cast<std::size_t>(std::ranges::count_if(modes_, is_rigid));
+    for (Mode& mode : modes_) {
+      if (mode.kind == ModeKind::rigid) mode.multiplicity = rigid;
+    }
+  }
+
+  /// u of the kept coordinates.
+  [[nodiscard]] Shape displaced(const Shape& v) const {
+    if (at_.allowed.empty()) return v;
+    Shape u;
+    for (const std::vector<Ball>& row : at_.allowed) {
+      u.emplace_back();
+      for (std::size_t f = 0; f < v.size(); ++f) u.back() = u.back() + ComplexBall(row[f]) * v[f];
+    }
+    return u;
+  }
+
   // Without gyroscopic and damping terms.
 
   /// False where no bound is to be had this way.
@@ -111,25 +147,28 @@ class ModeSearch {
     Balls constants = at_.constants;
     for (Ball& c : constants) c.radius += 0x1p-53 * std::abs(c.middle.high);
     const Balls k = evaluated(at_.statics.stiffness, constants, at_.place.x);
-    const std::size_t n = at_.reduced.size();
+    const Shape u = displaced(shape);
     double moved = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      for (std::size_t j = 0; j < u.size(); ++j)
+        moved += magnitude(u[i]) * k[i * at_.place.x.size() + j].radius * magnitude(u[j]);
+    }
     Ball inertia;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        moved += magnitude(shape[i]) * k[i * n + j].radius * magnitude(shape[j]);
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      for (std::size_t j = 0; j < shape.size(); ++j)
         inertia = inertia + shape[i].re * at_.reduced.mass(i, j) * shape[j].re;
-      }
     }
     return moved / std::abs(inertia.middle.high);
   }
 
-  /// No force appears at finite distances along the shape.
-  [[nodiscard]] bool is_rigid(const Shape& shape) const {
+  /// No force appears at finite distances along the shape, which leaves no surface.
+  [[nodiscard]] bool is_rigid(const Shape& of_reduced) const {
+    const Shape shape = displaced(of_reduced);
     double size = 0;
     for (const ComplexBall& entry : shape) size = std::max(size, magnitude(entry.re));
     for (const double distance : {1.0, -0.5}) {
       Balls x = at_.place.x;
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] + Ball(distance / size) * shape[i].re;
+      for (std::size_t i = 0; i < shape.size(); ++i) x[i] = x[i] + Ball(distance / size) * shape[i].re;
       const Balls g = evaluated(at_.statics.forces, at_.constants, x);
       if (!std::all_of(g.begin(), g.end(), [](const Ball& force) { return force.contains_zero(); }))
         return false;
@@ -272,7 +311,8 @@ class ModeSearch {
   /// M_cc u_c = -(M_cx + D_cx/s) u_x.
   void set_shapes(std::vector<Mode>& modes, const std::vector<Shape>& shapes, const ComplexBall& s) const {
     std::vector<Shape> all;
-    for (const Shape& shape : shapes) {
+    for (const Shape& of_reduced : shapes) {
+      const Shape shape = displaced(of_reduced);
       Shape whole(at_.coordinates);
       for (std::size_t i = 0; i < shape.size(); ++i) whole[at_.statics.reduction.kept[i]] = shape[i];
       for (auto& [c, value] : companions(shape, s)) whole[c] = value;

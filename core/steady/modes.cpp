@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/base/error.hpp"
+#include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/steady_forces.hpp"
 
@@ -12,35 +13,6 @@ namespace qdot {
 namespace {
 
 using Balls = std::vector<Ball>;
-
-SquareMatrix<Ball> square_matrix(const Balls& entries, std::size_t n, std::size_t first = 0) {
-  SquareMatrix<Ball> result(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) result(i, j) = entries[first + i * n + j];
-  }
-  return result;
-}
-
-std::vector<double> by_rows(const SquareMatrix<Ball>& a) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < a.size(); ++j)
-      values.push_back(a(i, j).contains_zero() ? 0.0 : a(i, j).value());
-  }
-  return values;
-}
-
-/// (A + sign A^T)/2 by rows, or nothing where that is zero.
-std::vector<double> part(const SquareMatrix<Ball>& a, int sign) {
-  SquareMatrix<Ball> result(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < a.size(); ++j)
-      result(i, j) = Ball(0.5) * (sign > 0 ? a(i, j) + a(j, i) : a(i, j) - a(j, i));
-  }
-  std::vector<double> values = by_rows(result);
-  if (std::all_of(values.begin(), values.end(), [](double v) { return v == 0; })) values.clear();
-  return values;
-}
 
 class Analysis {
  public:
@@ -73,11 +45,11 @@ class Analysis {
     if (statics_->linearized) {
       const Balls all = evaluated(*statics_->linearized, constants_, place_.x);
       const std::size_t entries = total() * total();
-      whole_ = {square_matrix(all, total()), square_matrix(all, total(), entries),
-                square_matrix(all, total(), 2 * entries)};
+      whole_ = {square_matrix(all, total(), total()), square_matrix(all, total(), total(), entries),
+                square_matrix(all, total(), total(), 2 * entries)};
     }
     write_state();
-    write_matrices();
+    write_matrices(whole_, result_);
     write_modes();
     write_stability();
     return std::move(result_);
@@ -112,7 +84,7 @@ class Analysis {
   [[nodiscard]] std::size_t total() const { return y_.size() / 2; }
   [[nodiscard]] const Reduction& reduction() const { return statics_->reduction; }
   [[nodiscard]] SquareMatrix<Ball> matrix(const CompiledFunction& function, std::size_t n) const {
-    return square_matrix(evaluated(function, constants_, place_.x), n);
+    return square_matrix(evaluated(function, constants_, place_.x), n, n);
   }
 
   void add_momenta(const Balls& y) {
@@ -143,34 +115,8 @@ class Analysis {
     result_.y_error[i] = proven ? std::optional(value.error()) : std::nullopt;
   }
 
-  void write_matrices() {
-    result_.mass = by_rows(whole_.mass);
-    result_.stiffness = by_rows(whole_.stiffness);
-    result_.gyroscopic = part(whole_.rates, -1);
-    result_.damping = part(whole_.rates, 1);
-  }
-
   void write_modes() {
-    for (const std::size_t c : reduction().ignored) {
-      Mode rigid;
-      rigid.kind = ModeKind::rigid;
-      rigid.omega_error = rigid.lambda = 0.0;
-      rigid.shape.assign(total(), 0.0);
-      rigid.shape[c] = 1;
-      result_.modes.push_back(std::move(rigid));
-    }
-    const std::vector<Mode> found = modes_of({*statics_, constants_, place_, total(), reduced_, whole_});
-    result_.modes.insert(result_.modes.end(), found.begin(), found.end());
-    std::stable_sort(result_.modes.begin(), result_.modes.end(), [](const Mode& a, const Mode& b) {
-      if (a.omega != b.omega) return a.omega < b.omega;
-      return a.kind != b.kind ? a.kind < b.kind : a.rate > b.rate;
-    });
-    const auto rigid = static_cast<std::size_t>(
-        std::count_if(result_.modes.begin(), result_.modes.end(),
-                      [](const Mode& mode) { return mode.kind == ModeKind::rigid; }));
-    for (Mode& mode : result_.modes) {
-      if (mode.kind == ModeKind::rigid) mode.multiplicity = rigid;
-    }
+    result_.modes = modes_of({*statics_, constants_, place_, total(), reduced_, whole_, {}});
   }
 
   void write_stability() {

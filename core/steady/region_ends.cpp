@@ -1,5 +1,7 @@
 #include "core/steady/region_ends.hpp"
 
+#include <cmath>
+
 #include "core/compile/tape_evaluator.hpp"
 
 namespace qdot {
@@ -52,6 +54,21 @@ std::vector<EndCrossing> end_crossings(const Model& model, const SteadyProblem& 
     }
   }
   return result;
+}
+
+std::string sentence(const EndCrossing& crossing, const std::string& coordinate, const std::string& parameter,
+                     const Interval& range) {
+  constexpr double nearly_zero = 1e-12;
+  constexpr int digits = 10;
+  const bool is_far = std::abs(crossing.end) >= largest_length;
+  const std::string far = crossing.end < 0 ? "-infinity" : "infinity";
+  const std::string end = coordinate + " = " + (is_far ? far : short_number(crossing.end, digits));
+  if (!crossing.p.is_finite())
+    return "Whether equilibria appear from or vanish to " + end + " could not be told.";
+  const double p = crossing.p.middle();
+  const bool is_zero = is_far && std::abs(p) <= nearly_zero * range.magnitude();
+  return "At " + parameter + " = " + short_number(is_zero ? 0 : p, digits) +
+         " an equilibrium appears from or vanishes to " + end + ".";
 }
 
 }  // namespace qdot

@@ -22,4 +22,9 @@ struct EndCrossing {
                                                      const BifurcationSystems& systems,
                                                      const Interval& range);
 
+/// Of the coordinate and the parameter with these names. Where the region ends far out, the forces are not
+/// yet those at infinity: a number that is nearly 0 in the range of the parameter means 0 there.
+[[nodiscard]] std::string sentence(const EndCrossing& crossing, const std::string& coordinate,
+                                   const std::string& parameter, const Interval& range);
+
 }  // namespace qdot

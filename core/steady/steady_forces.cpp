@@ -29,10 +29,9 @@ bool is_gradient(const std::vector<Expression>& stiffness, std::size_t n) {
 
 }  // namespace
 
-bool has_potential(const Model& model, const Statics& statics) {
+bool is_gradient(const Model& model, const Statics& statics) {
   const auto& forces = model.lagrangian.generalized_forces;
   if (std::ranges::all_of(forces, [](const Expression& force) { return force.is_zero(); })) return true;
-  if (has_velocities(model, statics.reduction)) return false;
   Graph graph(*statics.reduction.graph);
   const std::size_t n = statics.rest.size();
   std::vector<Expression> stiffness;
@@ -41,6 +40,10 @@ bool has_potential(const Model& model, const Statics& statics) {
       stiffness.push_back(differentiate(graph.adopt(force), graph.adopt(x)));
   }
   return is_gradient(stiffness, n);
+}
+
+bool has_potential(const Model& model, const Statics& statics) {
+  return !has_velocities(model, statics.reduction) && is_gradient(model, statics);
 }
 
 std::vector<Expression> rates_at_rest(const Reduction& reduction, Graph& graph) {
@@ -102,10 +105,6 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
   return result;
 }
 
-namespace {
-
-/// The momenta of the ignored coordinates, enclosed:
-/// beside the parameters they are what the forces know of y.
 std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,
                                  const Reals& y) {
   std::vector<Interval> momenta(statics.reduction.ignored.size());
@@ -119,7 +118,16 @@ std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& static
   return momenta;
 }
 
-}  // namespace
+VanishingMomenta vanishing_momenta(const Statics& statics, std::span<const Interval> momenta) {
+  VanishingMomenta result;
+  const std::vector<Expression>& constants = statics.reduction.constants;
+  for (std::size_t k = 0; k < momenta.size(); ++k) {
+    result.vanishing.push_back(momenta[k].lower == 0 && momenta[k].upper == 0);
+    if (result.vanishing.back()) result.absent.push_back(constants[constants.size() - momenta.size() + k]);
+    result.key += result.vanishing.back() ? " 0" : " p";
+  }
+  return result;
+}
 
 void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters,
                          const std::vector<bool>& vanishing) {
@@ -141,19 +149,13 @@ void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters,
 SteadyProblem steady_problem(const Dynamics& dynamics, const Reals& parameters, const Reals& y) {
   SteadyProblem problem{dynamics.statics(parameters), nullptr, {parameters.begin(), parameters.end()}, {}};
   problem.constants = parameters.as<Interval>();
-  std::string key = "steady forces";
-  std::vector<Expression> absent;
-  std::vector<bool> vanishing;
-  for (const Interval& p : momenta_at(dynamics, *problem.statics, parameters, y)) {
-    vanishing.push_back(p.lower == 0 && p.upper == 0);
-    if (vanishing.back()) absent.push_back(problem.statics->reduction.constants[problem.constants.size()]);
-    key += vanishing.back() ? " 0" : " p";
-    problem.constants.push_back(p);
-  }
-  refuse_dry_friction(dynamics, parameters, vanishing);
-  problem.forces = dynamics.derived<SteadyForces>(key, parameters, [&](const Statics& statics) {
-    return derive_steady_forces(dynamics.model(), statics, absent);
-  });
+  const std::vector<Interval> momenta = momenta_at(dynamics, *problem.statics, parameters, y);
+  problem.constants.insert(problem.constants.end(), momenta.begin(), momenta.end());
+  const VanishingMomenta those = vanishing_momenta(*problem.statics, momenta);
+  refuse_dry_friction(dynamics, parameters, those.vanishing);
+  problem.forces = dynamics.derived<SteadyForces>(
+      "steady forces" + those.key, parameters,
+      [&](const Statics& statics) { return derive_steady_forces(dynamics.model(), statics, those.absent); });
   return problem;
 }
 

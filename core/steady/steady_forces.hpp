@@ -63,8 +63,23 @@ struct SteadyProblem {
   std::vector<Interval> constants;  ///< the parameters, then the momenta of the ignored coordinates
 };
 
-/// The forces of a scene without kinks are the gradient of a potential, and none depends on a velocity.
+/// The forces of a scene without kinks are the gradient of a potential.
+[[nodiscard]] bool is_gradient(const Model& model, const Statics& statics);
+/// The same, and none depends on a velocity.
 [[nodiscard]] bool has_potential(const Model& model, const Statics& statics);
+
+/// The momenta of the ignored coordinates in the state y = (q, q'), enclosed: beside the parameters they are
+/// what the forces know of y. Throws Error(invalid_state) where one has no finite value.
+[[nodiscard]] std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& statics,
+                                               const Reals& parameters, const Reals& y);
+
+/// The ignored coordinates' momenta that are zero, of which the forces are derived once more.
+struct VanishingMomenta {
+  std::vector<bool> vanishing;
+  std::vector<Expression> absent;  ///< their symbols
+  std::string key;                 ///< " 0" or " p" for each
+};
+[[nodiscard]] VanishingMomenta vanishing_momenta(const Statics& statics, std::span<const Interval> momenta);
 
 /// Throws Error(not_applicable) where dry friction holds the system wherever it is left. `vanishing`: which
 /// momenta of the ignored coordinates are zero.

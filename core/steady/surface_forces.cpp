@@ -32,14 +32,15 @@ std::vector<Places> sets_of(std::size_t k, std::size_t n) {
 /// g and A of the statics in one graph.
 class SurfaceForces {
  public:
-  explicit SurfaceForces(const SurfaceStatics& whole)
+  SurfaceForces(const SurfaceStatics& whole, std::span<const Expression> absent)
       : whole_(whole),
         n_(whole.coordinates),
         m_(whole.constraints),
         graph_(std::make_shared<Graph>(*whole.statics->reduction.graph)) {
     const Reduction& reduction = whole.statics->reduction;
     std::vector<Expression> multipliers;
-    std::vector<Replacement> without;
+    for (const Expression& symbol : absent) absent_.emplace_back(graph_->adopt(symbol), graph_->number(0));
+    std::vector<Replacement> without = absent_;
     for (std::size_t j = 0; j < m_; ++j) {
       multipliers.push_back(graph_->adopt(reduction.x[n_ + j]));
       without.emplace_back(multipliers.back(), graph_->number(0));
@@ -65,11 +66,18 @@ class SurfaceForces {
       equations.written.push_back(graph_->adopt(statics.reduction.forces_at_rest[n_ + j]));
     }
     SteadyForces result = compiled_forces(whole_.dynamics->model(), statics.reduction, equations);
+    result.ignored_rates = compiled_at_rest(statics.reduction, *graph_, steady_rates());
     add_charts(minors, determinants, result);
     return result;
   }
 
  private:
+  [[nodiscard]] std::vector<Expression> steady_rates() const {
+    std::vector<Expression> rates = rates_at_rest(whole_.statics->reduction, *graph_);
+    for (Expression& rate : rates) rate = substitute(rate, absent_);
+    return rates;
+  }
+
   static void add(const Expression& written, RestEquations& equations) {
     equations.rest.push_back(simplify(written));
     equations.written.push_back(equations.rest.back().is_zero() ? equations.rest.back() : written);
@@ -132,12 +140,15 @@ class SurfaceForces {
   const SurfaceStatics& whole_;
   std::size_t n_, m_;
   std::shared_ptr<Graph> graph_;
+  std::vector<Replacement> absent_;
   std::vector<Expression> forces_;  ///< g
   Matrix slopes_;                   ///< A_ji, by coordinates
 };
 
 }  // namespace
 
-SteadyForces derive_surface_forces(const SurfaceStatics& whole) { return SurfaceForces(whole).derive(); }
+SteadyForces derive_surface_forces(const SurfaceStatics& whole, std::span<const Expression> absent) {
+  return SurfaceForces(whole, absent).derive();
+}
 
 }  // namespace qdot

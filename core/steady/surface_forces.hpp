@@ -12,8 +12,9 @@
 
 namespace qdot {
 
-/// In the variables of whole.statics, of which the multipliers are free. Throws Error(not_applicable) where
-/// there are too many sets.
-[[nodiscard]] SteadyForces derive_surface_forces(const SurfaceStatics& whole);
+/// In the variables of whole.statics, of which the multipliers are free. `absent`: symbols of momenta that
+/// are zero. Throws Error(not_applicable) where there are too many sets.
+[[nodiscard]] SteadyForces derive_surface_forces(const SurfaceStatics& whole,
+                                                 std::span<const Expression> absent);
 
 }  // namespace qdot

@@ -1,6 +1,7 @@
 #include "core/steady/surface_statics.hpp"
 
 #include "core/base/error.hpp"
+#include "core/compile/tape_evaluator.hpp"
 #include "core/mechanics/friction.hpp"
 
 namespace qdot {
@@ -68,20 +69,28 @@ SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters
   SurfaceStatics result{model.degrees_of_freedom(), model.scene.constraints.size(),
                         std::make_unique<const Dynamics>(with_multipliers_as_coordinates(model)), nullptr};
   result.statics = result.dynamics->statics(parameters);
-  if (!result.statics->reduction.ignored.empty()) {
-    undetermined_on_surface(
-        "a coordinate is ignorable, and steady motions under constraints are not computed yet.");
-  }
+  result.coordinates -= result.statics->reduction.ignored.size();
   return result;
 }
 
 std::vector<double> with_multipliers(const Dynamics& dynamics, const Reals& parameters,
-                                     std::vector<double> q) {
-  std::vector<double> y = q;
-  y.resize(2 * q.size());
+                                     const std::vector<double>& y) {
   const auto forces = values_at(dynamics, multiplier_columns(dynamics.model()), parameters, 0, y);
-  q.insert(q.end(), forces.begin(), forces.end());
-  return q;
+  std::vector<double> result(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(y.size() / 2));
+  result.insert(result.end(), forces.begin(), forces.end());
+  return result;
+}
+
+std::vector<Ball> constants_on_surface(const SurfaceStatics& whole, const Dynamics& dynamics,
+                                       const Reals& parameters, const Reals& y) {
+  std::vector<Ball> constants = parameters.as<Ball>();
+  const std::vector<std::size_t>& ignored = whole.statics->reduction.ignored;
+  if (ignored.empty()) return constants;
+  std::vector<Ball> momenta(ignored.size());
+  const auto function = dynamics.columns(momentum_columns(dynamics.model(), ignored));
+  TapeEvaluator<Ball>(*function, parameters.as<Ball>())(y.as<Ball>(), momenta);
+  constants.insert(constants.end(), momenta.begin(), momenta.end());
+  return constants;
 }
 
 }  // namespace qdot

@@ -268,12 +268,11 @@ class Refusals(Service):
         self.wrong(pendulum, [{"name": "c", "expression": "x - l", "multiplier": "g"}], "duplicate_name")
 
     def test_a_force_is_linear_in_a_multiplier(self):
-        force = {"vector": ["abs(lambda_string)*x", "0"], "point": "bob"}
+        force = {"vector": ["lambda_string^2*x*l/(m*g)", "0"], "point": "bob"}
         self.wrong(scenes.PENDULUM_BY_CONSTRAINT, scenes.PENDULUM_BY_CONSTRAINT["constraints"], "not_linear", forces=[force])
 
     def test_questions_that_are_not_answered_under_constraints_say_so(self):
-        questions = {"equilibria": {"solve_for": "l", "at": {}}, "bifurcations": {"parameter": "l", "from": 1, "to": 2},
-                     "turning_points": {"coordinate": "x"}, "gait": {}}
+        questions = {"equilibria": {"solve_for": "l", "at": {}}, "turning_points": {"coordinate": "x"}, "gait": {}}
         for scene in (scenes.PENDULUM_BY_CONSTRAINT, scenes.DOUBLE_PENDULUM):
             for endpoint, more in questions.items():
                 with self.subTest(endpoint=endpoint, scene=scene["name"]):
@@ -281,7 +280,7 @@ class Refusals(Service):
                     if endpoint == "turning_points" and "x" not in [q["name"] for q in scene["coordinates"]]:
                         request["coordinate"] = "x1"
                     self.refused(endpoint, request)
-        detail = self.refused("bifurcations", {"system": scenes.DOUBLE_PENDULUM, "parameter": "g", "from": 1, "to": 2})["detail"]
+        detail = self.refused("equilibria", {"system": scenes.DOUBLE_PENDULUM, "solve_for": "g", "at": {}})["detail"]
         self.assertIn("'upper', 'lower'", detail)
 
     def test_a_scene_without_constraints_has_no_multipliers(self):

@@ -8,7 +8,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, numbers_in, reference_cases  # noqa: E402
-from short_scene import lagrangian  # noqa: E402
+from short_scene import DOWN_3D, G, lagrangian, particle, scene  # noqa: E402
 from textbook_fields import BELT  # noqa: E402
 from textbook_machines import CUBE_ON_CYLINDER, WRAPPING  # noqa: E402
 
@@ -187,6 +187,46 @@ class Bifurcations(Answers):
         found = self.ask("bifurcations", {"system": scene, "parameter": "mu", "from": 0.01, "to": 0.06})
         self.assertIs(found["complete"], False)
         self.assertEqual(len(found["branches"]), 5)
+
+    def test_where_linear_forces_vanish_all_of_a_line_rests_and_nothing_else_happens(self):
+        """A stiffness goes through 0, not the growth of an oscillation."""
+        coupled = lagrangian("coupled", "w - 1; al - 0.3", "x - 1; y - 0",
+                             "(x_dot^2 + y_dot^2)/2 - w^2*(x^2 + y^2)/2 + al*x*y")
+        found = self.ask("bifurcations", {"system": coupled, "parameter": "al", "from": -2, "to": 2})
+        self.assertEqual((found["degenerate"], found["critical"], found["complete"]), ([-1, 1], [], True))
+        self.assertNotIn("oscillations", found["reason"])
+
+    def test_branches_end_and_begin_where_linear_forces_vanish(self):
+        column = lagrangian("column", "c - 1; P - 0.2", "a - 0; b - 0",
+                            "a_dot^2 + b_dot^2/2 + a_dot*b_dot - c*a^2/2 - c*(b - a)^2/2 + P*(a^2 + b^2)/2")
+        found = self.ask("bifurcations", {"system": column, "parameter": "P", "from": 0, "to": 4})
+        self.assertIs(found["complete"], True, found.get("reason"))
+        for value, book in zip(found["degenerate"], ((3 - math.sqrt(5))/2, (3 + math.sqrt(5))/2)):
+            self.assert_near(value, book)
+
+    def test_what_comes_from_infinity_keeps_its_stability_and_its_parameter(self):
+        bond = lagrangian("bond", "A - 1; B - 1; F - 0.01", "r - 2 0", "r_dot^2/2 - A/r^2 + B/r + F*r")
+        found = self.ask("bifurcations", {"system": bond, "parameter": "F", "from": -0.1, "to": 0.1})
+        self.assertIn("At F = 0 an equilibrium appears from or vanishes to r = infinity.", found["reason"])
+        self.assertEqual([set(branch["stability"]) - {"neutral"} for branch in found["branches"]],
+                         [{"stable"}, {"stable"}, {"unstable"}])
+
+    def test_a_search_that_costs_too_much_tells_what_it_has_found(self):
+        """Two balls on links hold a sleeve, each link by its length: constraints that fail where the sleeve is up."""
+        governor = scene(
+            "governor", f"m kg 1; M kg 2; l m 0.5; w rad/s 6; {G}", "x m; z m -l; y m -2*l", gravity=DOWN_3D,
+            bodies=[particle("m", "x*cos(w*t)", "x*sin(w*t)", "z"), particle("m", "-x*cos(w*t)", "-x*sin(w*t)", "z"),
+                    particle("M", "0", "0", "y")],
+            constraints=[{"name": "upper", "expression": "x^2 + z^2 - l^2"},
+                         {"name": "lower", "expression": "x^2 + (z - y)^2 - l^2"}])
+        found = self.ask("equilibria", {"system": governor})
+        self.assertIs(found["complete"], False)
+        self.assertIn("the constraints depend on each other", found["reason"])
+        hanging = [place for place in found["equilibria"] if place["state"]["y"] < -0.9]
+        self.assertEqual([place["stability"] for place in hanging], ["stable"])
+        critical = self.ask("bifurcations", {"system": governor, "parameter": "w", "from": 1, "to": 15})
+        self.assertIs(critical["complete"], False)
+        self.assertIn("sqrt(g*(1 + M/m)/l)", [entry.get("exact", {}).get("text") for entry in critical["critical"]])
 
     def test_the_period_doubling_of_the_walker(self):
         found = self.critical("compass_walker", "gamma", 0.01, 0.016, m=0)

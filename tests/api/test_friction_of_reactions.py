@@ -55,6 +55,26 @@ BOWL = {
     "valid_while": [LIFTS],
 }
 
+# A bead on a wire is held from both sides: |N| rubs. By an angle and a radius that a constraint holds, by x and y, and with
+# the normal force written by hand.
+ON_WIRE = {
+    "name": "bead_on_a_wire",
+    "parameters": parameters(m=("kg", "0.5"), R=("m", "0.5"), mu=("1", "0.05"), w=("rad/s", "10"), g=("m/s^2", "9.81")),
+    "coordinates": coordinates(theta=("rad", "0", "w"), r=("m", "R", "0")),
+    "points": [{"name": "bead", "components": ["r*sin(theta)", "-r*cos(theta)"]}],
+    "bodies": [{"kind": "particle", "mass": "m", "position": "bead"}],
+    "gravity": [0, "-g"],
+    "constraints": [{"name": "wire", "expression": "r - R", "multiplier": "N"}],
+    "forces": [{"value": "-mu*R*abs(N)*sign(theta_dot)", "along": "theta"}],
+}
+ON_WIRE_IN_PLACES = ON_WIRE | {
+    "coordinates": coordinates(x=("m", "0", "w*R"), y=("m", "-R", "0")),
+    "points": [{"name": "bead", "components": ["x", "y"]}],
+    "constraints": [{"name": "wire", "expression": "sqrt(x^2 + y^2) - R", "multiplier": "N"}],
+    "forces": [{"vector": ["mu*abs(N)*y/R*sign(x*y_dot - y*x_dot)", "-mu*abs(N)*x/R*sign(x*y_dot - y*x_dot)"],
+                "point": "bead"}],
+}
+
 
 class Friction(Service):
     def motion(self, scene, t_end, samples=41, **more):
@@ -75,6 +95,43 @@ class Friction(Service):
             if answer.get("sticking"):
                 self.assertAlmostEqual(answer["sticking"][0]["from"], stop, 9)
             self.assertEqual(answer["diagnostics"]["conserved"], [], "friction takes energy")
+
+    def test_a_bead_on_a_wire_rubs_on_both_of_its_sides(self):
+        def fall(t, y, mu):
+            force = abs(0.5*y[1]**2 + G*math.cos(y[0]))
+            return [y[1], -(G*math.sin(y[0]) + mu*force*numpy.sign(y[1]))/0.5]
+
+        for mu in (0.05, 0.01):  # falls back below the top, and goes over it
+            _, rows = self.motion(ON_WIRE, 0.6, parameters={"mu": mu})
+            turn = next((i for i, rate in enumerate(rows["theta_dot"]) if rate <= 0), len(rows["t"]))
+            expected = solve_ivp(fall, (0, 0.6), [0, 10], "DOP853", rows["t"][:turn], args=(mu,), rtol=1e-11, atol=1e-13,
+                                 max_step=1e-3).y
+            self.assertLess(numpy.abs(rows["theta"][:turn] - expected[0]).max(), 1e-7)
+            self.assertTrue((rows["N"][:turn] < 0).any() and (rows["N"][:turn] > 0).any(), "on either side")
+
+    def test_a_bead_on_a_wire_comes_to_rest_at_the_same_place_in_all_coordinates(self):
+        answer, rows = self.motion(ON_WIRE, 20, parameters={"mu": 0.3})
+        in_places, places = self.motion(ON_WIRE_IN_PLACES, 20, parameters={"mu": 0.3})
+        self.assertLess(numpy.abs(0.5*numpy.sin(rows["theta"]) - places["x"]).max(), 2e-8)
+        self.assertLess(numpy.abs(rows["N"] - places["N"]).max(), 1e-6)
+        for found in (answer, in_places):
+            self.assertEqual(found["status"], "complete")
+            self.assertTrue(found["sticking"])
+        self.assertEqual(rows["theta_dot"][-1], 0)
+
+    def test_friction_that_changes_its_own_reaction_is_no_function_of_the_state(self):
+        ladder = {
+            "name": "falling_ladder",
+            "parameters": parameters(m=("kg", "1"), l=("m", "1"), mu=("1", "0.1"), g=("m/s^2", "9.81")),
+            "coordinates": coordinates(theta=("rad", "0.3", "0"), x=("m", "l*sin(0.3)/2", "0"), y=("m", "l*cos(0.3)/2", "0")),
+            "bodies": [{"kind": "rigid_body", "mass": "m", "inertia": "m*l^2/12", "centre": ["x", "y"], "angle": "-theta"}],
+            "gravity": [0, "-g"],
+            "constraints": [{"name": "floor", "expression": "y - l/2*cos(theta)", "multiplier": "N"}],
+            "forces": [{"vector": ["-mu*abs(N)*sign(x_dot - l/2*theta_dot*cos(theta))", "0"],
+                        "point": ["x - l/2*sin(theta)", "0"]}],
+        }
+        problem = self.refused_at("simulate", {"system": ladder, "t_end": 1}, "#/system/forces")
+        self.assertIn("The friction of 'N' changes that reaction itself", problem["errors"][0]["detail"])
 
     def test_a_sledge_sticks_until_the_pull_exceeds_what_friction_holds(self):
         # P t cos(beta) = mu (m g - P t sin(beta))
@@ -113,7 +170,7 @@ class Friction(Service):
             self.assertLess(abs(x - 0.8 * math.sin(angle)), 1e-6, s)
 
     def test_forces_are_linear_in_multipliers(self):
-        for value in ("-mu*abs(N)*sign(x_dot)", "-mu*N^2/(m*g)"):
+        for value in ("-mu*sqrt(abs(N)*m*g)*sign(x_dot)", "-mu*N^2/(m*g)"):
             wrong = SLEDGE | {"forces": [{"value": value, "along": "x"}]}
             self.refused_at("energy", {"system": wrong}, "#/system/forces/0")
         self.refused_at("energy", {"system": SLEDGE | {"forces": [{"value": "-mu*L*sign(x_dot)", "along": "x"}]}},

@@ -75,6 +75,15 @@ TEST(Calibration, ErrorsAreTrueBesideTheUpright) {
     const Asked asked = random_request(2000, i);
     remarks += tally.add(asked, outcome_of(asked, 5000));
   }
+  EXPECT_TRUE(tally.understates_nothing()) << remarks << tally.summary();
+}
+
+/// A walker of 2 mm that begins 100 s before t = 0: instants of impacts are rounded, and each stride makes
+/// more of it.
+TEST(Calibration, ErrorsAreTrueOverManyImpacts) {
+  Tally tally;
+  const Asked asked = random_request(3000, 3705);
+  const std::string remarks = tally.add(asked, outcome_of(asked, 5000));
   EXPECT_TRUE(tally.passes()) << remarks << tally.summary();
 }
 

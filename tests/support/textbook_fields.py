@@ -46,7 +46,28 @@ MOTOR = lagrangian(
 
 ROCKET = lagrangian("mass_that_is_lost", "m - 10; b - 0.1; g - 9.81", "y - 0 5", "(m - b*t)*y_dot^2/2 - (m - b*t)*g*y")
 
+QUARTIC = lagrangian("quartic_in_the_velocity", "m - 1; k - 2", "x - 0.3 0.1",
+                     "m^2*x_dot^4/12 + m*x_dot^2*(k*x^2/2) - (k*x^2/2)^2")
+
+WEBER = lagrangian("law_of_weber", "k - 1; c - 3", "r - 1 0; phi - 0 1",
+                   "(r_dot^2 + r^2*phi_dot^2)/2 + k/r*(1 + r_dot^2/(2*c^2))")
+
+SCREW = lagrangian("field_of_a_screw", "k - 2; a - 3", "r - 0.4; phi - 0.1; z - 0.2",
+                   "(r_dot^2 + r^2*phi_dot^2 + z_dot^2)/2 - k*r^2*(2 + cos(phi - a*z))")
+
+PARABOLA = lagrangian("parabola_that_turns", "a - 1; w - 3; g - 9.81", "r - 0.2",
+                      "((1 + 4*a^2*r^2)*r_dot^2 + w^2*r^2)/2 - a*g*r^2")
+
 PROBLEMS = [
+    ("a Lagrangian with the fourth power of the velocity; Goldstein 1.20", QUARTIC, [
+        ("accelerations", {"x_ddot": "-k*x/m"}),
+        ("conserved", {"h": "(m*x_dot^2/2 + k*x^2/2)^2"})]),
+    ("electrodynamics of Weber; Goldstein 1", WEBER, [
+        ("accelerations", {"r_ddot": "(r*phi_dot^2 - k/r^2*(1 - r_dot^2/(2*c^2)))/(1 + k/(c^2*r))"}),
+        ("conserved", {"p_phi": "r^2*phi_dot"})]),
+    ("a field with the symmetry of a screw; Goldstein 2.19", SCREW, [
+        ("conserved", {"momentum_phi_z": "z_dot + a*r^2*phi_dot"})]),
+    ("a bead on a parabola that turns; Goldstein 1", PARABOLA, [("modes", ["2*a*g - w^2"])]),
     ("a charge in a well and a field; Fock and Darwin", DARWIN, [
         ("accelerations", {"x_ddot": "q*B*y_dot/m - w^2*x", "y_ddot": "-q*B*x_dot/m - w^2*y"}),
         ("modes", ["(sqrt(w^2 + (q*B/(2*m))^2) - q*B/(2*m))^2", "(sqrt(w^2 + (q*B/(2*m))^2) + q*B/(2*m))^2"])]),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <stdexcept>
 #include <variant>
 
 #include "api/answers/embedded.hpp"
@@ -94,6 +95,15 @@ std::string refused(std::string_view id, const Problem& problem) {
   return written_line(id, to_response(problem, address));
 }
 
+/// The name of an endpoint's answer. Its file is long with examples, which every start of the program would
+/// read.
+std::string answer_of(std::string_view endpoint) {
+  for (const auto& [name, text] : members_of(text_of(endpoint_files(), std::string(endpoint) + ".json"))) {
+    if (name == "answer") return Json::parse(text).get<std::string>();
+  }
+  throw std::logic_error("no answer is named for " + std::string(endpoint));
+}
+
 }  // namespace
 
 std::size_t longest_batch_line() { return line_limits.bytes; }
@@ -106,10 +116,8 @@ FieldSet batch_line_fields(std::span<const Endpoint> endpoints) {
   OneOf question{.need = Need::required};
   for (const Endpoint& endpoint : endpoints) {
     const std::string name(endpoint.name);
-    const Json about = Json::parse(text_of(endpoint_files(), name + ".json"));
     set.fields.push_back({.name = name,
-                          .kind = AnyKind{{{"$ref", "#/components/schemas/" +
-                                                        about.at("answer").get<std::string>() + "Request"}}},
+                          .kind = AnyKind{{{"$ref", "#/components/schemas/" + answer_of(name) + "Request"}}},
                           .description = "a request of /v1/" + name,
                           .aliases = {endpoint.other_names.begin(), endpoint.other_names.end()}});
     question.ways.push_back({name});

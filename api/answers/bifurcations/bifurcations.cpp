@@ -68,7 +68,8 @@ class BifurcationsAnswer {
     if (!found.degenerate.empty()) {
       body["degenerate"] = found.degenerate;
       body["degenerate_reason"] =
-          "At these values a force vanishes in every position, so equilibria are not isolated points.";
+          "At these values a force, or what the others leave of it, vanishes in every position, so equilibria are "
+          "not isolated points.";
     }
     body["branches"] = Json::array();
     for (std::size_t i = 0; i < found.branches.size(); ++i)

@@ -11,7 +11,7 @@
 #include "api/json/limits.hpp"
 #include "api/json/writer.hpp"
 #include "core/grading/number_slip.hpp"
-#include "core/grading/sampled_states.hpp"
+#include "core/numerics/random_bits.hpp"
 
 namespace qdot::api {
 namespace {

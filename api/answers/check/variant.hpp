@@ -1,7 +1,7 @@
 #pragma once
 // A variant of a key: a value of each of its ranges, drawn by a seed.
 //
-// The bits are those of SplitMix64 (core/grading/sampled_states.hpp), started with the seed: the k-th range
+// The bits are those of SplitMix64 (core/numerics/random_bits.hpp), started with the seed: the k-th range
 // takes the value with the index (bits mod count). A draw is thrown away, and the next bits give another,
 // when with it
 //   - an item cannot be asked, or its number does not exist or is not known well enough to be graded;

@@ -190,6 +190,7 @@ class SimulationAnswer {
     } else {
       json["max_abs_error"] = stated_errors();
       if (measured_.horizon) json["horizon"] = *measured_.horizon;
+      if (!measured_.at_impacts.empty()) json["at_impacts"] = measured_.at_impacts;
       json["verified_by"] = record_of(measured_.verified_by).name;
       json["bounded"] = measured_.bounded;
       if (!measured_.bounded && reason.empty()) reason = why_not_bounded();

@@ -10,7 +10,7 @@
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
-#include "core/grading/sampled_states.hpp"
+#include "core/numerics/random_bits.hpp"
 #include "core/numerics/function.hpp"
 
 namespace qdot::api {

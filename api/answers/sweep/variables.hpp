@@ -2,7 +2,7 @@
 // What a sweep runs over. A grid has every combination of its variables' values, the last variable varying
 // fastest. A sample has `count` rows, each variable drawn by itself.
 //
-// The numbers of a sample are those of SplitMix64 (core/grading/sampled_states.hpp) from the seed, taken row
+// The numbers of a sample are those of SplitMix64 (core/numerics/random_bits.hpp) from the seed, taken row
 // by row and in each row variable by variable: u = (z >> 11) 2^-53 lies in [0, 1).
 //   uniform [a, b]: a + (b - a) u
 //   normal [m, s]:  m + s sqrt(-2 log(1 - u1)) cos(2 pi u2)

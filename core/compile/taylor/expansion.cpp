@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/compile/taylor/translation.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 
@@ -39,7 +40,9 @@ Evaluation TaylorExpansion::expand(double t, std::span<const double> y, unsigned
 
 double TaylorExpansion::bound_defect(double h, std::span<const double> allowed, std::span<double> defect) {
   if (!remainder_) remainder_ = std::make_unique<taylor::Remainder>(translation_->program(), kernels_);
-  return remainder_->bound(h, order_, allowed, defect);
+  if (!allowed.empty()) return remainder_->bound(h, order_, allowed, defect);
+  remainder_->closest(h, order_, defect);
+  return infinity;
 }
 
 }  // namespace qdot

@@ -41,7 +41,8 @@ class TaylorExpansion {
 
   /// What the polynomials of the last expansion hide until s = h: bounds of |p_i'(s) - f_i(t + s, p(s))| over
   /// 0 <= s <= h, one for each y_i, infinite where none is found (remainder.hpp). Returns the largest of
-  /// h defect_i / allowed_i.
+  /// h defect_i / allowed_i; where nothing is `allowed`, the bounds are the closest there are, and it is
+  /// infinite.
   double bound_defect(double h, std::span<const double> allowed, std::span<double> defect);
 
  private:

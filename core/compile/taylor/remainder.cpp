@@ -22,11 +22,12 @@ Remainder::Remainder(const Program& program, const Kernels& kernels)
 }
 
 void Remainder::collect_factors() {
-  measured_.clear();
-  for (Row& row : rows_) {
-    if (row.is_factor) measured_.push_back(&row);
+  factors_.clear();
+  others_.clear();
+  for (Row& row : rows_) (row.is_factor ? factors_ : others_).push_back(&row);
+  for (std::vector<RowSizes*>* const rows : {&factors_, &others_}) {
+    while (rows->size() % 4 != 0) rows->push_back(rows->back());
   }
-  while (measured_.size() % 4 != 0) measured_.push_back(measured_.back());
 }
 
 Remainder::Index Remainder::index_of(const double* row) {
@@ -84,12 +85,21 @@ double Remainder::bound(double h, unsigned order, std::span<const double> allowe
   look(Effort::rough);
   const double ratio = excess(allowed, defect);
   if (ratio <= 1 || (ratio > nearly && ratio < by_far)) return ratio;
-  take_tails();
+  take_tails(factors_);
   look(Effort::quick);
   const double closer = excess(allowed, defect);
   if (closer < by_far) return closer;
+  take_tails(others_);
   look(Effort::careful);
   return excess(allowed, defect);
+}
+
+void Remainder::closest(double h, unsigned order, std::span<double> defect) {
+  begin(h, order);
+  take_tails(factors_);
+  take_tails(others_);
+  look(Effort::careful);
+  put_defect(defect);
 }
 
 double Remainder::distance(const double* row, double h, unsigned order,
@@ -104,10 +114,13 @@ double Remainder::distance(const double* row, double h, unsigned order,
   put_missing(missing_of_state);
   look(Effort::rough);
   if (result.r < result.of_row.least_magnitude()) return result.r;  // the sign is plain
-  take_tails();
+  take_tails(factors_);
   put_missing(missing_of_state);
   look(Effort::quick);
-  if (!(result.r < infinity)) look(Effort::careful);
+  if (result.r < infinity) return result.r;
+  take_tails(others_);
+  put_missing(missing_of_state);
+  look(Effort::careful);
   return result.r;
 }
 
@@ -123,15 +136,18 @@ void Remainder::look(Effort effort) {
   for (const Rule& rule : rules_) apply(rule);
 }
 
+void Remainder::put_defect(std::span<double> defect) const {
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Row& acceleration = rows_[accelerations_[i]];
+    defect[i] = rows_[state_[n_ + i]].own_top;
+    defect[n_ + i] = acceleration.r + acceleration.own_top;
+  }
+}
+
 double Remainder::excess(std::span<const double> allowed, std::span<double> defect) const {
+  put_defect(defect);
   double largest = 0;
   for (std::size_t i = 0; i < 2 * n_; ++i) {
-    if (i < n_) {
-      defect[i] = size(rows_[state_[n_ + i]], order_);
-    } else {
-      const Row& acceleration = rows_[accelerations_[i - n_]];
-      defect[i] = acceleration.r + acceleration.own_top;
-    }
     const double share = h_ * defect[i] / allowed[i];
     if (std::isnan(share)) return infinity;
     largest = std::max(largest, share);

@@ -37,6 +37,8 @@ class Remainder {
   /// Bounds over 0 <= s <= h of |p_i'(s) - f_i(t + s, p(s))| for y = (q, v), for the rows of an expansion of
   /// that order; infinite where there is none. Returns the largest of h defect_i / allowed_i.
   double bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect);
+  /// The same bounds, and the closest of them, whatever is allowed.
+  void closest(double h, unsigned order, std::span<double> defect);
 
   /// The same where the rows of the state are given: what each lacks of the motion, and how far
   /// then what stands in `row` may be from it; roughly where that leaves no doubt of its sign.
@@ -83,14 +85,15 @@ class Remainder {
   /// rho: by the last and the first coefficients of the velocities.
   [[nodiscard]] double decay() const;
   void take_norms();
-  void take_tails();
+  /// Careful looks need those of all rows, quick ones of factors.
+  void take_tails(std::span<RowSizes* const> rows);
   void take_sizes(Row& row);
-  template <std::size_t count>
-  void sum_tails(Row* rows);
+  void sum_tails(RowSizes* const* four);
   void take_range(Row& row);
   void look(Effort effort);
   /// |c_k| h^k
   [[nodiscard]] double size(const Row& row, unsigned k) const;
+  void put_defect(std::span<double> defect) const;
   double excess(std::span<const double> allowed, std::span<double> defect) const;
 
   void apply(const Rule& rule);
@@ -136,8 +139,8 @@ class Remainder {
   Powers powers_{};  ///< h^k
   Powers radii_{};   ///< g^k
   Measure measure_{};
-  std::vector<RowSizes*> measured_;  ///< factors, and the last of them again up to a multiple of four
-  double beyond_{};                  ///< 1/(1 - rho)
+  std::vector<RowSizes*> factors_, others_;  ///< Rows; the last of them again up to a multiple of four
+  double beyond_{};                          ///< 1/(1 - rho)
   double rho_{}, rho3_{}, rho_of_rate_{}, rho_of_value_{};  ///< rho, and its powers 3, N - 1 and N
   double h_{};
   unsigned order_{};

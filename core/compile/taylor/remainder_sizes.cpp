@@ -57,12 +57,10 @@ double powered(double x, unsigned k) {
 template <std::size_t size>
 void fill_powers(std::array<double, size>& powers, double x, unsigned order) {
   const double x2 = x * x, x4 = x2 * x2;
-  powers[0] = 1;
-  powers[1] = x;
-  powers[2] = x2;
-  powers[3] = x2 * x;
-  for (unsigned k = 4; k <= order; k += 4) {
-    for (unsigned i = 0; i < 4; ++i) powers[k + i] = powers[k + i - 4] * x4;
+  Two low{1, x}, high{x2, x2 * x};
+  for (unsigned k = 0; k <= order; k += 4, low *= x4, high *= x4) {
+    std::memcpy(&powers[k], &low, sizeof low);
+    std::memcpy(&powers[k + 2], &high, sizeof high);
   }
 }
 
@@ -72,6 +70,7 @@ void Remainder::begin(double h, unsigned order) {
   h_ = h;
   order_ = order;
   fill_powers(powers_, h, order);
+  for (const Index i : state_) rows_[i].own_top = size(rows_[i], order);
 }
 
 double Remainder::size(const Row& row, unsigned k) const {
@@ -101,43 +100,43 @@ void Remainder::take_norms() {
   beyond_ = 1 / (1 - rho);
   const double g = h_ / rho;
   fill_powers(radii_, g, order_);
-  for (RowSizes* const sizes : measured_) {
+  for (RowSizes* const sizes : factors_) {
     const Row& row = static_cast<const Row&>(*sizes);
     sizes->degree = order_ - std::min(order_, row.missing);
   }
-  measure_(measured_.data(), static_cast<unsigned>(measured_.size()),
+  measure_(factors_.data(), static_cast<unsigned>(factors_.size()),
            {h_, powers_[2], beyond_, rho3_, rounding_of_sums, radii_.data()});
-  for (Row& row : rows_) {
-    row.own_top = row.missing == 0 ? size(row, order_) : 0;
-    if (row.is_factor) row.of_row = row.of_value = range(row.lower, row.upper);
+  for (RowSizes* const sizes : factors_) {
+    Row& row = static_cast<Row&>(*sizes);
+    row.of_row = row.of_value = range(row.lower, row.upper);
   }
 }
 
-void Remainder::take_tails() {
-  for (Row& row : rows_) take_sizes(row);
-  std::size_t i = 0;
-  for (; i + 4 <= rows_.size(); i += 4) sum_tails<4>(&rows_[i]);
-  for (; i < rows_.size(); ++i) sum_tails<1>(&rows_[i]);
-  for (Row& row : rows_) {
+void Remainder::take_tails(std::span<RowSizes* const> rows) {
+  for (RowSizes* const sizes : rows) take_sizes(static_cast<Row&>(*sizes));
+  for (std::size_t i = 0; i < rows.size(); i += 4) sum_tails(&rows[i]);
+  for (RowSizes* const sizes : rows) {
+    Row& row = static_cast<Row&>(*sizes);
     row.t3 = row.reversed_tails[order_ - 3];
     take_range(row);
   }
 }
 
 void Remainder::take_sizes(Row& row) {
-  const unsigned degree = order_ - row.missing;
-  for (unsigned k = 0; k <= degree; ++k) row.a[k] = size(row, k);
-  for (unsigned k = degree + 1; k < padded(order_ + 1); ++k) row.a[k] = 0;
+  const unsigned count = order_ - row.missing + 1, all = padded(order_ + 1);
+  for (unsigned k = 0; k < count; ++k) row.a[k] = std::abs(row.coefficients[k]) * powers_[k];
+  for (unsigned k = count; k < all; ++k) row.a[k] = 0;
 }
 
-/// Of several rows side by side, as each sum alone would wait for itself.
-template <std::size_t count>
-void Remainder::sum_tails(Row* rows) {
-  std::array<double, count> sum{};
+/// Of four rows side by side, as each sum alone would wait for itself.
+void Remainder::sum_tails(RowSizes* const* four) {
+  std::array<Row*, 4> rows{};
+  for (std::size_t i = 0; i < 4; ++i) rows[i] = static_cast<Row*>(four[i]);
+  std::array<double, 4> sum{};
   for (unsigned k = 0; k <= order_; ++k) {
-    for (std::size_t i = 0; i < count; ++i) rows[i].reversed_tails[k] = sum[i] += rows[i].a[order_ - k];
+    for (std::size_t i = 0; i < 4; ++i) rows[i]->reversed_tails[k] = sum[i] += rows[i]->a[order_ - k];
   }
-  for (std::size_t i = 0; i < count; ++i) rows[i].reversed_tails[order_ + 1] = sum[i];
+  for (std::size_t i = 0; i < 4; ++i) rows[i]->reversed_tails[order_ + 1] = sum[i];
 }
 
 void Remainder::take_range(Row& row) {
@@ -146,7 +145,6 @@ void Remainder::take_range(Row& row) {
   row.t0 = row.t2 + size(row, 1) + std::abs(c[0]);
   row.of_row = parabola(c[1] * h_, c[2] * powers_[2], row.t3 + rounding_of_sums * row.t0) + c[0];
   row.of_value = row.of_row;
-  row.own_top = row.missing == 0 ? size(row, order_) : 0;
 }
 
 double Remainder::product_norm(const Row& a, const Row& b) {

@@ -87,8 +87,6 @@ bool TaylorTranslation::is_of_state(const double* row) const {
   return row >= first && row < first + tape_.variables_ * taylor::stride;
 }
 
-double* TaylorTranslation::row(std::size_t index) { return rows_.data() + first_ + index * taylor::stride; }
-
 void TaylorTranslation::translate(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   Step step;

@@ -86,7 +86,7 @@ class TaylorTranslation {
   [[nodiscard]] const double* rate_row(Slot argument);
   [[nodiscard]] const double* rate_row_of(Slot coordinate_or_time);
 
-  [[nodiscard]] double* row(std::size_t index);
+  [[nodiscard]] double* row(std::size_t index) { return rows_.data() + first_ + index * taylor::stride; }
   [[nodiscard]] double* new_row() { return row(rows_used_++); }
   [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
   [[nodiscard]] bool has_own_start(const taylor::Step& step);

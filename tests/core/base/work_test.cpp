@@ -24,6 +24,12 @@ TEST(Work, EndsAtItsBound) {
   }
 }
 
+TEST(Work, SaysWhatIsLeft) {
+  const WorkScope scope(10);
+  spend_work(4);
+  EXPECT_EQ(work_left(), 6U);
+}
+
 TEST(Work, IsCountedByTheInnermostScope) {
   const WorkScope outer(10);
   {

@@ -4,31 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/integrate/systems.hpp"
+#include "tests/core/integrate/pulled.hpp"
 
 namespace qdot {
 namespace {
 
 using namespace integrate_test;
-
-constexpr unsigned order = 22;
-
-/// Series of y = (x, x') for x'' = k x.
-RightHandSide pulled_by(double k) {
-  RightHandSide system;
-  system.dimension = 2;
-  system.expansion = [k](double, std::span<const double> y, unsigned highest, std::span<double> c) {
-    const auto x = c.first(highest + 1), v = c.subspan(highest + 1);
-    x[0] = y[0];
-    v[0] = y[1];
-    for (unsigned i = 0; i < highest; ++i) {
-      x[i + 1] = v[i] / (i + 1);
-      v[i + 1] = k * x[i] / (i + 1);
-    }
-    return Evaluation::ok;
-  };
-  return system;
-}
 
 struct Steps {
   double k{}, k_of_reference{};
@@ -40,17 +21,11 @@ struct Steps {
   [[nodiscard]] std::vector<double> apart(std::vector<double> moved_by, int count) const {
     const RightHandSide original = pulled_by(k), reference = pulled_by(k_of_reference);
     Separation separation(original, std::move(moved_by), scale);
-    std::vector<double> y = start, c(2 * (order + 1));
-    for (int i = 0; i < count; ++i) {
-      EXPECT_EQ(reference.expansion(i * h, y, order, c), Evaluation::ok);
-      separation.follow({.t = i * h, .h = h, .rows = c, .order = order, .defect = {}}, own);
-      for (std::size_t j = 0; j < 2; ++j) {
-        const auto row = std::span(c).subspan(j * (order + 1), order + 1);
-        y[j] = 0;
-        for (std::size_t n = order + 1; n-- > 0;) y[j] = y[j] * h + row[n];
-      }
-    }
-    return {separation.in_last_step().begin(), separation.in_last_step().end()};
+    take_steps(reference, start, h, count, {}, [&](const MotionPiece& step) {
+      separation.follow(step);
+      separation.add(own, separation.now());
+    });
+    return separation.in_last_step();
   }
 };
 
@@ -105,7 +80,7 @@ TEST(Separation, StaysWhereTheOriginalHasNoValues) {
   original.expansion = [](double, auto, unsigned, auto) { return Evaluation::nonfinite; };
   Separation separation(original, {1e-9, 0});
   const std::vector<double> rows(2 * (order + 1), 1.0);
-  separation.follow({.t = 0, .h = 1, .rows = rows, .order = order, .defect = {}}, {});
+  separation.follow({.t = 0, .h = 1, .rows = rows, .order = order, .defect = {}});
   EXPECT_EQ(separation.in_last_step()[0], 1e-9);
 }
 
@@ -118,7 +93,7 @@ TEST(Separation, IsWithinConstraints) {
   Separation separation(original, {1e-3, 1e-9});
   std::vector<double> c(2 * (order + 1));
   ASSERT_EQ(original.expansion(0, std::vector<double>{1, 0}, order, c), Evaluation::ok);
-  separation.follow({.t = 0, .h = 1e-3, .rows = c, .order = order, .defect = {}}, {});
+  separation.follow({.t = 0, .h = 1e-3, .rows = c, .order = order, .defect = {}});
   EXPECT_LT(separation.in_last_step()[0], 1e-11);
   EXPECT_NEAR(separation.in_last_step()[1], 1e-9, 1e-12);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/motion/ladder.hpp"
@@ -43,6 +44,24 @@ Scene ball_on_slope(double steepness, double e) {
 double end_of_bounces(double h, double v, double gravity, double e) {
   const double fall = std::sqrt(v * v + 2 * gravity * h);
   return (v + fall + 2 * fall * e / (1 - e)) / gravity;
+}
+
+/// Two computations meet an impact at instants that differ by their errors; a row in between is before it in
+/// one, and after it in the other.
+TEST(Impacts, AtRowsDoNotMakeTheMotionUncertain) {
+  const auto model = build_model(ball_on_slope(0, 1));
+  const double fall = std::sqrt(0.04 + 2 * g * 1.9), first = (fall - 0.2) / g;
+  std::vector<double> rows{0};
+  for (int i = 0; i < 20; ++i) rows.push_back(first + i * 2 * fall / g);
+  rows.push_back(40);
+  for (const Method method : {Method::taylor, Method::erk, Method::adams}) {
+    const MeasuredSimulation m = measured(*model, {}, rows, method);
+    ASSERT_EQ(m.max_abs_error.size(), 4U);
+    EXPECT_LT(m.max_abs_error[1], 1e-4) << static_cast<int>(method);
+    EXPECT_LT(m.max_abs_error[3], 1e-4) << static_cast<int>(method);
+    EXPECT_GT(m.at_impacts.size(), 12U) << static_cast<int>(method);
+    for (const double t : m.at_impacts) EXPECT_TRUE(std::ranges::count(rows, t) == 1 && t > 0 && t < 40);
+  }
 }
 
 TEST(Impacts, AccumulateByEveryMethod) {

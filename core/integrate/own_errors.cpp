@@ -1,0 +1,33 @@
+#include "core/integrate/own_errors.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace qdot {
+namespace {
+
+constexpr double rounding = 0x1p-53;
+
+}  // namespace
+
+OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
+    : by_truncation_(originals.asked, start.by_truncation),
+      by_rounding_(originals.rounded, start.by_rounding),
+      random_(std::bit_cast<std::uint64_t>(t)),
+      sizes_(start.by_truncation.size()),
+      signs_(sizes_.size()) {}
+
+void OwnErrors::follow(const MotionPiece& step) {
+  by_truncation_.follow(step);
+  by_rounding_.follow(step);
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    const auto c = step.rows.subspan(i * (step.order + 1), step.order + 1);
+    sizes_[i] = enlarged * rounding * largest_term(c, step.h) * (0.5 + random_.fraction());
+    signs_[i] = random_() % 2 == 0 ? 1 : -1;
+  }
+  by_rounding_.add(sizes_, signs_);
+  for (std::size_t i = 0; i < step.defect.size(); ++i) sizes_[i] = step.defect[i] * step.h / step.order;
+  if (!step.defect.empty()) by_truncation_.add(sizes_, by_rounding_.now());
+}
+
+}  // namespace qdot

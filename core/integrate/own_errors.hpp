@@ -1,0 +1,43 @@
+#pragma once
+// What a reference may be off by itself: two samples of it, for one alone may be small by chance, as where
+// the errors of coordinates and velocities, or of parameters, cancel along what grows.
+//
+// Both follow e of separation.hpp. By truncation, from the motion as it is asked for: each step adds the
+// bound of its defect, which goes with s^(order - 1) and comes to defect h/order, to the side where the other
+// sample is, so that it adds up along what grows. By rounding, from a motion whose numbers differ by
+// `enlarged` times as much as rounding makes: of whole last places two or three often cancel to nothing. Each
+// step adds as many last places of its largest term, with random signs.
+
+#include "core/integrate/separation.hpp"
+#include "core/numerics/random_bits.hpp"
+
+namespace qdot {
+
+class OwnErrors {
+ public:
+  /// Apart::by_rounding over what rounding comes to.
+  static constexpr double enlarged = 4096;
+
+  /// Keeps references to the systems. `t` chooses the signs.
+  OwnErrors(const Originals& originals, const Apart& start, double t);
+
+  void follow(const MotionPiece& step);
+
+  [[nodiscard]] Apart now() const {
+    return {by_truncation_.now(), by_rounding_.now(), by_truncation_.reached()};
+  }
+  /// The larger one at the two ends of the last step, of each component: of both together, and of rounding.
+  [[nodiscard]] double in_last_step(std::size_t i) const {
+    return by_truncation_.in_last_step()[i] + rounding_in_last_step(i);
+  }
+  [[nodiscard]] double rounding_in_last_step(std::size_t i) const {
+    return by_rounding_.in_last_step()[i] / enlarged;
+  }
+
+ private:
+  Separation by_truncation_, by_rounding_;
+  RandomBits random_;
+  std::vector<double> sizes_, signs_;  ///< scratch
+};
+
+}  // namespace qdot

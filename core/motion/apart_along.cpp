@@ -1,0 +1,119 @@
+#include "core/motion/apart_along.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/integrate/own_errors.hpp"
+#include "core/numerics/random_bits.hpp"
+#include "core/numerics/root.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double looked_at =
+    1e-6;  ///< of the largest component: e is looked at so large, or as it is if larger
+constexpr double farthest_to_event = 0.1;  ///< as far as the other may go until it meets the event
+constexpr int looks = 3;                   ///< at where that is
+
+std::vector<double> along(const std::vector<double>& y, double factor, std::span<const double> direction) {
+  std::vector<double> result = y;
+  for (std::size_t i = 0; i < y.size(); ++i) result[i] += factor * direction[i];
+  return result;
+}
+
+std::vector<double> state_after(const SectionEnd& end, std::vector<double> before) {
+  return end.map ? end.map(before) : before;
+}
+
+/// The largest |x_i| in units of what is reached.
+double largest_part(std::span<const double> x, const SectionEnd& end) {
+  double part = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (end.reached[i] > 0) part = std::max(part, std::abs(x[i]) / end.reached[i]);
+  }
+  return part;
+}
+
+/// In which the motion goes on by a small part of what is reached.
+double short_time(const SectionEnd& end) {
+  const double speed = largest_part(end.slopes_before, end);
+  return speed > 0 ? looked_at / speed : looked_at;
+}
+
+}  // namespace
+
+std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e) {
+  const double part = largest_part(e, end);
+  const double factor = part > 0 ? std::max(1.0, looked_at / part) : 1;
+  const std::vector<double> other = along(end.before, -factor, e);
+  const double g = end.g(end.t, end.before);
+  const auto g_of_other = [&](double later) {
+    return end.g(end.t + later, along(other, later, end.slopes_before)) - g;
+  };
+  const double tau = short_time(end);
+  const double slope = (g_of_other(tau) - g_of_other(-tau)) / (2 * tau);
+  double later = 0;
+  for (int i = 0; i < looks; ++i) later -= g_of_other(later) / slope;
+  if (!(std::abs(later) < farthest_to_event / looked_at * tau)) return end.reached;
+  std::vector<double> result = state_after(end, along(other, later, end.slopes_before));
+  result = along(result, -later, end.slopes_after);
+  for (std::size_t i = 0; i < e.size(); ++i) result[i] = (end.after[i] - result[i]) / factor;
+  return std::ranges::all_of(result, [](double x) { return std::isfinite(x); }) ? result : end.reached;
+}
+
+std::vector<double> rates_of_instant(const SectionEnd& end) {
+  const double tau = short_time(end);
+  const std::vector<double> here = state_after(end, end.before);
+  std::vector<double> rates = state_after(end, along(end.before, tau, end.slopes_before));
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (rates[i] - here[i]) / tau - end.slopes_after[i];
+  return rates;
+}
+
+ApartAlong::ApartAlong(const SimulationRequest& request) : is_wanted_(request.originals.has_value()) {
+  if (!is_wanted_) return;
+  const auto& [asked, rounded] = *request.originals;
+  for (std::size_t i = 0; i < request.y_start.size(); ++i) {
+    now_.by_truncation.push_back(request.y_start[i] - asked.y_start[i]);
+    now_.by_rounding.push_back(request.y_start[i] - rounded.y_start[i]);
+    reached_.push_back(std::abs(request.y_start[i]));
+  }
+}
+
+void ApartAlong::ask(RunRequest& run, const Originals& originals) const {
+  if (!is_wanted_ || run.method != Method::taylor) return;
+  run.originals = &originals;
+  run.apart = now_;
+}
+
+void ApartAlong::add(const Run& done) {
+  if (!is_wanted_) return;
+  const std::size_t width = reached_.size(), end = rows_.all.size() + done.rows * width;
+  rows_.all.insert(rows_.all.end(), done.apart.begin(), done.apart.end());
+  rows_.by_rounding.insert(rows_.by_rounding.end(), done.apart_by_rounding.begin(),
+                           done.apart_by_rounding.end());
+  for (std::size_t i = rows_.all.size(); i < end; ++i) {
+    const double rounding = std::abs(now_.by_rounding[i % width]) / OwnErrors::enlarged;
+    rows_.all.push_back(std::abs(now_.by_truncation[i % width]) + rounding);
+    rows_.by_rounding.push_back(rounding);
+  }
+  for (std::size_t i = 0; i < width; ++i) reached_[i] = std::max(reached_[i], std::abs(done.y[i]));
+  if (done.apart_at_end.reached.empty()) return;
+  now_ = done.apart_at_end;
+  for (std::size_t i = 0; i < width; ++i) reached_[i] = std::max(reached_[i], now_.reached[i]);
+}
+
+void ApartAlong::pass(SectionEnd end) {
+  if (!is_wanted_) return;
+  end.reached = reached_;
+  now_.by_truncation = apart_after(end, now_.by_truncation);
+  now_.by_rounding = apart_after(end, now_.by_rounding);
+  RandomBits random(std::bit_cast<std::uint64_t>(end.t));
+  const double late = OwnErrors::enlarged * time_round_off(end.t) * (random.fraction() - 0.5);
+  const std::vector<double> rates = rates_of_instant(end);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    if (std::isfinite(rates[i])) now_.by_rounding[i] += late * rates[i];
+  }
+}
+
+}  // namespace qdot

@@ -1,0 +1,54 @@
+#pragma once
+// How far a reference may be from the motion that it stands for (core/integrate/own_errors.hpp), from one
+// section of a motion to the next.
+//
+// Both motions meet the event at which a section ends. One meets it at (t, y). The other one is at y - e
+// then, and meets it later by delta, where its g is zero as that of the first is:
+//
+//   g(t + delta, y - e + delta f_-) = g(t, y),
+//   e_+ = y_+ - (map(y - e + delta f_-) - delta f_+),
+//
+// with f the slopes y' before and after it. Source: di Bernardo, Budd, Champneys, Kowalczyk,
+// Piecewise-smooth Dynamical Systems (2008), 2.3 and 2.5 (saltation matrices).
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/motion/section_end.hpp"
+#include "core/motion/simulation_request.hpp"
+
+namespace qdot {
+
+/// e after it; as large as the motion where it only grazes.
+[[nodiscard]] std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e);
+
+/// What of e_+ there is for each second that the event is taken too late: Dmap f_- - f_+.
+[[nodiscard]] std::vector<double> rates_of_instant(const SectionEnd& end);
+
+/// Of a reference, when the request has originals; of others nothing.
+class ApartAlong {
+ public:
+  explicit ApartAlong(const SimulationRequest& request);
+
+  [[nodiscard]] bool is_wanted() const { return is_wanted_; }
+  void ask(RunRequest& run, const Originals& originals) const;
+  /// The next run's rows, and where it ended. Where the run says nothing nothing has changed.
+  void add(const Run& done);
+  /// Its `reached` is filled in here. The instant is off by its rounding.
+  void pass(SectionEnd end);
+
+  /// As in Run, of all runs.
+  struct Rows {
+    std::vector<double> all, by_rounding;
+  };
+  [[nodiscard]] Rows take_rows() { return std::move(rows_); }
+
+ private:
+  bool is_wanted_;
+  Apart now_;
+  std::vector<double> reached_;
+  Rows rows_;
+};
+
+}  // namespace qdot

@@ -1,0 +1,30 @@
+#include "core/motion/unseen_along.hpp"
+
+#include <cmath>
+
+#include "core/numerics/root.hpp"
+
+namespace qdot {
+
+void UnseenAlong::add(const Run& done) {
+  const std::size_t width = done.y.size(), before = count_ * width;
+  count_ += done.rows;
+  if (unseen_.empty() && done.unseen_at_end.empty()) return;
+  unseen_.resize(width);
+  rows_.resize(before);
+  for (std::size_t i = 0; i < done.rows; ++i) rows_.insert(rows_.end(), unseen_.begin(), unseen_.end());
+  for (std::size_t i = 0; i < done.unseen.size(); ++i) rows_[before + i] += done.unseen[i];
+  for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
+}
+
+void UnseenAlong::doubt_instant(const SectionEnd& impact) {
+  const std::size_t n = impact.before.size() / 2;
+  const double late = time_round_off(impact.t);
+  unseen_.resize(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    unseen_[i] += late * std::abs(impact.after[n + i] - impact.before[n + i]);
+    unseen_[n + i] += late * (std::abs(impact.slopes_before[n + i]) + std::abs(impact.slopes_after[n + i]));
+  }
+}
+
+}  // namespace qdot

@@ -1,0 +1,49 @@
+// What two samples show of errors that cancel in one: motions of x'' = x that come to rest at its saddle.
+
+#include "core/integrate/own_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/integrate/pulled.hpp"
+
+namespace qdot {
+namespace {
+
+using namespace integrate_test;
+
+constexpr double h = 0.5;
+constexpr int steps = 40;
+
+/// e of x and x' after motions from (1, -1).
+std::vector<double> off_by(const Apart& start, std::span<const double> defect) {
+  const Originals originals{pulled_by(1), pulled_by(1)};
+  OwnErrors errors(originals, start, 0);
+  take_steps(pulled_by(1), {1, -1}, h, steps, defect, [&](const MotionPiece& step) { errors.follow(step); });
+  return {errors.in_last_step(0), errors.in_last_step(1)};
+}
+
+TEST(OwnErrors, CountTheRoundingOfStepsThatTheStartDoesNotShow) {
+  constexpr double e = 1e-15;  // along v = -x, which decays
+  const std::vector<double> off = off_by({{e, -e}, {0, 0}}, {});
+  const double grown = std::exp(h * (steps - 1)) / 2;
+  EXPECT_GT(off[0], 0x1p-53 * grown / 10);
+  EXPECT_LT(off[0], 0x1p-53 * grown * 10);
+}
+
+TEST(OwnErrors, OfTruncationAddUpAlongWhatGrows) {
+  constexpr double e = 1e-6, defect = 1e-9;
+  const std::vector<double> off = off_by({{e, -e}, {0, 0}}, std::vector{0.0, defect});
+  double sum = 0;
+  for (int i = 1; i < steps; ++i) sum += defect * h / order * std::exp(h * i) / 2;
+  EXPECT_GT(off[0], 0.5 * sum);
+  EXPECT_LT(off[0], 2 * sum);
+}
+
+TEST(OwnErrors, SayWhatTheSecondSampleShowsWithoutItsEnlargement) {
+  constexpr double e = 1e-12;
+  const std::vector<double> off = off_by({{0, 0}, {e * OwnErrors::enlarged, 0}}, {});
+  EXPECT_NEAR(off[0], e * std::cosh(h * steps), 1e-3 * off[0]);
+}
+
+}  // namespace
+}  // namespace qdot
