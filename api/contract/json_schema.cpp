@@ -9,27 +9,27 @@ namespace qdot::api {
 namespace {
 
 /// Which form of a field is described.
-enum class Form { body, query, echo };
+enum class SchemaFor { body, query, echo };
 
 /// Of a body, defaults are said in words: clients that are generated take a field with a `default` for one
 /// that is always there.
-Json described(Json schema, const FieldInfo& field, Form form) {
+Json described(Json schema, const FieldInfo& field, SchemaFor form) {
   schema["description"] = field.description;
   const Json& value = field.default_value;
   const bool is_said = !value.is_null() && !(value.is_structured() && value.empty());
-  if (form == Form::body && is_said)
+  if (form == SchemaFor::body && is_said)
     schema["description"] = field.description + " (default " + value.dump() + ")";
-  if (form == Form::query && !value.is_null()) schema["default"] = value;
+  if (form == SchemaFor::query && !value.is_null()) schema["default"] = value;
   if (!field.aliases.empty()) schema["x-aliases"] = field.aliases;
   return schema;
 }
 
 /// A number, or except in an echo a text with its unit.
-Json number_schema(const std::string& unit, const Domain& range, Form form) {
+Json number_schema(const std::string& unit, const Domain& range, SchemaFor form) {
   Json number{{"type", "number"}};
   number.update(domain_json(range));
   Json schema = number;
-  if (form != Form::echo) {
+  if (form != SchemaFor::echo) {
     schema = Json{{"anyOf", {std::move(number), reference("QuantityText")}}};
   }
   if (!unit.empty()) schema["x-unit"] = unit;
@@ -37,7 +37,7 @@ Json number_schema(const std::string& unit, const Domain& range, Form form) {
 }
 
 struct SchemaOf {
-  Form form;
+  SchemaFor form;
 
   Json operator()(const NumberKind& kind) const { return number_schema(kind.unit, kind.range, form); }
   /// Where the road makes no difference.
@@ -51,12 +51,12 @@ struct SchemaOf {
     return schema;
   }
   Json operator()(const SystemKind&) const {
-    if (form == Form::query) return reference("SystemName");
+    if (form == SchemaFor::query) return reference("SystemName");
     return {{"anyOf", {reference("SystemName"), reference("Scene")}}};
   }
   Json operator()(const SymbolsKind& kind) const {
     const bool is_input = kind.role == SymbolRole::input;
-    if (form == Form::echo) {
+    if (form == SchemaFor::echo) {
       return {{"type", "object"}, {"additionalProperties", {{"type", is_input ? "string" : "number"}}}};
     }
     return {{"type", "object"}, {"additionalProperties", reference(is_input ? "TimeFunction" : "Quantity")}};
@@ -68,11 +68,11 @@ struct SchemaOf {
   }
 };
 
-Json schema_of(const FieldInfo& field, Form form) {
+Json schema_of(const FieldInfo& field, SchemaFor form) {
   return described(std::visit(SchemaOf{form}, field.kind), field, form);
 }
 
-Json object_schema(const FieldSet& set, Form form) {
+Json object_schema(const FieldSet& set, SchemaFor form) {
   Json properties = Json::object();
   Json required = Json::array();
   for (const FieldInfo& field : set.fields) {
@@ -133,7 +133,7 @@ Json query_parameter(const FieldInfo& field) {
   parameter["required"] = field.need == Need::required;
   parameter["description"] = field.description;
   if (std::holds_alternative<ListKind>(field.kind)) parameter.update({{"style", "form"}, {"explode", false}});
-  Json schema = schema_of(field, Form::query);
+  Json schema = schema_of(field, SchemaFor::query);
   schema.erase("description");
   parameter["schema"] = std::move(schema);
   return parameter;
@@ -149,7 +149,7 @@ Json domain_json(const Domain& domain) {
 }
 
 Json body_schema(const FieldSet& set) {
-  Json schema = object_schema(set, Form::body);
+  Json schema = object_schema(set, SchemaFor::body);
   if (!set.one_of.empty()) schema["description"] = in_words(set);
   append_rules(set, schema);
   return schema;
@@ -164,7 +164,7 @@ Json query_parameters(const FieldSet& set) {
 }
 
 Json echo_schema(const FieldSet& set) {
-  Json schema = object_schema(set, Form::echo);
+  Json schema = object_schema(set, SchemaFor::echo);
   for (auto& [name, field] : schema["properties"].items()) {
     field.erase("x-aliases");
   }

@@ -75,13 +75,15 @@ void check_inputs(const SystemChoice& choice, Findings& findings) {
   if (!choice.scene || findings.has_error_at({"inputs"})) return;
   const std::vector<std::string> allowed = input_symbols(*choice.scene);
   for (const auto& [name, text] : choice.inputs) {
-    check_text(findings.root().below("inputs").below(name), allowed, findings, [&, &text = text] {
-      Graph graph;
-      const std::string unit = unit_of_input(*choice.scene, name);
-      if (has_unit(text, unit))
-        throw Error(ErrorCode::syntax, "an input is an expression in " + unit + ", without a unit behind it");
-      (void)parse(text, graph, allowed);
-    });
+    check_text(findings.root().below("inputs").below(name), allowed, findings,
+               [&, &name = name, &text = text] {
+                 Graph graph;
+                 const std::string unit = unit_of_input(*choice.scene, name);
+                 if (has_unit(text, unit))
+                   throw Error(ErrorCode::syntax,
+                               "an input is an expression in " + unit + ", without a unit behind it");
+                 (void)parse(text, graph, allowed);
+               });
   }
 }
 

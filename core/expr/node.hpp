@@ -53,5 +53,7 @@ template <class... Cases>
 struct overloaded : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+overloaded(Cases...) -> overloaded<Cases...>;  // Clang 14 does not deduce it for aggregates by itself (P1816)
 
 }  // namespace qdot

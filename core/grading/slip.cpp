@@ -98,7 +98,7 @@ class SlipSearch {
       return;
     }
     slopes_in_ = question_.changing;
-    if (std::ranges::stable_partition(slopes_in_, is_in_both).begin() == slopes_in_.begin())
+    if (std::stable_partition(slopes_in_.begin(), slopes_in_.end(), is_in_both) == slopes_in_.begin())
       slopes_in_.clear();
     else
       slopes_in_.insert(slopes_in_.end(), question_.accelerations.begin(), question_.accelerations.end());

@@ -73,8 +73,8 @@ std::vector<Expression> roots_of(const std::vector<Expression>& phi,
 
 std::vector<ConstraintEquation> holonomic_first(const ExpectedSystem& system) {
   std::vector<ConstraintEquation> constraints = system.constraints();
-  std::ranges::stable_partition(constraints,
-                                [](const ConstraintEquation& c) { return c.position.has_value(); });
+  std::stable_partition(constraints.begin(), constraints.end(),
+                        [](const ConstraintEquation& c) { return c.position.has_value(); });
   return constraints;
 }
 

@@ -8,9 +8,9 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned low_order = 8;  ///< tried first
-constexpr double small = 0.03;     ///< of the largest term: so the last ones show that these were enough
-constexpr double lost = 2;         ///< times what a component has reached
+constexpr unsigned order_tried_first = 8;
+constexpr double negligible = 0.03;  ///< of the largest term: so the last ones show that these were enough
+constexpr double lost = 2;           ///< times what a component has reached
 constexpr double enlarged = 0x1p-30;
 
 /// y - e, and not y itself, where nothing would be rounded otherwise.
@@ -43,7 +43,7 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
 }
 
 void Separation::follow(const MotionPiece& step) {
-  const unsigned order = std::min(low_order, step.order);
+  const unsigned order = std::min(order_tried_first, step.order);
   for (std::size_t i = 0; i < e_.size(); ++i) {
     const std::span<const double> c = step.rows.subspan(i * (step.order + 1), step.order + 1);
     y_[i] = c[0];
@@ -105,7 +105,7 @@ bool Separation::rise(const MotionPiece& step, unsigned order) {
       rise_[i] += last;
       largest = std::max(largest, std::abs(last));
     }
-    is_enough = is_enough && std::max(std::abs(before), std::abs(last)) <= small * largest;
+    is_enough = is_enough && std::max(std::abs(before), std::abs(last)) <= negligible * largest;
   }
   return is_enough;
 }

@@ -13,7 +13,7 @@
 namespace qdot {
 namespace {
 
-constexpr double farthest = 16;  ///< times what an instant and rounding move a motion
+constexpr double farthest_apart = 16;  ///< times what an instant and rounding move a motion
 /// As in kink_ends.cpp: so far a motion goes over a kink before it is met once more.
 constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
 constexpr double round_offs = 16;  ///< of t: what is nearer happens at one instant
@@ -108,7 +108,7 @@ bool MotionSections::come_together(double t, std::vector<double>& y) {
   modes_->settle(together, t, there);
   for (std::size_t i = 0; i < y.size(); ++i) {
     const double near = resolution_ * std::abs(rate[i]) + rounding * largest_[i];
-    if (std::abs(there[i] - y[i]) > farthest * near) return false;
+    if (std::abs(there[i] - y[i]) > farthest_apart * near) return false;
   }
   y = there;
   tried_.clear();

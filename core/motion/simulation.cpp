@@ -157,8 +157,8 @@ class Simulator {
 
   void record_piece(const std::vector<bool>& met) {
     if (sections_.kinks() == 0) return;
-    PieceRecord& piece =
-        result_.pieces.emplace_back(result_.t, result_.t - sections_.begun(), sections_.sides());
+    PieceRecord& piece = result_.pieces.emplace_back(
+        PieceRecord{result_.t, result_.t - sections_.begun(), sections_.sides(), {}});
     for (std::size_t k = 0; k < met.size(); ++k) {
       if (met[k]) piece.ended_by.push_back(k);
     }

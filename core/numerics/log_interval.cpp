@@ -67,7 +67,7 @@ End product(const End& a, const End& b, bool up) {
   return rounded({sign, std::isnan(ln) ? (away ? infinity : -infinity) : ln}, up);
 }
 
-End inverse(const End& a) { return {a.sign, -a.ln}; }
+End reciprocal(const End& a) { return {a.sign, -a.ln}; }
 
 template <class Of>
 LogInterval range(const Of& of) {
@@ -144,7 +144,7 @@ LogInterval operator*(const LogInterval& a, const LogInterval& b) {
 
 LogInterval operator/(const LogInterval& a, const LogInterval& b) {
   if (b.contains_zero()) return LogInterval::whole();
-  return a * LogInterval{inverse(b.upper), inverse(b.lower)};
+  return a * LogInterval{reciprocal(b.upper), reciprocal(b.lower)};
 }
 
 LogInterval square(const LogInterval& a) { return of_positive(absolute(a), 2); }

@@ -225,7 +225,7 @@ Response answer_equations(const Resolved<EquationsRequest>& resolved, Call& call
   const auto& [request, echo] = resolved;
   const std::shared_ptr<const Dynamics> dynamics = models.of(request.system);
   const std::string kept_as = "equations/" + std::to_string(static_cast<int>(request.form));
-  const Json body = models.remembered(*request.system.scene, kept_as, [&] {
+  const Json body = models.remembered(*request.system.scene, kept_as, [&, &request = request] {
     return EquationsAnswer(dynamics->model(), request.form).body();
   });
   call.timing.lap("solve");

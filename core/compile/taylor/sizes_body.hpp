@@ -43,16 +43,16 @@ constexpr std::uint64_t masks[5][4]{{0, 0, 0, 0},
 
 /// Numbers 0 and 2 of x and y in turn, and numbers 1 and 3.
 [[gnu::always_inline]] inline Four evens(const Four& x, const Four& y) {
-  return __builtin_shuffle(x, y, Bits{0, 4, 2, 6});
+  return __builtin_shufflevector(x, y, 0, 4, 2, 6);
 }
 [[gnu::always_inline]] inline Four odds(const Four& x, const Four& y) {
-  return __builtin_shuffle(x, y, Bits{1, 5, 3, 7});
+  return __builtin_shufflevector(x, y, 1, 5, 3, 7);
 }
 [[gnu::always_inline]] inline Four firsts(const Four& x, const Four& y) {
-  return __builtin_shuffle(x, y, Bits{0, 1, 4, 5});
+  return __builtin_shufflevector(x, y, 0, 1, 4, 5);
 }
 [[gnu::always_inline]] inline Four seconds(const Four& x, const Four& y) {
-  return __builtin_shuffle(x, y, Bits{2, 3, 6, 7});
+  return __builtin_shufflevector(x, y, 2, 3, 6, 7);
 }
 
 /// The four parts of four rows become one number for each.
