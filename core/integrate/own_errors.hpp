@@ -6,7 +6,7 @@
 // bound of its defect, which goes with s^(order - 1) and comes to defect h/order, to the side where the other
 // sample is, so that it adds up along what grows. By rounding, from a motion whose numbers differ by
 // `enlarged` times as much as rounding makes: of whole last places two or three often cancel to nothing. Each
-// step adds as many last places of its largest term, with random signs.
+// step adds about half a last place of its largest term, enlarged as much, by random numbers.
 
 #include "core/integrate/separation.hpp"
 #include "core/numerics/random_bits.hpp"

@@ -50,7 +50,7 @@ void nudge(Reals& numbers, double direction, int least) {
   }
 }
 
-/// The same for OwnErrors: by other amounts, farther away.
+/// Every number somewhere else, so far away as OwnErrors wants it, by random numbers that it begins itself.
 Reals rounded_otherwise(Reals numbers) {
   constexpr double unit = 2 * std::numeric_limits<double>::epsilon() * OwnErrors::enlarged;
   for (std::size_t i = 0; i < numbers.size(); ++i) {

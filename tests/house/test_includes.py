@@ -10,7 +10,7 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOM = re.compile(r"^room\((\w+)(?:\s+SHARED_BY_THREADS)?(?:\s+DEPENDS_ON\s+([\w:\s]+?))?(?:\s+LIBRARIES\s.*?)?\)", re.MULTILINE | re.DOTALL)
+ROOM = re.compile(r"^room\((\w+)(?:\s+(?:LOOPS|SHARED_BY_THREADS))*(?:\s+DEPENDS_ON\s+([\w:\s]+?))?(?:\s+LIBRARIES\s.*?)?\)", re.MULTILINE | re.DOTALL)
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 
@@ -133,7 +133,7 @@ class TheSearchItself(unittest.TestCase):
         self.assertEqual(cycles(files), [["core/low/a", "core/low/b"]])
 
     def test_reads_rooms_with_and_without_what_they_use(self):
-        text = "room(base)\nroom(expr SHARED_BY_THREADS DEPENDS_ON base\n  LIBRARIES x)\nroom(top DEPENDS_ON core_expr core_base other::lib)\n"
+        text = "room(base)\nroom(expr LOOPS SHARED_BY_THREADS DEPENDS_ON base\n  LIBRARIES x)\nroom(top DEPENDS_ON core_expr core_base other::lib)\n"
         self.assertEqual(
             planned_rooms("core", text), {"core/base": set(), "core/expr": set(), "core/top": {"core/expr", "core/base"}}
         )
