@@ -20,10 +20,10 @@
 // (a reference: 10 w_i, and steps of 0.95 h to begin with)
 // and is shortened until it does, on the same coefficients. Where h d_i exceeds 1000 times the last three
 // terms they do not show it: such steps of a reference add h d_i, in the unit of y_i, to Run::unseen, where
-// velocities carry it on to the coordinates. Where no bound is found within 120 tries, the equation is tested at the step's
-// end alone, and Run::bounded is false. With these factors none of 600 pulses of known effect was missed.
-// Source of the test: Enright, Hayes, Robust and reliable defect control for Runge-Kutta methods, ACM TOMS 33
-// (2007) 1.
+// velocities carry it on to the coordinates. Where no bound is found within 120 tries, the equation is tested
+// at the step's end alone, and Run::bounded is false. With these factors none of 600 pulses of known effect
+// was missed. Source of the test: Enright, Hayes, Robust and reliable defect control for Runge-Kutta methods,
+// ACM TOMS 33 (2007) 1.
 
 #include <memory>
 

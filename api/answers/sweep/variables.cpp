@@ -10,8 +10,8 @@
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
-#include "core/numerics/random_bits.hpp"
 #include "core/numerics/function.hpp"
+#include "core/numerics/random_bits.hpp"
 
 namespace qdot::api {
 namespace {
