@@ -14,8 +14,6 @@
 #include "core/motion/motion_sections.hpp"
 #include "core/motion/start_from_rest.hpp"
 #include "core/motion/unseen_along.hpp"
-#include "core/numerics/constants.hpp"
-#include "core/numerics/root.hpp"
 
 namespace qdot {
 namespace {
