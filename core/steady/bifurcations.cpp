@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/error.hpp"
+#include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/mirrors.hpp"
 #include "core/steady/normal_form.hpp"
@@ -48,7 +49,10 @@ class CriticalSearch {
       result_.complete = false;
       return std::move(result_);
     }
-    if (std::ranges::none_of(all_.charts(), [](const CriticalChart& c) { return c.systems->depends; })) {
+    const auto depends = [](const CriticalChart& c) {
+      return c.systems->depends || !c.systems->growth.empty();
+    };
+    if (std::ranges::none_of(all_.charts(), depends)) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
     } else {
       search();
@@ -58,7 +62,7 @@ class CriticalSearch {
     if (result_.complete && changes_between(result_.branches, result_.critical, result_.degenerate)) {
       incomplete(
           "The stability of an equilibrium changes where no equilibrium meets another: oscillations about it begin "
-          "to grow, and the value at which they do is not looked for. The branches show between which it is.");
+          "to grow, and the value at which they do was not found. The branches show between which it is.");
     }
     return std::move(result_);
   }
@@ -106,7 +110,7 @@ class CriticalSearch {
     std::optional<SymmetryAxes> axes;
     if (unknowns().size() == 1) axes.emplace(problem_, *systems_, Interval(from_, to_));
     CriticalZeros found =
-        critical_zeros(dynamics_.model(), problem_, *systems_, {from_, to_},
+        critical_zeros(dynamics_.model(), problem_, *systems_, systems_->systems, {from_, to_},
                        [&](std::span<const Interval> box) { return axes && axes->explain(box); });
     leave_to_other_charts(found);
     result_.degenerate = found.degenerate;
@@ -122,6 +126,19 @@ class CriticalSearch {
       classify_by_families(found);
     }
     watch_ends();
+    search_growth();
+  }
+
+  void search_growth() {
+    const CriticalGrowth found =
+        critical_growth(dynamics_, problem_, *systems_, index_, {from_, to_},
+                        [&](const CriticalZero& zero) { return all_.place_of(*chart_, zero); });
+    for (const GrowthZero& growth : found.zeros) add(growth.kind, growth.zero, "", growth.omega);
+    if (!found.complete) {
+      incomplete(
+          "Oscillations about an equilibrium may begin to grow at more values than are listed: the search for them "
+          "was given up, or rounding hides whether they do.");
+    }
   }
 
   void leave_to_other_charts(CriticalZeros& found) {
@@ -341,13 +358,18 @@ class CriticalSearch {
     return count;
   }
 
-  void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "") {
+  void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "",
+           const std::optional<Interval>& omega = std::nullopt) {
     CriticalValue critical;
     critical.kind = kind;
     if (kind == BifurcationKind::unresolved) critical.reason = reason;
     critical.value = found.p.middle();
     critical.error = distance_bound(critical.value, found.p);
     critical.proven = found.simple;
+    if (omega) {
+      critical.omega = omega->middle();
+      critical.omega_error = distance_bound(critical.omega, *omega);
+    }
     const std::size_t n = y_.size() / 2;
     critical.y.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n));
     critical.y.resize(2 * n, 0.0);

@@ -142,7 +142,7 @@ class Tracer {
     const CriticalValue* best = nullptr;
     double least = reach;
     for (const CriticalValue& c : critical_) {
-      if (c.value + c.error < low || c.value - c.error > high) continue;
+      if (c.value + c.error < low || c.value - c.error > high || is_of_oscillations(c.kind)) continue;
       const double d = distance(x, {c.y.begin(), c.y.begin() + static_cast<std::ptrdiff_t>(x.size())});
       if (d < least) {
         least = d;

@@ -35,7 +35,9 @@ struct SteadyPolynomial {
   bool u_turns{};  ///< a full turn of u changes no force
 };
 
+/// `forces` are the statics' g, or combinations of them that vanish where the system rests.
 [[nodiscard]] SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics,
+                                                        const std::vector<Expression>& forces,
                                                         const std::string& unknown);
 
 }  // namespace qdot
