@@ -15,14 +15,9 @@ namespace qdot {
 [[nodiscard]] Reals with_unknown(const Scene& scene, const Reals& parameters, const std::string& unknown);
 
 struct PositionStatics {
-  std::optional<SurfaceStatics> surface;  ///< only with constraints
-  std::optional<SteadyForces> on_surface;
+  std::optional<SurfaceStatics> surface;   ///< only with constraints
+  std::optional<SteadyForces> on_surface;  ///< what vanishes there, instead of the statics' forces
   std::shared_ptr<const Statics> statics;  ///< its x: the kept coordinates, then the multipliers
-
-  /// What vanishes, in order.
-  [[nodiscard]] const std::vector<Expression>& forces() const {
-    return on_surface ? on_surface->rest : statics->rest;
-  }
 };
 
 /// Throws what Dynamics::statics, surface_statics and derive_surface_forces throw.

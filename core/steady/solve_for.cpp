@@ -28,10 +28,12 @@ std::shared_ptr<const SteadyPolynomial> polynomial_of(const Dynamics& dynamics,
                                                       std::span<const double> parameters,
                                                       const std::string& unknown) {
   if (position.surface)
-    return std::make_shared<const SteadyPolynomial>(derive_steady_polynomial(
-        position.surface->dynamics->model(), *position.statics, position.forces(), unknown));
+    return std::make_shared<const SteadyPolynomial>(
+        derive_steady_polynomial(position.surface->dynamics->model(), *position.statics,
+                                 *position.on_surface->graph, position.on_surface->rest, unknown));
   return dynamics.derived<SteadyPolynomial>("solve for " + unknown, parameters, [&](const Statics& statics) {
-    return derive_steady_polynomial(dynamics.model(), statics, statics.rest, unknown);
+    return derive_steady_polynomial(dynamics.model(), statics, *statics.reduction.graph, statics.rest,
+                                    unknown);
   });
 }
 
@@ -71,7 +73,7 @@ class Solver {
         polynomial_(polynomial_of(dynamics, position_, parameters_, unknown)),
         kinks_(kinks_of(dynamics, position_, parameters_, unknown)) {
     for (const std::size_t i : statics_->reduction.kept) {
-      if (i >= y_.size() / 2) {  // of a multiplier, which no force has
+      if (is_multiplier(i)) {  // no force has it
         x_.emplace_back(0);
         near_.emplace_back(0);
         continue;
@@ -101,6 +103,9 @@ class Solver {
   }
 
  private:
+  /// The multipliers' numbers come after those of the scene's coordinates.
+  [[nodiscard]] bool is_multiplier(std::size_t i) const { return i >= y_.size() / 2; }
+
   [[nodiscard]] Domain position_domain() const {
     return scene_.coordinates[statics_->reduction.kept[0]].domain;
   }
@@ -255,7 +260,9 @@ class Solver {
     result.error = distance_bound(result.value, u);
     Reals parameters = parameters_;
     Reals y = y_;
-    for (const std::size_t i : statics_->reduction.kept) y.set(y.size() / 2 + i, 0);
+    for (const std::size_t i : statics_->reduction.kept) {
+      if (!is_multiplier(i)) y.set(y.size() / 2 + i, 0);
+    }
     if (polynomial_->place < parameters.size()) {
       parameters.set(polynomial_->place, result.value);
     } else {
@@ -263,6 +270,13 @@ class Solver {
       y.set(y.size() / 2 + c, result.value);
     }
     if (position_.surface) {
+      const std::size_t place = polynomial_->place;
+      const Real known_to{result.value, 0, result.error};
+      if (place < parameters.size()) {
+        parameters.set(place, known_to);
+      } else {
+        y.set(y.size() / 2 + statics_->reduction.ignored[place - parameters.size()], known_to);
+      }
       result.stability = on_surface(parameters, y, u);
       return result;
     }
@@ -339,7 +353,8 @@ std::vector<std::string> solvable_names(const Dynamics& dynamics, std::span<cons
   const Scene& scene = dynamics.model().scene;
   std::vector<std::string> names;
   for (const Parameter& p : scene.parameters) names.push_back(p.name);
-  for (const std::size_t c : position_statics(dynamics, parameters).statics->reduction.ignored) {
+  const PositionStatics position = position_statics(dynamics, parameters);
+  for (const std::size_t c : position.statics->reduction.ignored) {
     names.push_back(scene.coordinates[c].name + "_dot");
   }
   return names;
@@ -349,8 +364,9 @@ std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics, const Real
                                             const std::string& unknown) {
   const Reals with = with_unknown(dynamics.model().scene, parameters, unknown);
   const PositionStatics position = position_statics(dynamics, with);
+  const auto polynomial = polynomial_of(dynamics, position, with, unknown);
   std::vector<std::size_t> needed;
-  for (const std::size_t j : polynomial_of(dynamics, position, with, unknown)->needed) {
+  for (const std::size_t j : polynomial->needed) {
     needed.push_back(position.statics->reduction.kept[j]);
   }
   return needed;

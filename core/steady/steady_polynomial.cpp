@@ -17,9 +17,13 @@ namespace {
 
 class PolynomialDerivation {
  public:
-  PolynomialDerivation(const Model& model, const Statics& statics, const std::vector<Expression>& forces,
-                       const std::string& unknown)
-      : model_(model), statics_(statics), reduction_(statics.reduction), forces_(forces) {
+  PolynomialDerivation(const Model& model, const Statics& statics, const Graph& graph,
+                       const std::vector<Expression>& forces, const std::string& unknown)
+      : model_(model),
+        statics_(statics),
+        reduction_(statics.reduction),
+        forces_(forces),
+        own_(std::make_shared<Graph>(graph)) {
     for (const Expression& x : reduction_.x) x_.push_back(graph_.adopt(x));
     const std::size_t parameters = reduction_.constants.size() - reduction_.ignored.size();
     for (std::size_t i = 0; i < parameters; ++i) constants_.push_back(graph_.adopt(reduction_.constants[i]));
@@ -168,7 +172,7 @@ class PolynomialDerivation {
   const Statics& statics_;
   const Reduction& reduction_;
   const std::vector<Expression>& forces_;
-  std::shared_ptr<Graph> own_{std::make_shared<Graph>(*reduction_.graph)};
+  std::shared_ptr<Graph> own_;
   Graph& graph_{*own_};
   std::vector<Expression> x_, constants_;
   Expression u_;
@@ -180,9 +184,9 @@ class PolynomialDerivation {
 
 }  // namespace
 
-SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics,
+SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics, const Graph& graph,
                                           const std::vector<Expression>& forces, const std::string& unknown) {
-  return PolynomialDerivation(model, statics, forces, unknown).run();
+  return PolynomialDerivation(model, statics, graph, forces, unknown).run();
 }
 
 }  // namespace qdot

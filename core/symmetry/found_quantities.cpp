@@ -217,7 +217,7 @@ class Wording {
     const ElementaryChange& change = search_.changes[turn];
     const std::string axis(1, "xyz"[change.j]);
     const std::string& given = bodies_[change.i];
-    const std::string body = given.empty() ? "the body" : given;
+    const std::string body = given.empty() ? "the body" : "'" + given + "'";
     const bool is_own = change.kind == ChangeKind::own_turn;
     Words words{"spin_" + axis, "Turning " + body + " about an axis through its centre parallel to " + axis,
                 ""};
