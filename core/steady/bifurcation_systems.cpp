@@ -131,10 +131,12 @@ class SystemsDerivation {
     const Expression condition = simplify(substitute(*growth_, zeros));
     if (condition.is_zero() || !knows_all(condition)) return;
     for (const Factor& factor : factors_along(condition, p_)) {
-      // Where a factor is repeated, the condition keeps its sign: pairs only touch.
-      if (!depends_on(factor.base, variables_) || factor.is_repeated) continue;
+      // Frequencies with a repeated factor pass each other.
+      if (!depends_on(factor.base, variables_) || (factor.is_repeated && result_.growth_is_collision))
+        continue;
       f.push_back(factor.base);
-      add(BifurcationSystem::Kind::growth, f);
+      add(factor.is_repeated ? BifurcationSystem::Kind::degenerate_growth : BifurcationSystem::Kind::growth,
+          f);
       f.pop_back();
     }
   }
@@ -290,7 +292,9 @@ class SystemsDerivation {
     for (const Expression& e : f) {
       for (const Expression& v : variables_) jacobian.push_back(simplify(differentiate(e, v)));
     }
-    auto& systems = kind == BifurcationSystem::Kind::growth ? result_.growth : result_.systems;
+    const bool is_growth =
+        kind == BifurcationSystem::Kind::growth || kind == BifurcationSystem::Kind::degenerate_growth;
+    auto& systems = is_growth ? result_.growth : result_.systems;
     systems.push_back({kind, compiled(f), compiled(jacobian)});
   }
 

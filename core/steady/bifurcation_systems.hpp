@@ -19,8 +19,9 @@ namespace qdot {
 
 /// n + 1 functions of (x, p), x the unknowns that are left, and their (n + 1)^2 derivatives by rows.
 struct BifurcationSystem {
-  /// degenerate_fold: the determinant has a repeated factor that vanishes there.
-  enum class Kind { fold, degenerate_fold, meeting, growth };
+  /// degenerate_fold: the determinant has a repeated factor that vanishes there; degenerate_growth: so has
+  /// the condition of growth.
+  enum class Kind { fold, degenerate_fold, meeting, growth, degenerate_growth };
   Kind kind{};
   CompiledFunction values, jacobian;
 };

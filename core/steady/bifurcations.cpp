@@ -7,6 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
+#include "core/steady/critical_sentences.hpp"
 #include "core/steady/mirrors.hpp"
 #include "core/steady/normal_form.hpp"
 #include "core/steady/region_ends.hpp"
@@ -16,17 +17,6 @@ namespace {
 
 /// Of a value of the parameter, as a part of its range.
 constexpr double rounding_of_range = 1e-12;
-
-constexpr const char* degenerate_crossing =
-    "Curves of equilibria cross here, but a derivative that decides how is zero to within its error.";
-constexpr const char* degenerate_fold =
-    "More than one derivative along the curve of equilibria vanishes here: it folds, or passes on without a fold.";
-constexpr const char* several_events =
-    "Within the error a curve of equilibria folds more than once, or folds and crosses another, or only comes "
-    "near to that: a degenerate point, or several close together.";
-constexpr const char* change_of_stability =
-    "The stability along a curve of equilibria changes here; in which way other equilibria take part is not "
-    "proven.";
 
 class CriticalSearch {
  public:
@@ -60,9 +50,7 @@ class CriticalSearch {
     trace();
     if (!result_.complete && !gave_up_ && add_missed()) trace();
     if (result_.complete && changes_between(result_.branches, result_.critical, result_.degenerate)) {
-      incomplete(
-          "The stability of an equilibrium changes where no equilibrium meets another: oscillations about it begin "
-          "to grow, and the value at which they do was not found. The branches show between which it is.");
+      incomplete(growth_not_found);
     }
     return std::move(result_);
   }
@@ -133,12 +121,9 @@ class CriticalSearch {
     const CriticalGrowth found =
         critical_growth(dynamics_, problem_, *systems_, index_, {from_, to_},
                         [&](const CriticalZero& zero) { return all_.place_of(*chart_, zero); });
-    for (const GrowthZero& growth : found.zeros) add(growth.kind, growth.zero, "", growth.omega);
-    if (!found.complete) {
-      incomplete(
-          "Oscillations about an equilibrium may begin to grow at more values than are listed: the search for them "
-          "was given up, or rounding hides whether they do.");
-    }
+    for (const GrowthZero& growth : found.zeros)
+      add(growth.kind, growth.zero, degenerate_growth, growth.omega);
+    if (!found.complete) incomplete(more_growth);
   }
 
   void leave_to_other_charts(CriticalZeros& found) {

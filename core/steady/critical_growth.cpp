@@ -51,9 +51,11 @@ CriticalGrowth critical_growth(const Dynamics& dynamics, const SteadyProblem& pr
                             : square_by_eigenvalues(StabilityAnalysis(dynamics, here).at(place_of(zero)));
     result.complete = result.complete && square && !square->contains(0.0);
     if (!square || square->lower <= 0) continue;
-    result.zeros.push_back({zero,
-                            systems.growth_is_collision ? BifurcationKind::flutter : BifurcationKind::hopf,
-                            has_formula ? std::optional(sqrt(*square)) : std::nullopt});
+    const bool is_degenerate = zero.kind == BifurcationSystem::Kind::degenerate_growth;
+    const BifurcationKind kind = is_degenerate                 ? BifurcationKind::unresolved
+                                 : systems.growth_is_collision ? BifurcationKind::flutter
+                                                               : BifurcationKind::hopf;
+    result.zeros.push_back({zero, kind, has_formula ? std::optional(sqrt(*square)) : std::nullopt});
   }
   return result;
 }

@@ -13,7 +13,7 @@ namespace qdot {
 
 struct GrowthZero {
   CriticalZero zero;
-  BifurcationKind kind{};         ///< hopf or flutter
+  BifurcationKind kind{};         ///< hopf, flutter, or unresolved where pairs cross together or touch
   std::optional<Interval> omega;  ///< of the oscillations, where it is known
 };
 

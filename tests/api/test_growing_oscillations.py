@@ -72,6 +72,15 @@ class Growth(Service):
         answer = self.check(along_a_curve, "p", -1, 1, "hopf", 0.25, 1)
         self.assertEqual([c["kind"] for c in answer["critical"]], ["saddle_node", "hopf"])
 
+    def test_equal_oscillators_that_begin_together_are_told(self):
+        both = lagrangian("both", "mu - 1", "x - 0.1; y - 0", "(x_dot^2 + y_dot^2 - 4*x^2 - 4*y^2)/2",
+                          forces=[{"value": f"(mu - 0.25)*{q}_dot", "along": q} for q in "xy"])
+        answer = self.ask("bifurcations", {"system": both, "parameter": "mu", "from": -1, "to": 1})
+        (critical,) = answer["critical"]
+        self.assertLessEqual(abs(critical["value"] - 0.25), critical["error"])
+        self.assertEqual((critical["kind"], critical["omega"]), ("unresolved", 2))
+        self.assertIn("cross the imaginary axis at once", critical["reason"])
+
     def test_none_where_only_energy_is_kept_or_lost(self):
         for more in ([], [{"value": "-0.1*x_dot", "along": "x"}]):
             saddle = lagrangian("saddle", "p - 1", "x - 0; y - 0", "(x_dot^2 + y_dot^2)/2 + p*x^2/2 - x*y - y^2 - x^4", forces=more)
