@@ -66,12 +66,14 @@ double ConstrainedStates::size_of_terms(std::size_t k, std::span<const double> y
 bool ConstrainedStates::step(std::span<const std::size_t> rows, std::span<const double> residuals,
                              const std::vector<bool>& free, std::span<double> step) const {
   const std::size_t n = surface_.coordinates();
+  std::ranges::fill(step, 0.0);
+  if (rows.empty()) return true;
   std::vector<std::size_t> moved;
   for (std::size_t i = 0; i < n; ++i) {
     if (free[i]) moved.push_back(i);
   }
   const std::size_t size = moved.size() + rows.size();
-  if (rows.size() > moved.size() || size > largest_system) return rows.empty();
+  if (rows.size() > moved.size() || size > largest_system) return false;
   std::vector<double> matrix(size * size), right(size);
   for (std::size_t i = 0; i < moved.size(); ++i) {
     for (std::size_t k = 0; k < moved.size(); ++k) matrix[i * size + k] = values_[moved[i] * n + moved[k]];
@@ -82,7 +84,6 @@ bool ConstrainedStates::step(std::span<const std::size_t> rows, std::span<const 
   }
   for (std::size_t j = 0; j < rows.size(); ++j) right[moved.size() + j] = -residuals[j];
   if (!solve_linear(size, matrix, right)) return false;
-  std::ranges::fill(step, 0.0);
   for (std::size_t i = 0; i < moved.size(); ++i) step[moved[i]] = right[i];
   return std::ranges::all_of(step, [](double x) { return std::isfinite(x); });
 }
