@@ -53,6 +53,16 @@ TEST(SignChange, JumpIsBracketedByNeighbours) {
   EXPECT_LE(evaluations, 55);
 }
 
+TEST(SignChange, APlaceFarBelowTheEndsOfItsBracketIsFoundToItsOwnRoundOff) {
+  const double root = std::sqrt(2.) / 10;
+  for (const double b : {1., 100., 1e6}) {
+    const auto [place, evaluations] = search([&](double t) { return 0.02 - t * t; }, 0, b);
+    EXPECT_NEAR(place.after, root, time_round_off(root)) << b;
+    EXPECT_LE(place.after - place.before, time_round_off(root)) << b;
+    EXPECT_LE(evaluations, std::log2(b / root) + 60) << b;
+  }
+}
+
 TEST(SignChange, ExactZeroIsThePlace) {
   const auto [place, evaluations] = search([](double t) { return t - 0.5; }, 0, 1);
   EXPECT_EQ(place.after, 0.5);
