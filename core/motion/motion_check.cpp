@@ -149,12 +149,13 @@ std::optional<ExtendedRun> extended_states_of(const Simulation& motion, const Dy
 
 /// What the coefficients that stay doubles may have in common with those of the motion, for each row. That of
 /// a velocity moves its coordinate on ever after.
-std::vector<double> rounding_in_common(const ComputedMotion& motion, std::span<const double> passed) {
+std::vector<double> rounding_in_common(const ComputedMotion& motion, std::span<const double> instants,
+                                       std::span<const double> passed) {
   const std::size_t width = motion.width(), n = width / 2;
   std::vector<double> rounding(passed.size()), moved(n);
   double before = motion.request.t_start;
   for (std::size_t row = 0; row < passed.size() / width; ++row) {
-    const double span = motion.grid.t[row] - std::exchange(before, motion.grid.t[row]);
+    const double span = instants[row] - std::exchange(before, instants[row]);
     const std::size_t at = row * width;
     for (std::size_t k = 0; k < width; ++k) rounding[at + k] = common_rounding * passed[at + k];
     for (std::size_t i = 0; i < n; ++i) {
@@ -173,6 +174,7 @@ bool ComputedMotion::is_near_round_off() const {
 
 SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   SimulationRequest request = motion.request;
+  request.grid = motion.event_rows.instants();
   request.columns.clear();
   request.events.clear();
   request.method = motion.is_stiff ? Method::bdf : Method::taylor;
@@ -236,9 +238,11 @@ const char* not_comparable(const ComputedMotion& motion, const Simulation& check
 SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {
   const Simulation& first = motion.simulation;
   if (motion.is_stiff || first.rows == 0) return {};
+  const std::vector<double>& all = motion.event_rows.instants();
+  const auto end = std::ranges::upper_bound(all, motion.grid.t[first.rows - 1]) - all.begin();
+  const std::span<const double> instants = std::span(all).first(static_cast<std::size_t>(end));
   ExtendedMotionRequest request =
-      extended_request(motion.request.parameters, start_as_typed(motion), motion.request.t_start,
-                       std::span(motion.grid.t).first(first.rows));
+      extended_request(motion.request.parameters, start_as_typed(motion), motion.request.t_start, instants);
   request.look_for_hidden = true;
   request.limits.max_evaluations = evaluations_left / cost_of_digits;
   const std::optional<ExtendedRun> found = extended_states_of(first, motion.dynamics, request);
@@ -249,8 +253,9 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
   Simulation& sharper = result.simulation.emplace();
   sharper.rows = run.rows;
   for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());
-  sharper.unseen = rounding_in_common(motion, run.passed);
+  sharper.unseen = rounding_in_common(motion, instants, run.passed);
   sharper.apart = run.apart;
+  motion.event_rows.set_apart(sharper, motion.width());
   return result;
 }
 

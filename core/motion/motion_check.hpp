@@ -10,6 +10,7 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/motion/dense_grid.hpp"
+#include "core/motion/event_rows.hpp"
 
 namespace qdot {
 
@@ -18,6 +19,7 @@ struct ComputedMotion {
   const Dynamics& dynamics;
   const SimulationRequest& request;  ///< what was asked for
   const DenseGrid& grid;
+  const EventRows& event_rows;   ///< on that grid
   const Simulation& simulation;  ///< on all of the grid
   Tolerances tolerances;         ///< of the simulation
   bool is_stiff;                 ///< explicit methods are of no use
@@ -30,7 +32,7 @@ struct ComputedMotion {
 inline constexpr double near_round_off = 1e-12;
 inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is returned
 
-/// The grid of the request stands in it. Numbers are moved up (1) or down (-1).
+/// Its rows are those of event_rows. Numbers are moved up (1) or down (-1).
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
 
 /// One check tells the error of truncation. Where round-off is as large, as the difference or what is
