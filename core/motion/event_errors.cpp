@@ -52,10 +52,11 @@ std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<co
   Place place{t, y, accelerations(t, y), {}};
   double own_time = infinity;
   for (std::size_t k = 0; k < 2 * n; ++k) {
-    place.errors.push_back(errors[k] + rounding_of_values * std::max(reached[k], std::abs(y[k])));
+    const double size = std::max(reached[k], std::abs(y[k]));
+    place.errors.push_back(errors[k] + rounding_of_values * size);
     const double rate = std::abs(k < n ? y[n + k] : place.accelerations[k - n]);
     if (!std::isfinite(rate)) return std::nullopt;
-    if (rate > 0 && scale_[k] > 0) own_time = std::min(own_time, scale_[k] / rate);
+    if (rate > 0 && size > 0) own_time = std::min(own_time, size / rate);
   }
   if (!std::isfinite(own_time)) return std::nullopt;
   const double least = std::max({time_round_off(t), time_round_off(own_time), shortest_time});
