@@ -105,6 +105,7 @@ class Ladder {
   void measure() {
     contradicts_ = false;
     doubt_ = 0;
+    result_.events_in_doubt.clear();
     event_rows_.emplace(grid_.t, result_.simulation);
     const bool is_near = motion().is_near_round_off();
     std::optional<Simulation> sharper;
@@ -145,6 +146,7 @@ class Ladder {
       result_.reason = reason;
       return false;
     }
+    result_.events_in_doubt = differing_events(motion(), other);
     if (result_.simulation.stop && ended_well(other.ending) && !other.stop) {
       result_.reason =
           "The second computation went on beyond the end of this one: that it stops here is no more "

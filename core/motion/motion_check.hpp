@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/motion/dense_grid.hpp"
@@ -26,6 +27,7 @@ struct ComputedMotion {
 
   [[nodiscard]] std::size_t width() const { return request.y_start.size(); }
   [[nodiscard]] bool is_near_round_off() const;
+  [[nodiscard]] bool has_events_in_doubt() const;
 };
 
 /// Tolerances from which on round-off counts beside them.
@@ -43,6 +45,11 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 
 /// Why the check does not tell the error of the motion; nullptr where it does.
 [[nodiscard]] const char* not_comparable(const ComputedMotion& motion, const Simulation& check);
+
+/// Which event a check that looks for them meets more or less often than the motion, in a sentence; empty:
+/// none. Checks look where the method's steps hide more than its error, or where that is large: the motion
+/// may come so near to an event that it happens in one and not in the other.
+[[nodiscard]] std::string differing_events(const ComputedMotion& motion, const Simulation& check);
 
 struct SharperMotion {
   std::optional<Simulation> simulation;  ///< rows of states alone, the last ones may be missing

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/motion/typed_start.hpp"
+
 namespace qdot {
 namespace {
 
@@ -26,28 +28,33 @@ class Follower {
   Follower(const Dynamics& dynamics, const ExtremaRequest& request)
       : dynamics_(dynamics), request_(request) {}
 
-  Followed follow(const Tolerances& tolerances) {
+  enum class Start { as_typed, rounded };
+  Followed follow(const Tolerances& tolerances, Start start) {
     const Model& model = dynamics_.model();
     const std::string velocity = model.scene.coordinates[request_.coordinate].name + "_dot = 0";
     const std::vector<double> ends{request_.t_end};
-    const Simulation motion = simulate(dynamics_, {.parameters = request_.parameters,
-                                                   .y_start = request_.y_start,
-                                                   .t_start = request_.t_start,
-                                                   .t_end = request_.t_end,
-                                                   .grid = ends,
-                                                   .columns = {},
-                                                   .events = {velocity},
-                                                   .on_invalid = request_.on_invalid,
-                                                   .impacts = request_.impacts,
-                                                   .method = Method::erk,
-                                                   .tolerances = tolerances,
-                                                   .limits = request_.limits});
+    SimulationRequest asked{.parameters = request_.parameters,
+                            .y_start = request_.y_start,
+                            .t_start = request_.t_start,
+                            .t_start_left_out = request_.t_start_left_out,
+                            .t_end = request_.t_end,
+                            .grid = ends,
+                            .columns = {},
+                            .events = {velocity},
+                            .on_invalid = request_.on_invalid,
+                            .impacts = request_.impacts,
+                            .method = Method::erk,
+                            .tolerances = tolerances,
+                            .limits = request_.limits};
+    if (start == Start::as_typed) asked.y_start = start_as_typed(dynamics_, asked);
+    const Simulation motion = simulate(dynamics_, asked);
     look(request_.t_start, request_.y_start[request_.coordinate]);
     for (const EventRecord& event : motion.events) {
       look(event.t, event.y[request_.coordinate]);
       if (event.name != velocity) look(event.t, after_impact(event));
     }
-    look(motion.t, motion.y[request_.coordinate]);
+    look(motion.t,
+         motion.y[request_.coordinate] + (start == Start::as_typed ? rise_to_typed_end(motion) : 0));
     result_.stop = motion.stop;
     result_.ending = motion.ending;
     result_.t = motion.t;
@@ -56,6 +63,12 @@ class Follower {
   }
 
  private:
+  /// Of the coordinate, from t_end on.
+  [[nodiscard]] double rise_to_typed_end(const Simulation& motion) const {
+    const std::size_t n = request_.y_start.size() / 2;
+    return motion.t == request_.t_end ? request_.t_end_left_out * motion.y[n + request_.coordinate] : 0;
+  }
+
   void look(double t, double x) { candidates_.push_back({t, x}); }
 
   /// The coordinate after the impact, where the impact map changes it.
@@ -104,8 +117,8 @@ PossibleExtremum chosen(const Followed& motion, const Followed& other, double si
 }  // namespace
 
 TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request) {
-  const Followed motion = Follower(dynamics, request).follow(fine);
-  const Followed other = Follower(dynamics, request).follow(coarse);
+  const Followed motion = Follower(dynamics, request).follow(fine, Follower::Start::as_typed);
+  const Followed other = Follower(dynamics, request).follow(coarse, Follower::Start::rounded);
   TrajectoryExtrema result = motion.ending;
   const PossibleExtremum top = chosen(motion, other, 1, result.maximum);
   const PossibleExtremum bottom = chosen(motion, other, -1, result.minimum);
