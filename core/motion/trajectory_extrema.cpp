@@ -9,8 +9,14 @@
 namespace qdot {
 namespace {
 
-constexpr Tolerances fine{.rtol = 1e-13, .atol = 1e-15};
-constexpr Tolerances coarse{.rtol = 1e-11, .atol = 1e-13};
+/// One of the two computations.
+struct Way {
+  Method method;
+  Tolerances tolerances;
+  bool begins_as_typed;  ///< or where t_start was rounded to
+};
+constexpr Way fine{Method::taylor, {.rtol = 1e-13, .atol = 1e-15}, true};
+constexpr Way coarse{Method::erk, {.rtol = 1e-11, .atol = 1e-13}, false};
 
 /// A place where the coordinate may be largest or smallest.
 struct PossibleExtremum {
@@ -28,8 +34,7 @@ class Follower {
   Follower(const Dynamics& dynamics, const ExtremaRequest& request)
       : dynamics_(dynamics), request_(request) {}
 
-  enum class Start { as_typed, rounded };
-  Followed follow(const Tolerances& tolerances, Start start) {
+  Followed follow(const Way& way) {
     const Model& model = dynamics_.model();
     const std::string velocity = model.scene.coordinates[request_.coordinate].name + "_dot = 0";
     const std::vector<double> ends{request_.t_end};
@@ -43,18 +48,17 @@ class Follower {
                             .events = {velocity},
                             .on_invalid = request_.on_invalid,
                             .impacts = request_.impacts,
-                            .method = Method::erk,
-                            .tolerances = tolerances,
+                            .method = way.method,
+                            .tolerances = way.tolerances,
                             .limits = request_.limits};
-    if (start == Start::as_typed) asked.y_start = start_as_typed(dynamics_, asked);
+    if (way.begins_as_typed) asked.y_start = start_as_typed(dynamics_, asked);
     const Simulation motion = simulate(dynamics_, asked);
     look(request_.t_start, request_.y_start[request_.coordinate]);
     for (const EventRecord& event : motion.events) {
       look(event.t, event.y[request_.coordinate]);
       if (event.name != velocity) look(event.t, after_impact(event));
     }
-    look(motion.t,
-         motion.y[request_.coordinate] + (start == Start::as_typed ? rise_to_typed_end(motion) : 0));
+    look(motion.t, motion.y[request_.coordinate] + (way.begins_as_typed ? rise_to_typed_end(motion) : 0));
     result_.stop = motion.stop;
     result_.ending = motion.ending;
     result_.t = motion.t;
@@ -117,8 +121,8 @@ PossibleExtremum chosen(const Followed& motion, const Followed& other, double si
 }  // namespace
 
 TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request) {
-  const Followed motion = Follower(dynamics, request).follow(fine, Follower::Start::as_typed);
-  const Followed other = Follower(dynamics, request).follow(coarse, Follower::Start::rounded);
+  const Followed motion = Follower(dynamics, request).follow(fine);
+  const Followed other = Follower(dynamics, request).follow(coarse);
   TrajectoryExtrema result = motion.ending;
   const PossibleExtremum top = chosen(motion, other, 1, result.maximum);
   const PossibleExtremum bottom = chosen(motion, other, -1, result.minimum);
