@@ -148,7 +148,7 @@ class Simulator {
 
   /// Whether the motion goes on by a step away from a place where a speed is zero, or after one.
   [[nodiscard]] bool leaves_rest(const Run& done) const {
-    if (done.ending == Ending::event) return false;
+    if (done.ending == Ending::event || done.ending == Ending::given_up) return false;
     if (done.ending == Ending::reached_end) return done.t < request_.t_end;
     return done.steps > 0 && from_rest_.length(done.t, done.y, sections_.system()).has_value();
   }
@@ -169,6 +169,11 @@ class Simulator {
     run.y_start = result_.y;
     run.t_end = request_.t_end;
     run.grid = std::span(request_.grid).subspan(result_.rows);
+    if (request_.goes_on) {
+      run.goes_on = [this, before = result_.rows](std::size_t first, std::span<const double> rows) {
+        return request_.goes_on(before + first, rows);
+      };
+    }
     run.method = request_.method;
     const std::optional<double> step = from_rest_.length(run.t_start, run.y_start, sections_.system());
     if (step) {
