@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/motion/dense_grid.hpp"
@@ -32,6 +33,9 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 
 /// The grid of the request stands in it. Numbers are moved up (1) or down (-1).
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
+
+/// The largest difference of each column.
+[[nodiscard]] std::vector<double> largest_differences(const ComputedMotion& motion, const Simulation& check);
 
 /// One check tells the error of truncation. Where round-off is as large, as the difference or what is
 /// conserved shows, or the accelerations at some rows, a single difference may be small by chance; two checks

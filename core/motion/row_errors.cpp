@@ -25,6 +25,9 @@ void RowErrors::add(double t, std::span<const double> row, std::span<const Other
                     std::span<const double> unseen) {
   const bool is_first = error_before_.empty();
   if (!lost_) error_before_ = error_;
+  double* const error = error_.data();
+  const double* const scale = scale_.data();
+  bool is_lost = lost_;
   for (std::size_t k = 0; k < row.size(); ++k) {
     double difference = 0, apart = 0;
     for (const Other& other : others) {
@@ -32,10 +35,11 @@ void RowErrors::add(double t, std::span<const double> row, std::span<const Other
       if (!other.apart.empty()) apart = std::max(apart, other.apart[k]);
     }
     const double missed = unseen.empty() ? 0 : unseen[k];
-    error_[k] = std::max(error_[k], difference + std::max(difference, safety_of_samples * apart) +
-                                        storing * std::abs(row[k]) + missed);
-    lost_ = lost_ || safety_of_differences * difference > too_much * scale_[k];
+    error[k] = std::max(error[k], difference + std::max(difference, safety_of_samples * apart) +
+                                      storing * std::abs(row[k]) + missed);
+    is_lost = is_lost | (safety_of_differences * difference > too_much * scale[k]);
   }
+  lost_ = is_lost;
   widen(row);
   for (const Other& other : others) widen(other.row);
   if (!lost_ || is_first) t_before_ = t;
@@ -54,9 +58,10 @@ void RowErrors::widen_lost(double t) {
 }
 
 void RowErrors::widen(std::span<const double> row) {
+  double *const lowest = lowest_.data(), *const highest = highest_.data();
   for (std::size_t k = 0; k < row.size(); ++k) {
-    lowest_[k] = std::min(lowest_[k], row[k]);
-    highest_[k] = std::max(highest_[k], row[k]);
+    lowest[k] = std::min(lowest[k], row[k]);
+    highest[k] = std::max(highest[k], row[k]);
   }
 }
 
