@@ -7,8 +7,7 @@
 namespace qdot {
 namespace {
 
-/// L + sum of lambda phi, the multipliers coordinates of their own. The forces of constraints in the
-/// velocities stay forces.
+/// L + sum of lambda phi, the multipliers coordinates of their own.
 std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model) {
   auto result = std::make_shared<Model>(model);
   Lagrangian& own = result->lagrangian = copied(model.lagrangian);
@@ -18,10 +17,8 @@ std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model)
   for (std::size_t j = 0; j < own.constraints.size(); ++j) {
     const Expression& lambda = own.symbols.multipliers[j];
     const std::string name = multiplier_name(model.scene.constraints[j]);
-    if (const auto& position = own.constraints[j].position) {
-      no_forces.emplace_back(lambda, graph.number(0));
-      terms = terms + lambda * *position;
-    }
+    no_forces.emplace_back(lambda, graph.number(0));
+    terms = terms + lambda * *own.constraints[j].position;
     own.symbols.coordinates.value.push_back(lambda);
     own.symbols.coordinates.rate.push_back(graph.symbol(name + "_dot"));
     own.symbols.coordinates.second_rate.push_back(graph.symbol(name + "_ddot"));
@@ -41,11 +38,11 @@ std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model)
   return result;
 }
 
-void check_constraints(const Model& model, const Lagrangian& own, RestingPlace place) {
+void check_constraints(const Model& model, const Lagrangian& own) {
   for (std::size_t j = 0; j < model.scene.constraints.size(); ++j) {
     const ConstraintEquation& constraint = own.constraints[j];
     const std::string name = "'" + model.scene.constraints[j].name + "'";
-    if (!constraint.position && place == RestingPlace::looked_for)
+    if (!constraint.position)
       undetermined_on_surface(
           name +
           " holds velocities, so that the system may rest in any place where the forces allow it. 'modes' "
@@ -61,10 +58,10 @@ void undetermined_on_surface(const std::string& why) {
   throw Error(ErrorCode::not_applicable, "This is undetermined for a scene with constraints: " + why);
 }
 
-SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters, RestingPlace place) {
+SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters) {
   const Model& model = dynamics.model();
   const Lagrangian own = copied(model.lagrangian);
-  check_constraints(model, own, place);
+  check_constraints(model, own);
   if (!model.scene.inputs.empty()) undetermined_on_surface("inputs act on it.");
   if (dynamics.kinks() != nullptr) undetermined_on_surface("an abs() or a sign() stands in its forces.");
   if (has_forces_of_multipliers(own))

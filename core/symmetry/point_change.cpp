@@ -23,9 +23,6 @@ class ChangeList {
       case ChangeKind::shift:
       case ChangeKind::boost:
       case ChangeKind::linear:
-      case ChangeKind::along:
-      case ChangeKind::turn:
-      case ChangeKind::own_turn:
         change.shift[i] = value;
         break;
     }
@@ -96,8 +93,7 @@ PointChange combination(Graph& graph, std::span<const Expression> coefficients,
   return sum;
 }
 
-Variation::Variation(const Lagrangian& lagrangian, std::vector<Replacement> on_constraints)
-    : graph_(*lagrangian.graph), on_constraints_(std::move(on_constraints)) {
+Variation::Variation(const Lagrangian& lagrangian) : graph_(*lagrangian.graph) {
   const Symbols& symbols = lagrangian.symbols;
   const Symbols::Varying& q = symbols.coordinates;
   std::vector<Expression> power{explicit_rate(lagrangian)};
@@ -121,7 +117,7 @@ Expression Variation::operator()(const PointChange& change) const {
     terms.push_back(slopes_[i] * change.shift[i]);
     terms.push_back(momenta_[i] * total_derivative(change.shift[i], rates_));
   }
-  return substitute(graph_.sum(terms), on_constraints_);
+  return graph_.sum(terms);
 }
 
 Expression noether_quantity(const Lagrangian& lagrangian, const PointChange& change) {
