@@ -22,7 +22,7 @@
 #include "server/descriptor.hpp"
 #include "server/line_reader.hpp"
 #include "server/ordered_work.hpp"
-#include "server/usage.hpp"
+#include "server/usage_error.hpp"
 
 namespace qdot::server {
 namespace {

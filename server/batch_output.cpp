@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "server/output.hpp"
-#include "server/usage.hpp"
+#include "server/usage_error.hpp"
 
 namespace qdot::server {
 namespace {

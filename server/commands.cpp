@@ -21,7 +21,7 @@
 #include "server/people.hpp"
 #include "server/progress.hpp"
 #include "server/spread.hpp"
-#include "server/usage.hpp"
+#include "server/usage_error.hpp"
 #include "server/words.hpp"
 
 namespace qdot::server {

@@ -10,7 +10,7 @@
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
 #include "api/scenes/catalogue.hpp"
-#include "core/expr/print/print.hpp"
+#include "server/words.hpp"
 
 namespace qdot::server {
 namespace {
@@ -149,14 +149,6 @@ void check_server_word(const std::string& word) {
 }
 
 }  // namespace
-
-std::string_view form_called(std::string_view word) {
-  if (word == "tex") return "latex";
-  for (const PrintForm& form : print_forms()) {
-    if (form.name == word) return form.name;
-  }
-  return {};
-}
 
 std::vector<std::string> in_known_words(const CLI::App& app, std::vector<std::string> words) {
   if (words.empty()) return words;

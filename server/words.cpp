@@ -7,7 +7,8 @@
 #include <iostream>
 
 #include "api/json/text.hpp"
-#include "server/usage.hpp"
+#include "core/expr/print/print.hpp"
+#include "server/usage_error.hpp"
 
 namespace qdot::server {
 namespace {
@@ -80,6 +81,14 @@ std::string query_of(const std::vector<std::string>& words) {
     }
   }
   return query;
+}
+
+std::string_view form_called(std::string_view word) {
+  if (word == "tex") return "latex";
+  for (const PrintForm& form : print_forms()) {
+    if (form.name == word) return form.name;
+  }
+  return {};
 }
 
 bool is_body(const std::vector<std::string>& words) {

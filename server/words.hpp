@@ -17,6 +17,9 @@ namespace qdot::server {
 /// Throws UsageError for a word that is no name=value.
 [[nodiscard]] std::string query_of(const std::vector<std::string>& words);
 
+/// The notation of equations that the word names, tex for latex; empty: none.
+[[nodiscard]] std::string_view form_called(std::string_view word);
+
 /// Whether the only word is the request itself, {"system": ...}.
 [[nodiscard]] bool is_body(const std::vector<std::string>& words);
 

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <string>
 
 #include "core/numerics/constants.hpp"
 
@@ -17,10 +18,10 @@ bool is_short_decimal(double x) {
 /// How far the decimal that is written is from the value: 0.1 is not the double that it names.
 double rounded_away(double value, int digits) {
   const double written = digits == shortest_digits ? value : rounded(value, digits);
-  char text[32];
-  const char* const end = std::to_chars(text, text + sizeof text, written).ptr;
+  std::string text;
+  append_number(text, written);
   long double decimal{};
-  std::from_chars(text, end, decimal);
+  std::from_chars(text.data(), text.data() + text.size(), decimal);
   const long double off = std::abs(decimal - static_cast<long double>(value));
   if (off == 0 && is_short_decimal(value)) return 0;
   // With fewer digits, also from the decimal that names the double.

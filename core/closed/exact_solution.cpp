@@ -9,6 +9,7 @@
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/trial.hpp"
+#include "core/steady/growing_oscillations.hpp"
 #include "core/steady/surface_statics.hpp"
 
 namespace qdot {
@@ -171,7 +172,8 @@ class CriticalForm {
     Best best(values_, {});
     const auto proven = ExactPlace::of(problem_);
     consider(proven ? *proven : ExactPlace::special(problem_), best);
-    for (std::size_t i = 0; !best.form() && i < motions_.forces.size(); ++i) {
+    const bool is_fold = !is_of_oscillations(critical_.kind);
+    for (std::size_t i = 0; is_fold && !best.form() && i < motions_.forces.size(); ++i) {
       const auto problem = fold_along(i);
       if (const auto place = problem ? ExactPlace::of(*problem) : std::nullopt) consider(*place, best);
     }
@@ -201,14 +203,24 @@ class CriticalForm {
     return problem;
   }
 
+  [[nodiscard]] static Matrix at(const ExactPlace& place, Matrix m) {
+    for (auto& row : m) {
+      for (Expression& e : row) e = place.at(e);
+    }
+    return m;
+  }
+
   void consider(const ExactPlace& place, Best& best) const {
     std::vector<Expression> conditions;
     for (const Expression& force : motions_.forces) conditions.push_back(place.at(force));
-    Matrix stiffness = motions_.stiffness;
-    for (auto& row : stiffness) {
-      for (Expression& e : row) e = place.at(e);
+    const Matrix stiffness = at(place, motions_.stiffness);
+    if (is_of_oscillations(critical_.kind)) {
+      const auto growth =
+          growing_oscillations(at(place, motions_.mass), at(place, motions_.damping), stiffness);
+      if (growth) conditions.push_back(growth->condition);
+    } else {
+      conditions.push_back(determinant(stiffness));
     }
-    conditions.push_back(determinant(stiffness));
     std::erase_if(conditions, [](const Expression& e) { return rational_function(e).is_zero(); });
     for (const Relations& relations : {Relations{}, values_.relations()}) {
       for (const Expression& condition : conditions) consider(condition, conditions, relations, best);

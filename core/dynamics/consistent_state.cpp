@@ -31,7 +31,27 @@ class Consistency {
       throw Error(ErrorCode::invalid_state, "The constraints have no finite value in this state.");
     if (!holds(y, as_typed)) refuse(y, given);
     if (is_flat(y)) undetermined();
-    return refined(y);
+    return refined(y, std::vector<bool>(n(), true));
+  }
+
+  Reals completed(const Reals& y, const std::vector<bool>& given) {
+    std::vector<double> near = y;
+    std::vector<bool> free = given;
+    free.flip();
+    std::vector<bool> all = free;
+    all.resize(2 * n(), true);
+    if (!reach(near, all)) {
+      if (!states_.evaluate(t_, y))
+        throw Error(ErrorCode::invalid_state, "The constraints have no finite value in this state.");
+      all.flip();
+      refuse(y, all);
+    }
+    if (is_flat(near)) undetermined();
+    Reals completed = y;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      if (i >= n() || free[i]) completed.set(i, near[i]);
+    }
+    return refined(std::move(completed), free);
   }
 
  private:
@@ -119,8 +139,9 @@ class Consistency {
     return false;
   }
 
-  /// Newton's steps by residuals in balls, which have twice the digits.
-  Reals refined(Reals y) {
+  /// Newton's steps of the positions that are free and of all rates by residuals in balls, which have twice
+  /// the digits.
+  Reals refined(Reals y, const std::vector<bool>& free) {
     const std::vector<Ball> parameters = parameters_.as<Ball>();
     TapeEvaluator<Ball> evaluator(surface_.values(), parameters);
     evaluator.set_time(Ball::literal(t_));
@@ -131,7 +152,7 @@ class Consistency {
       if (!states_.evaluate(t_, y)) undetermined();
       std::vector<double> residuals = in_twice_the_digits(evaluator, y);
       if (positions > 0) {
-        if (!states_.step_of_positions(std::span(residuals).first(positions), all, step)) undetermined();
+        if (!states_.step_of_positions(std::span(residuals).first(positions), free, step)) undetermined();
         move(y, 0, step);
         residuals = in_twice_the_digits(evaluator, y);
       }
@@ -180,6 +201,11 @@ Reals consistent_state(const Dynamics& dynamics, const Reals& parameters, double
                        const std::vector<bool>& given) {
   if (!dynamics.model().has_constraints()) return y;
   return Consistency(dynamics, parameters, t).of(y, given);
+}
+
+Reals completed_state(const Dynamics& dynamics, const Reals& parameters, double t, const Reals& y,
+                      const std::vector<bool>& given) {
+  return Consistency(dynamics, parameters, t).completed(y, given);
 }
 
 }  // namespace qdot

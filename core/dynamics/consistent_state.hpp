@@ -30,4 +30,9 @@ class InconsistentState : public Error {
 [[nodiscard]] Reals consistent_state(const Dynamics& dynamics, const Reals& parameters, double t,
                                      const Reals& y, const std::vector<bool>& given);
 
+/// The same with the coordinates that are not `given` (n) as the constraints want them, near y; the others
+/// stay as they are. No coordinate is left out that no constraint determines. Throws as consistent_state.
+[[nodiscard]] Reals completed_state(const Dynamics& dynamics, const Reals& parameters, double t,
+                                    const Reals& y, const std::vector<bool>& given);
+
 }  // namespace qdot

@@ -11,8 +11,8 @@ namespace {
   throw Error(
       ErrorCode::not_applicable,
       "This is undetermined, as the scene has constraints (" + names +
-          "). Ask simulate, energy, modes, equations, bifurcations or equilibria without solve_for, or write the "
-          "scene in coordinates that need none.");
+          "). Ask simulate, energy, modes, equations, bifurcations or equilibria, or write the scene in coordinates "
+          "that need none.");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
@@ -143,9 +144,9 @@ std::vector<Expression> MotionBuilder::split_forces(const Expression& side) {
   for (Expression& f : right_) {
     const Replacement ahead{side, graph_.number(1)}, behind{side, graph_.number(-1)};
     const Expression one = substitute(f, {&ahead, 1}), other = substitute(f, {&behind, 1});
-    half.push_back(simplify(Number::ratio(1, 2) * (one - other)));
+    half.push_back(shortened(Number::ratio(1, 2) * (one - other)));
     if (depends_on(half.back(), unknown_sides_)) refuse();
-    f = simplify(Number::ratio(1, 2) * (one + other));
+    f = shortened(Number::ratio(1, 2) * (one + other));
   }
   return half;
 }

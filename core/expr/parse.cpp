@@ -58,6 +58,7 @@ class Parser {
     if (at(TokenKind::end)) fail("expected an expression, not an empty text");
     const Expression result = sum();
     if (!at(TokenKind::end)) reject_rest();
+    refuse_underflow(result);
     return result;
   }
 
@@ -209,6 +210,17 @@ class Parser {
                   token().offset);
     }
     return e;
+  }
+
+  /// Numbers are exact in expressions, and 0 where they are computed if no double is as small.
+  void refuse_underflow(const Expression& e) const {
+    const NodeId root[]{e.id()};
+    for (const NodeId id : reachable(graph_, root)) {
+      const Number c = coefficient(Expression(graph_, id));
+      if (c.is_zero() || c.value() != 0) continue;
+      throw Error(ErrorCode::too_large, "a number in the expression is outside the range of a double",
+                  token().offset);
+    }
   }
 
   void note_unknown(const std::string& name, std::size_t offset) {

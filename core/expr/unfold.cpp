@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
@@ -35,9 +36,9 @@ class Unfolding {
 
   void unfold(NodeId id) {
     const Expression inside(graph_, std::get<Call>(graph_.node(id)).argument);
-    const Expression argument = simplify(smooth(inside));
+    const Argument argument = argument_of(inside);
     const Expression side = side_of(argument);
-    result_.replacements.emplace_back(graph_.call(Function::abs, inside), side * argument);
+    result_.replacements.emplace_back(graph_.call(Function::abs, inside), side * argument.computed);
     result_.replacements.emplace_back(graph_.call(Function::sign, inside), side);
   }
 
@@ -51,20 +52,34 @@ class Unfolding {
     }
     const auto* inner = std::get_if<Power>(&graph_.node(power.base));
     if (inner == nullptr || !(inner->exponent * Number::ratio(1, 2)).is_integer()) return;
-    const Expression base = simplify(smooth({graph_, inner->base}));
+    const Argument base = argument_of({graph_, inner->base});
     const Number exponent = inner->exponent * power.exponent;
-    const Expression size = exponent.is_integer() ? side_of(base) * base : graph_.call(Function::abs, base);
+    const Expression size =
+        exponent.is_integer() ? side_of(base) * base.computed : graph_.call(Function::abs, base.computed);
     result_.replacements.emplace_back(Expression(graph_, id), pow(size, exponent));
   }
 
+  /// In its short form, by which it is known again, and as it is computed, which keeps its digits.
+  struct Argument {
+    Expression short_form, computed;
+  };
+  [[nodiscard]] Argument argument_of(const Expression& inside) const {
+    const Expression written = smooth(inside);
+    const Expression short_form = simplify(written);
+    const bool loses_digits = loses_digits_multiplied_out(graph_.call(Function::abs, written));
+    return {short_form, loses_digits ? written : short_form};
+  }
+
   /// The same for every multiple of one argument.
-  Expression side_of(const Expression& argument) {
-    const Scaled scaled = split_coefficient(argument);
+  Expression side_of(const Argument& argument) {
+    const Scaled scaled = split_coefficient(argument.short_form);
     const bool opposite = scaled.coefficient < Number(0);
-    const auto known = std::ranges::find(result_.arguments, scaled.rest);
-    const auto k = static_cast<std::size_t>(known - result_.arguments.begin());
-    if (known == result_.arguments.end()) {
-      result_.arguments.push_back(scaled.rest);
+    const auto known = std::ranges::find(result_.short_forms, scaled.rest);
+    const auto k = static_cast<std::size_t>(known - result_.short_forms.begin());
+    if (known == result_.short_forms.end()) {
+      result_.short_forms.push_back(scaled.rest);
+      const bool is_short = argument.computed == argument.short_form;
+      result_.arguments.push_back(is_short ? scaled.rest : opposite ? -argument.computed : argument.computed);
       result_.sides.push_back(graph_.symbol("side " + std::to_string(k + 1)));
     }
     return opposite ? -result_.sides[k] : result_.sides[k];
@@ -82,7 +97,7 @@ class Unfolding {
       const bool even = (power->exponent * Number::ratio(1, 2)).is_integer();
       powers.emplace_back(Expression(graph_, id), even ? graph_.number(1) : base);
     }
-    return powers.empty() ? e : simplify(substitute(e, powers));
+    return powers.empty() ? e : shortened(substitute(e, powers));
   }
 
   Graph& graph_;

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/base/work.hpp"
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/solved_by_substitution.hpp"
 #include "core/expr/trigonometry.hpp"
-#include "core/mechanics/kept_terms.hpp"
 
 namespace qdot {
 namespace {

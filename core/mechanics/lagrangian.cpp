@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/expr/factored_form.hpp"
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
-#include "core/mechanics/kept_terms.hpp"
 #include "core/mechanics/units.hpp"
 
 namespace qdot {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/explicit_time.hpp"
-#include "core/mechanics/kept_terms.hpp"
 
 namespace qdot {
 namespace {

@@ -29,9 +29,10 @@ EventErrors::EventErrors(const Dynamics& dynamics, const SimulationRequest& requ
                                   .impacts = request.impacts})),
       workspace_(dynamics.accelerations().bind(request.parameters)) {}
 
-std::optional<double> EventErrors::of(const EventRecord& event, std::span<const double> errors) {
+std::optional<double> EventErrors::of(const EventRecord& event, std::span<const double> errors,
+                                      std::span<const double> reached) {
   const auto watch = std::ranges::find_if(watches_, [&](const Watch& w) { return w.name == event.name; });
-  return watch == watches_.end() ? std::nullopt : of(*watch, event.t, event.y, errors);
+  return watch == watches_.end() ? std::nullopt : of(*watch, event.t, event.y, errors, reached);
 }
 
 std::optional<double> EventErrors::of(const Stop& stop, std::span<const double> y,
@@ -42,19 +43,20 @@ std::optional<double> EventErrors::of(const Stop& stop, std::span<const double> 
     const bool fits = watch.reason == stop.reason && watch.message == stop.message;
     if (fits && (ended == nullptr || distance(watch) < distance(*ended))) ended = &watch;
   }
-  return ended == nullptr ? std::nullopt : of(*ended, stop.t, y, errors);
+  return ended == nullptr ? std::nullopt : of(*ended, stop.t, y, errors, scale_);
 }
 
 std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<const double> y,
-                                      std::span<const double> errors) {
+                                      std::span<const double> errors, std::span<const double> reached) {
   const std::size_t n = y.size() / 2;
   Place place{t, y, accelerations(t, y), {}};
   double own_time = infinity;
   for (std::size_t k = 0; k < 2 * n; ++k) {
-    place.errors.push_back(errors[k] + rounding_of_values * scale_[k]);
+    const double size = std::max(reached[k], std::abs(y[k]));
+    place.errors.push_back(errors[k] + rounding_of_values * size);
     const double rate = std::abs(k < n ? y[n + k] : place.accelerations[k - n]);
     if (!std::isfinite(rate)) return std::nullopt;
-    if (rate > 0 && scale_[k] > 0) own_time = std::min(own_time, scale_[k] / rate);
+    if (rate > 0 && size > 0) own_time = std::min(own_time, size / rate);
   }
   if (!std::isfinite(own_time)) return std::nullopt;
   const double least = std::max({time_round_off(t), time_round_off(own_time), shortest_time});

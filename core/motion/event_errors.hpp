@@ -28,15 +28,16 @@ class EventErrors {
   /// `scale`: the largest magnitude of each component of the state. Keeps references to what it is given.
   EventErrors(const Dynamics& dynamics, const SimulationRequest& request, std::span<const double> scale);
 
-  /// In s; `errors` of the state at that time.
-  [[nodiscard]] std::optional<double> of(const EventRecord& event, std::span<const double> errors);
+  /// In s; `errors` of the state at that time, `reached`: what each component has reached up to it.
+  [[nodiscard]] std::optional<double> of(const EventRecord& event, std::span<const double> errors,
+                                         std::span<const double> reached);
   /// Of a condition of validity or a singularity that has ended the motion in state y.
   [[nodiscard]] std::optional<double> of(const Stop& stop, std::span<const double> y,
                                          std::span<const double> errors);
 
  private:
   [[nodiscard]] std::optional<double> of(const Watch& watch, double t, std::span<const double> y,
-                                         std::span<const double> errors);
+                                         std::span<const double> errors, std::span<const double> reached);
   /// A motion at t with its accelerations, and bounds of what its components may be off there.
   struct Place {
     double t{};

@@ -140,7 +140,7 @@ class ExtendedLadder {
         is_lost = is_lost || difference > 1e-3 * scale[k];
       }
       lost_ = lost_ || is_lost;
-      std::vector<RowErrors::Other> same_row;
+      std::vector<OtherRow> same_row;
       for (const std::vector<double>& other : other_rows) same_row.push_back({.row = other, .apart = {}});
       in_doubles.add(request_.grid[i].high, row, same_row);
       if (lost_) {

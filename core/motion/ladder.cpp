@@ -81,7 +81,6 @@ class Ladder {
   }
 
   Simulation run(SimulationRequest request) {
-    request.grid = grid_.t;
     request.limits.max_evaluations = std::min(request.limits.max_evaluations, left());
     Simulation simulation = simulate(dynamics_, request);
     spent_ += simulation.evaluations;
@@ -90,6 +89,7 @@ class Ladder {
 
   void take(const Tolerances& tolerances) {
     SimulationRequest request = request_;
+    request.grid = grid_.t;
     request.tolerances = tolerances;
     if (is_stiff_ && request.method == Method::taylor) request.method = Method::bdf;
     result_ = {};
@@ -99,12 +99,14 @@ class Ladder {
   }
 
   [[nodiscard]] ComputedMotion motion() const {
-    return {dynamics_, request_, grid_, result_.simulation, result_.tolerances, is_stiff_};
+    return {dynamics_, request_, grid_, *event_rows_, result_.simulation, result_.tolerances, is_stiff_};
   }
 
   void measure() {
     contradicts_ = false;
     doubt_ = 0;
+    result_.events_in_doubt.clear();
+    event_rows_.emplace(grid_.t, result_.simulation);
     const bool is_near = motion().is_near_round_off();
     std::optional<Simulation> sharper;
     if (is_near) sharper = sharper_motion();
@@ -137,12 +139,14 @@ class Ladder {
   bool add_check(std::vector<Simulation>& others, double direction) {
     const SimulationRequest request = check_of(motion(), direction);
     result_.verified_by = request.method;
-    const Simulation& other = others.emplace_back(run(request));
+    Simulation& other = others.emplace_back(run(request));
+    event_rows_->set_apart(other, request_.y_start.size());
     result_.bounded = result_.bounded && other.bounded;
     if (const char* reason = not_comparable(motion(), other)) {
       result_.reason = reason;
       return false;
     }
+    result_.events_in_doubt = differing_events(motion(), other);
     if (result_.simulation.stop && ended_well(other.ending) && !other.stop) {
       result_.reason =
           "The second computation went on beyond the end of this one: that it stops here is no more "
@@ -227,6 +231,7 @@ class Ladder {
   const AccuracyGoal& goal_;
   DenseGrid grid_;
   bool is_stiff_;  ///< explicit methods are of no use
+  std::optional<EventRows> event_rows_;
   MeasuredSimulation result_;
   std::optional<MeasuredSimulation> best_;
   double best_excess_{}, excess_{};

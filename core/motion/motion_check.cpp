@@ -12,6 +12,7 @@
 #include "core/motion/extended_impacts.hpp"
 #include "core/motion/extended_kinks.hpp"
 #include "core/motion/extended_pieces.hpp"
+#include "core/motion/typed_start.hpp"
 #include "core/numerics/random_bits.hpp"
 
 namespace qdot {
@@ -27,6 +28,7 @@ constexpr double drift_of_rounding = 1e-14;  ///< relative
 constexpr double much_better = 0.05;
 constexpr double farther_than_samples = 50;  ///< one sample of rounding in fifty is as small by chance
 constexpr double much_more = 10;             ///< than rounding of which a sample is known
+constexpr double at_an_end = 1e-9;           ///< of the span: there an event may be a rounding away
 constexpr std::size_t rows_looked_at = 8;    ///< each costs an evaluation in double-doubles
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
@@ -59,34 +61,6 @@ Reals rounded_otherwise(Reals numbers) {
     numbers.set(i, numbers[i] * (1 + side * unit * (0.25 + random.fraction())));
   }
   return numbers;
-}
-
-/// The state at t_start of the motion that has y_start at the instant that was typed, r later:
-///
-///   y(t_start) = y_start - r f(t_start, y_start).
-///
-/// As r is below the rounding of t_start, its square is nothing beside it.
-Reals start_as_typed(const ComputedMotion& motion) {
-  const SimulationRequest& request = motion.request;
-  Reals start = request.y_start;
-  const double left_out = request.t_start_left_out;
-  const std::size_t n = start.size() / 2;
-  std::vector<double> acceleration(n);
-  const CompiledFunction& function = motion.dynamics.accelerations();
-  Workspace workspace = function.bind(request.parameters);
-  if (left_out == 0 ||
-      function.evaluate(request.t_start, request.y_start, workspace, acceleration) != Evaluation::ok)
-    return start;
-  const auto move = [&](std::size_t i, double rate) {
-    const Real& typed = request.y_start.exact(i);
-    const DoubleDouble moved = typed.double_double() - DoubleDouble(left_out * rate);
-    start.set(i, {moved.high, moved.low, typed.error});
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    move(i, request.y_start[n + i]);
-    move(n + i, acceleration[i]);
-  }
-  return start;
 }
 
 Tolerances tolerances_of_check(const ComputedMotion& motion) {
@@ -149,12 +123,13 @@ std::optional<ExtendedRun> extended_states_of(const Simulation& motion, const Dy
 
 /// What the coefficients that stay doubles may have in common with those of the motion, for each row. That of
 /// a velocity moves its coordinate on ever after.
-std::vector<double> rounding_in_common(const ComputedMotion& motion, std::span<const double> passed) {
+std::vector<double> rounding_in_common(const ComputedMotion& motion, std::span<const double> instants,
+                                       std::span<const double> passed) {
   const std::size_t width = motion.width(), n = width / 2;
   std::vector<double> rounding(passed.size()), moved(n);
   double before = motion.request.t_start;
   for (std::size_t row = 0; row < passed.size() / width; ++row) {
-    const double span = motion.grid.t[row] - std::exchange(before, motion.grid.t[row]);
+    const double span = instants[row] - std::exchange(before, instants[row]);
     const std::size_t at = row * width;
     for (std::size_t k = 0; k < width; ++k) rounding[at + k] = common_rounding * passed[at + k];
     for (std::size_t i = 0; i < n; ++i) {
@@ -171,16 +146,22 @@ bool ComputedMotion::is_near_round_off() const {
   return simulation.method == Method::gauss || tolerances.rtol <= near_round_off;
 }
 
+bool ComputedMotion::has_events_in_doubt() const {
+  const bool is_far_off = simulation.method != Method::taylor || tolerances.rtol >= loose;
+  return is_far_off && !request.events.empty();
+}
+
 SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   SimulationRequest request = motion.request;
+  request.grid = motion.event_rows.instants();
   request.columns.clear();
-  request.events.clear();
+  if (!motion.has_events_in_doubt()) request.events.clear();
   request.method = motion.is_stiff ? Method::bdf : Method::taylor;
   const bool is_loose = motion.simulation.method != Method::gauss && motion.tolerances.rtol >= loose;
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
   request.tolerances = tolerances_of_check(motion);
-  request.y_start = start_as_typed(motion);
+  request.y_start = start_as_typed(motion.dynamics, motion.request);
   if (request.method == Method::taylor)
     request.originals = {{request.parameters, request.y_start},
                          {rounded_otherwise(request.parameters), rounded_otherwise(request.y_start)}};
@@ -233,12 +214,34 @@ const char* not_comparable(const ComputedMotion& motion, const Simulation& check
   return "The second computation, which would have measured the error, did not come to its end.";
 }
 
+std::string differing_events(const ComputedMotion& motion, const Simulation& check) {
+  if (!motion.has_events_in_doubt()) return {};
+  const double end = std::min(motion.simulation.t, check.t), span = end - motion.request.t_start;
+  const auto count = [&](const Simulation& simulation, const std::string& name) {
+    return std::ranges::count_if(simulation.events, [&](const EventRecord& event) {
+      const bool is_at_an_end =
+          event.t - motion.request.t_start <= at_an_end * span || end - event.t <= at_an_end * span;
+      return event.name == name && !is_at_an_end;
+    });
+  };
+  for (const std::string& name : motion.request.events) {
+    const auto own = count(motion.simulation, name), others = count(check, name);
+    if (own == others) continue;
+    return "The second computation meets " + name + " " + std::to_string(others) + " times, this one " +
+           std::to_string(own) + " times: how often it happens is no more certain than the errors allow.";
+  }
+  return {};
+}
+
 SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {
   const Simulation& first = motion.simulation;
   if (motion.is_stiff || first.rows == 0) return {};
+  const std::vector<double>& all = motion.event_rows.instants();
+  const auto end = std::ranges::upper_bound(all, motion.grid.t[first.rows - 1]) - all.begin();
+  const std::span<const double> instants = std::span(all).first(static_cast<std::size_t>(end));
   ExtendedMotionRequest request =
-      extended_request(motion.request.parameters, start_as_typed(motion), motion.request.t_start,
-                       std::span(motion.grid.t).first(first.rows));
+      extended_request(motion.request.parameters, start_as_typed(motion.dynamics, motion.request),
+                       motion.request.t_start, instants);
   request.look_for_hidden = true;
   request.limits.max_evaluations = evaluations_left / cost_of_digits;
   const std::optional<ExtendedRun> found = extended_states_of(first, motion.dynamics, request);
@@ -249,8 +252,9 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
   Simulation& sharper = result.simulation.emplace();
   sharper.rows = run.rows;
   for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());
-  sharper.unseen = rounding_in_common(motion, run.passed);
+  sharper.unseen = rounding_in_common(motion, instants, run.passed);
   sharper.apart = run.apart;
+  motion.event_rows.set_apart(sharper, motion.width());
   return result;
 }
 

@@ -7,9 +7,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/motion/dense_grid.hpp"
+#include "core/motion/event_rows.hpp"
 
 namespace qdot {
 
@@ -18,19 +20,21 @@ struct ComputedMotion {
   const Dynamics& dynamics;
   const SimulationRequest& request;  ///< what was asked for
   const DenseGrid& grid;
+  const EventRows& event_rows;   ///< on that grid
   const Simulation& simulation;  ///< on all of the grid
   Tolerances tolerances;         ///< of the simulation
   bool is_stiff;                 ///< explicit methods are of no use
 
   [[nodiscard]] std::size_t width() const { return request.y_start.size(); }
   [[nodiscard]] bool is_near_round_off() const;
+  [[nodiscard]] bool has_events_in_doubt() const;
 };
 
 /// Tolerances from which on round-off counts beside them.
 inline constexpr double near_round_off = 1e-12;
 inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is returned
 
-/// The grid of the request stands in it. Numbers are moved up (1) or down (-1).
+/// Its rows are those of event_rows. Numbers are moved up (1) or down (-1).
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
 
 /// One check tells the error of truncation. Where round-off is as large, as the difference or what is
@@ -41,6 +45,11 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 
 /// Why the check does not tell the error of the motion; nullptr where it does.
 [[nodiscard]] const char* not_comparable(const ComputedMotion& motion, const Simulation& check);
+
+/// Which event a check that looks for them meets more or less often than the motion, in a sentence; empty:
+/// none. Checks look where the method's steps hide more than its error, or where that is large: the motion
+/// may come so near to an event that it happens in one and not in the other.
+[[nodiscard]] std::string differing_events(const ComputedMotion& motion, const Simulation& check);
 
 struct SharperMotion {
   std::optional<Simulation> simulation;  ///< rows of states alone, the last ones may be missing

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <span>
 
-#include "core/motion/accumulation.hpp"
-#include "core/motion/event_errors.hpp"
+#include "core/motion/event_comparison.hpp"
 #include "core/motion/kept_quantities.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/rows_at_impacts.hpp"
 #include "core/motion/winding.hpp"
 #include "core/numerics/root.hpp"
-#include "core/numerics/same_bits.hpp"
 
 namespace qdot {
 namespace {
@@ -57,7 +55,7 @@ class Comparing {
       std::ranges::copy(error, result.max_abs_error.begin());
     }
     result.changed = changed(stated);
-    add_event_errors(stated, result);
+    add_event_errors(stated, doubt, result);
     add_rows_at_impacts(rows, result);
     return result;
   }
@@ -70,7 +68,7 @@ class Comparing {
   /// On the motion's side of an impact. Motions in double-doubles go through the motion's own impacts.
   [[nodiscard]] std::span<const double> state_of(const Simulation& other, std::size_t row) {
     if (other.sections.empty()) return row_of(other, row);
-    auto beside = at_impacts_.on_side_of_motion(other, row);
+    auto beside = at_impacts_.on_side_of_motion(other, motion_.grid.t[row]);
     return beside ? beside_impacts_.emplace_back(std::move(*beside)) : row_of(other, row);
   }
 
@@ -143,16 +141,6 @@ class Comparing {
     }
   }
 
-  /// The longest L_q / L_v: in which the motion may go once through a column.
-  [[nodiscard]] double own_time() const {
-    double time = 0;
-    for (std::size_t i = 0; i < width_ / 2; ++i) {
-      const double tau = largest_[i] / largest_[width_ / 2 + i];
-      if (std::isfinite(tau)) time = std::max(time, tau);
-    }
-    return time;
-  }
-
   [[nodiscard]] bool is_useful(std::span<const double> error) const {
     for (std::size_t k = 0; k < width_; ++k) {
       if (error[k] > useful * scale_[k]) return false;
@@ -173,23 +161,11 @@ class Comparing {
                                       motion_.simulation.sections);
   }
 
-  /// Errors are taken some rows after an event: the first ones may be small by chance.
-  void add_event_errors(const std::vector<double>& stated, RowComparison& result) const {
-    const Simulation& motion = motion_.simulation;
-    if (motion.events.empty() && !motion.stop) return;
-    EventErrors errors(motion_.dynamics, motion_.request, largest_);
-    const std::span<const double> rows = std::span(motion_.grid.t).first(stated.size() / width_);
-    const auto errors_at = [&](double t) {
-      if (rows.empty() || t > rows.back()) return std::vector<double>();
-      const auto row = std::ranges::lower_bound(rows, t + own_time()) - rows.begin();
-      return between_rows(std::span(stated).subspan(
-          std::min(static_cast<std::size_t>(row), rows.size() - 1) * width_, width_));
-    };
-    for (const EventRecord& event : motion.events) {
-      const auto of_state = errors_at(event.t);
-      result.event_errors.push_back(of_state.empty() ? std::nullopt : errors.of(event, of_state));
-    }
-    if (motion.stop && !rows.empty()) result.stop_error = stop_error(errors, errors_at(rows.back()));
+  void add_event_errors(const std::vector<double>& stated, double doubt, RowComparison& result) {
+    if (motion_.simulation.events.empty() && !motion_.simulation.stop) return;
+    EventComparison events(motion_, others_, {stated, doubt, largest_}, at_impacts_);
+    result.event_errors = events.of_events();
+    result.stop_error = events.of_stop();
   }
 
   void add_rows_at_impacts(std::size_t rows, RowComparison& result) const {
@@ -207,43 +183,6 @@ class Comparing {
     }
   }
 
-  /// Rows may meet an oscillation always in the same phase, where the error of a coordinate is small and that
-  /// of its velocity large, or the other way round: between them each turns into the other.
-  [[nodiscard]] std::vector<double> between_rows(std::span<const double> error) const {
-    std::vector<double> result(error.begin(), error.end());
-    const std::size_t n = width_ / 2;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double tau = largest_[i] / largest_[n + i];
-      if (!(tau > 0) || !std::isfinite(tau)) continue;
-      result[i] = hypotenuse(error[i], tau * error[n + i]);
-      result[n + i] = hypotenuse(error[i] / tau, error[n + i]);
-    }
-    return result;
-  }
-
-  [[nodiscard]] double accumulation_error(EventErrors& errors, std::span<const double> of_state) const {
-    const Simulation& motion = motion_.simulation;
-    double of_impacts = 0;
-    for (const EventRecord& event : motion.events)
-      of_impacts = std::max(of_impacts, errors.of(event, of_state).value_or(0));
-    return of_impacts +
-           doubt_of_accumulation(motion.sections, motion_.request.t_end - motion_.request.t_start);
-  }
-
-  /// The computations have each its own; they may agree by chance, and the last row is before all of them.
-  [[nodiscard]] std::optional<double> stop_error(EventErrors& errors,
-                                                 std::span<const double> of_state) const {
-    const Stop& stop = *motion_.simulation.stop;
-    std::optional<double> error;
-    for (const Simulation& other : others_) {
-      if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
-      error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
-    }
-    const auto least = stop.reason == impacts_accumulate ? std::optional(accumulation_error(errors, of_state))
-                                                         : errors.of(stop, motion_.simulation.y, of_state);
-    return error && least ? std::optional(std::max(*error, *least)) : std::nullopt;
-  }
-
   const ComputedMotion& motion_;
   const std::vector<Simulation>& others_;
   std::size_t width_;
@@ -251,7 +190,7 @@ class Comparing {
   RowsAtImpacts at_impacts_;
   RowErrors errors_;
   Workspace workspace_;
-  std::vector<RowErrors::Other> same_row_;           ///< of the others
+  std::vector<OtherRow> same_row_;                   ///< of the others
   std::vector<std::vector<double>> beside_impacts_;  ///< those of them that were moved
   std::vector<double> missed_, acceleration_;
 };

@@ -24,12 +24,17 @@ namespace qdot {
 /// Times the difference of two computations is the error; differences were 0.85 to 1.2 times the error.
 inline constexpr double safety_of_differences = 2;
 
+/// The same row of another computation, and how far that may be from the motion; may be empty.
+struct OtherRow {
+  std::span<const double> row{}, apart{};
+};
+
+/// The error of component k of a row alone; `unseen` may be empty.
+[[nodiscard]] double error_of_row(std::size_t k, std::span<const double> row,
+                                  std::span<const OtherRow> others, std::span<const double> unseen);
+
 class RowErrors {
  public:
-  /// The same row of another computation, and how far that may be from the motion; may be empty.
-  struct Other {
-    std::span<const double> row{}, apart{};
-  };
   /// Which coordinates nothing brings back; asked where a motion is lost.
   using Winding = std::function<std::vector<bool>()>;
   /// The largest magnitude of each column of the motion, by which errors count as large: coordinates, then
@@ -38,7 +43,7 @@ class RowErrors {
 
   /// The next row, at t: of the motion, and of the other computations at the same instant; `unseen` may be
   /// empty.
-  void add(double t, std::span<const double> row, std::span<const Other> others,
+  void add(double t, std::span<const double> row, std::span<const OtherRow> others,
            std::span<const double> unseen = {});
 
   /// Of each column, up to the last row.

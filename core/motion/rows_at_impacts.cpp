@@ -8,6 +8,11 @@ namespace {
 
 constexpr double small_part = 1e-3;  ///< of a column
 
+std::size_t impacts_before(const Simulation& simulation, double t) {
+  const auto next = std::ranges::lower_bound(simulation.sections, t, {}, &SectionRecord::t);
+  return static_cast<std::size_t>(next - simulation.sections.begin());
+}
+
 }  // namespace
 
 RowsAtImpacts::RowsAtImpacts(const ComputedMotion& motion, std::span<const double> scale)
@@ -15,10 +20,9 @@ RowsAtImpacts::RowsAtImpacts(const ComputedMotion& motion, std::span<const doubl
       scale_(scale),
       workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)) {}
 
-std::optional<std::vector<double>> RowsAtImpacts::on_side_of_motion(const Simulation& other,
-                                                                    std::size_t row) {
+std::optional<std::vector<double>> RowsAtImpacts::on_side_of_motion(const Simulation& other, double t) {
   if (other.sections.empty() && motion_.simulation.sections.empty()) return std::nullopt;
-  const std::size_t own = impacts_before(motion_.simulation, row), others = impacts_before(other, row);
+  const std::size_t own = impacts_before(motion_.simulation, t), others = impacts_before(other, t);
   const std::size_t k = std::min(own, others);
   if (std::max(own, others) != k + 1) return std::nullopt;
   if (k >= other.sections.size() || k >= motion_.simulation.sections.size()) return std::nullopt;
@@ -26,15 +30,9 @@ std::optional<std::vector<double>> RowsAtImpacts::on_side_of_motion(const Simula
   std::vector<double> y = own == k ? impact.before : impact.after;
   const auto rates = slopes(impact.t, y);
   if (!rates || !is_short(impact.t - motion_.simulation.sections[k].t, *rates)) return std::nullopt;
-  const double later = motion_.grid.t[row] - impact.t;
+  const double later = t - impact.t;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += later * (*rates)[i];
   return y;
-}
-
-/// Impacts before the row's instant.
-std::size_t RowsAtImpacts::impacts_before(const Simulation& simulation, std::size_t row) const {
-  const auto next = std::ranges::lower_bound(simulation.sections, motion_.grid.t[row], {}, &SectionRecord::t);
-  return static_cast<std::size_t>(next - simulation.sections.begin());
 }
 
 /// (q', q'') at a state.

@@ -21,13 +21,11 @@ class RowsAtImpacts {
   /// `scale`: of each column. Keeps references.
   RowsAtImpacts(const ComputedMotion& motion, std::span<const double> scale);
 
-  /// The other's state there on the motion's side of an impact; none where both are on the same, or where
-  /// they are too far apart.
-  [[nodiscard]] std::optional<std::vector<double>> on_side_of_motion(const Simulation& other,
-                                                                     std::size_t row);
+  /// The other's state at the row's instant t on the motion's side of an impact; none where both are on the
+  /// same, or where they are too far apart.
+  [[nodiscard]] std::optional<std::vector<double>> on_side_of_motion(const Simulation& other, double t);
 
  private:
-  [[nodiscard]] std::size_t impacts_before(const Simulation& simulation, std::size_t row) const;
   [[nodiscard]] std::optional<std::vector<double>> slopes(double t, std::span<const double> y);
   [[nodiscard]] bool is_short(double duration, std::span<const double> slopes) const;
 

@@ -24,6 +24,11 @@ struct Stop {
   std::string message;
 };
 
+/// As the tables of these names below, with a row for each instant of EventRows::events() that was reached.
+struct RowsOfEvents {
+  std::vector<double> states, unseen, apart;
+};
+
 struct Simulation {
   std::size_t rows{};           ///< instants of the grid that were reached
   std::vector<double> states;   ///< rows x 2n, row-major
@@ -53,6 +58,7 @@ struct Simulation {
   std::vector<double> accelerations;
   /// As in Run, rows x 2n, of a reference that stands for another motion.
   std::vector<double> apart, apart_by_rounding;
+  RowsOfEvents at_events;  ///< of a computation that another one is compared with
 };
 
 /// Where abs and sign stand in the equations, every zero of their arguments ends a section of the motion that

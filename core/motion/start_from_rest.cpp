@@ -1,11 +1,11 @@
 #include "core/motion/start_from_rest.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/interval.hpp"
 #include "core/numerics/root.hpp"
 
@@ -59,8 +59,8 @@ bool is_semidefinite(std::span<const double> form, std::size_t n) {
   const auto size = static_cast<Eigen::Index>(n);
   const Eigen::Map<const Eigen::MatrixXd> matrix(form.data(), size, size);
   if (!matrix.allFinite()) return false;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of(matrix, Eigen::EigenvaluesOnly);
-  return of.eigenvalues().minCoeff() >= least_eigenvalue * std::max(0.0, of.eigenvalues().maxCoeff());
+  const Eigen::VectorXd of = symmetric_eigenvalues(matrix);
+  return of.minCoeff() >= least_eigenvalue * std::max(0.0, of.maxCoeff());
 }
 
 double quadratic(std::span<const double> doubled, std::span<const double> v) {

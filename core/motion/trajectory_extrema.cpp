@@ -4,11 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "core/motion/typed_start.hpp"
+
 namespace qdot {
 namespace {
 
-constexpr Tolerances fine{.rtol = 1e-13, .atol = 1e-15};
-constexpr Tolerances coarse{.rtol = 1e-11, .atol = 1e-13};
+/// One of the two computations.
+struct Way {
+  Method method;
+  Tolerances tolerances;
+  bool begins_as_typed;  ///< or where t_start was rounded to
+};
+constexpr Way fine{Method::taylor, {.rtol = 1e-13, .atol = 1e-15}, true};
+constexpr Way coarse{Method::erk, {.rtol = 1e-11, .atol = 1e-13}, false};
 
 /// A place where the coordinate may be largest or smallest.
 struct PossibleExtremum {
@@ -26,28 +34,31 @@ class Follower {
   Follower(const Dynamics& dynamics, const ExtremaRequest& request)
       : dynamics_(dynamics), request_(request) {}
 
-  Followed follow(const Tolerances& tolerances) {
+  Followed follow(const Way& way) {
     const Model& model = dynamics_.model();
     const std::string velocity = model.scene.coordinates[request_.coordinate].name + "_dot = 0";
     const std::vector<double> ends{request_.t_end};
-    const Simulation motion = simulate(dynamics_, {.parameters = request_.parameters,
-                                                   .y_start = request_.y_start,
-                                                   .t_start = request_.t_start,
-                                                   .t_end = request_.t_end,
-                                                   .grid = ends,
-                                                   .columns = {},
-                                                   .events = {velocity},
-                                                   .on_invalid = request_.on_invalid,
-                                                   .impacts = request_.impacts,
-                                                   .method = Method::erk,
-                                                   .tolerances = tolerances,
-                                                   .limits = request_.limits});
+    SimulationRequest asked{.parameters = request_.parameters,
+                            .y_start = request_.y_start,
+                            .t_start = request_.t_start,
+                            .t_start_left_out = request_.t_start_left_out,
+                            .t_end = request_.t_end,
+                            .grid = ends,
+                            .columns = {},
+                            .events = {velocity},
+                            .on_invalid = request_.on_invalid,
+                            .impacts = request_.impacts,
+                            .method = way.method,
+                            .tolerances = way.tolerances,
+                            .limits = request_.limits};
+    if (way.begins_as_typed) asked.y_start = start_as_typed(dynamics_, asked);
+    const Simulation motion = simulate(dynamics_, asked);
     look(request_.t_start, request_.y_start[request_.coordinate]);
     for (const EventRecord& event : motion.events) {
       look(event.t, event.y[request_.coordinate]);
       if (event.name != velocity) look(event.t, after_impact(event));
     }
-    look(motion.t, motion.y[request_.coordinate]);
+    look(motion.t, motion.y[request_.coordinate] + (way.begins_as_typed ? rise_to_typed_end(motion) : 0));
     result_.stop = motion.stop;
     result_.ending = motion.ending;
     result_.t = motion.t;
@@ -56,6 +67,12 @@ class Follower {
   }
 
  private:
+  /// Of the coordinate, from t_end on.
+  [[nodiscard]] double rise_to_typed_end(const Simulation& motion) const {
+    const std::size_t n = request_.y_start.size() / 2;
+    return motion.t == request_.t_end ? request_.t_end_left_out * motion.y[n + request_.coordinate] : 0;
+  }
+
   void look(double t, double x) { candidates_.push_back({t, x}); }
 
   /// The coordinate after the impact, where the impact map changes it.

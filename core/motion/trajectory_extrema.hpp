@@ -14,6 +14,7 @@ struct ExtremaRequest {
   std::size_t coordinate{};
   double t_start{};
   double t_end{};
+  double t_start_left_out{}, t_end_left_out{};  ///< what these leave out of the instants that were typed
   OnInvalid on_invalid{OnInvalid::stop};
   Impacts impacts{Impacts::apply};
   Limits limits;
@@ -29,8 +30,9 @@ struct TrajectoryExtrema {
   std::vector<double> y;
 };
 
-/// The motion is integrated twice, with tolerances a hundred times apart; what the extrema differ by is the
-/// error stated. Throws what simulate throws.
+/// The motion is integrated twice, by two methods with tolerances a hundred times apart; what the extrema
+/// differ by is the error stated. One begins at the instant that was typed, the other one at t_start, so that
+/// what the motion makes of the rounding is in that error. Throws what simulate throws.
 [[nodiscard]] TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request);
 
 }  // namespace qdot

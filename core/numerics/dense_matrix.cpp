@@ -30,6 +30,10 @@ Eigen::VectorXcd eigenvalues(const MatrixXd& a) {
   return Eigen::EigenSolver<MatrixXd>(a, /*computeEigenvectors=*/false).eigenvalues();
 }
 
+VectorXd symmetric_eigenvalues(const MatrixXd& a) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
 EigenDecomposition eigen_decomposition(const MatrixXd& a) {
   const Eigen::EigenSolver<MatrixXd> solver(a);
   Eigen::MatrixXcd right = solver.eigenvectors(), left = right.partialPivLu().inverse();

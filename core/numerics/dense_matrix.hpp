@@ -21,6 +21,8 @@ namespace qdot {
 [[nodiscard]] Eigen::Index rank(const Eigen::MatrixXd& a, double threshold);
 
 [[nodiscard]] Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a);
+/// Of a symmetric A, ascending.
+[[nodiscard]] Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
 
 /// A R = R diag(values), L = R^-1: columns of R are right eigenvectors of length 1, rows of L left ones.
 struct EigenDecomposition {

@@ -7,6 +7,8 @@
 namespace qdot {
 namespace {
 
+constexpr int most_scales = 8;  ///< a place may be far smaller than its bracket's ends
+
 // One ITP iteration for a bracket of width w = b - a, the letters as in the paper: interpolate, truncate
 // towards the middle, project into the radius r around the middle
 // that keeps the count of evaluations bounded.
@@ -22,20 +24,22 @@ double itp_point(const SignChange& bracket, double k1, double r, double toleranc
   return projected > a && projected < bracket.after ? projected : half;
 }
 
-}  // namespace
+double round_off_of(const SignChange& bracket) {
+  return std::max(time_round_off(std::max(std::abs(bracket.before), std::abs(bracket.after))) / 2,
+                  std::numeric_limits<double>::min());
+}
 
-double time_round_off(double t) { return 4 * std::numeric_limits<double>::epsilon() * std::abs(t); }
+bool is_narrow(const SignChange& bracket, double tolerance) {
+  return bracket.after - bracket.before <= tolerance || bracket.value_after == 0;
+}
 
-SignChange find_sign_change(const std::function<double(double)>& function, SignChange bracket) {
+/// To the tolerance, or to neighbouring numbers.
+SignChange narrowed(const std::function<double(double)>& function, SignChange bracket, double tolerance) {
   const bool rising = bracket.value_after > 0;
   const double width = bracket.after - bracket.before;
-  const double tolerance =
-      std::max(time_round_off(std::max(std::abs(bracket.before), std::abs(bracket.after))) / 2,
-               std::numeric_limits<double>::min());
   const double k1 = 0.2 / width;
   const int most = std::ilogb(std::max(1.0, width / tolerance)) + 2;
-
-  for (int j = 0; j <= most && bracket.after - bracket.before > tolerance && bracket.value_after != 0; ++j) {
+  for (int j = 0; j <= most && !is_narrow(bracket, tolerance); ++j) {
     const double r = std::ldexp(tolerance, most - 1 - j) - 0.5 * (bracket.after - bracket.before);
     const double t = itp_point(bracket, k1, std::max(r, 0.0), tolerance);
     if (!(t > bracket.before && t < bracket.after)) break;  // neighbouring numbers
@@ -49,6 +53,19 @@ SignChange find_sign_change(const std::function<double(double)>& function, SignC
       // NaN must not enter the interpolation; a value of the old sign keeps the bracket.
       if (!std::isnan(value)) bracket.value_before = value;
     }
+  }
+  return bracket;
+}
+
+}  // namespace
+
+double time_round_off(double t) { return 4 * std::numeric_limits<double>::epsilon() * std::abs(t); }
+
+SignChange find_sign_change(const std::function<double(double)>& function, SignChange bracket) {
+  for (int i = 0; i < most_scales; ++i) {
+    const double tolerance = round_off_of(bracket);
+    bracket = narrowed(function, bracket, tolerance);
+    if (is_narrow(bracket, round_off_of(bracket))) break;
   }
   return bracket;
 }

@@ -1,12 +1,14 @@
 #include "core/steady/bifurcation_systems.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/steady/factors.hpp"
+#include "core/steady/growing_oscillations.hpp"
 #include "core/steady/linear_unknowns.hpp"
 #include "core/steady/numerator.hpp"
 #include "core/steady/search_region.hpp"
@@ -20,7 +22,7 @@ class SystemsDerivation {
  public:
   SystemsDerivation(const Scene& scene, const Reduction& reduction, const SteadyForces& forces,
                     std::size_t place)
-      : forces_(forces), graph_(*forces.graph) {
+      : forces_(forces), reduction_(reduction), graph_(*forces.graph) {
     for (const Expression& c : reduction.constants) constants_.push_back(graph_.adopt(c));
     p_ = constants_[place];
     constants_[place] = graph_.symbol("unused constant");
@@ -41,13 +43,17 @@ class SystemsDerivation {
       numerators.push_back(simplify(numerator_of(g, all_x_)));
     }
     leave_out_linear(numerators);
+    if (forces_.charts.empty()) find_growth();
     for (const Expression& numerator : numerators) factors_.push_back(factors_of(numerator));
-    if (result_.depends) {
+    if (result_.depends || (growth_ && depends_on(*growth_, p_))) {
       combine({}, 0, factors_.size());
       for (std::size_t i = 0; i < factors_.size(); ++i) add_meetings(i);
     }
     std::vector<Expression> slopes;
     for (const Expression& e : vanishing_) slopes.push_back(differentiate(e, p_));
+    std::vector<Expression> square;
+    if (!result_.growth.empty() && square_ && knows_all(*square_)) square.push_back(*square_);
+    result_.square = compiled(square);
     result_.vanishing = compiled(vanishing_);
     result_.vanishing_slopes = compiled(slopes);
     describe(numerators);
@@ -71,6 +77,73 @@ class SystemsDerivation {
     variables_ = x_;
     variables_.push_back(p_);
     result_.values = compiled(left.values);
+    for (std::size_t k = 0; k < left.values.size(); ++k)
+      by_those_left_.emplace_back(all_x_[forces_.unknowns[k]], left.values[k]);
+  }
+
+  /// de_i/dv_j at rest, where the unknowns are what is left of them.
+  [[nodiscard]] Matrix slopes_at_rest(const std::vector<Expression>& e,
+                                      const std::vector<Expression>& variables) const {
+    Matrix result;
+    for (const Expression& row : e) {
+      result.emplace_back();
+      for (const Expression& v : variables)
+        result.back().push_back(
+            simplify(substitute(substitute(differentiate(row, v), at_rest_), by_those_left_)));
+    }
+    return result;
+  }
+
+  void find_growth() try {
+    std::vector<Expression> equations, x_dot, x_ddot, g;
+    for (std::size_t i = 0; i < reduction_.x.size(); ++i) {
+      equations.push_back(graph_.adopt(reduction_.equations[i]));
+      x_dot.push_back(graph_.adopt(reduction_.x_dot[i]));
+      x_ddot.push_back(graph_.adopt(reduction_.x_ddot[i]));
+      g.push_back(graph_.adopt(forces_.rest[i]));
+      for (const Expression& rate : {x_dot.back(), x_ddot.back()})
+        at_rest_.emplace_back(rate, graph_.number(0));
+    }
+    if (equations.size() > largest_written_system) return;
+    const Matrix rates = slopes_at_rest(equations, x_dot);
+    const auto vanishes = [](const std::vector<Expression>& row) {
+      return std::ranges::all_of(row, &Expression::is_zero);
+    };
+    if (forces_.symmetric && std::ranges::all_of(rates, vanishes)) return;
+    const auto found =
+        growing_oscillations(slopes_at_rest(equations, x_ddot), rates, slopes_at_rest(g, all_x_));
+    if (!found) return;
+    growth_ = simplify(numerator_of(simplify(found->condition), all_x_));
+    result_.growth_is_collision = found->is_collision;
+    if (found->square) square_ = simplify(*found->square);
+  } catch (const Error& error) {  // the algebra grows too large
+    if (error.code() != ErrorCode::too_large) throw;
+    growth_.reset();
+  }
+
+  /// Of a family of equilibria. What one of its factors is itself is 0.
+  void add_growth(std::vector<Expression> f) {
+    if (!growth_) return;
+    std::vector<Replacement> zeros;
+    for (const Expression& fi : f) {
+      if (std::ranges::find(x_, fi) != x_.end()) zeros.emplace_back(fi, graph_.number(0));
+    }
+    const Expression condition = simplify(substitute(*growth_, zeros));
+    if (condition.is_zero() || !knows_all(condition)) return;
+    for (const Factor& factor : factors_along(condition, p_)) {
+      // Frequencies with a repeated factor pass each other.
+      if (!depends_on(factor.base, variables_) || (factor.is_repeated && result_.growth_is_collision))
+        continue;
+      f.push_back(factor.base);
+      add(factor.is_repeated ? BifurcationSystem::Kind::degenerate_growth : BifurcationSystem::Kind::growth,
+          f);
+      f.pop_back();
+    }
+  }
+
+  /// No coordinate that is free stands in it.
+  [[nodiscard]] bool knows_all(const Expression& e) const {
+    return std::ranges::none_of(forces_.free, [&](std::size_t j) { return depends_on(e, all_x_[j]); });
   }
 
   void describe(const std::vector<Expression>& numerators) {
@@ -196,7 +269,9 @@ class SystemsDerivation {
   /// One factor of each force beside what is chosen of the force number `taken`; none taken: a fold.
   void combine(std::vector<Expression> chosen, std::size_t next, std::size_t taken) {
     if (next == factors_.size()) {
-      return taken == factors_.size() ? add_fold(chosen) : add(BifurcationSystem::Kind::meeting, chosen);
+      if (taken != factors_.size()) return add(BifurcationSystem::Kind::meeting, chosen);
+      add_fold(chosen);
+      return add_growth(chosen);
     }
     if (next == taken) return combine(std::move(chosen), next + 1, taken);
     for (const Expression& f : factors_[next]) {
@@ -209,7 +284,7 @@ class SystemsDerivation {
   void add(BifurcationSystem::Kind kind, const std::vector<Expression>& f) {
     // Without p in it, the system has a zero for every p or for none.
     if (std::none_of(f.begin(), f.end(), [&](const Expression& e) { return depends_on(e, p_); })) return;
-    if (result_.systems.size() == most_systems) {
+    if (result_.systems.size() + result_.growth.size() == most_systems) {
       throw Error(ErrorCode::not_applicable,
                   "The forces have too many factors to follow all their equilibria.");
     }
@@ -217,7 +292,10 @@ class SystemsDerivation {
     for (const Expression& e : f) {
       for (const Expression& v : variables_) jacobian.push_back(simplify(differentiate(e, v)));
     }
-    result_.systems.push_back({kind, compiled(f), compiled(jacobian)});
+    const bool is_growth =
+        kind == BifurcationSystem::Kind::growth || kind == BifurcationSystem::Kind::degenerate_growth;
+    auto& systems = is_growth ? result_.growth : result_.systems;
+    systems.push_back({kind, compiled(f), compiled(jacobian)});
   }
 
   [[nodiscard]] CompiledFunction compiled(const std::vector<Expression>& expressions) {
@@ -227,6 +305,7 @@ class SystemsDerivation {
   }
 
   const SteadyForces& forces_;
+  const Reduction& reduction_;
   Graph graph_;
   std::vector<Expression> constants_, all_x_, x_, variables_;
   std::size_t parameters_{};    ///< how many of the constants are no momenta
@@ -234,6 +313,8 @@ class SystemsDerivation {
   Expression p_;
   std::vector<std::vector<Expression>> factors_;  ///< of each force
   std::vector<Expression> vanishing_;
+  std::vector<Replacement> at_rest_, by_those_left_;
+  std::optional<Expression> growth_, square_;
   BifurcationSystems result_;
 };
 

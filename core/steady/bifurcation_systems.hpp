@@ -6,7 +6,9 @@
 // and meets another one where
 //   f_ia = f_ib = 0,  f_j = 0 for all j != i     (transcritical, or pitchfork where one of the two folds
 //   there).
-// All of these are regular zeros where a force without its factors would have a multiple one.
+// All of these are regular zeros where a force without its factors would have a multiple one. Oscillations
+// about it begin to grow where
+//   f_1 = ... = f_n = 0,  h = 0,  h a factor of the condition in growing_oscillations.hpp.
 // Source: Kuznetsov, Elements of Applied Bifurcation Theory (2004), 3.2, 7.1 and 10.2.
 
 #include <vector>
@@ -17,8 +19,9 @@ namespace qdot {
 
 /// n + 1 functions of (x, p), x the unknowns that are left, and their (n + 1)^2 derivatives by rows.
 struct BifurcationSystem {
-  /// degenerate_fold: the determinant has a repeated factor that vanishes there.
-  enum class Kind { fold, degenerate_fold, meeting };
+  /// degenerate_fold: the determinant has a repeated factor that vanishes there; degenerate_growth: so has
+  /// the condition of growth.
+  enum class Kind { fold, degenerate_fold, meeting, growth, degenerate_growth };
   Kind kind{};
   CompiledFunction values, jacobian;
 };
@@ -28,6 +31,10 @@ struct BifurcationSystems {
   std::vector<std::size_t> unknowns;
   CompiledFunction values;  ///< all the forces' unknowns at (x, p)
   std::vector<BifurcationSystem> systems;
+  /// Of equilibria about which oscillations begin to grow: `systems` knows nothing of them.
+  std::vector<BifurcationSystem> growth;
+  bool growth_is_collision{};  ///< of two frequencies
+  CompiledFunction square;  ///< omega^2 of the oscillations at (x, p); without outputs where it is not known
   /// Factors of p alone, as functions of p and their slopes: where one vanishes, so does a force everywhere.
   CompiledFunction vanishing, vanishing_slopes;
   bool depends{};  ///< some force depends on p

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "core/base/error.hpp"
+#include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
+#include "core/steady/critical_sentences.hpp"
 #include "core/steady/mirrors.hpp"
 #include "core/steady/normal_form.hpp"
 #include "core/steady/region_ends.hpp"
@@ -15,17 +17,6 @@ namespace {
 
 /// Of a value of the parameter, as a part of its range.
 constexpr double rounding_of_range = 1e-12;
-
-constexpr const char* degenerate_crossing =
-    "Curves of equilibria cross here, but a derivative that decides how is zero to within its error.";
-constexpr const char* degenerate_fold =
-    "More than one derivative along the curve of equilibria vanishes here: it folds, or passes on without a fold.";
-constexpr const char* several_events =
-    "Within the error a curve of equilibria folds more than once, or folds and crosses another, or only comes "
-    "near to that: a degenerate point, or several close together.";
-constexpr const char* change_of_stability =
-    "The stability along a curve of equilibria changes here; in which way other equilibria take part is not "
-    "proven.";
 
 class CriticalSearch {
  public:
@@ -48,7 +39,10 @@ class CriticalSearch {
       result_.complete = false;
       return std::move(result_);
     }
-    if (std::ranges::none_of(all_.charts(), [](const CriticalChart& c) { return c.systems->depends; })) {
+    const auto depends = [](const CriticalChart& c) {
+      return c.systems->depends || !c.systems->growth.empty();
+    };
+    if (std::ranges::none_of(all_.charts(), depends)) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
     } else {
       search();
@@ -56,9 +50,7 @@ class CriticalSearch {
     trace();
     if (!result_.complete && !gave_up_ && add_missed()) trace();
     if (result_.complete && changes_between(result_.branches, result_.critical, result_.degenerate)) {
-      incomplete(
-          "The stability of an equilibrium changes where no equilibrium meets another: oscillations about it begin "
-          "to grow, and the value at which they do is not looked for. The branches show between which it is.");
+      incomplete(growth_not_found);
     }
     return std::move(result_);
   }
@@ -106,7 +98,7 @@ class CriticalSearch {
     std::optional<SymmetryAxes> axes;
     if (unknowns().size() == 1) axes.emplace(problem_, *systems_, Interval(from_, to_));
     CriticalZeros found =
-        critical_zeros(dynamics_.model(), problem_, *systems_, {from_, to_},
+        critical_zeros(dynamics_.model(), problem_, *systems_, systems_->systems, {from_, to_},
                        [&](std::span<const Interval> box) { return axes && axes->explain(box); });
     leave_to_other_charts(found);
     result_.degenerate = found.degenerate;
@@ -122,6 +114,16 @@ class CriticalSearch {
       classify_by_families(found);
     }
     watch_ends();
+    search_growth();
+  }
+
+  void search_growth() {
+    const CriticalGrowth found =
+        critical_growth(dynamics_, problem_, *systems_, index_, {from_, to_},
+                        [&](const CriticalZero& zero) { return all_.place_of(*chart_, zero); });
+    for (const GrowthZero& growth : found.zeros)
+      add(growth.kind, growth.zero, degenerate_growth, growth.omega);
+    if (!found.complete) incomplete(more_growth);
   }
 
   void leave_to_other_charts(CriticalZeros& found) {
@@ -341,13 +343,18 @@ class CriticalSearch {
     return count;
   }
 
-  void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "") {
+  void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "",
+           const std::optional<Interval>& omega = std::nullopt) {
     CriticalValue critical;
     critical.kind = kind;
     if (kind == BifurcationKind::unresolved) critical.reason = reason;
     critical.value = found.p.middle();
     critical.error = distance_bound(critical.value, found.p);
     critical.proven = found.simple;
+    if (omega) {
+      critical.omega = omega->middle();
+      critical.omega_error = distance_bound(critical.omega, *omega);
+    }
     const std::size_t n = y_.size() / 2;
     critical.y.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n));
     critical.y.resize(2 * n, 0.0);

@@ -34,7 +34,7 @@ class Tracer {
   std::vector<EquilibriumBranch> run(double from, double to) {
     std::vector<double> ends{from};
     for (const CriticalValue& c : critical_) {
-      if (c.value > ends.back() && c.value < to) ends.push_back(c.value);
+      if (c.value > ends.back() && c.value < to && !is_of_oscillations(c.kind)) ends.push_back(c.value);
     }
     ends.push_back(to);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -142,7 +142,7 @@ class Tracer {
     const CriticalValue* best = nullptr;
     double least = reach;
     for (const CriticalValue& c : critical_) {
-      if (c.value + c.error < low || c.value - c.error > high) continue;
+      if (c.value + c.error < low || c.value - c.error > high || is_of_oscillations(c.kind)) continue;
       const double d = distance(x, {c.y.begin(), c.y.begin() + static_cast<std::ptrdiff_t>(x.size())});
       if (d < least) {
         least = d;

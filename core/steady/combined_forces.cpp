@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/mechanics/kept_terms.hpp"
+#include "core/expr/kept_terms.hpp"
 
 namespace qdot {
 namespace {

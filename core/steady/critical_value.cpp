@@ -12,6 +12,10 @@ const char* name(BifurcationKind kind) {
       return "saddle_node";
     case BifurcationKind::transcritical:
       return "transcritical";
+    case BifurcationKind::hopf:
+      return "hopf";
+    case BifurcationKind::flutter:
+      return "flutter";
     case BifurcationKind::unresolved:
       break;
   }

@@ -112,11 +112,12 @@ void join(std::vector<CriticalZero>& places, CriticalZero zero) {
 }
 
 CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
-                             const BifurcationSystems& systems, const Interval& range,
+                             const BifurcationSystems& systems, std::span<const BifurcationSystem> which,
+                             const Interval& range,
                              const std::function<bool(std::span<const Interval>)>& known) {
   CriticalZeros result;
   result.degenerate = degenerate_values(problem, systems, range);
-  for (const BifurcationSystem& system : systems.systems) {
+  for (const BifurcationSystem& system : which) {
     const std::size_t first = result.zeros.size();
     const Isolation isolation = isolated(model, problem, systems.unknowns, system, range, known);
     result.complete = result.complete && isolation.complete;

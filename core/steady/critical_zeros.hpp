@@ -32,9 +32,10 @@ struct CriticalZeros {
   bool undecided{};     ///< somewhere far out rounding does not tell whether there are any
 };
 
-/// Zeros in boxes of (x, p) that are `known` are left out.
+/// Zeros of `which`, systems or growth; those in boxes of (x, p) that are `known` are left out.
 [[nodiscard]] CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
-                                           const BifurcationSystems& systems, const Interval& range,
+                                           const BifurcationSystems& systems,
+                                           std::span<const BifurcationSystem> which, const Interval& range,
                                            const std::function<bool(std::span<const Interval>)>& known);
 
 }  // namespace qdot

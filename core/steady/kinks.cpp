@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/compile/tape_builder.hpp"
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
-#include "core/mechanics/kept_terms.hpp"
 #include "core/steady/combined_forces.hpp"
 #include "core/steady/numerator.hpp"
 
@@ -72,7 +72,7 @@ Expression without_nonzero_factors(const Expression& e, std::span<const Expressi
 bool jumps_at(const Unfolded& pieces, std::size_t k) {
   const auto is_argument = [&](const Expression& factor) {
     const Raised raised = split_power(factor);
-    return raised.base == pieces.arguments[k] && Number(0) < raised.exponent;
+    return raised.base == pieces.short_forms[k] && Number(0) < raised.exponent;
   };
   return std::ranges::any_of(pieces.smooth, [&](const Expression& g) {
     const Expression jump = simplify(differentiate(g, pieces.sides[k]));
@@ -105,7 +105,7 @@ SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std:
   const auto derivatives = [&](const std::vector<Expression>& functions) {
     std::vector<Expression> result;
     for (const Expression& f : functions) {
-      for (const Expression& v : variables) result.push_back(shortened(differentiate(f, v)));
+      for (const Expression& v : variables) result.push_back(shortened_derivative(f, v));
     }
     return result;
   };

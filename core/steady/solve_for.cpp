@@ -2,102 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 
 #include "core/base/error.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/steady/constrained_modes.hpp"
 #include "core/steady/equilibria.hpp"
+#include "core/steady/position_statics.hpp"
 #include "core/steady/quadratic_roots.hpp"
+#include "core/steady/rolling_modes.hpp"
+#include "core/steady/solve_obstacles.hpp"
+#include "core/steady/steady_rolling.hpp"
 
 namespace qdot {
 namespace {
 
-std::string state_written(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-/// A number that was state_written in decimals stands for its neighbours too.
+/// A number that was written in decimals stands for its neighbours too.
 Interval with_neighbours(double x) {
   return x == 0 ? Interval(0) : Interval(std::nextafter(x, -infinity), std::nextafter(x, infinity));
 }
 
-/// The parameters with one that stands in for the unknown: it must not count as vanishing.
-Reals with_unknown(const Scene& scene, const Reals& parameters, const std::string& unknown) {
-  Reals result = parameters;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    if (scene.parameters[i].name == unknown) result.set(i, 1);
-  }
-  return result;
-}
-
 std::shared_ptr<const SteadyPolynomial> polynomial_of(const Dynamics& dynamics,
+                                                      const PositionStatics& position,
                                                       std::span<const double> parameters,
                                                       const std::string& unknown) {
+  if (position.surface)
+    return std::make_shared<const SteadyPolynomial>(
+        derive_steady_polynomial(position.surface->dynamics->model(), *position.statics,
+                                 *position.on_surface->graph, position.on_surface->rest, unknown));
   return dynamics.derived<SteadyPolynomial>("solve for " + unknown, parameters, [&](const Statics& statics) {
-    return derive_steady_polynomial(dynamics.model(), statics, unknown);
+    return derive_steady_polynomial(dynamics.model(), statics, *statics.reduction.graph, statics.rest,
+                                    unknown);
   });
-}
-
-/// Why no value was found.
-enum class Obstacle {
-  none,
-  not_in_balance,   ///< a force does not vanish, whatever u is
-  does_not_matter,  ///< no force depends on u here
-  undefined,        ///< the forces have no finite value
-  no_finite_value,
-  no_real_value,
-  negative_square,  ///< u^2 would have to be negative
-  none_in_domain,   ///< no zero of a force that is no polynomial of u
-  not_decided,      ///< a force is too small to tell where it vanishes
-  at_kink,          ///< the forces have no single value at the position, or their kinks move with u
-  no_common_value,  ///< no value makes all the forces vanish
-  outside_domain
-};
-
-/// Values that make the forces vanish; none with the obstacle and what its sentence names.
-struct Candidates {
-  Obstacle obstacle{Obstacle::none};
-  std::vector<Interval> values;
-  std::string coordinate;
-  double number{};
-};
-
-/// Empty where there is no obstacle. `u`: the unknown's name; `at`: the position in words.
-std::string sentence(const Candidates& found, const std::string& u, const std::string& at) {
-  switch (found.obstacle) {
-    case Obstacle::none:
-      break;
-    case Obstacle::not_in_balance:
-      return found.coordinate + " is not in balance at " + at + ", whatever " + u + " is.";
-    case Obstacle::does_not_matter:
-      return "Every value does: " + u + " does not matter at " + at + ".";
-    case Obstacle::undefined:
-      return "The forces have no finite value at " + at + ".";
-    case Obstacle::no_finite_value:
-      return "No finite " + u + " holds " + at + ": to within rounding it is a position that " + u +
-             " approaches as it grows without bound.";
-    case Obstacle::no_real_value:
-      return "No real " + u + " holds " + at + ".";
-    case Obstacle::negative_square:
-      return "No real " + u + " holds " + at + ": " + u + "^2 would have to be " +
-             state_written(found.number) + ".";
-    case Obstacle::none_in_domain:
-      return "No " + u + " in its domain holds " + at + ".";
-    case Obstacle::not_decided:
-      return "The forces are too small, or vanish too often, to tell which " + u + " hold " + at + ".";
-    case Obstacle::at_kink:
-      return "An abs() or a sign() in the forces has its kink at " + at + ", or one that moves with " + u +
-             ": forces have no single value there, and whole intervals of " + u + " may hold it.";
-    case Obstacle::no_common_value:
-      return "No single value of " + u + " balances all forces at " + at + ".";
-    case Obstacle::outside_domain:
-      return u + " would have to be " + state_written(found.number) + ", which is outside its domain.";
-  }
-  return "";
 }
 
 /// Kinks of the forces in x and u.
@@ -114,6 +51,15 @@ SolverKinks derive_solver_kinks(const Statics& statics, const std::string& unkno
   return {!unfolded(rest, {&u, 1}).arguments.empty(), derive_smooth_forces(statics)};
 }
 
+std::shared_ptr<const SolverKinks> kinks_of(const Dynamics& dynamics, const PositionStatics& position,
+                                            std::span<const double> parameters, const std::string& unknown) {
+  if (position.surface)
+    return std::make_shared<const SolverKinks>(derive_solver_kinks(*position.statics, unknown));
+  return dynamics.derived<SolverKinks>("kinks beside " + unknown, parameters, [&](const Statics& statics) {
+    return derive_solver_kinks(statics, unknown);
+  });
+}
+
 class Solver {
  public:
   Solver(const Dynamics& dynamics, const Reals& parameters, const Reals& y, const std::string& unknown)
@@ -122,14 +68,18 @@ class Solver {
         unknown_(unknown),
         parameters_(with_unknown(scene_, parameters, unknown)),
         y_(y),
-        statics_(dynamics.statics(parameters_)),
-        polynomial_(polynomial_of(dynamics, parameters_, unknown)),
-        kinks_(dynamics.derived<SolverKinks>(
-            "kinks beside " + unknown, parameters_,
-            [&](const Statics& statics) { return derive_solver_kinks(statics, unknown); })) {
+        position_(position_statics(dynamics, parameters_)),
+        statics_(position_.statics),
+        polynomial_(polynomial_of(dynamics, position_, parameters_, unknown)),
+        kinks_(kinks_of(dynamics, position_, parameters_, unknown)) {
     for (const std::size_t i : statics_->reduction.kept) {
+      if (is_multiplier(i)) {  // no force has it
+        x_.emplace_back(0);
+        near_.emplace_back(0);
+        continue;
+      }
       x_.push_back(Interval::literal(y_.exact(i)));
-      near_.push_back(with_neighbours(y_[i]));
+      near_.push_back(hull(x_.back(), with_neighbours(y_[i])));
     }
     constants_ = parameters_.as<Interval>();
     for (const std::size_t c : statics_->reduction.ignored) {
@@ -153,6 +103,9 @@ class Solver {
   }
 
  private:
+  /// The multipliers' numbers come after those of the scene's coordinates.
+  [[nodiscard]] bool is_multiplier(std::size_t i) const { return i >= y_.size() / 2; }
+
   [[nodiscard]] Domain position_domain() const {
     return scene_.coordinates[statics_->reduction.kept[0]].domain;
   }
@@ -161,7 +114,7 @@ class Solver {
     std::string text;
     for (const std::size_t j : polynomial_->needed) {
       const std::size_t i = statics_->reduction.kept[j];
-      text += (text.empty() ? "" : ", ") + scene_.coordinates[i].name + " = " + state_written(y_[i]);
+      text += (text.empty() ? "" : ", ") + scene_.coordinates[i].name + " = " + short_number(y_[i], 6);
     }
     return text;
   }
@@ -169,6 +122,7 @@ class Solver {
   /// All candidates that satisfy every equation, before the domain is asked.
   [[nodiscard]] Candidates candidates() const {
     if (kinks_->move || is_at_kink()) return {Obstacle::at_kink, {}, "", 0};
+    if (are_dependent(constants_)) return {Obstacle::dependent, {}, "", 0};
     const std::vector<Interval> c = coefficients(x_);
     const std::vector<Interval> near = coefficients(near_);
     std::optional<std::size_t> chosen;
@@ -178,7 +132,7 @@ class Solver {
       if (matters) {
         if (!chosen) chosen = k;
       } else if (!near[3 * k].contains(0.0)) {
-        return {Obstacle::not_in_balance, {}, coordinate_of(force), 0};
+        return out_of_balance(force);
       }
     }
     if (!chosen) return {Obstacle::does_not_matter, {}, "", 0};
@@ -186,6 +140,12 @@ class Solver {
                            ? roots({&c[3 * *chosen], 3}, {&near[3 * *chosen], 3})
                            : searched(*chosen);
     std::erase_if(found.values, [&](const Interval& u) { return !satisfies_others(u, *chosen); });
+    const bool depend = std::ranges::any_of(found.values, [&](const Interval& u) {
+      std::vector<Interval> constants = constants_;
+      constants[polynomial_->place] = u;
+      return are_dependent(constants);
+    });
+    if (depend) return {Obstacle::dependent, {}, "", 0};
     if (found.values.empty() && found.obstacle == Obstacle::none) found.obstacle = Obstacle::no_common_value;
     return found;
   }
@@ -197,8 +157,26 @@ class Solver {
     return std::ranges::any_of(u, [](const Interval& argument) { return argument.contains(0.0); });
   }
 
-  [[nodiscard]] std::string coordinate_of(const SteadyPolynomial::Force& force) const {
-    return scene_.coordinates[statics_->reduction.kept[force.equation]].name;
+  /// Of the constraints' slopes all determinants may vanish at the position.
+  [[nodiscard]] bool are_dependent(std::span<const Interval> constants) const {
+    if (!position_.on_surface) return false;
+    std::vector<Interval> d(position_.on_surface->determinants.outputs());
+    TapeEvaluator<Interval>(position_.on_surface->determinants, constants)(x_, d);
+    return std::ranges::all_of(d, [](const Interval& one) { return one.contains(0.0); });
+  }
+
+  /// Of a force that no u makes vanish.
+  [[nodiscard]] Candidates out_of_balance(const SteadyPolynomial::Force& force) const {
+    const std::vector<std::size_t>& kept = statics_->reduction.kept;
+    if (!position_.surface)
+      return {Obstacle::not_in_balance, {}, scene_.coordinates[kept[force.equation]].name, 0};
+    const auto sets = sets_of_forces(*position_.surface);
+    if (force.equation >= sets.size())
+      return {Obstacle::off_surface, {}, scene_.constraints[force.equation - sets.size()].name, 0};
+    std::string names;
+    for (const std::size_t k : sets[force.equation])
+      names += (names.empty() ? "" : ", ") + scene_.coordinates[kept[k]].name;
+    return {Obstacle::not_in_balance, {}, "What acts along " + names, 0};
   }
 
   [[nodiscard]] std::vector<Interval> coefficients(std::span<const Interval> x) const {
@@ -282,30 +260,70 @@ class Solver {
     result.error = distance_bound(result.value, u);
     Reals parameters = parameters_;
     Reals y = y_;
-    for (const std::size_t i : statics_->reduction.kept) y.set(y.size() / 2 + i, 0);
+    for (const std::size_t i : statics_->reduction.kept) {
+      if (!is_multiplier(i)) y.set(y.size() / 2 + i, 0);
+    }
     if (polynomial_->place < parameters.size()) {
       parameters.set(polynomial_->place, result.value);
     } else {
       const std::size_t c = statics_->reduction.ignored[polynomial_->place - parameters.size()];
       y.set(y.size() / 2 + c, result.value);
     }
+    if (position_.surface) {
+      const std::size_t place = polynomial_->place;
+      const Real known_to{result.value, 0, result.error};
+      if (place < parameters.size()) {
+        parameters.set(place, known_to);
+      } else {
+        y.set(y.size() / 2 + statics_->reduction.ignored[place - parameters.size()], known_to);
+      }
+      result.stability = on_surface(parameters, y, u);
+      return result;
+    }
     SteadyProblem problem = steady_problem(dynamics_, parameters, y);
-    enclose(problem, u);
+    enclose(problem.constants, u);
     result.stability = StabilityAnalysis(dynamics_, problem).at(x_of(problem));
     return result;
   }
 
+  [[nodiscard]] SteadyStability on_surface(const Reals& parameters, const Reals& y, const Interval& u) const {
+    const std::vector<double> state(y.begin(), y.end());
+    SteadyStability result;
+    try {
+      if (has_constraint_in_velocities(dynamics_.model())) {
+        const Modes modes = rolling_modes(dynamics_, parameters, y);
+        result.stability = modes.stability;
+        result.undecided = modes.undecided;
+        return result;
+      }
+      const SurfaceStatics whole = surface_statics(dynamics_, parameters);
+      std::vector<Interval> constants;
+      for (const Ball& c : constants_on_surface(whole, dynamics_, parameters, y))
+        constants.push_back(c.interval());
+      enclose(constants, u);
+      std::vector<Ball> balls;
+      for (const Interval& c : constants) balls.push_back(Ball::of(c));
+      Box q;
+      for (std::size_t k = 0; k < whole.coordinates; ++k)
+        q.push_back(Interval::literal(y.exact(whole.statics->reduction.kept[k])));
+      return surface_modes_at(whole, balls, q, state).stability;
+    } catch (const Error& error) {
+      result.undecided = error.what();
+    }
+    return result;
+  }
+
   /// The unknown and the momenta are only known to lie in intervals. What vanishes does so exactly.
-  void enclose(SteadyProblem& problem, const Interval& u) const {
+  void enclose(std::vector<Interval>& of_problem, const Interval& u) const {
     std::vector<Interval> constants = constants_;
     constants[polynomial_->place] = u;
     std::vector<Interval> momenta(polynomial_->momenta.outputs());
     TapeEvaluator<Interval>(polynomial_->momenta, constants)(x_, momenta);
     const std::size_t parameters = parameters_.size();
-    if (polynomial_->place < parameters) problem.constants[polynomial_->place] = u;
-    if (problem.constants.size() != parameters + momenta.size()) return;
+    if (polynomial_->place < parameters) of_problem[polynomial_->place] = u;
+    if (of_problem.size() != parameters + momenta.size()) return;
     for (std::size_t k = 0; k < momenta.size(); ++k) {
-      if (!is_zero(problem.constants[parameters + k])) problem.constants[parameters + k] = momenta[k];
+      if (!is_zero(of_problem[parameters + k])) of_problem[parameters + k] = momenta[k];
     }
   }
 
@@ -320,6 +338,7 @@ class Solver {
   const Scene& scene_;
   std::string unknown_;
   Reals parameters_, y_;
+  PositionStatics position_;
   std::shared_ptr<const Statics> statics_;
   std::shared_ptr<const SteadyPolynomial> polynomial_;
   std::shared_ptr<const SolverKinks> kinks_;
@@ -334,7 +353,8 @@ std::vector<std::string> solvable_names(const Dynamics& dynamics, std::span<cons
   const Scene& scene = dynamics.model().scene;
   std::vector<std::string> names;
   for (const Parameter& p : scene.parameters) names.push_back(p.name);
-  for (const std::size_t c : dynamics.statics(parameters)->reduction.ignored) {
+  const PositionStatics position = position_statics(dynamics, parameters);
+  for (const std::size_t c : position.statics->reduction.ignored) {
     names.push_back(scene.coordinates[c].name + "_dot");
   }
   return names;
@@ -343,10 +363,11 @@ std::vector<std::string> solvable_names(const Dynamics& dynamics, std::span<cons
 std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics, const Reals& parameters,
                                             const std::string& unknown) {
   const Reals with = with_unknown(dynamics.model().scene, parameters, unknown);
-  const auto statics = dynamics.statics(with);
+  const PositionStatics position = position_statics(dynamics, with);
+  const auto polynomial = polynomial_of(dynamics, position, with, unknown);
   std::vector<std::size_t> needed;
-  for (const std::size_t j : polynomial_of(dynamics, with, unknown)->needed) {
-    needed.push_back(statics->reduction.kept[j]);
+  for (const std::size_t j : polynomial->needed) {
+    needed.push_back(position.statics->reduction.kept[j]);
   }
   return needed;
 }

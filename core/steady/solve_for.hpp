@@ -7,6 +7,8 @@
 // are polynomials of u for most scenes, of degree 1 or 2: then u is their root in interval arithmetic. Else u
 // is searched over its whole domain (core/numerics/root_isolation.hpp). All ignorable coordinates move with
 // the velocities given, not with given momenta. Errors are proven bounds for the position taken as exact.
+// With constraints g are the forces without their multipliers, and the constraints themselves
+// (core/steady/position_statics.hpp).
 
 #include <memory>
 #include <optional>

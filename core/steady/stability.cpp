@@ -39,8 +39,9 @@ SteadyStability StabilityAnalysis::at(std::span<const Interval> x) {
   return linear_stability(linearized(x), [&] { return next_terms(x); });
 }
 
-/// The signs of U''' and U'''' where U'' = 0 to within rounding.
-std::string StabilityAnalysis::next_terms(std::span<const Interval> x) const {
+/// The signs of U''' and U'''' where U'' = 0 to within rounding. What follows from them holds where U'' = 0,
+/// and of a number that only rounding hides it would be wrong.
+std::string StabilityAnalysis::next_terms(std::span<const Interval> x) {
   const auto function = dynamics_.derived<CompiledFunction>(
       "third and fourth derivative", problem_.parameters, [](const Statics& statics) {
         const Reduction& reduction = statics.reduction;
@@ -51,16 +52,21 @@ std::string StabilityAnalysis::next_terms(std::span<const Interval> x) const {
         const Expression fourth = simplify(differentiate(third, symbol));
         return compiled_at_rest(reduction, graph, std::vector<Expression>{third, fourth});
       });
+  std::vector<Interval> second(1), next(2);
+  stiffness_(x, second);
+  TapeEvaluator<Interval>(*function, problem_.constants)(x, next);
+  const Interval& third = next[0];
+  const Interval& fourth = next[1];
   const std::string start = "The second derivative of the effective potential is zero to within rounding; ";
-  std::vector<Interval> values(2);
-  TapeEvaluator<Interval>(*function, problem_.constants)(x, values);
-  if (!values[0].contains(0.0)) {
-    return start + "its third derivative is not: unstable, to one side the force leads away.";
+  if (!third.contains(0.0)) {
+    const char* where = is_zero(second[0]) ? "" : "where the second is zero, ";
+    return start + "its third derivative is not: " + where + "unstable, to one side the force leads away.";
   }
-  if (is_zero(values[0]) && is_zero(values[1])) return start + "so are its third and fourth: undecided.";
-  if (values[1].contains(0.0)) return start + "its third and fourth may be: undecided.";
-  return start + (values[1].lower > 0 ? "so is its third, and its fourth is positive: nonlinearly stable."
-                                      : "so is its third, and its fourth is negative: nonlinearly unstable.");
+  if (is_zero(third) && is_zero(fourth)) return start + "so are its third and fourth: undecided.";
+  if (fourth.contains(0.0)) return start + "its third and fourth may be: undecided.";
+  const char* where = is_zero(second[0]) && is_zero(third) ? "" : ", where both are zero";
+  return start + "so is its third, and its fourth is " +
+         (fourth.lower > 0 ? "positive: nonlinearly stable" : "negative: nonlinearly unstable") + where + ".";
 }
 
 }  // namespace qdot

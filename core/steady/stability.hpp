@@ -34,7 +34,7 @@ class StabilityAnalysis {
 
  private:
   [[nodiscard]] LinearizedForces linearized(std::span<const Interval> x);
-  [[nodiscard]] std::string next_terms(std::span<const Interval> x) const;
+  [[nodiscard]] std::string next_terms(std::span<const Interval> x);
 
   const Dynamics& dynamics_;
   SteadyProblem problem_;

@@ -5,8 +5,8 @@
 #include "core/base/error.hpp"
 #include "core/compile/tape_evaluator.hpp"
 #include "core/expr/full_turn.hpp"
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/simplify.hpp"
-#include "core/mechanics/kept_terms.hpp"
 #include "core/steady/numerator.hpp"
 
 namespace qdot {
@@ -64,7 +64,7 @@ SteadyForces compiled_forces(const Model& model, const Reduction& reduction, con
   for (std::size_t i = 0; i < result.rest.size(); ++i) {
     result.has_poles = result.has_poles || !(numerator_of(result.rest[i], x) == result.rest[i]);
     if (!result.rest[i].is_zero()) result.equations.push_back(i);
-    for (const Expression& xj : x) stiffness.push_back(shortened(differentiate(equations.written[i], xj)));
+    for (const Expression& xj : x) stiffness.push_back(shortened_derivative(equations.written[i], xj));
   }
   const auto any = [&](const auto& holds) { return std::ranges::any_of(result.rest, holds); };
   for (std::size_t j = 0; j < x.size(); ++j) {

@@ -17,8 +17,13 @@ namespace {
 
 class PolynomialDerivation {
  public:
-  PolynomialDerivation(const Model& model, const Statics& statics, const std::string& unknown)
-      : model_(model), statics_(statics), reduction_(statics.reduction) {
+  PolynomialDerivation(const Model& model, const Statics& statics, const Graph& graph,
+                       const std::vector<Expression>& forces, const std::string& unknown)
+      : model_(model),
+        statics_(statics),
+        reduction_(statics.reduction),
+        forces_(forces),
+        own_(std::make_shared<Graph>(graph)) {
     for (const Expression& x : reduction_.x) x_.push_back(graph_.adopt(x));
     const std::size_t parameters = reduction_.constants.size() - reduction_.ignored.size();
     for (std::size_t i = 0; i < parameters; ++i) constants_.push_back(graph_.adopt(reduction_.constants[i]));
@@ -33,8 +38,8 @@ class PolynomialDerivation {
   SteadyPolynomial run() {
     const auto place = std::find(constants_.begin(), constants_.end(), u_);
     result_.place = static_cast<std::size_t>(place - constants_.begin());
-    for (std::size_t i = 0; i < statics_.rest.size(); ++i) {
-      const Expression g = simplify(substitute(graph_.adopt(statics_.rest[i]), momenta_));
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      const Expression g = simplify(substitute(graph_.adopt(forces_[i]), momenta_));
       if (!g.is_zero()) add_force(i, g);
     }
     describe_coordinates();
@@ -166,7 +171,8 @@ class PolynomialDerivation {
   const Model& model_;
   const Statics& statics_;
   const Reduction& reduction_;
-  std::shared_ptr<Graph> own_{std::make_shared<Graph>(*reduction_.graph)};
+  const std::vector<Expression>& forces_;
+  std::shared_ptr<Graph> own_;
   Graph& graph_{*own_};
   std::vector<Expression> x_, constants_;
   Expression u_;
@@ -178,9 +184,9 @@ class PolynomialDerivation {
 
 }  // namespace
 
-SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics,
-                                          const std::string& unknown) {
-  return PolynomialDerivation(model, statics, unknown).run();
+SteadyPolynomial derive_steady_polynomial(const Model& model, const Statics& statics, const Graph& graph,
+                                          const std::vector<Expression>& forces, const std::string& unknown) {
+  return PolynomialDerivation(model, statics, graph, forces, unknown).run();
 }
 
 }  // namespace qdot

@@ -151,4 +151,8 @@ SteadyForces derive_surface_forces(const SurfaceStatics& whole, std::span<const 
   return SurfaceForces(whole, absent).derive();
 }
 
+std::vector<std::vector<std::size_t>> sets_of_forces(const SurfaceStatics& whole) {
+  return sets_of(whole.constraints + 1, whole.coordinates);
+}
+
 }  // namespace qdot

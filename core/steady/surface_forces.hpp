@@ -17,4 +17,7 @@ namespace qdot {
 [[nodiscard]] SteadyForces derive_surface_forces(const SurfaceStatics& whole,
                                                  std::span<const Expression> absent);
 
+/// The sets S, in the order of their determinants in SteadyForces::rest; those of phi_j come after them.
+[[nodiscard]] std::vector<std::vector<std::size_t>> sets_of_forces(const SurfaceStatics& whole);
+
 }  // namespace qdot

@@ -7,7 +7,8 @@
 namespace qdot {
 namespace {
 
-/// L + sum of lambda phi, the multipliers coordinates of their own.
+/// L + sum of lambda phi, the multipliers coordinates of their own. The forces of constraints in the
+/// velocities stay forces.
 std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model) {
   auto result = std::make_shared<Model>(model);
   Lagrangian& own = result->lagrangian = copied(model.lagrangian);
@@ -17,8 +18,10 @@ std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model)
   for (std::size_t j = 0; j < own.constraints.size(); ++j) {
     const Expression& lambda = own.symbols.multipliers[j];
     const std::string name = multiplier_name(model.scene.constraints[j]);
-    no_forces.emplace_back(lambda, graph.number(0));
-    terms = terms + lambda * *own.constraints[j].position;
+    if (const auto& position = own.constraints[j].position) {
+      no_forces.emplace_back(lambda, graph.number(0));
+      terms = terms + lambda * *position;
+    }
     own.symbols.coordinates.value.push_back(lambda);
     own.symbols.coordinates.rate.push_back(graph.symbol(name + "_dot"));
     own.symbols.coordinates.second_rate.push_back(graph.symbol(name + "_ddot"));
@@ -38,11 +41,11 @@ std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model)
   return result;
 }
 
-void check_constraints(const Model& model, const Lagrangian& own) {
+void check_constraints(const Model& model, const Lagrangian& own, RestingPlace place) {
   for (std::size_t j = 0; j < model.scene.constraints.size(); ++j) {
     const ConstraintEquation& constraint = own.constraints[j];
     const std::string name = "'" + model.scene.constraints[j].name + "'";
-    if (!constraint.position)
+    if (!constraint.position && place == RestingPlace::looked_for)
       undetermined_on_surface(
           name +
           " holds velocities, so that the system may rest in any place where the forces allow it. 'modes' "
@@ -58,10 +61,10 @@ void undetermined_on_surface(const std::string& why) {
   throw Error(ErrorCode::not_applicable, "This is undetermined for a scene with constraints: " + why);
 }
 
-SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters) {
+SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters, RestingPlace place) {
   const Model& model = dynamics.model();
   const Lagrangian own = copied(model.lagrangian);
-  check_constraints(model, own);
+  check_constraints(model, own, place);
   if (!model.scene.inputs.empty()) undetermined_on_surface("inputs act on it.");
   if (dynamics.kinks() != nullptr) undetermined_on_surface("an abs() or a sign() stands in its forces.");
   if (has_forces_of_multipliers(own))

@@ -7,12 +7,15 @@
 // without mass. They are taken as those of a scene with n + m coordinates (q, lambda). Coordinates that
 // neither the Lagrangian nor a constraint contains are ignorable: they keep their momenta, and q are the
 // others. Source: Nocedal, Wright, Numerical Optimization, 2nd ed., 12.3.
+// Constraints in the velocities, w(q, q') = 0 with A_ji = dw_j/dq_i', hold at rest wherever that is, and say
+// no more than which forces balance a place that is given.
 
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/dynamics/dynamics.hpp"
+#include "core/numerics/ball.hpp"
 
 namespace qdot {
 
@@ -22,9 +25,13 @@ struct SurfaceStatics {
   std::shared_ptr<const Statics> statics;    ///< of `dynamics`, with x = (q, lambda)
 };
 
-/// Throws Error(not_applicable) where a constraint is not holonomic or moves, with inputs, and with kinks in
-/// the forces.
-[[nodiscard]] SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters);
+/// Whether the places where the system rests are looked for, or one is given.
+enum class RestingPlace { looked_for, given };
+
+/// Throws Error(not_applicable) where a constraint moves, or is not holonomic while places are looked for,
+/// with inputs, and with kinks in the forces.
+[[nodiscard]] SurfaceStatics surface_statics(const Dynamics& dynamics, const Reals& parameters,
+                                             RestingPlace place = RestingPlace::looked_for);
 
 /// Throws Error(not_applicable): "This is undetermined for a scene with constraints: " and why.
 [[noreturn]] void undetermined_on_surface(const std::string& why);

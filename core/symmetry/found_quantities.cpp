@@ -8,6 +8,7 @@
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/dimension_check.hpp"
 #include "core/mechanics/notation.hpp"
+#include "core/symmetry/constrained_changes.hpp"
 #include "core/symmetry/listed_quantities.hpp"
 #include "core/symmetry/motion_in_space.hpp"
 
@@ -63,6 +64,7 @@ class Wording {
         lagrangian_(search.lagrangian),
         notation_(notation_of(model.scene)),
         places_(places_of_bodies(model.parsed, lagrangian_, replacements)),
+        bodies_(names_of(model.parsed)),
         dimensions_(dimensions(model.scene, lagrangian_.symbols)) {}
 
   /// None where it says nothing about the motion.
@@ -70,7 +72,7 @@ class Wording {
     PointChange change = symmetry.change;
     const auto motion = motion_in_space(places_, lagrangian_.symbols, change, leading(symmetry));
     if (motion && motion->reversed) change = opposite(change);
-    const Expression value = noether_quantity(lagrangian_, change);
+    const Expression value = on_constraints(noether_quantity(lagrangian_, change));
     const Symbols::Varying& q = lagrangian_.symbols.coordinates;
     if (!depends_on(value, q.rate) && !depends_on(value, q.value)) return std::nullopt;
     const Words words = motion ? in_space(*motion) : in_coordinates(symmetry, change);
@@ -82,7 +84,20 @@ class Wording {
   }
 
  private:
+  /// As the constraints allow to write it, where that is shorter.
+  [[nodiscard]] Expression on_constraints(const Expression& value) const {
+    if (search_.on_constraints.empty()) return value;
+    const Expression other =
+        simplify_by_degree(substitute(value, search_.on_constraints), lagrangian_.symbols);
+    return written_length(other) < written_length(value) ? other : value;
+  }
+
   [[nodiscard]] std::string written(const Expression& e) const { return print(e, Form::text, notation_); }
+  [[nodiscard]] static std::vector<std::string> names_of(const ParsedScene& scene) {
+    std::vector<std::string> names;
+    for (const ParsedBody& body : scene.bodies) names.push_back(body.name);
+    return names;
+  }
   [[nodiscard]] const std::string& coordinate(std::size_t i) const { return scene_.coordinates[i].name; }
 
   /// That of the last elementary change, which all others are measured by.
@@ -166,7 +181,11 @@ class Wording {
     if (!change.time.is_zero()) changes.push_back("dt = " + written(change.time));
     if (names.size() > most_names) suffix.clear();
     Words words{"symmetry" + suffix, "The small change " + listed(changes), ""};
-    if (!change.time.is_zero()) {
+    if (const auto turned = only_turn(symmetry)) return of_turn(*turned, symmetry);
+    if (is_only(symmetry, ChangeKind::along)) {
+      words.name = "momentum" + suffix;
+      words.doing += ", which the constraints allow,";
+    } else if (!change.time.is_zero()) {
       words.name = "h" + suffix;
     } else if (is_only(symmetry, ChangeKind::shift)) {
       words.name = "momentum" + suffix;
@@ -177,6 +196,42 @@ class Wording {
       const bool is_screw = moves_along(symmetry);
       words.name = (is_screw ? "screw" : "angular_momentum") + suffix;
       words.doing = (is_screw ? "The screw motion " : "The rotation ") + listed(changes);
+    }
+    return words;
+  }
+
+  /// Where one body turns about one axis, beside shifts.
+  [[nodiscard]] std::optional<std::size_t> only_turn(const Symmetry& symmetry) const {
+    std::optional<std::size_t> turn;
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      const ChangeKind here = search_.changes[k].kind;
+      if (symmetry.coefficients[k].is_zero() || here == ChangeKind::gauge || here == ChangeKind::shift)
+        continue;
+      if (turn || (here != ChangeKind::turn && here != ChangeKind::own_turn)) return std::nullopt;
+      turn = k;
+    }
+    return turn;
+  }
+
+  [[nodiscard]] Words of_turn(std::size_t turn, const Symmetry& symmetry) const {
+    const ElementaryChange& change = search_.changes[turn];
+    const std::string axis(1, "xyz"[change.j]);
+    const std::string& given = bodies_[change.i];
+    const std::string body = given.empty() ? "the body" : "'" + given + "'";
+    const bool is_own = change.kind == ChangeKind::own_turn;
+    Words words{"spin_" + axis, "Turning " + body + " about an axis through its centre parallel to " + axis,
+                ""};
+    if (is_own) words = {"own_spin_" + axis, "Turning " + body + " about its own " + axis + " axis", ""};
+    if (bodies_.size() > 1 && !given.empty()) words.name += "_" + given;
+    std::vector<std::string> shifts;
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      if (symmetry.coefficients[k].is_zero() || search_.changes[k].kind != ChangeKind::shift) continue;
+      const Expression shift = symmetry.coefficients[k] / symmetry.coefficients[turn];
+      shifts.push_back("d" + coordinate(search_.changes[k].i) + " = " + written(simplify(shift)));
+    }
+    if (!shifts.empty()) {
+      words.name.replace(words.name.find("spin"), 4, "roll");
+      words.doing += " together with " + listed(shifts);
     }
     return words;
   }
@@ -221,6 +276,15 @@ class Wording {
       ++partners[change.i];
       spread += change.i > change.j ? change.i - change.j : change.j - change.i;
     }
+    if (only_turn(symmetry)) return {KindOfChange::in_space, 0};
+    const auto is_constrained = [&](std::size_t k) {
+      const ChangeKind kind = search_.changes[k].kind;
+      const bool is_affine = kind < ChangeKind::along || kind > ChangeKind::own_turn;
+      return !is_affine && !symmetry.coefficients[k].is_zero();
+    };
+    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
+      if (is_constrained(k)) return {KindOfChange::mixed, 0};
+    }
     const auto most = std::ranges::max(partners);
     return {most == 0   ? KindOfChange::linear
             : most == 1 ? KindOfChange::rotation
@@ -248,6 +312,7 @@ class Wording {
   const Lagrangian& lagrangian_;
   Notation notation_;
   std::vector<Vector> places_;
+  std::vector<std::string> bodies_;  ///< names
   SymbolDimensions dimensions_;
 };
 
@@ -264,7 +329,9 @@ void make_names_differ(std::vector<ConservedQuantity>& quantities) {
 FoundQuantities found_quantities(const Model& model, const Lagrangian& lagrangian,
                                  std::span<const Replacement> replacements,
                                  std::span<const ConservedQuantity> known) {
-  const SymmetrySearch search = affine_symmetries(lagrangian, known);
+  const SymmetrySearch search = affine_symmetries(lagrangian, known, [&](const Lagrangian& own) {
+    return turns_of_bodies(model.parsed, own, replacements);
+  });
   FoundQuantities result{search.lagrangian.graph, {}, search.is_complete};
   if (search.found.empty()) return result;
   const Wording wording(model, search, replacements);

@@ -23,6 +23,9 @@ class ChangeList {
       case ChangeKind::shift:
       case ChangeKind::boost:
       case ChangeKind::linear:
+      case ChangeKind::along:
+      case ChangeKind::turn:
+      case ChangeKind::own_turn:
         change.shift[i] = value;
         break;
     }
@@ -93,7 +96,8 @@ PointChange combination(Graph& graph, std::span<const Expression> coefficients,
   return sum;
 }
 
-Variation::Variation(const Lagrangian& lagrangian) : graph_(*lagrangian.graph) {
+Variation::Variation(const Lagrangian& lagrangian, std::vector<Replacement> on_constraints)
+    : graph_(*lagrangian.graph), on_constraints_(std::move(on_constraints)) {
   const Symbols& symbols = lagrangian.symbols;
   const Symbols::Varying& q = symbols.coordinates;
   std::vector<Expression> power{explicit_rate(lagrangian)};
@@ -117,7 +121,7 @@ Expression Variation::operator()(const PointChange& change) const {
     terms.push_back(slopes_[i] * change.shift[i]);
     terms.push_back(momenta_[i] * total_derivative(change.shift[i], rates_));
   }
-  return graph_.sum(terms);
+  return substitute(graph_.sum(terms), on_constraints_);
 }
 
 Expression noether_quantity(const Lagrangian& lagrangian, const PointChange& change) {

@@ -18,7 +18,8 @@
 namespace qdot {
 
 /// How an affine change depends on where and when it is.
-enum class ChangeKind { gauge, shift, boost, linear, time };
+/// along, turn and own_turn: constrained_changes.hpp.
+enum class ChangeKind { gauge, shift, boost, along, turn, own_turn, linear, time };
 
 struct PointChange {
   std::vector<Expression> shift;  ///< xi_i
@@ -26,7 +27,8 @@ struct PointChange {
   Expression gauge;               ///< F
 };
 
-/// One with a coefficient of its own: xi_i = 1, t or q_j; tau = 1; or F = a monomial of degree one or two.
+/// One with a coefficient of its own: xi_i = 1, t or q_j; tau = 1; F = a monomial of degree one or two; or
+/// what constraints single out: a turn of body i about its axis j, or along them with coordinate i.
 struct ElementaryChange {
   ChangeKind kind;
   std::size_t i{}, j{};
@@ -46,12 +48,14 @@ struct ElementaryChange {
 /// R, linear in the change; the derivatives of L are taken once.
 class Variation {
  public:
-  explicit Variation(const Lagrangian& lagrangian);
+  /// `on_constraints`: rates by others, as the constraints give them.
+  explicit Variation(const Lagrangian& lagrangian, std::vector<Replacement> on_constraints = {});
   [[nodiscard]] Expression operator()(const PointChange& change) const;
 
  private:
   Graph& graph_;
   std::vector<Replacement> rates_;  ///< q -> q', t -> 1
+  std::vector<Replacement> on_constraints_;
   std::vector<Expression> slopes_;  ///< dL/dq_i + Q_i
   std::vector<Expression> momenta_;
   Expression power_;  ///< what tau multiplies

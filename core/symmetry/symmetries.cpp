@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/expr/zeroness.hpp"
+#include "core/symmetry/constrained_changes.hpp"
 #include "core/symmetry/dependence.hpp"
 #include "core/symmetry/exact_coefficients.hpp"
 #include "core/symmetry/random_place.hpp"
@@ -46,8 +47,12 @@ std::vector<std::vector<Modular>> dependences(PlaceEvaluator& place, std::size_t
 
 class SearchForSymmetries {
  public:
-  SearchForSymmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known)
-      : result_{copied(lagrangian), {}, {}}, variation_(result_.lagrangian) {
+  SearchForSymmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known,
+                      const MoreChanges& more)
+      : result_{copied(lagrangian), {}, {}, {}},
+        allowed_(allowed_rates(result_.lagrangian)),
+        variation_(result_.lagrangian, allowed_ ? allowed_->rates : std::vector<Replacement>{}) {
+    if (allowed_) result_.on_constraints = allowed_->rates;
     const auto is_known = [&](const std::string& name) {
       return std::ranges::any_of(known, [&](const ConservedQuantity& q) { return q.name == name; });
     };
@@ -55,6 +60,7 @@ class SearchForSymmetries {
     for (const Expression& q : result_.lagrangian.symbols.coordinates.value)
       ignorable.push_back(is_known("p_" + std::get<Symbol>(q.node()).name));
     result_.changes = elementary_changes(result_.lagrangian, ignorable, is_known("energy") || is_known("h"));
+    add_changes(more);
     for (const ElementaryChange& change : result_.changes) variations_.push_back(variation_(change.change));
   }
 
@@ -71,6 +77,16 @@ class SearchForSymmetries {
   }
 
  private:
+  /// Before the linear ones, so that those may be combined with them.
+  void add_changes(const MoreChanges& more) {
+    std::vector<ElementaryChange> added;
+    if (allowed_) added = changes_along(result_.lagrangian, *allowed_);
+    if (allowed_ && more) std::ranges::move(more(result_.lagrangian), std::back_inserter(added));
+    const auto is_linear = [](const ElementaryChange& change) { return change.kind >= ChangeKind::linear; };
+    const auto place = std::ranges::find_if(result_.changes, is_linear);
+    result_.changes.insert(place, added.begin(), added.end());
+  }
+
   void try_to_claim(const SampledDependence& dependence) {
     const Lagrangian& lagrangian = result_.lagrangian;
     for (const AngleForm angles : {AngleForm::as_written, AngleForm::single}) {
@@ -85,19 +101,21 @@ class SearchForSymmetries {
   }
 
   SymmetrySearch result_;
+  std::optional<AllowedRates> allowed_;
   Variation variation_;
   std::vector<Expression> variations_;
 };
 
 }  // namespace
 
-SymmetrySearch affine_symmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known) {
+SymmetrySearch affine_symmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known,
+                                 const MoreChanges& more) {
   const WorkScope scope(most_work);
   try {
-    return SearchForSymmetries(lagrangian, known).result();
+    return SearchForSymmetries(lagrangian, known, more).result();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::too_large && error.code() != ErrorCode::not_applicable) throw;
-    return {copied(lagrangian), {}, {}, false};
+    return {copied(lagrangian), {}, {}, {}, false};
   }
 }
 

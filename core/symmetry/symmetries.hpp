@@ -4,9 +4,14 @@
 // constant and F has degree two at most in q and t: translations, rotations of several coordinates at once,
 // screw motions, uniform motions (Galilei), and all of these together with a shift of the time.
 //
+// Of scenes with constraints also those of constrained_changes.hpp, and R has to vanish on the constraints
+// alone.
+//
 // They are proposed by linear dependences among the changes of L at random places, in exact arithmetic
 // (random_place.hpp), with coefficients in the parameters (exact_coefficients.hpp), for all of whose values a
 // symmetry holds; and claimed where the algebra shows that R = 0 identically (core/expr/zeroness.hpp).
+
+#include <functional>
 
 #include "core/mechanics/conserved.hpp"
 #include "core/symmetry/point_change.hpp"
@@ -23,12 +28,18 @@ struct SymmetrySearch {
   Lagrangian lagrangian;  ///< a copy, whose graph all expressions here belong to
   std::vector<ElementaryChange> changes;
   std::vector<Symmetry> found;
+  /// Rates by others, as the constraints give them.
+  std::vector<Replacement> on_constraints;
   /// False where the scene is too large to be searched, or a dependence that shows at places was not proved.
   bool is_complete{true};
 };
 
+/// More changes that a search may combine, of its own copy of the Lagrangian.
+using MoreChanges = std::function<std::vector<ElementaryChange>(const Lagrangian& own)>;
+
 /// Those that are not among `known`, which conserved_quantities() found: ignorable coordinates and the time.
 [[nodiscard]] SymmetrySearch affine_symmetries(const Lagrangian& lagrangian,
-                                               std::span<const ConservedQuantity> known);
+                                               std::span<const ConservedQuantity> known,
+                                               const MoreChanges& more = nullptr);
 
 }  // namespace qdot

@@ -172,6 +172,20 @@ class DryFriction(Service):
 
                 self.check({"system": mass(f"{a}*abs(sin({w}*t/T))"), "t_end": 12}, truth)
 
+    def test_a_force_that_acts_for_microseconds_keeps_its_digits(self):
+        """1 - ((t - c)/w)^2 multiplied out would be a sum of terms (c/w)^2, and its zeros would be off as much."""
+        draw = random.Random(8)
+        for _ in range(24):
+            c, w = f"{draw.uniform(2, 9):.3f}", f"{draw.uniform(1, 9):.1f}e-5"
+            accuracy = draw.choice(({}, {"rtol": 1e-4}, {"rtol": 1e-6}, {"accuracy": "balanced"}, {"accuracy": "accurate"}))
+            with self.subTest(c=c, w=w, **accuracy):
+                def truth(t):
+                    return (4*mpf(w)*(t - mpf(c)), 4*mpf(w)) if t > mpf(c) else (mpf(0), mpf(0))
+
+                answer = self.check({"system": mass(f"1 + sign(1 - ((t/T - {c})/{w})^2)"), "t_end": 11, "samples": 2,
+                                     **accuracy}, truth)
+                self.assertLess(answer["accuracy"]["max_abs_error"]["x0_dot"], 2e-6*4*float(w))
+
     def test_two_masses_stick_each_by_itself(self):
         scene = mass("0.5*x1/L - 0.5*x0/L - 2*sign(x0_dot)", "0.5*x0/L - 0.5*x1/L - 1*sign(x1_dot)")
         answer = self.ask("simulate", {"system": scene, "initial": {"x0_dot": 1, "x1_dot": 0.4}, "t_end": 30, "samples": 4})

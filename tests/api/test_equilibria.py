@@ -82,6 +82,28 @@ class Equilibria(Answers):
         self.assertEqual((bottom["state"]["theta"], bottom["stability"]), (0, "neutral"))
         self.assertIn("nonlinearly stable", bottom["nonlinear"])
 
+    def test_next_to_a_pitchfork_each_of_three_has_its_stability(self):
+        """V = (x - c)^4/4 - e (x - c)^2/2: at c unstable, at c +- sqrt(e) stable, whatever rounding makes of V'' there."""
+        rng = random.Random(5)
+        for _ in range(30):
+            c, e = round(rng.uniform(-3, 3), 2), rng.randint(10, 99)*10.0**-rng.randint(12, 26)
+            text = f"x_dot^2/2 - (x - ({c}))^4/4 + {e!r}*(x - ({c}))^2/2"
+            found = self.ask("equilibria", {"system": lagrangian("landau", "", "x 1", text)})
+            with self.subTest(c=c, e=e):
+                self.assertIs(found["complete"], True)
+                self.assertEqual([s["stability"] for s in found["equilibria"]], ["stable", "unstable", "stable"])
+                for state, sign in zip(found["equilibria"], (-1, 0, 1)):
+                    self.assertLess(abs(state["state"]["x"] - (c + sign*math.sqrt(e))), 1e-15)
+
+    def test_what_follows_from_a_zero_is_not_said_of_what_rounding_hides(self):
+        """0 is unstable here, between two stable ones 1e-14 apart."""
+        system = lagrangian("landau", "", "x 1", "x_dot^2/2 - x^4/4 + 1e-28*x^2/2")
+        state, = self.ask("equilibria", {"system": system})["equilibria"]
+        self.assertIn("nonlinearly stable, where both are zero", state["nonlinear"])
+        system = lagrangian("fold", "", "x 1", "x_dot^2/2 - (x - 0.1)^3/3 + 1e-33*(x - 0.1)")
+        state, = self.ask("equilibria", {"system": system})["equilibria"]
+        self.assertIn("where the second is zero, unstable", state["nonlinear"])
+
     def test_momenta_of_a_steady_motion_are_told(self):
         found = self.ask("equilibria", {"system": "free_spin_pendulum"})
         self.assertEqual(list(found["momenta"]), ["p_psi"])

@@ -141,6 +141,50 @@ class EventTimes(Service):
         self.assertGreater(len(self.ratios), 100 * CASES)
         self.assertLess(statistics.median(self.ratios), 100)
 
+    def test_between_few_rows_of_a_motion_that_amplifies_its_errors(self):
+        """x = -mu/k + A e^(w t) + B e^(-w t) leaves a saddle, and passes a level long before the last row."""
+        saddle = {"name": "saddle", "units": "none", "parameters": [{"name": "k", "default": 1}, {"name": "mu", "default": 0}],
+                  "coordinates": [{"name": "x"}], "lagrangian": "x_dot^2/2 + k*x^2/2 + mu*x"}
+        for _ in range(3 * CASES):
+            k, mu, x, v = (round(self.random.uniform(*ends), 6) for ends in ((0.2, 20), (-2, 2), (-2, 2), (-2, 2)))
+            w = mpmath.sqrt(mpf(str(k)))
+            place = -mpf(str(mu)) / w**2
+            a, b = (mpf(str(x)) - place + mpf(str(v)) / w) / 2, (mpf(str(x)) - place - mpf(str(v)) / w) / 2
+            early = mpf(self.random.uniform(2, 6)) / w
+            level = mpmath.nstr(place + a * mpmath.exp(w * early) + b * mpmath.exp(-w * early), 8)
+            end = round(float(self.random.uniform(12, 18) / w), 3)
+            request = {"system": saddle, "parameters": {"k": k, "mu": mu}, "initial": {"x": x, "x_dot": v}, "t_end": end,
+                       "samples": 3, "events": [f"x={level}"], "rtol": 10.0 ** self.random.uniform(-12, -5), "method": "taylor"}
+            off = mpf(level) - place
+            root = mpmath.sqrt(off**2 - 4 * a * b)
+            growths = [(off + sign * root) / (2 * a) for sign in (1, -1)]
+            self.events(request, sorted(mpmath.log(growth) / w for growth in growths if growth > 1))
+        self.assertGreater(len(self.ratios), 2 * CASES)
+        self.assertLess(statistics.median(self.ratios), 10)
+
+    def test_events_that_happen_within_the_errors_alone_are_told_to_be_in_doubt(self):
+        """An oscillation of loose steps that does not reach the level which the true one just passes, or only sometimes."""
+        differ = 0
+        for _ in range(2 * CASES):
+            k, v = round(self.random.uniform(0.5, 10), 4), round(self.random.uniform(0.5, 2), 4)
+            w = mpmath.sqrt(mpf(str(k)))
+            wave = (mpf(str(v)) / w, w, -mpmath.pi / 2)
+            level = mpmath.nstr(wave[0] * (1 - mpf(10) ** self.random.uniform(-6, -1)), 9)
+            end = round(float(self.random.uniform(5, 40) / w), 3)
+            answer = strict_json(self.post("simulate", {
+                "system": particle("k*x^2/2"), "parameters": {"k": k}, "initial": {"x": 0, "x_dot": v}, "t_end": end,
+                "events": [f"x={level}*L"], "rtol": 10.0 ** self.random.uniform(-5, -2),
+                "method": self.random.choice(["bdf", "adams", "erk"])}).data)
+            expected = places_of(wave, mpf(level), mpf(str(end)))
+            self.assertFalse(answer["accuracy"]["bounded"])
+            for event in answer["events"]:
+                if event["error"] is not None:
+                    self.judge(event, min(expected, key=lambda t, e=event: abs(t - mpf(e["t"]))), answer["request"])
+            if len(expected) != len(answer["events"]):
+                differ += 1
+                self.assertIn("how often it happens is no more certain", answer["accuracy"]["reason"], answer["request"])
+        self.assertGreater(differ, 0)
+
     def test_of_a_throw_that_grazes(self):
         """x = v t - t^2/2 meets its greatest height twice, ever nearer to one place."""
         for n in range(1, CASES + 1):

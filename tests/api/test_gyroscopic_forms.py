@@ -47,14 +47,19 @@ class Gyroscopic(Service):
             self.assertEqual(answer["equilibrium"]["stability"], "unstable")
             self.assertFalse(any("exact" in mode for mode in answer["modes"]))
 
-    def test_where_the_top_falls_asleep_is_no_bifurcation_of_equilibria(self):
-        asked = {"system": TOP, "parameter": "w", "from": 1}
+    def test_where_the_top_falls_asleep(self):
         threshold = math.sqrt(4 * (0.002 + 0.4 * 0.04**2) * 0.4 * 9.81 * 0.04) / 0.001
-        answer = self.ask("bifurcations", {**asked, "to": 60})
-        self.assertEqual((answer["critical"], answer["complete"]), ([], 60 < threshold))
+        asked = {"system": TOP, "parameter": "w", "from": 1}
+        answer = self.ask("bifurcations", {**asked, "to": 0.9 * threshold})
+        self.assertEqual((answer["critical"], answer["complete"]), ([], True))
         answer = self.ask("bifurcations", {**asked, "to": 3 * threshold})
-        self.assertEqual((answer["critical"], answer["complete"]), ([], False))
-        self.assertIn("oscillations about it begin to grow", answer["reason"])
+        critical, other = answer["critical"]  # a = b = pi is the same place as a = b = 0
+        self.assertEqual((critical["kind"], other["kind"], answer["complete"]), ("flutter", "flutter", True))
+        self.assertEqual(len(answer["branches"]), 8)
+        self.assertLessEqual(abs(critical["value"] - threshold), critical["error"] + 1e-15 * threshold)
+        self.assertAlmostEqual(critical["omega"], 0.001 * threshold / (2 * (0.002 + 0.4 * 0.04**2)), 12)
+        values = {"m": 0.4, "h": 0.04, "A": 0.002, "C": 0.001, "g": 9.81}
+        self.assertAlmostEqual(value(critical["exact"]["text"], values), threshold, 12)
 
     def test_a_charge_on_springs_in_a_magnetic_field(self):
         scene = {"name": "charge", "parameters": parameters(m=("kg", "1"), k=("N/m", "4"), B=("kg/s", "0.8")),

@@ -79,6 +79,25 @@ class Saddles(Service):
                 error = abs(mpf(repr(answer["trajectory"][name][-1])) - true)
                 self.assertLessEqual(error, mpf(repr(answer["accuracy"]["max_abs_error"][name])), (name, request))
 
+    def test_the_extrema_of_a_motion_that_is_followed_know_the_instants_that_were_typed(self):
+        """Of one of two coordinates: the energy alone tells nothing of it. It is largest or smallest at the end."""
+        pair = SADDLE | {"name": "pair", "coordinates": [{"name": "x"}, {"name": "y"}],
+                         "lagrangian": SADDLE["lagrangian"] + " + y_dot^2/2 - y^2/2"}
+        chance = random.Random(42)
+        judged = 0
+        for _ in range(CASES // 5):
+            case = {"k": chance.choice([1, 2, 4]), "mu": 0.5, "x": chance.choice([0.5, 1.25]), "x_dot": chance.choice([0.25, 2])}
+            start = round(chance.uniform(-1e6, 1e6), 2)
+            end = round(start + chance.uniform(2, 5), 2)
+            answer = strict_json(self.post("turning_points", {
+                "system": pair, "parameters": {"k": case["k"], "mu": case["mu"]}, "coordinate": "x", "t_start": start,
+                "t_end": end, "initial": {"x": case["x"], "x_dot": case["x_dot"], "y": 1, "y_dot": 0}}).data)
+            self.assertEqual(answer["method"], "trajectory")
+            true, _ = exact(case, mpf(repr(end)) - mpf(repr(start)))
+            self.assertLessEqual(abs(mpf(repr(answer["x_max"])) - true), mpf(repr(answer["error"]["x_max"])), (start, end, case))
+            judged += 1
+        self.assertGreater(judged, CASES // 6)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -78,7 +78,7 @@ class BifurcationsAnswer {
     return body;
   }
 
-  [[nodiscard]] Json critical(const CriticalValue& c) const {
+  [[nodiscard]] Json critical(const CriticalValue& c) {
     Json json{{"value", c.value},
               {"kind", name(c.kind)},
               {"state", state_json(scene_, c.y)},
@@ -86,6 +86,11 @@ class BifurcationsAnswer {
               {"state_error", state_json(scene_, c.errors)}};
     for (auto& [name, error] : json["state_error"].items()) {
       error = stated_error({json["state"][name].get<double>(), error.get<double>()}, digits_);
+    }
+    if (c.omega > 0) {
+      json["omega"] = c.omega;
+      json["omega_error"] = stated_error({c.omega, c.omega_error}, digits_);
+      units_["omega"] = units_["omega_error"] = "rad/s";
     }
     if (!c.reason.empty()) json["reason"] = c.reason;
     if (!c.proven) json["note"] = cluster;

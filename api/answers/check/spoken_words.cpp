@@ -18,7 +18,8 @@ constexpr std::array mode_kinds{std::string_view("oscillation"), std::string_vie
                                 std::string_view("growth"), std::string_view("decay")};
 constexpr std::array bifurcation_kinds{
     std::string_view("pitchfork"), std::string_view("saddle node"),     std::string_view("transcritical"),
-    std::string_view("fold"),      std::string_view("period doubling"), std::string_view("neimark sacker")};
+    std::string_view("fold"),      std::string_view("period doubling"), std::string_view("neimark sacker"),
+    std::string_view("hopf"),      std::string_view("flutter")};
 constexpr std::array gait_kinds{std::string_view("short"), std::string_view("long")};
 
 /// Other words for the same.

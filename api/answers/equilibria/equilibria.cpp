@@ -7,7 +7,10 @@
 #include "api/answers/steady_json.hpp"
 #include "api/json/text.hpp"
 #include "core/closed/exact_solution.hpp"
+#include "core/dynamics/consistent_state.hpp"
 #include "core/steady/constrained_equilibria.hpp"
+#include "core/steady/position_statics.hpp"
+#include "core/steady/search_region.hpp"
 #include "core/steady/solve_for.hpp"
 
 namespace qdot::api {
@@ -229,6 +232,24 @@ class SolutionAnswer {
   std::vector<ExactSolution> exact_;
 };
 
+/// The position as the constraints want it; an error where they do not hold at what is given.
+std::optional<FieldError> put_on_surface(const Dynamics& dynamics, const std::string& unknown,
+                                         const std::vector<bool>& given, const Place& root,
+                                         ResolvedState& state) {
+  try {
+    state.y = position_on_surface(dynamics, state.parameters, state.y, given, unknown);
+    return std::nullopt;
+  } catch (const InconsistentState& error) {
+    std::string near;
+    for (std::size_t i = 0; i < given.size() && !error.nearest().empty(); ++i) {
+      const auto& [name, value] = error.nearest()[i];
+      near += (i == 0 ? " Near it does " : ", ") + name + " = " + short_number(value, 15);
+    }
+    return root.below("at").error("inconsistent_state", "This position does not obey the constraints." +
+                                                            near + (near.empty() ? "" : "."));
+  }
+}
+
 /// Puts the position into the state and into the echo. Returns an error for each coordinate that the position
 /// lacks although forces depend on it.
 std::vector<FieldError> take_position(const Dynamics& dynamics, const EquilibriaRequest& request,
@@ -245,25 +266,33 @@ std::vector<FieldError> take_position(const Dynamics& dynamics, const Equilibria
   }
   std::vector<FieldError> errors;
   const std::vector<std::size_t> needed = needed_coordinates(dynamics, state.parameters, *request.solve_for);
-  Json position = Json::object();
+  std::vector<bool> given(scene.coordinates.size());
   for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
     const std::string& name = scene.coordinates[i].name;
     const auto given_in = [&](const auto& values) {
       return std::ranges::find(values, name, &std::pair<std::string, Real>::first);
     };
     const auto at = given_in(request.system.position);
-    if (at != request.system.position.end()) {
-      state.y.set(i, at->second);
-    } else if (given_in(request.system.initial) == request.system.initial.end()) {
-      if (std::ranges::find(needed, i) == needed.end()) continue;
+    if (at != request.system.position.end()) state.y.set(i, at->second);
+    given[i] = at != request.system.position.end() ||
+               given_in(request.system.initial) != request.system.initial.end();
+    if (!given[i] && std::ranges::find(needed, i) != needed.end())
       errors.push_back(
           root.below("at").below(name).error("missing", "'at' needs " + name + ", on which forces depend."));
-      continue;
-    }
-    position[name] = state.y[i];
+  }
+  // What constraints determine may be left out.
+  if (errors.size() > dependent_coordinates(dynamics, *request.solve_for)) return errors;
+  const bool complete = errors.empty();
+  std::vector<bool> stays = given;
+  for (std::size_t i = 0; i < stays.size(); ++i)
+    stays[i] = given[i] || std::ranges::find(needed, i) == needed.end();
+  if (auto error = put_on_surface(dynamics, *request.solve_for, stays, root, state)) return {*error};
+  Json position = Json::object();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i] || (!complete && !stays[i])) position[scene.coordinates[i].name] = state.y[i];
   }
   echo["at"] = std::move(position);
-  return errors;
+  return {};
 }
 
 /// The initial state matters where ignorable coordinates move, or where a coordinate is free. Elsewhere what

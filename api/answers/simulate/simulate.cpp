@@ -201,6 +201,8 @@ class SimulationAnswer {
       json["meets_request"] = *measured_.meets_request && !rounded_away;
       if (rounded_away) reason = "The digits asked for round more away than the error wanted.";
     }
+    const std::string& doubt = measured_.events_in_doubt;
+    if (!doubt.empty()) reason += (reason.empty() ? "" : " ") + doubt;
     if (!reason.empty()) json["reason"] = reason;
     return json;
   }

@@ -24,6 +24,9 @@ TEST(StatedNumber, IsWithinItsErrorAsADecimalAndAsADouble) {
   EXPECT_GE(stated_error({third, 0}, shortest_digits).get<double>(), 1.48296e-17);
   EXPECT_LE(stated_error({third, 0}, shortest_digits).get<double>(), 1.5e-17);
   EXPECT_EQ(stated_error({0.75, 0}, shortest_digits).get<double>(), 0);
+  // written as 52028976569112550.0, as no other double is nearer to that
+  EXPECT_GE(stated_error({52028976569112552.0, 0}, shortest_digits).get<double>(), 2);
+  EXPECT_LE(stated_error({52028976569112552.0, 0}, shortest_digits).get<double>(), 2.1);
 }
 
 TEST(StatedNumber, OfWhichNothingIsKnownHasNoError) {

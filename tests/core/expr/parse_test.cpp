@@ -278,6 +278,16 @@ TEST(ParseBounds, NumbersBeyondADouble) {
                "a number in the expression is outside the range of a double");
 }
 
+TEST(ParseBounds, NumbersThatUnderflowWhereTheyStay) {
+  // exact as an expression, but computed it would be sqrt(0)*1e198
+  expect_error("x*sqrt(((2.38e-50)^4)^2)*1e198", ErrorCode::too_large, 30,
+               "a number in the expression is outside the range of a double");
+  expect_error("1e-200*x*1e-200", ErrorCode::too_large, 15,
+               "a number in the expression is outside the range of a double");
+  Reading read;
+  EXPECT_EQ(read("(1e-200*1e-200)*x*1e200*1e200"), read.x);
+}
+
 TEST(ParseBounds, TwoThousandNodesHoweverTheyArise) {
   // A power of a product of 300 symbols makes 300 nodes: a short text, many nodes.
   Graph graph;

@@ -183,7 +183,8 @@ TEST(Ladder, ChecksMoveNumbersByDifferentAmounts) {
   const Dynamics dynamics(model);
   const DenseGrid grid(request);
   const Simulation motion = simulate(dynamics, request);
-  const SimulationRequest check = check_of({dynamics, request, grid, motion, request.tolerances, false}, 1);
+  const SimulationRequest check =
+      check_of({dynamics, request, grid, EventRows(grid.t, motion), motion, request.tolerances, false}, 1);
   std::set<double> moved{1.0};
   for (std::size_t i = 0; i < 4; ++i) moved.insert({check.parameters[i], check.y_start[i]});
   EXPECT_EQ(moved.size(), 9U);

@@ -10,7 +10,7 @@ namespace {
 using Row = std::vector<double>;
 
 void add(RowErrors& errors, const Row& row, const std::vector<Row>& others, double t = 0) {
-  std::vector<RowErrors::Other> same_row;
+  std::vector<OtherRow> same_row;
   for (const Row& other : others) same_row.push_back({.row = other, .apart = {}});
   errors.add(t, row, same_row);
 }
@@ -32,7 +32,7 @@ TEST(RowErrors, AreTwiceTheLargestDifferenceMetSoFar) {
 TEST(RowErrors, AreNoLessThanWhatTheOtherIsOffBy) {
   RowErrors errors = errors_of({1, 1});
   const Row row{0, 0}, other{1e-6, 1e-6}, apart{5e-6, 5e-7};
-  errors.add(0, row, std::vector<RowErrors::Other>{{.row = other, .apart = apart}});
+  errors.add(0, row, std::vector<OtherRow>{{.row = other, .apart = apart}});
   EXPECT_NEAR(errors.so_far()[0], 11e-6, 1e-15);
   EXPECT_NEAR(errors.so_far()[1], 2e-6, 1e-15);
 }

@@ -1,10 +1,11 @@
-#include "core/mechanics/kept_terms.hpp"
+#include "core/expr/kept_terms.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/expr/calculus.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
@@ -95,6 +96,12 @@ Terms split_kept_terms(const Expression& e) {
 Expression shortened(const Expression& e) {
   const Terms terms = split_kept_terms(e);
   return terms.kept.is_zero() ? simplify(e) : simplify(terms.plain) + terms.kept;
+}
+
+Expression shortened_derivative(const Expression& e, const Expression& x) {
+  const Terms terms = split_kept_terms(e);
+  if (terms.kept.is_zero()) return simplify(differentiate(e, x));
+  return simplify(differentiate(terms.plain, x)) + differentiate(terms.kept, x);
 }
 
 }  // namespace qdot

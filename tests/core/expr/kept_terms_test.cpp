@@ -1,9 +1,10 @@
-#include "core/mechanics/kept_terms.hpp"
+#include "core/expr/kept_terms.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/expr/simplify.hpp"
 
 namespace qdot {
 namespace {
@@ -31,6 +32,12 @@ TEST_F(KeptTerms, AreThoseThatLoseDigitsMultipliedOut) {
 TEST_F(KeptTerms, StayAsTheyAreAmongTermsThatAreShortened) {
   const Expression e = parsed("m*(sin(theta)^2 + cos(theta)^2) + exp(-((x - c)/w)^2)");
   EXPECT_EQ(shortened(e), parsed("m + exp(-((x - c)/w)^2)"));
+}
+
+TEST_F(KeptTerms, StayAsTheyAreWhenTheyAreDifferentiated) {
+  const Expression x = parsed("x");
+  EXPECT_EQ(shortened_derivative(parsed("(x - c)^3 - w*x"), x), parsed("3*(x - c)^2 - w"));
+  EXPECT_EQ(shortened_derivative(parsed("m*(x - c)^2/2 + g*x"), x), simplify(parsed("m*(x - c) + g")));
 }
 
 }  // namespace

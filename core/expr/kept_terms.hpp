@@ -26,4 +26,7 @@ struct Terms {
 /// The short form of e (core/expr/simplify.hpp), with such terms as they are.
 [[nodiscard]] Expression shortened(const Expression& e);
 
+/// de/dx in the same way: 3 (x - c)^2 of (x - c)^3, as what is kept of e is kept in its derivative.
+[[nodiscard]] Expression shortened_derivative(const Expression& e, const Expression& x);
+
 }  // namespace qdot

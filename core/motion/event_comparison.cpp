@@ -1,0 +1,124 @@
+#include "core/motion/event_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/accumulation.hpp"
+#include "core/motion/row_errors.hpp"
+#include "core/numerics/same_bits.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double small_beside = 1e-3;  ///< of a column: there errors grow as linear ones do
+
+/// Rows may meet an oscillation always in the same phase, where the error of a coordinate is small and that
+/// of its velocity large, or the other way round: between them each turns into the other.
+std::vector<double> between_rows(std::span<const double> error, std::span<const double> scale) {
+  std::vector<double> result(error.begin(), error.end());
+  const std::size_t n = scale.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double tau = scale[i] / scale[n + i];
+    if (!(tau > 0) || !std::isfinite(tau)) continue;
+    result[i] = hypotenuse(error[i], tau * error[n + i]);
+    result[n + i] = hypotenuse(error[i] / tau, error[n + i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+EventComparison::EventComparison(const ComputedMotion& motion, const std::vector<Simulation>& others,
+                                 const ErrorsOfRows& errors, RowsAtImpacts& at_impacts)
+    : motion_(motion),
+      others_(others),
+      errors_(errors),
+      scale_(errors.scale),
+      at_events_(motion, others, scale_, at_impacts),
+      of_state_(motion.dynamics, motion.request, scale_),
+      reached_(scale_.size()) {}
+
+std::vector<std::optional<double>> EventComparison::of_events() {
+  std::vector<std::optional<double>> result;
+  for (const EventRecord& event : motion_.simulation.events) {
+    const std::vector<double> before = rows_before(event.t);
+    const auto at_event = at_events_.next(event, before);
+    if (at_event && is_small(*at_event)) {
+      result.push_back(of_state_.of(event, *at_event, reached_));
+    } else {
+      const std::vector<double> later = some_rows_after(event.t);
+      result.push_back(later.empty() ? std::nullopt : of_state_.of(event, later, scale_));
+    }
+  }
+  return result;
+}
+
+std::span<const double> EventComparison::row(std::size_t i) const {
+  return std::span(errors_.stated).subspan(i * scale_.size(), scale_.size());
+}
+
+/// The errors of the last row before t. Times do not fall.
+std::vector<double> EventComparison::rows_before(double t) {
+  const std::vector<double>& times = motion_.grid.t;
+  const std::span<const double> states = motion_.simulation.states;
+  const auto note = [&](std::size_t i) {
+    for (std::size_t k = 0; k < scale_.size(); ++k)
+      reached_[k] = std::max(reached_[k], std::abs(states[i * scale_.size() + k]));
+  };
+  while (next_row_ < rows() && times[next_row_] <= t) note(next_row_++);
+  if (next_row_ < rows()) note(next_row_);
+  if (next_row_ > 0) return {row(next_row_ - 1).begin(), row(next_row_ - 1).end()};
+  std::vector<double> none(scale_.begin(), scale_.end());
+  for (double& error : none) error *= errors_.doubt;
+  return none;
+}
+
+/// Where the others have no state at an event, or the motion is lost: the first rows may be small by chance.
+std::vector<double> EventComparison::some_rows_after(double t) const {
+  const auto times = std::span(motion_.grid.t).first(rows());
+  if (times.empty() || t > times.back()) return {};
+  const auto later = std::ranges::lower_bound(times, t + own_time()) - times.begin();
+  return between_rows(row(std::min(static_cast<std::size_t>(later), rows() - 1)), scale_);
+}
+
+/// The longest L_q / L_v: in which the motion may go once through a column.
+double EventComparison::own_time() const {
+  double time = 0;
+  for (std::size_t i = 0; i < scale_.size() / 2; ++i) {
+    const double tau = scale_[i] / scale_[scale_.size() / 2 + i];
+    if (std::isfinite(tau)) time = std::max(time, tau);
+  }
+  return time;
+}
+
+bool EventComparison::is_small(std::span<const double> errors) const {
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (!(errors[k] <= small_beside * scale_[k])) return false;
+  }
+  return true;
+}
+
+double EventComparison::accumulation_error(std::span<const double> of_state) {
+  const Simulation& motion = motion_.simulation;
+  double of_impacts = 0;
+  for (const EventRecord& event : motion.events)
+    of_impacts = std::max(of_impacts, of_state_.of(event, of_state, scale_).value_or(0));
+  return of_impacts + doubt_of_accumulation(motion.sections, motion_.request.t_end - motion_.request.t_start);
+}
+
+/// The computations have each its own; they may agree by chance, and the last row is before all of them.
+std::optional<double> EventComparison::of_stop() {
+  if (!motion_.simulation.stop || rows() == 0) return std::nullopt;
+  const Stop& stop = *motion_.simulation.stop;
+  const std::vector<double> of_state = some_rows_after(motion_.grid.t[rows() - 1]);
+  std::optional<double> error;
+  for (const Simulation& other : others_) {
+    if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
+    error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
+  }
+  const auto least = stop.reason == impacts_accumulate ? std::optional(accumulation_error(of_state))
+                                                       : of_state_.of(stop, motion_.simulation.y, of_state);
+  return error && least ? std::optional(std::max(*error, *least)) : std::nullopt;
+}
+
+}  // namespace qdot

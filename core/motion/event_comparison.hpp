@@ -1,0 +1,52 @@
+#pragma once
+// The errors of the times of a motion's events and of its stop, from those of its rows and from other
+// computations' states at its events.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/motion/errors_at_events.hpp"
+#include "core/motion/event_errors.hpp"
+#include "core/motion/motion_check.hpp"
+
+namespace qdot {
+
+/// What is known of the error of each row that was compared.
+struct ErrorsOfRows {
+  const std::vector<double>& stated;  ///< rows x 2n; they do not fall from row to row
+  double doubt{};                     ///< the part of each column's magnitude that is in them
+  std::span<const double> scale{};    ///< the largest magnitude of each column
+};
+
+class EventComparison {
+ public:
+  /// Keeps references.
+  EventComparison(const ComputedMotion& motion, const std::vector<Simulation>& others,
+                  const ErrorsOfRows& errors, RowsAtImpacts& at_impacts);
+
+  /// Of each event; none where it may not happen, or after the last row.
+  [[nodiscard]] std::vector<std::optional<double>> of_events();
+  /// None where there is no stop, or where no other computation has it.
+  [[nodiscard]] std::optional<double> of_stop();
+
+ private:
+  [[nodiscard]] std::size_t rows() const { return errors_.stated.size() / scale_.size(); }
+  [[nodiscard]] std::span<const double> row(std::size_t i) const;
+  [[nodiscard]] std::vector<double> rows_before(double t);
+  [[nodiscard]] std::vector<double> some_rows_after(double t) const;
+  [[nodiscard]] double own_time() const;
+  [[nodiscard]] bool is_small(std::span<const double> errors) const;
+  [[nodiscard]] double accumulation_error(std::span<const double> of_state);
+
+  const ComputedMotion& motion_;
+  const std::vector<Simulation>& others_;
+  ErrorsOfRows errors_;
+  std::span<const double> scale_;
+  ErrorsAtEvents at_events_;
+  EventErrors of_state_;
+  std::size_t next_row_{};       ///< after the event that was looked at last
+  std::vector<double> reached_;  ///< the largest magnitude of each column up to there
+};
+
+}  // namespace qdot
