@@ -16,6 +16,14 @@ using Rewrite = std::function<std::optional<Expression>(Function, const Number& 
 /// How often the way of w is gone: there and back, or twice where w is even in x.
 constexpr int possible_passes[]{2, 4};
 
+/// w by x: x itself, or |x| on one side of 0; or a function of y = part * argument, linear in x.
+struct Substitution {
+  enum class Kind { itself, one_side, sine, cosine, exponential };
+  Kind kind{};
+  Expression argument;
+  Number part;
+};
+
 class PeriodSearch {
  public:
   PeriodSearch(const QuadratureProblem& problem, const ExactValues& values)
@@ -24,96 +32,119 @@ class PeriodSearch {
         x_(problem.x),
         u_(graph_.symbol("w of x")),
         y_(graph_.symbol("argument of x")),
-        speed2_(Number(2) * (problem.energy - problem.potential) / problem.inertia) {}
+        speed2_(Number(2) * (problem.energy - problem.potential) / problem.inertia),
+        tried_(speed2_),
+        inertia_varies_(depends_on(problem.inertia, problem.x)) {}
 
   std::vector<Expression> periods() {
-    tried([&] { by_powers(); });
-    for (const Expression& argument : arguments({Function::sin, Function::cos, Function::tan}))
-      tried([&] { by_angle(argument); });
-    for (const Expression& argument :
-         arguments({Function::exp, Function::sinh, Function::cosh, Function::tanh}))
-      tried([&] { by_exponential(argument); });
+    take_numbers();
+    for (const Substitution& w : substitutions()) {
+      try {
+        if (try_out(w)) break;
+      } catch (const Error&) {  // the algebra grows too large: another may do
+      }
+    }
     return std::move(found_);
   }
 
  private:
-  static void tried(const std::function<void()>& substitution) {
-    try {
-      substitution();
-    } catch (const Error&) {  // the algebra grows too large: others may do
+  /// In place of the parameters and constants, so that what is no such integral is told with little algebra.
+  void take_numbers() {
+    constexpr int primes[]{3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73};
+    const NodeId root = speed2_.id();
+    std::size_t next = 0;
+    for (const NodeId id : reachable(graph_, {&root, 1})) {
+      const Expression e(graph_, id);
+      if (!std::holds_alternative<Symbol>(e.node()) || e == x_ || next == std::size(primes)) continue;
+      numbers_.emplace_back(e, graph_.number(Number(primes[next++])));
     }
+    tried_ = substitute(speed2_, numbers_);
   }
 
-  /// w = x, or x^2; and |x| on one side.
-  void by_powers() {
-    const Replacement u{x_, u_};
-    const Expression e = substitute(speed2_, {&u, 1});
-    consider(e);
-    consider_square(e);
-    const auto one_side = [&](Function function, const Number&) -> std::optional<Expression> {
-      if (function == Function::abs) return u_;
-      return function == Function::sign ? std::optional(graph_.number(1)) : std::nullopt;
+  /// Whether w, or its square, makes it such an integral.
+  bool try_out(const Substitution& w) {
+    Substitution numbered = w;
+    numbered.argument = substitute(w.argument, numbers_);
+    const auto e = by_u(tried_, numbered);
+    if (!e) return false;
+    if (fits(e)) return take(by_u(speed2_, w), w.kind);
+    if (!fits(by_square(*e))) return false;
+    const auto all = by_u(speed2_, w);
+    return all && take(by_square(*all), w.kind);
+  }
+
+  [[nodiscard]] std::vector<Substitution> substitutions() const {
+    using Kind = Substitution::Kind;
+    std::vector<Substitution> all;
+    all.push_back({Kind::itself, x_, Number(1)});
+    if (!arguments({Function::abs, Function::sign}).empty()) all.push_back({Kind::one_side, x_, Number(1)});
+    for (const Expression& argument : arguments({Function::sin, Function::cos, Function::tan})) {
+      for (const Kind kind : {Kind::cosine, Kind::sine}) {
+        all.push_back({kind, argument, Number(1)});
+        if (inertia_varies_) all.push_back({kind, argument, Number::ratio(1, 2)});
+      }
+    }
+    for (const Expression& argument :
+         arguments({Function::exp, Function::sinh, Function::cosh, Function::tanh}))
+      all.push_back({Kind::exponential, argument, Number(1)});
+    return all;
+  }
+
+  /// (dw/dt)^2 by u = w, where x'^2 = e.
+  [[nodiscard]] std::optional<Expression> by_u(const Expression& e, const Substitution& w) {
+    using Kind = Substitution::Kind;
+    const Expression argument = w.argument, slope = differentiate(argument, x_);
+    if (slope.is_zero() || depends_on(slope, x_)) return std::nullopt;
+    const Replacement zero{x_, graph_.number(0)};
+    const Expression offset = substitute(argument, {&zero, 1});
+    const Replacement y{x_, (y_ / graph_.number(w.part) - offset) / slope};
+    const Expression by_y = substitute(e, {&y, 1});
+    const Expression rate = graph_.number(w.part) * slope, one = graph_.number(1);
+    std::optional<Expression> all;
+    if (w.kind == Kind::itself || w.kind == Kind::one_side) all = by_itself(by_y, w.kind == Kind::one_side);
+    if (w.kind == Kind::cosine || w.kind == Kind::sine) {
+      all = by_angle(by_y, w.kind);
+      if (all) all = *all * rate * rate * (one - u_ * u_);
+    }
+    if (w.kind == Kind::exponential) {
+      all = by_exponential(by_y);
+      if (all) all = *all * rate * rate * u_ * u_;
+    }
+    return all;
+  }
+
+  [[nodiscard]] std::optional<Expression> by_itself(const Expression& e, bool one_side) {
+    if (one_side)
+      return rewritten(e, [&](Function function, const Number&) -> std::optional<Expression> {
+        if (function == Function::abs) return u_;
+        return function == Function::sign ? std::optional(graph_.number(1)) : std::nullopt;
+      });
+    const Replacement u{y_, u_};
+    return substitute(e, {&u, 1});
+  }
+
+  [[nodiscard]] std::optional<Expression> by_angle(const Expression& e, Substitution::Kind kind) {
+    const bool is_sine = kind == Substitution::Kind::sine;
+    const RationalFunction f = rational_function(with_tangents_written(e));
+    const Replacement u{is_sine ? sin(y_) : cos(y_), u_};
+    const auto part = [&](const Polynomial& a) {
+      const Polynomial single = with_single_angles(graph_, a);
+      const Polynomial one = is_sine ? without_cosine_squares(graph_, single, y_) : single;
+      return substitute(to_expression(graph_, one), {&u, 1});
     };
-    const Replacement y{x_, y_};
-    if (const auto side = rewritten(substitute(speed2_, {&y, 1}), one_side)) consider_from_zero(*side);
+    const Expression quotient = part(f.above) / part(f.below);
+    return depends_on(quotient, y_) ? std::nullopt : std::optional(quotient);
   }
 
-  /// y = argument/1 or argument/2: w = sin(y), cos(y).
-  void by_angle(const Expression& argument) {
-    for (const Number& part : {Number(1), Number::ratio(1, 2)}) {
-      const auto [e, slope] = in_argument(argument, part);
-      if (!e) continue;
-      const Expression sine = sin(y_), cosine = cos(y_);
-      const RationalFunction f = rational_function(with_tangents_written(*e));
-      const Polynomial above = with_single_angles(graph_, f.above),
-                       below = with_single_angles(graph_, f.below);
-      const Expression one = graph_.number(1);
-      const auto consider_as = [&](const Expression& w, const Polynomial& a, const Polynomial& b) {
-        const Replacement u{w, u_};
-        const Expression quotient =
-            substitute(to_expression(graph_, a), {&u, 1}) / substitute(to_expression(graph_, b), {&u, 1});
-        if (depends_on(quotient, y_)) return;
-        const Expression all = quotient * slope * slope * (one - u_ * u_);
-        consider(all);
-        consider_square(all);
-      };
-      consider_as(cosine, above, below);
-      consider_as(sine, without_cosine_squares(graph_, above, y_), without_cosine_squares(graph_, below, y_));
-    }
-  }
-
-  /// y = argument: w = exp(y), and its square.
-  void by_exponential(const Expression& argument) {
-    const auto [e, slope] = in_argument(argument, Number(1));
-    if (!e) return;
-    const auto by_powers_of_u = [&](Function function, const Number& k) -> std::optional<Expression> {
+  [[nodiscard]] std::optional<Expression> by_exponential(const Expression& e) {
+    return rewritten(e, [&](Function function, const Number& k) -> std::optional<Expression> {
       const Expression up = pow(u_, k), down = pow(u_, -k);
       const Expression twice_sinh = up - down, twice_cosh = up + down;
       if (function == Function::exp) return up;
       if (function == Function::sinh) return Number::ratio(1, 2) * twice_sinh;
       if (function == Function::cosh) return Number::ratio(1, 2) * twice_cosh;
       return function == Function::tanh ? std::optional(twice_sinh / twice_cosh) : std::nullopt;
-    };
-    const auto by_u = rewritten(*e, by_powers_of_u);
-    if (!by_u) return;
-    const Expression all = *by_u * slope * slope * u_ * u_;
-    consider(all);
-    consider_square(all);
-  }
-
-  struct InArgument {
-    std::optional<Expression> e;  ///< x'^2 by y
-    Expression slope;             ///< dy/dx
-  };
-
-  /// y = part * argument, which is linear in x.
-  [[nodiscard]] InArgument in_argument(const Expression& argument, const Number& part) {
-    const Expression slope = differentiate(argument, x_);
-    if (slope.is_zero() || depends_on(slope, x_)) return {};
-    const Replacement zero{x_, graph_.number(0)};
-    const Expression offset = substitute(argument, {&zero, 1});
-    const Replacement y{x_, (y_ / graph_.number(part) - offset) / slope};
-    return {substitute(speed2_, {&y, 1}), graph_.number(part) * slope};
+    });
   }
 
   [[nodiscard]] Expression with_tangents_written(const Expression& e) {
@@ -137,8 +168,25 @@ class PeriodSearch {
       if (!value) return std::nullopt;
       written.emplace_back(graph_.call(call.function, argument), *value);
     }
-    const Expression result = substitute(e, written);
-    return depends_on(result, y_) ? std::nullopt : std::optional(result);
+    written.emplace_back(y_, u_);
+    return substitute(e, written);
+  }
+
+  /// Of v = u^2, where (dv/dt)^2 = 4 v (du/dt)^2.
+  [[nodiscard]] std::optional<Expression> by_square(const Expression& e) {
+    const RationalFunction f = rational_function(e);
+    const auto halved = [&](const Polynomial& a) -> std::optional<Expression> {
+      Polynomial result;
+      for (const auto& [monomial, coefficient] : a) {
+        const int power = exponent_of(monomial, u_.id());
+        if (power % 2 != 0) return std::nullopt;
+        add(result, times(monomial, u_.id(), -power / 2), coefficient);
+      }
+      return to_expression(graph_, result);
+    };
+    const auto above = halved(f.above), below = halved(f.below);
+    if (!above || !below) return std::nullopt;
+    return Number(4) * u_ * *above / *below;
   }
 
   [[nodiscard]] std::vector<Call> calls(const Expression& e) const {
@@ -163,47 +211,39 @@ class PeriodSearch {
     return found;
   }
 
-  /// (du/dt)^2 by u.
-  void consider(const Expression& e) {
+  struct Sides {
+    std::optional<Univariate> above, below;
+  };
+  [[nodiscard]] Sides sides(const Expression& e) {
     const RationalFunction f = rational_function(e);
-    const auto above = univariate(graph_, f.above, u_), below = univariate(graph_, f.below, u_);
+    return {univariate(graph_, f.above, u_), univariate(graph_, f.below, u_)};
+  }
+
+  [[nodiscard]] bool fits(const std::optional<Expression>& e) {
+    if (!e) return false;
+    const auto [above, below] = sides(*e);
+    return above && below && is_root_integral(*above, *below);
+  }
+
+  bool take(const std::optional<Expression>& e, Substitution::Kind kind) {
+    if (!e) return false;
+    const auto [above, below] = sides(*e);
+    if (!above || !below) return false;
+    const auto integral = kind == Substitution::Kind::one_side ? root_integral_from_zero : root_integral;
     for (const int passes : possible_passes) {
-      if (above && below) add(root_integral(graph_, *above, *below, values_.sign_of(), passes));
+      if (const auto period = integral(graph_, *above, *below, values_.sign_of(), passes))
+        found_.push_back(*period);
     }
-  }
-
-  void consider_from_zero(const Expression& e) {
-    const RationalFunction f = rational_function(e);
-    const auto above = univariate(graph_, f.above, u_), below = univariate(graph_, f.below, u_);
-    for (const int passes : possible_passes) {
-      if (above && below) add(root_integral_from_zero(graph_, *above, *below, values_.sign_of(), passes));
-    }
-  }
-
-  /// The same for v = u^2, where (dv/dt)^2 = 4 v (du/dt)^2.
-  void consider_square(const Expression& e) {
-    const RationalFunction f = rational_function(e);
-    const auto halved = [&](const Polynomial& a) -> std::optional<Expression> {
-      Polynomial result;
-      for (const auto& [monomial, coefficient] : a) {
-        const int power = exponent_of(monomial, u_.id());
-        if (power % 2 != 0) return std::nullopt;
-        qdot::add(result, qdot::times(monomial, u_.id(), -power / 2), coefficient);
-      }
-      return to_expression(graph_, result);
-    };
-    const auto above = halved(f.above), below = halved(f.below);
-    if (above && below) consider(Number(4) * u_ * *above / *below);
-  }
-
-  void add(const std::optional<Expression>& integral) {
-    if (integral) found_.push_back(*integral);
+    return !found_.empty();
   }
 
   const ExactValues& values_;
   Graph& graph_;
   Expression x_, u_, y_;
-  Expression speed2_;  ///< x'^2 by x
+  Expression speed2_;                 ///< x'^2 by x
+  std::vector<Replacement> numbers_;  ///< for the symbols in it
+  Expression tried_;                  ///< with these
+  bool inertia_varies_;
   std::vector<Expression> found_;
 };
 

@@ -77,8 +77,7 @@ class TurningForms {
         length = written_length(left);
         result.equation = with_zero(*form);
       }
-      consider(found_.maximum, left, relations, result.maximum);
-      consider(found_.minimum, left, relations, result.minimum);
+      consider(left, relations, result);
     }
     return result;
   }
@@ -89,8 +88,7 @@ class TurningForms {
     for (const Relations& relations : {values_.relations(), Relations{}}) {
       const Expression left = divided(substitute(balance, relations.replacements));
       if (left.is_zero() || !depends_on(left, x_)) return {};
-      consider(found_.maximum, left, relations, result.maximum);
-      consider(found_.minimum, left, relations, result.minimum);
+      consider(left, relations, result);
     }
     return result;
   }
@@ -211,20 +209,25 @@ class TurningForms {
     return written_length(simple) < written_length(quotient) ? simple : quotient;
   }
 
-  void consider(const Finding& extremum, const Expression& left, const Relations& relations,
-                std::optional<ExactExtremum>& best) const {
-    if (!extremum.value) return;
+  /// The extrema that are roots of `left`, where their formulas are shorter.
+  void consider(const Expression& left, const Relations& relations, ExactTurningPoints& result) const {
     for (const Function function : {Function::cos, Function::sin}) {
       const Expression unknown = is_angle_ ? graph_->call(function, x_) : x_;
       for (const Expression& root : roots_in(unknown, left)) {
-        auto found =
-            is_angle_ ? angle(function, root, extremum, relations) : number(root, extremum, relations);
-        if (found && is_root(found->first, left, relations) &&
-            (!best || found->second.value.text.size() < best->value.text.size()))
-          best = std::move(found->second);
+        consider(found_.maximum, function, root, left, relations, result.maximum);
+        consider(found_.minimum, function, root, left, relations, result.minimum);
       }
       if (!is_angle_) return;
     }
+  }
+
+  void consider(const Finding& extremum, Function function, const Expression& root, const Expression& left,
+                const Relations& relations, std::optional<ExactExtremum>& best) const {
+    if (!extremum.value) return;
+    auto found = is_angle_ ? angle(function, root, extremum, relations) : number(root, extremum, relations);
+    if (found && is_root(found->first, left, relations) &&
+        (!best || found->second.value.text.size() < best->value.text.size()))
+      best = std::move(found->second);
   }
 
   using Found = std::optional<std::pair<Expression, ExactExtremum>>;

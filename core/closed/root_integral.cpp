@@ -108,6 +108,10 @@ std::optional<Univariate> univariate(Graph& graph, const Polynomial& e, const Ex
   return result;
 }
 
+bool is_root_integral(const Univariate& above, const Univariate& below) {
+  return (degree(above) == 1 && degree(below) == 0) || quadratic_form(above, below);
+}
+
 std::optional<Expression> root_integral(Graph& graph, const Univariate& above, const Univariate& below,
                                         const SignOf& sign, int passes) {
   const auto form = quadratic_form(above, below);

@@ -21,6 +21,9 @@ using Univariate = std::vector<RationalFunction>;
 /// Of a polynomial in u; no value where u stands in something that is no power of it.
 [[nodiscard]] std::optional<Univariate> univariate(Graph& graph, const Polynomial& e, const Expression& u);
 
+/// Whether one of the following has a value.
+[[nodiscard]] bool is_root_integral(const Univariate& above, const Univariate& below);
+
 /// `passes` times the integral of sqrt(below/above), positive; no value where it is none of these. Signs are
 /// asked for where squares are taken out of roots.
 [[nodiscard]] std::optional<Expression> root_integral(Graph& graph, const Univariate& above,
