@@ -5,6 +5,7 @@
 
 #include "core/motion/error_growth.hpp"
 #include "core/motion/motion_comparison.hpp"
+#include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
 
 namespace qdot {
@@ -175,13 +176,14 @@ class Ladder {
   /// the check has rows at its events: another run has them at other instants.
   [[nodiscard]] std::optional<Tolerances> looser_than_needed(const std::vector<Simulation>& checks) const {
     if (!is_error_wanted() || !request_.events.empty() || !event_rows_->events().empty()) return std::nullopt;
-    const std::vector<double> error = compare(motion(), checks, 0).max_abs_error;
-    const double now = excess(error), rtol = result_.tolerances.rtol;
+    const std::vector<double> difference = largest_differences(motion(), checks.front());
+    const double now = safety_of_differences * excess(difference), rtol = result_.tolerances.rtol;
     if (!(now <= far_below)) return std::nullopt;
     const double looser = std::min({rtol * aim / now, loosest_of_wanted * goal_.value, loosest});
     const std::vector<double> scale = largest_magnitudes(motion(), Rows::wanted);
-    for (std::size_t k = 0; k < error.size(); ++k) {
-      if (error[k] * (looser / rtol) < 0.1 * near_round_off * scale[k]) return std::nullopt;
+    for (std::size_t k = 0; k < scale.size(); ++k) {
+      const double then = difference[k] * (looser / rtol);
+      if (then > 0 && then < near_round_off * scale[k]) return std::nullopt;
     }
     return looser > rtol ? std::optional(with_rtol(looser)) : std::nullopt;
   }
@@ -196,16 +198,17 @@ class Ladder {
   bool add_check(std::vector<Simulation>& others, double direction) {
     const ComputedMotion now = motion();
     SimulationRequest request = check_of(now, direction);
-    ErrorGrowth growth(now, wanted());
+    std::optional<ErrorGrowth> growth;
     if (can_give_up()) {
+      growth.emplace(now, wanted());
       request.goes_on = [&growth](std::size_t first, std::span<const double> rows) {
-        return growth.add(first, rows);
+        return growth->add(first, rows);
       };
     }
     Simulation& other = others.emplace_back(run(std::move(request)));
     event_rows_->set_apart(other, request_.y_start.size());
     if (other.ending != Ending::given_up) return can_be_checked_by(other);
-    expected_excess_ = growth.expected();
+    expected_excess_ = growth->expected();
     return false;
   }
 
