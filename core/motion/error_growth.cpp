@@ -47,9 +47,9 @@ double ErrorGrowth::excess_of(std::size_t row, std::span<const double> other) co
 
 double ErrorGrowth::expected() const {
   const double now = excess_.back(), t = time(excess_.size() - 1), t_end = time(motion_.simulation.rows - 1);
-  std::size_t row = 0;
-  while (time(row) < t / 2) ++row;
-  const double p = excess_[row] > 0 ? std::max(1.0, rough_log2(now) - rough_log2(excess_[row])) : 1;
+  const auto half = std::ranges::lower_bound(motion_.grid.t, motion_.request.t_start + t / 2);
+  const double before = excess_[static_cast<std::size_t>(half - motion_.grid.t.begin())];
+  const double p = before > 0 ? std::max(1.0, rough_log2(now) - rough_log2(before)) : 1;
   const double doublings =
       p < exponential ? p * (rough_log2(t_end) - rough_log2(t)) : 2 * p * (t_end / t - 1);
   return now * rough_exp2(std::min(doublings, most_doublings));

@@ -15,6 +15,7 @@ constexpr double loosest = 1e-2;
 constexpr double aim = 0.2;  ///< of the wanted error, when the next tolerance is chosen
 /// So small a part of the wanted error leaves room for a looser run; so loose that may be, of what is wanted.
 constexpr double far_below = 0.02, loosest_of_wanted = 0.1;
+constexpr double next_to_digits = 2 * near_round_off;  ///< the check of a tighter run takes double-doubles
 constexpr int most_rungs = 8;
 constexpr double dear =
     12;  ///< times the work of a loose run and its check: that of a check in double-doubles
@@ -62,7 +63,7 @@ class Ladder {
       if (expected_excess_) {
         given_up = next;
         excess_ = *expected_excess_;
-        next = expected_to_do(next);
+        next = *tighter(next);
         continue;
       }
       if (keep_best() || result_.max_abs_error.empty() || next.rtol <= tightest_tolerance) break;
@@ -82,7 +83,7 @@ class Ladder {
   /// tight that the check takes double-doubles, a little more than that is tried first.
   [[nodiscard]] Tolerances start() const {
     if (goal_.kind == Kind::work) return with_rtol(loosest);
-    const double likely = std::max(goal_.value * 1e-3, std::min(goal_.value * 1e-2, 2 * near_round_off));
+    const double likely = std::max(goal_.value * 1e-3, std::min(goal_.value * 1e-2, next_to_digits));
     return with_rtol(std::clamp(likely, tightest_tolerance, loosest));
   }
 
@@ -201,8 +202,8 @@ class Ladder {
     std::optional<ErrorGrowth> growth;
     if (can_give_up()) {
       growth.emplace(now, wanted());
-      request.goes_on = [&growth](std::size_t first, std::span<const double> rows) {
-        return growth->add(first, rows);
+      request.goes_on = [this, &growth](std::size_t first, std::span<const double> rows) {
+        return growth->add(first, rows) || !is_enough_to_expect(growth->expected());
       };
     }
     Simulation& other = others.emplace_back(run(std::move(request)));
@@ -288,8 +289,7 @@ class Ladder {
   /// The next tolerance; none when there is no work left for it.
   [[nodiscard]] std::optional<Tolerances> tighter(const Tolerances& now) const {
     if (goal_.kind != Kind::work) {
-      const double factor = std::clamp(aim / excess_, 1e-6, 0.1);
-      return with_rtol(std::max(tightest_tolerance, now.rtol * factor));
+      return with_rtol(rtol_to_meet(excess_, now.rtol));
     }
     // A run and its check cost twice as much as now when the tolerance goes down by this factor.
     const double cost = static_cast<double>(best_->simulation.evaluations) * 2.4;
@@ -302,11 +302,15 @@ class Ladder {
     return with_rtol(std::clamp(now.rtol * factor, least, std::max(least, now.rtol * 0.1)));
   }
 
-  /// After a check that was given up. What is expected is not worth double-doubles, but from next to them.
-  [[nodiscard]] Tolerances expected_to_do(const Tolerances& now) const {
-    constexpr double next_to_them = 2 * near_round_off;
-    const double rtol = tighter(now)->rtol;
-    return with_rtol(now.rtol > next_to_them ? std::max(rtol, next_to_them) : rtol);
+  /// Of a run with that error, in units of what is wanted.
+  [[nodiscard]] static double rtol_to_meet(double excess, double rtol) {
+    return std::max(tightest_tolerance, rtol * std::clamp(aim / excess, 1e-6, 0.1));
+  }
+
+  /// The next run is not chosen by a guess where its check takes double-doubles, except from next to them.
+  [[nodiscard]] bool is_enough_to_expect(double excess) const {
+    const double rtol = result_.tolerances.rtol;
+    return rtol <= next_to_digits || rtol_to_meet(excess, rtol) >= next_to_digits;
   }
 
   MeasuredSimulation finished() {

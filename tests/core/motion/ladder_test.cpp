@@ -92,6 +92,17 @@ TEST(Ladder, ACheckIsGivenUpOnceTheErrorWantedIsPassed) {
   EXPECT_LT(m.evaluations, work_at(dynamics, request, m.tolerances.rtol) + first * 3 / 4);
 }
 
+TEST(Ladder, AMotionWhoseCheckTakesDoubleDoublesIsNotChosenByAGuess) {
+  const auto model = test::model_of("rod_pendulum");
+  const Dynamics dynamics(model);
+  const SimulationRequest request = whole_motion(*model, {{"m", 1}, {"l", 1}, {"theta", 2}, {"phi", 2}}, 10);
+  const MeasuredSimulation m =
+      simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = 1e-6});
+  EXPECT_EQ(m.meets_request, true);
+  EXPECT_LT(m.tolerances.rtol, 1e-12);
+  EXPECT_EQ(m.evaluations, work_at(dynamics, request, 1e-9) + work_at(dynamics, request, m.tolerances.rtol));
+}
+
 TEST(Ladder, RowsAtEventsDoNotMakeACheckGiveUp) {
   const auto model = test::model_of("rod_pendulum");
   const Dynamics dynamics(model);
