@@ -209,24 +209,11 @@ class CriticalSearch {
       critical.omega = known.omega->middle();
       critical.omega_error = distance_bound(critical.omega, *known.omega);
     }
-    const std::size_t n = y_.size() / 2;
-    critical.y.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n));
-    critical.y.resize(2 * n, 0.0);
-    critical.errors.assign(2 * n, 0.0);
     std::vector<Interval> constants = problem_.constants;
     constants[index_] = found.p;
-    const Box place = all_.place_of(*chart_, found);
-    for (const std::size_t k : problem_.forces->unknowns) {
-      critical.y[kept()[k]] = representative(place[k]);
-      critical.errors[kept()[k]] = distance_bound(critical.y[kept()[k]], place[k]);
-    }
-    std::vector<Interval> rates(problem_.statics->reduction.ignored.size());
-    TapeEvaluator<Interval>(problem_.forces->ignored_rates, constants)(place, rates);
-    for (std::size_t k = 0; k < rates.size(); ++k) {
-      const std::size_t i = n + problem_.statics->reduction.ignored[k];
-      critical.y[i] = representative(rates[k]);
-      critical.errors[i] = distance_bound(critical.y[i], rates[k]);
-    }
+    BoundedState state = bounded_state(problem_, constants, y_, all_.place_of(*chart_, found));
+    critical.y = std::move(state.y);
+    critical.errors = std::move(state.errors);
     return critical;
   }
 
