@@ -38,7 +38,7 @@ class CriticalSearch {
       return std::move(result_);
     }
     const auto depends = [](const CriticalChart& c) {
-      return c.systems->depends || !c.systems->growth.empty();
+      return c.systems->depends || !c.systems->growth.empty() || c.systems->growth_is_unknown;
     };
     if (std::ranges::none_of(all_.charts(), depends)) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
@@ -118,7 +118,7 @@ class CriticalSearch {
         critical_growth(dynamics_, problem_, *systems_, index_, {from_, to_},
                         [&](const CriticalZero& zero) { return all_.place_of(*chart_, zero); });
     add(found.zeros);
-    if (!found.complete) incomplete(more_growth);
+    if (!found.complete || systems_->growth_is_unknown) incomplete(more_growth);
   }
 
   void leave_to_other_charts(CriticalZeros& found) {
