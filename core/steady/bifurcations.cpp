@@ -8,6 +8,7 @@
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/critical_sentences.hpp"
 #include "core/steady/missed_changes.hpp"
+#include "core/steady/missed_growth.hpp"
 #include "core/steady/region_ends.hpp"
 
 namespace qdot {
@@ -147,11 +148,12 @@ class CriticalSearch {
   }
 
   void add_missed() {
+    const auto growth = missed_growth(dynamics_, all_, index_, result_.branches, result_.critical);
+    add(growth);
     const auto missed = missed_changes(all_, *chart_, result_.branches, result_.critical, {from_, to_});
-    if (missed.empty()) return;
     add(missed);
     std::ranges::sort(result_.critical, {}, &CriticalValue::value);
-    trace();
+    if (!missed.empty()) trace();
   }
 
   [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return systems_->unknowns; }

@@ -112,6 +112,38 @@ TEST(CriticalGrowth, OfFourCoordinatesIsSaidNotToBeSearched) {
   EXPECT_FALSE(found.reason.empty());
 }
 
+/// n equal links, springs and masses with a load along the last one.
+std::string follower_column(const std::vector<std::string>& angles) {
+  std::string coordinates, bodies, springs, x, y;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const std::string comma = i == 0 ? "" : ", ", plus = i == 0 ? "" : " + ";
+    coordinates += comma + R"json({"name": ")json" + angles[i] + R"json(", "initial": "0"})json";
+    x += plus + "cos(" + angles[i] + ")";
+    y += plus + "sin(" + angles[i] + ")";
+    bodies +=
+        comma + R"json({"kind": "particle", "mass": "1", "position": [")json" + x + "\", \"" + y + "\"]}";
+    const std::string before = i == 0 ? "" : " - " + angles[i - 1];
+    springs += comma + R"json({"stiffness": "1", "angle": ")json" + angles[i] + before + "\"}";
+  }
+  const std::string last = angles.back();
+  return R"json({"name": "column", "units": "none", "parameters": [{"name": "P", "default": "1"}],
+    "coordinates": [)json" +
+         coordinates + R"json(], "bodies": [)json" + bodies + R"json(], "springs": [)json" + springs +
+         R"json(], "forces": [{"vector": ["-P*cos()json" + last + R"json()", "-P*sin()json" + last +
+         R"json()"], "point": [")json" + x + "\", \"" + y + "\"]}]}";
+}
+
+TEST(CriticalGrowth, OfThreeLinksIsFoundAlongTheCurveAndSaidToBeNotProven) {
+  const Bifurcations found = of(follower_column({"a", "b", "c"}), "P", 0, 2);
+  EXPECT_FALSE(found.complete);
+  ASSERT_EQ(found.critical.size(), 1U);
+  const CriticalValue& c = found.critical[0];
+  EXPECT_EQ(c.kind, BifurcationKind::flutter);
+  EXPECT_FALSE(c.proven);
+  EXPECT_LE(std::abs(c.value - 1.1862872709454474), c.error + 3e-16);  // discriminant of the cubic, by mpmath
+  EXPECT_LT(c.error, 1e-12);
+}
+
 TEST(CriticalGrowth, IsNoneWhereOppositeRealEigenvaluesPass) {
   const std::string saddle =
       oscillator("(x_dot^2 + y_dot^2)/2 + x^2/2 - y^2/2", "-(p - 1/2)*x_dot", "-y_dot");
