@@ -33,6 +33,7 @@ const std::string cone = R"json({"name": "cone", "units": "none",
 
 TEST(SolveForUnderConstraints, TheSpinOfAConeIsTheRootOfGravityOverItsHeight) {
   const Solution solution = solved(cone, "psi_dot", {});
+  ASSERT_EQ(solution.values.size(), 2U);
   expect_value(solution, 0, std::sqrt(10.0 / 4));
   expect_value(solution, 1, -std::sqrt(10.0 / 4));
   EXPECT_EQ(solution.values[0].stability.stability, Stability::stable);
