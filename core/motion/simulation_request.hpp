@@ -18,9 +18,10 @@ struct SimulationRequest {
   double t_start{};
   double t_start_left_out{};  ///< what t_start leaves out of the instant that was typed
   double t_end{};
-  std::vector<double> grid;         ///< increasing, in [t_start, t_end]
-  std::vector<Column> columns;      ///< wanted beside the state
-  std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
+  std::vector<double> grid;           ///< increasing, in [t_start, t_end]
+  std::vector<double> grid_left_out;  ///< what they leave out of the instants that were typed; empty: nothing
+  std::vector<Column> columns;        ///< wanted beside the state
+  std::vector<std::string> events;    ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};
   Impacts impacts{Impacts::apply};
   std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one
