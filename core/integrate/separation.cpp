@@ -22,13 +22,14 @@ double beside(double y, double e) {
 
 }  // namespace
 
-double largest_term(std::span<const double> c, double h) {
-  double largest = 0, power = 1;
-  for (const double coefficient : c) {
-    largest = std::max(largest, std::abs(coefficient) * power);
-    power *= h;
+void largest_terms(const MotionPiece& step, std::span<double> terms) {
+  const double* c = step.rows.data();
+  for (double& largest : terms) {
+    double power = 1;
+    largest = 0;
+    for (unsigned k = 0; k <= step.order; ++k, power *= step.h)
+      largest = std::max(largest, std::abs(*c++) * power);
   }
-  return largest;
 }
 
 Separation::Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale)
@@ -44,24 +45,12 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
-void Separation::follow(const MotionPiece& step) {
+void Separation::follow(const MotionPiece& step, std::span<const double> terms) {
   const unsigned order = std::min(order_tried_first, step.order);
   for (std::size_t i = 0; i < e_.size(); ++i) {
-    const std::span<const double> c = step.rows.subspan(i * (step.order + 1), step.order + 1);
-    y_[i] = c[0];
-    size_[i] = std::max(size_[i], largest_term(c.first(order + 1), step.h));
+    y_[i] = step.rows[i * (step.order + 1)];
+    size_[i] = std::max(size_[i], terms[i]);
   }
-  go_on(step);
-}
-
-void Separation::follow(const MotionPiece& step, const Separation& other) {
-  y_ = other.y_;
-  size_ = other.size_;
-  go_on(step);
-}
-
-void Separation::go_on(const MotionPiece& step) {
-  const unsigned order = std::min(order_tried_first, step.order);
   const std::size_t n = e_.size() / 2;
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   project(step.t);
