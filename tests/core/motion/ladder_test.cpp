@@ -156,7 +156,7 @@ TEST(Ladder, RowsAtEventsAreOfTheMotionThatIsReturned) {
       simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = 1e-9});
   ASSERT_GT(m.event_errors.size(), 5U);
   for (const auto& error : m.event_errors) EXPECT_LT(error.value(), 1e-8);
-  EXPECT_LT(m.event_errors.front().value(), m.event_errors.back().value() / 5);
+  EXPECT_LT(m.event_errors.front().value(), m.event_errors.back().value() / 15);
 }
 
 TEST(Ladder, SaysThatTheWorkWasSpentBeforeTheErrorWasReached) {
