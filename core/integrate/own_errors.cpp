@@ -27,8 +27,15 @@ void OwnErrors::follow(const MotionPiece& step) {
     signs_[i] = random_() % 2 == 0 ? 1 : -1;
   }
   by_rounding_.add(sizes_, signs_);
-  for (std::size_t i = 0; i < step.defect.size(); ++i) sizes_[i] = step.defect[i] * step.h / step.order;
-  if (!step.defect.empty()) by_truncation_.add(sizes_, by_rounding_.now());
+  if (step.defect.empty()) return;
+  for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = step.defect[i] * step.h / step.order;
+  const std::size_t n = sizes_.size() - step.rounding.size();
+  for (std::size_t i = 0; i < step.rounding.size(); ++i) {
+    const double of_velocity = step.rounding[i] * step.h;
+    sizes_[n + i] += of_velocity;
+    sizes_[i] += of_velocity * step.h / 2;
+  }
+  by_truncation_.add(sizes_, by_rounding_.now());
 }
 
 }  // namespace qdot

@@ -31,6 +31,9 @@ struct RightHandSide {
   /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Where nothing is
   /// `allowed` they are the closest there are. Optional.
   std::function<double(double h, std::span<const double> allowed, std::span<double> defect)> defect{};
+  /// What rounding of f may come to over the step whose defect was bounded last, a bound for each y_i' that
+  /// is an acceleration: the second half of y. Optional.
+  std::function<void(std::span<double> rounding)> rounding{};
   /// Moves a state that is near to it onto what all states obey: constraints, from which steps drift away by
   /// their errors. Returns whether it could. Optional; used by Method::taylor.
   std::function<bool(double t, std::span<double> y)> project{};
@@ -54,6 +57,9 @@ struct MotionPiece {
   /// Bounds of |p_i' - f_i(t, p)| over the piece, as RightHandSide::defect gives them; empty where they are
   /// not known.
   std::span<const double> defect{};
+  /// Bounds of how far f may be from what it is computed as, for the second half of y, as
+  /// RightHandSide::rounding gives them; empty where they are not known.
+  std::span<const double> rounding{};
 };
 
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.

@@ -35,7 +35,8 @@ class Separation {
   /// The reference has taken this step; `terms` are the largest of each component. Where the original has no
   /// values e stays as it is.
   void follow(const MotionPiece& step, std::span<const double> terms);
-  /// Errors |d_i| that the step has made, each to the side where `sides` are.
+  /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
+  /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
 
   [[nodiscard]] const std::vector<double>& now() const { return e_; }
@@ -57,6 +58,7 @@ class Separation {
   double factor_{1};  ///< e times it is what series differ by
   std::vector<double> e_, largest_;
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
+  std::vector<double> added_;              ///< by steps, and where that alone takes coordinates
   std::vector<double> beside_, c_, rise_;  ///< scratch
 };
 

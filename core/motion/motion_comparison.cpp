@@ -108,12 +108,13 @@ class Comparing {
 
   void add_rounding_of_instant(std::size_t row) {
     const double t = motion_.grid.t[row];
-    const double in_parts = t * 0x1p20;
-    if (in_parts == std::nearbyint(in_parts)) return;  // as it was typed
+    const double in_parts = t * 0x1p20, left_out = std::abs(motion_.grid.left_out[row]);
+    const bool is_short = in_parts == std::nearbyint(in_parts);  // and so a decimal, too
+    if (is_short && left_out == 0) return;
     const std::size_t n = width_ / 2;
     const std::span<const double> y = row_of(motion_.simulation, row);
     if (!take_accelerations(row)) return;
-    const double rounded = (next_above(std::abs(t)) - std::abs(t)) / 2;
+    const double rounded = is_short ? left_out : (next_above(std::abs(t)) - std::abs(t)) / 2;
     for (std::size_t i = 0; i < n; ++i) {
       missed_[i] += rounded * std::abs(y[n + i]);
       missed_[n + i] += rounded * std::abs(acceleration_[i]);

@@ -110,6 +110,7 @@ class Simulator {
     is_determined_ = sections_.pass(result_.t, result_.y, met);
     if (!is_determined_) return;
     finish(end);
+    end.doubt = sections_.doubt_of_instant();
     apart_.pass(std::move(end));
   }
 
