@@ -48,11 +48,13 @@ class Separation {
  private:
   void project(double t);
   void place_beside();
-  [[nodiscard]] bool rise(const MotionPiece& step, unsigned order);
+  void take_rise(const MotionPiece& step);
+  [[nodiscard]] unsigned rise(const MotionPiece& step, unsigned order);
   void move_to(std::size_t i, double e);
 
   const RightHandSide& original_;
   Scale scale_;
+  unsigned order_;    ///< of the series to be tried
   double factor_{1};  ///< e times it is what series differ by
   std::vector<double> e_, largest_;
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there

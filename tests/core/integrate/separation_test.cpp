@@ -52,6 +52,21 @@ TEST(Separation, IsThatOfLongSteps) {
   EXPECT_NEAR(apart[0], 1e-12 * std::cosh(12), 1e-3 * apart[0]);
 }
 
+TEST(Separation, OfLongStepsIsFoundByTheOrderThatDidBefore) {
+  RightHandSide original = pulled_by(-1);
+  std::vector<unsigned> orders;
+  original.expansion = [&orders, expansion = original.expansion](double t, std::span<const double> y,
+                                                                 unsigned order, std::span<double> c) {
+    orders.push_back(order);
+    return expansion(t, y, order, c);
+  };
+  Separation separation(original, {1e-9, 0});
+  take_steps(pulled_by(-1), {1, 0}, 3, 4, {}, [&](const MotionPiece& step) { follow(separation, step); });
+  ASSERT_EQ(orders.size(), 5U);  // more than the first was needed once
+  EXPECT_EQ(orders[1], order);
+  for (const unsigned later : std::span(orders).subspan(2)) EXPECT_LT(later, 14U);
+}
+
 TEST(Separation, ErrorsOfStepsAddUpAlongWhatGrows) {
   const auto apart = Steps{.k = 1, .k_of_reference = 1, .own = {1e-9, 0}}.apart({0, 0}, 24);
   double sum = 0;
