@@ -1,6 +1,7 @@
 #pragma once
 // The fields that say which motion is asked about, which stretch of it, and what computes it, for requests
-// whose struct has the members they name: t_start, t_end, samples, dt, times and grid; on_invalid; impacts.
+// whose struct has the members they name: t_start, t_end, samples, dt, times, start and grid; on_invalid;
+// impacts.
 
 #include <string>
 #include <vector>
@@ -67,24 +68,27 @@ void check_impacts(const R& request, Findings& findings) {
   findings.report("impacts", "not_applicable", scene.name + " has no impacts to leave out.");
 }
 
-/// Fills `grid`, and `t_end` where `times` stands for it. `columns` is how many numbers a row has.
+/// Fills `start`, `grid`, and `t_end` where `times` stands for it. `columns` is how many numbers a row has.
 template <class R>
 void read_grid(R& request, std::int64_t columns, Findings& findings) {
   if (findings.echo().contains("times") && request.times.empty()) {
     findings.report("times", "empty", "'times' needs at least one instant.");
     return;
   }
-  auto grid = time_grid({.t_start = request.t_start,
-                         .t_end = request.t_end,
+  request.start = findings.exact("t_start", request.t_start);
+  std::optional<Real> end;
+  if (request.t_end) end = findings.exact("t_end", *request.t_end);
+  auto grid = time_grid({.t_start = request.start,
+                         .t_end = end,
                          .samples = request.samples,
                          .dt = request.dt,
-                         .times = request.times});
+                         .times = findings.exact("times", request.times)});
   if (const auto* error = std::get_if<GridError>(&grid)) {
     findings.report(error->field, error->code, error->detail);
     return;
   }
-  request.grid = std::get<std::vector<double>>(std::move(grid));
-  if (!request.t_end) request.t_end = request.grid.back();
+  request.grid = std::get<Reals>(std::move(grid));
+  if (!request.t_end) request.t_end = request.times.back();
   findings.echo()["t_end"] = *request.t_end;
   const auto rows = static_cast<std::int64_t>(request.grid.size());
   if (rows * columns > most_numbers_of_answer()) {

@@ -9,7 +9,10 @@
 namespace qdot::api {
 namespace {
 
-using Grid = std::variant<std::vector<double>, GridError>;
+using Grid = std::variant<Reals, GridError>;
+
+/// Of what double-doubles come to in the sum, the product and the quotient below.
+constexpr double rounding_of_fractions = 0x1p-101;
 
 std::string seconds(double value) {
   std::string text;
@@ -17,19 +20,28 @@ std::string seconds(double value) {
   return text + " s";
 }
 
+/// t_start + i/steps of the span.
+Real even_instant(const Real& t_start, const DoubleDouble& span, double i, double steps) {
+  const DoubleDouble later = span * DoubleDouble(i) / DoubleDouble(steps);
+  const DoubleDouble t = t_start.double_double() + later;
+  const double size = std::abs(t_start.value) + std::abs(later.high);
+  return {t.high, t.low, t.low == 0 ? 0 : t_start.error + rounding_of_fractions * size};
+}
+
 /// t_end has been checked.
-Grid even_grid(double t_start, double t_end, std::int64_t rows, const std::string& field) {
+Grid even_grid(const Real& t_start, const Real& t_end, std::int64_t rows, const std::string& field) {
   if (rows > most_rows_of_answer()) {
     return GridError{field, "too_many",
                      "That is " + std::to_string(rows) + " rows; an answer has at most " +
                          std::to_string(most_rows_of_answer()) + "."};
   }
-  std::vector<double> instants;
-  instants.reserve(static_cast<std::size_t>(rows));
-  const double span = t_end - t_start;
+  Reals instants;
+  const DoubleDouble span = t_end.double_double() - t_start.double_double();
   const auto steps = static_cast<double>(rows - 1);
-  for (std::int64_t i = 0; i < rows; ++i) instants.push_back(t_start + static_cast<double>(i) * span / steps);
-  instants.back() = t_end;
+  instants.push_back(t_start);
+  for (std::int64_t i = 1; i + 1 < rows; ++i)
+    instants.push_back(even_instant(t_start, span, static_cast<double>(i), steps));
+  instants.push_back(t_end);
   if (std::ranges::adjacent_find(instants, std::greater_equal<>{}) != instants.end()) {
     return GridError{field, "out_of_range",
                      "The instants are closer together than double precision can tell."};
@@ -37,8 +49,8 @@ Grid even_grid(double t_start, double t_end, std::int64_t rows, const std::strin
   return instants;
 }
 
-Grid stepped_grid(double t_start, double t_end, double dt) {
-  const double span = t_end - t_start;
+Grid stepped_grid(const Real& t_start, const Real& t_end, double dt) {
+  const double span = t_end.value - t_start.value;
   const double steps = span / dt;
   const double whole = std::max(std::round(steps), 1.0);
   if (!(steps < 1e15)) return GridError{"dt", "out_of_range", "dt is too small for so long a motion."};
@@ -53,31 +65,34 @@ Grid stepped_grid(double t_start, double t_end, double dt) {
       "dt does not divide the " + seconds(span) + " from t_start to t_end; near it, " + nearest + " do."};
 }
 
-Grid given_grid(double t_start, double t_end, const std::vector<double>& times) {
+bool is_earlier(const Real& a, const Real& b) { return (a.double_double() - b.double_double()).high < 0; }
+
+Grid given_grid(const Real& t_start, const Real& t_end, const Reals& times) {
   if (const auto t = std::ranges::adjacent_find(times, std::greater_equal<>{}); t != times.end()) {
     return GridError{"times", "not_increasing",
                      "'times' must increase; " + seconds(*t) + " is followed by " + seconds(*(t + 1)) + "."};
   }
-  const auto outside = [&](double t) { return t < t_start || t > t_end; };
-  if (const auto t = std::ranges::find_if(times, outside); t != times.end()) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Real& t = times.exact(i);
+    if (!is_earlier(t, t_start) && !is_earlier(t_end, t)) continue;
     return GridError{"times", "out_of_range",
-                     "'times' has " + seconds(*t) + ", which is not from " + seconds(t_start) + " to " +
-                         seconds(t_end) + "."};
+                     "'times' has " + seconds(t.value) + ", which is not from " + seconds(t_start.value) +
+                         " to " + seconds(t_end.value) + "."};
   }
   return times;
 }
 
 }  // namespace
 
-std::variant<std::vector<double>, GridError> time_grid(const GridRequest& request) {
+std::variant<Reals, GridError> time_grid(const GridRequest& request) {
   const auto& [t_start, asked_end, samples, dt, times] = request;
-  if (!asked_end && times.empty())
+  if (!asked_end && times.size() == 0)
     return GridError{"t_end", "missing", "'t_end' is missing: the end of the motion."};
-  const double t_end = asked_end.value_or(times.empty() ? 0 : times.back());
-  if (!(t_end > t_start)) {
+  const Real t_end = asked_end ? *asked_end : times.exact(times.size() - 1);
+  if (!(t_end.value > t_start.value)) {
     return GridError{asked_end ? "t_end" : "times", "out_of_range",
-                     "The motion must end after t_start, " + seconds(t_start) + "; it would end at " +
-                         seconds(t_end) + "."};
+                     "The motion must end after t_start, " + seconds(t_start.value) + "; it would end at " +
+                         seconds(t_end.value) + "."};
   }
   if (dt) return stepped_grid(t_start, t_end, *dt);
   if (samples) return even_grid(t_start, t_end, *samples, "samples");

@@ -2,6 +2,8 @@
 // Reading one value by its kind. What comes out is resolved: numbers in SI, integers as integers, expressions
 // as texts, whichever way the value was sent. Kinds that hold others are read by record_reader.hpp.
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +18,9 @@
 namespace qdot::api {
 
 using Errors = std::vector<FieldError>;
+
+/// Of fields that are numbers or lists of them: the numbers as they were typed, where doubles are others.
+using ExactNumbers = std::map<std::string, std::vector<Real>, std::less<>>;
 
 /// Adds the error, unless there are more already than an answer lists.
 void report(Errors& errors, FieldError error);

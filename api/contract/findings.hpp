@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,8 +17,9 @@ namespace qdot::api {
 /// What a check may do: report, and correct the echo where fields depend on each other.
 class Findings {
  public:
-  Findings(Road road, Json& echo, Errors& errors, const std::vector<std::string>& defaulted)
-      : root_(road), echo_(&echo), errors_(&errors), defaulted_(&defaulted) {}
+  Findings(Road road, Json& echo, Errors& errors, const std::vector<std::string>& defaulted,
+           const ExactNumbers& exact)
+      : root_(road), echo_(&echo), errors_(&errors), defaulted_(&defaulted), exact_(&exact) {}
 
   void report(const std::string& field, std::string code, std::string detail);
   void add(FieldError error) { errors_->push_back(std::move(error)); }
@@ -28,6 +30,9 @@ class Findings {
   [[nodiscard]] bool is_defaulted(std::string_view field) const {
     return std::ranges::find(*defaulted_, field) != defaulted_->end();
   }
+  /// The number or the list of numbers that was typed, of which the request has the doubles.
+  [[nodiscard]] Real exact(std::string_view field, double rounded) const;
+  [[nodiscard]] Reals exact(std::string_view field, std::span<const double> rounded) const;
   /// Is something wrong with one of these fields already? A rule about them would only repeat it.
   [[nodiscard]] bool has_error_at(std::initializer_list<std::string_view> fields) const;
 
@@ -36,6 +41,7 @@ class Findings {
   Json* echo_;
   Errors* errors_;
   const std::vector<std::string>* defaulted_;
+  const ExactNumbers* exact_;
 };
 
 }  // namespace qdot::api

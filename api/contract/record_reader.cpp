@@ -63,7 +63,9 @@ class RecordReader {
     for (const FieldInfo& field : set.fields) {
       const auto given = object.find(field.name);
       if (given != object.end()) {
+        numbers_.clear();
         std::optional<Json> value = read_any(field.kind, field.name, *given, place.below(field.name));
+        note_numbers(field, reading);
         if (value) resolved.emplace_back(field.name, std::move(*value));
       } else if (field.need == Need::required && !std::holds_alternative<SystemKind>(field.kind)) {
         refuse(place.of_missing(field.name), "missing",
@@ -120,6 +122,22 @@ class RecordReader {
       refuse(place, count == 0 ? "empty" : "too_few",
              "'" + name + "' has " + entries + "; at least " + std::to_string(least) + " must be given.");
     }
+  }
+
+  void note_numbers(const FieldInfo& field, RecordReading& reading) {
+    const auto* list = std::get_if<ListKind>(&field.kind);
+    const Kind& kind = list == nullptr ? field.kind : *list->element;
+    if (!std::holds_alternative<NumberKind>(kind)) return;
+    if (!std::ranges::all_of(numbers_, &Real::is_exact)) reading.exact[field.name] = std::move(numbers_);
+  }
+
+  std::optional<Json> resolve(const NumberKind& kind, const std::string& name, const Json& value,
+                              const Place& place) {
+    ParameterScope numbers_only;
+    const std::optional<Real> number = read_number(kind, name, value, place, numbers_only, errors_);
+    if (!number) return std::nullopt;
+    numbers_.push_back(*number);
+    return number->value;
   }
 
   template <class PlainKind>
@@ -285,6 +303,7 @@ class RecordReader {
   const Place& whole_place_;
   SystemChoice& choice_;
   Errors& errors_;
+  std::vector<Real> numbers_;  ///< of the field that is read
 };
 
 }  // namespace

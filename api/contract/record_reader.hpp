@@ -15,6 +15,7 @@ namespace qdot::api {
 struct RecordReading {
   Json resolved = Json::object();
   std::vector<std::string> defaulted{};  ///< fields that were left out and have a default
+  ExactNumbers exact{};
 };
 
 /// The fields of a request. `choice` has its system, if that could be found, and takes what the request says

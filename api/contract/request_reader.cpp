@@ -23,6 +23,7 @@ class RequestReader {
     RecordReading record = read_record(set_, fields_, root_, reading_.system, reading_.errors);
     reading_.resolved = std::move(record.resolved);
     reading_.defaulted = std::move(record.defaulted);
+    reading_.exact = std::move(record.exact);
     return std::move(reading_);
   }
 

@@ -15,6 +15,7 @@ namespace qdot::api {
 struct Reading {
   Json resolved = Json::object();        ///< the echo that an answer carries as `request`
   std::vector<std::string> defaulted{};  ///< fields that were left out and have a default
+  ExactNumbers exact{};
   SystemChoice system{};
   Errors errors{};
 };

@@ -53,7 +53,7 @@ class RequestTable {
     if constexpr (requires { result.request.system; }) result.request.system = std::move(reading.system);
     table_.store(reading.resolved, result.request);
     result.echo = std::move(reading.resolved);
-    Findings findings(submission.road, result.echo, reading.errors, reading.defaulted);
+    Findings findings(submission.road, result.echo, reading.errors, reading.defaulted, reading.exact);
     if (check_) check_(result.request, findings);
     if (!reading.errors.empty()) return invalid_request(std::move(reading.errors));
     return result;

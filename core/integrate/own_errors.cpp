@@ -19,7 +19,7 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
 
 void OwnErrors::follow(const MotionPiece& step) {
   by_truncation_.follow(step);
-  by_rounding_.follow(step);
+  by_rounding_.follow(step, by_truncation_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     const auto c = step.rows.subspan(i * (step.order + 1), step.order + 1);
     sizes_[i] = enlarged * rounding * largest_term(c, step.h) * (0.5 + random_.fraction());

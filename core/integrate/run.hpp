@@ -122,6 +122,8 @@ struct RunRequest {
   /// Instants at which the state is wanted: increasing, in [t_start, t_end]; t_start itself gives y_start.
   std::span<const double> grid{};
   std::vector<EventFunction> events{};
+  /// Asked after each step that has reached rows, with the first of them and them: whether the run goes on.
+  std::function<bool(std::size_t first, std::span<const double> rows)> goes_on{};
   Method method{Method::adams};
   unsigned taylor_order{};  ///< 0: by the tolerance
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
@@ -145,6 +147,7 @@ enum class Ending {
   tolerance,       ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
   blow_up,         ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
   no_convergence,  ///< gauss: no solution found for the equations of a step; h is too long at this place
+  given_up,        ///< RunRequest::goes_on said no
   undetermined     ///< at a kink the equations do not tell how a motion goes on (core/motion)
 };
 

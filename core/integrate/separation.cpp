@@ -51,6 +51,17 @@ void Separation::follow(const MotionPiece& step) {
     y_[i] = c[0];
     size_[i] = std::max(size_[i], largest_term(c.first(order + 1), step.h));
   }
+  go_on(step);
+}
+
+void Separation::follow(const MotionPiece& step, const Separation& other) {
+  y_ = other.y_;
+  size_ = other.size_;
+  go_on(step);
+}
+
+void Separation::go_on(const MotionPiece& step) {
+  const unsigned order = std::min(order_tried_first, step.order);
   const std::size_t n = e_.size() / 2;
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   project(step.t);

@@ -34,6 +34,8 @@ class Separation {
 
   /// The reference has taken this step. Where the original has no values e stays as it is.
   void follow(const MotionPiece& step);
+  /// The same after another one of the same reference.
+  void follow(const MotionPiece& step, const Separation& other);
   /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
   /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
@@ -45,6 +47,7 @@ class Separation {
   [[nodiscard]] const std::vector<double>& in_last_step() const { return largest_; }
 
  private:
+  void go_on(const MotionPiece& step);
   void project(double t);
   void place_beside();
   [[nodiscard]] bool rise(const MotionPiece& step, unsigned order);

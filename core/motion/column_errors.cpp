@@ -24,7 +24,7 @@ bool jumps(const Dynamics& dynamics, const Column& column) {
 }  // namespace
 
 Ball instant(double t) { return {DoubleDouble(t), std::abs(t) * 0x1p-53}; }
-Ball instant(const DoubleDouble& t) { return {t, std::abs(t.high) * 0x1p-104}; }
+Ball instant(const Real& t) { return {t.double_double(), t.error + std::abs(t.value) * 0x1p-104}; }
 
 ColumnErrors::ColumnErrors(const Dynamics& dynamics, const std::vector<Column>& columns,
                            const Reals& parameters)

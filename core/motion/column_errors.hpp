@@ -16,7 +16,7 @@ namespace qdot {
 
 /// Any number to which t is nearest, such as the decimal that was typed.
 [[nodiscard]] Ball instant(double t);
-[[nodiscard]] Ball instant(const DoubleDouble& t);
+[[nodiscard]] Ball instant(const Real& t);
 
 /// The largest error of each column over the rows of a motion.
 class ColumnErrors {

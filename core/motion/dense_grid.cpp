@@ -31,6 +31,8 @@ DenseGrid::DenseGrid(const SimulationRequest& request) : t(request.grid) {
   for (const double instant : t) {
     while (next != request.grid.end() && *next < instant) ++next;
     wanted.push_back(next != request.grid.end() && *next == instant);
+    const auto place = static_cast<std::size_t>(next - request.grid.begin());
+    left_out.push_back(wanted.back() && !request.grid_left_out.empty() ? request.grid_left_out[place] : 0);
   }
 }
 

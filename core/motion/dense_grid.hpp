@@ -10,8 +10,9 @@
 namespace qdot {
 
 struct DenseGrid {
-  std::vector<double> t;     ///< increasing
-  std::vector<bool> wanted;  ///< whether the request has it
+  std::vector<double> t;         ///< increasing
+  std::vector<bool> wanted;      ///< whether the request has it
+  std::vector<double> left_out;  ///< what it leaves out of the instant that was typed
 
   explicit DenseGrid(const SimulationRequest& request);
 

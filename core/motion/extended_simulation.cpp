@@ -40,8 +40,8 @@ std::vector<DoubleDouble> moved(const Reals& numbers, double direction) {
   return result;
 }
 
-/// An instant as it is typed has more digits than are kept.
-double rounding_of(const DoubleDouble& t) { return t.low == 0 ? 0 : std::abs(t.high) * 0x1p-104; }
+/// An instant as it is typed has more digits than are kept, or than are written.
+double rounding_of(const Real& t) { return t.error + (t.low == 0 ? 0 : std::abs(t.value) * 0x1p-104); }
 
 class ExtendedLadder {
  public:
@@ -70,8 +70,8 @@ class ExtendedLadder {
 
  private:
   ExtendedRun run(ExtendedMotionRequest motion) {
-    motion.t_start = request_.t_start;
-    motion.grid = request_.grid;
+    motion.t_start = request_.t_start.double_double();
+    motion.grid = double_doubles(request_.grid);
     motion.form = ExtendedMotionRequest::Form::full;
     motion.look_for_hidden = true;
     motion.limits = request_.limits;
@@ -142,7 +142,7 @@ class ExtendedLadder {
       lost_ = lost_ || is_lost;
       std::vector<OtherRow> same_row;
       for (const std::vector<double>& other : other_rows) same_row.push_back({.row = other, .apart = {}});
-      in_doubles.add(request_.grid[i].high, row, same_row);
+      in_doubles.add(request_.grid[i], row, same_row);
       if (lost_) {
         for (std::size_t k = 0; k < width; ++k) error[k] = std::max(error[k], in_doubles.so_far()[k]);
       }
@@ -158,9 +158,9 @@ class ExtendedLadder {
                                                         Workspace& workspace) const {
     const std::size_t n = y.size() / 2;
     std::vector<double> off(2 * n), acceleration(n);
-    const double unknown = rounding_of(request_.grid[row]) + rounding_of(request_.t_start);
+    const double unknown = rounding_of(request_.grid.exact(row)) + rounding_of(request_.t_start);
     if (unknown == 0) return off;
-    const double t = request_.grid[row].high;
+    const double t = request_.grid[row];
     if (dynamics_.accelerations().evaluate(t, y, workspace, acceleration) != Evaluation::ok) return off;
     for (std::size_t i = 0; i < n; ++i) {
       off[i] = unknown * std::abs(y[n + i]);

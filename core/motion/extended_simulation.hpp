@@ -16,8 +16,8 @@ namespace qdot {
 struct ExtendedSimulationRequest {
   Reals parameters;  ///< all of them, in order
   Reals y_start;     ///< q, then q'
-  DoubleDouble t_start;
-  std::vector<DoubleDouble> grid;   ///< increasing, from t_start on
+  Real t_start;
+  Reals grid;                       ///< increasing, from t_start on
   std::optional<double> max_error;  ///< wanted, in every column's SI unit; none: the least there is
   Limits limits;
 };

@@ -18,17 +18,21 @@ double largest_difference(std::size_t k, std::span<const double> row, std::span<
   return difference;
 }
 
-}  // namespace
-
-double error_of_row(std::size_t k, std::span<const double> row, std::span<const OtherRow> others,
-                    std::span<const double> unseen) {
-  const double difference = largest_difference(k, row, others);
+double error_of(std::size_t k, double difference, std::span<const double> row,
+                std::span<const OtherRow> others, std::span<const double> unseen) {
   double apart = 0;
   for (const OtherRow& other : others) {
     if (!other.apart.empty()) apart = std::max(apart, other.apart[k]);
   }
   return difference + std::max(difference, safety_of_samples * apart) + storing * std::abs(row[k]) +
          (unseen.empty() ? 0 : unseen[k]);
+}
+
+}  // namespace
+
+double error_of_row(std::size_t k, std::span<const double> row, std::span<const OtherRow> others,
+                    std::span<const double> unseen) {
+  return error_of(k, largest_difference(k, row, others), row, others, unseen);
 }
 
 RowErrors::RowErrors(std::vector<double> scale, Winding winding)
@@ -42,10 +46,15 @@ void RowErrors::add(double t, std::span<const double> row, std::span<const Other
                     std::span<const double> unseen) {
   const bool is_first = error_before_.empty();
   if (!lost_) error_before_ = error_;
+  double* const error = error_.data();
+  const double* const scale = scale_.data();
+  bool is_lost = lost_;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    error_[k] = std::max(error_[k], error_of_row(k, row, others, unseen));
-    lost_ = lost_ || safety_of_differences * largest_difference(k, row, others) > too_much * scale_[k];
+    const double difference = largest_difference(k, row, others);
+    error[k] = std::max(error[k], error_of(k, difference, row, others, unseen));
+    is_lost = is_lost | (safety_of_differences * difference > too_much * scale[k]);
   }
+  lost_ = is_lost;
   widen(row);
   for (const OtherRow& other : others) widen(other.row);
   if (!lost_ || is_first) t_before_ = t;
@@ -64,9 +73,10 @@ void RowErrors::widen_lost(double t) {
 }
 
 void RowErrors::widen(std::span<const double> row) {
+  double *const lowest = lowest_.data(), *const highest = highest_.data();
   for (std::size_t k = 0; k < row.size(); ++k) {
-    lowest_[k] = std::min(lowest_[k], row[k]);
-    highest_[k] = std::max(highest_[k], row[k]);
+    lowest[k] = std::min(lowest[k], row[k]);
+    highest[k] = std::max(highest[k], row[k]);
   }
 }
 

@@ -2,7 +2,9 @@
 // Which motion is wanted, and of it what.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,9 @@ struct SimulationRequest {
   double t_start{};
   double t_start_left_out{};  ///< what t_start leaves out of the instant that was typed
   double t_end{};
-  std::vector<double> grid;         ///< increasing, in [t_start, t_end]
+  std::vector<double> grid;           ///< increasing, in [t_start, t_end]
+  std::vector<double> grid_left_out;  ///< what they leave out of the instants that were typed; empty: nothing
+  std::function<bool(std::size_t first, std::span<const double> rows)> goes_on{};  ///< as RunRequest::goes_on
   std::vector<Column> columns;      ///< wanted beside the state
   std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};

@@ -44,6 +44,7 @@ class Follower {
                             .t_start_left_out = request_.t_start_left_out,
                             .t_end = request_.t_end,
                             .grid = ends,
+                            .grid_left_out = {},
                             .columns = {},
                             .events = {velocity},
                             .on_invalid = request_.on_invalid,

@@ -42,6 +42,12 @@ struct BifurcationSystems {
   /// The numerators N_i of the forces at (x, p), without factors that cannot vanish, and their derivatives
   /// along all of (x, p), by rows.
   CompiledFunction numerators, slopes;
+  /// What has the zeros of `numerators`, nested in exponentials (core/steady/exponential_form.hpp) that rise
+  /// or fall: for the ends of a region. None without exponentials.
+  struct Nested {
+    CompiledFunction values, slopes;
+  };
+  std::vector<Nested> nested;
   CompiledFunction higher;  ///< N_xx, N_xp, N_xxx; only of one unknown
   /// Centres of reflections that turn N into -N, whatever p: functions without variables that matter. Of one
   /// unknown.

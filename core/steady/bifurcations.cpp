@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/error.hpp"
 #include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/critical_sentences.hpp"
-#include "core/steady/mirrors.hpp"
-#include "core/steady/normal_form.hpp"
+#include "core/steady/missed_changes.hpp"
 #include "core/steady/region_ends.hpp"
 
 namespace qdot {
@@ -48,7 +46,7 @@ class CriticalSearch {
       search();
     }
     trace();
-    if (!result_.complete && !gave_up_ && add_missed()) trace();
+    if (!result_.complete && !gave_up_) add_missed();
     if (result_.complete && changes_between(result_.branches, result_.critical, result_.degenerate)) {
       incomplete(growth_not_found);
     }
@@ -108,11 +106,9 @@ class CriticalSearch {
     if (found.undecided) {
       incomplete("Far out, or at a singularity, the forces are too small to tell whether any are critical.");
     }
-    if (axes) {
-      classify_by_normal_form(found.zeros, *axes);
-    } else {
-      classify_by_families(found);
-    }
+    if (axes && !axes->is_complete()) incomplete("On an axis of symmetry, critical values may be missing.");
+    add(axes ? kinds_by_normal_form(problem_, *systems_, found.zeros, *axes, result_.degenerate)
+             : kinds_by_families(problem_, *systems_, found));
     watch_ends();
     search_growth();
   }
@@ -121,8 +117,7 @@ class CriticalSearch {
     const CriticalGrowth found =
         critical_growth(dynamics_, problem_, *systems_, index_, {from_, to_},
                         [&](const CriticalZero& zero) { return all_.place_of(*chart_, zero); });
-    for (const GrowthZero& growth : found.zeros)
-      add(growth.kind, growth.zero, degenerate_growth, growth.omega);
+    add(found.zeros);
     if (!found.complete) incomplete(more_growth);
   }
 
@@ -151,73 +146,12 @@ class CriticalSearch {
     result_.branches = branches([&](double p) { return column(p); }, from_, to_, result_.critical, turns());
   }
 
-  /// Where a curve's stability changes and the search for critical points was given up: found by bisection.
-  bool add_missed() {
-    const std::size_t before = result_.critical.size();
-    for (const EquilibriumBranch& branch : result_.branches) {
-      for (std::size_t i = 0; i + 1 < branch.parameter.size(); ++i) {
-        const bool changes = branch.stability[i] != branch.stability[i + 1] &&
-                             branch.stability[i] != Stability::neutral &&
-                             branch.stability[i + 1] != Stability::neutral;
-        if (changes && !has_critical(branch.parameter[i], branch.parameter[i + 1])) add_between(branch, i);
-      }
-    }
+  void add_missed() {
+    const auto missed = missed_changes(all_, *chart_, result_.branches, result_.critical, {from_, to_});
+    if (missed.empty()) return;
+    add(missed);
     std::ranges::sort(result_.critical, {}, &CriticalValue::value);
-    return result_.critical.size() > before;
-  }
-
-  [[nodiscard]] bool has_critical(double low, double high) const {
-    return std::ranges::any_of(result_.critical, [&](const CriticalValue& c) {
-      return c.value + c.error >= low && c.value - c.error <= high;
-    });
-  }
-
-  void add_between(const EquilibriumBranch& branch, std::size_t i) {
-    double low = branch.parameter[i];
-    double high = branch.parameter[i + 1];
-    std::vector<double> x = branch.x[i];
-    std::optional<SteadyState> at_low = nearest(branch.x[i], low), at_high = nearest(branch.x[i + 1], high);
-    constexpr int most_halvings = 50;
-    for (int k = 0; k < most_halvings; ++k) {
-      const double middle = low + (high - low) / 2;
-      const auto state = nearest(x, middle);
-      if (!state || !state->simple || state->stability.stability == Stability::neutral) break;
-      const bool before = state->stability.stability == branch.stability[i];
-      (before ? low : high) = middle;
-      (before ? at_low : at_high) = state;
-      x.assign(state->y.begin(), state->y.begin() + static_cast<std::ptrdiff_t>(x.size()));
-    }
-    if (!at_low || !at_high || !continues(*at_low, low, *at_high, high)) return;
-    CriticalZero found{BifurcationSystem::Kind::meeting, {}, {low, high}, false};
-    for (const std::size_t j : unknowns())
-      found.x.push_back(hull(at_low->enclosure[j], at_high->enclosure[j]));
-    add(kind_seen(found), found, change_of_stability);
-  }
-
-  /// Whether the two are one curve, and not two that run beside each other: near each of them there are two
-  /// others or none, or what rounding does not tell apart.
-  bool continues(const SteadyState& a, double p_of_a, const SteadyState& b, double p_of_b) {
-    constexpr double reach = 1e-5;
-    CriticalZero place{};
-    for (const std::size_t j : unknowns()) {
-      place.x.push_back(hull(a.enclosure[j], b.enclosure[j]));
-      if (!(place.x.back().width() < reach / 10)) return false;
-    }
-    return simple_near(place, p_of_a, reach) % 2 == 1 && simple_near(place, p_of_b, reach) % 2 == 1;
-  }
-
-  std::optional<SteadyState> nearest(const std::vector<double>& x, double p) {
-    std::optional<SteadyState> best;
-    double least = 0.2;
-    for (SteadyState& state : all_.at(p).states) {
-      double distance = 0;
-      for (const std::size_t i : kept()) distance = std::max(distance, std::abs(state.y[i] - x[i]));
-      if (distance < least) {
-        least = distance;
-        best = std::move(state);
-      }
-    }
-    return best;
+    trace();
   }
 
   [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return systems_->unknowns; }
@@ -253,130 +187,34 @@ class CriticalSearch {
                short_number(p, 10) + ", " + why);
   }
 
-  void classify_by_normal_form(const std::vector<CriticalZero>& zeros, SymmetryAxes& axes) {
-    if (!axes.is_complete()) incomplete("On an axis of symmetry, critical values may be missing.");
-    std::vector<CriticalZero> rest;
-    for (const CriticalZero& zero : zeros) {
-      if (!axes.explain(Box{zero.x[0], zero.p})) join(rest, zero);
-    }
-    for (const NormalForm& form : axes.found()) {
-      const auto is_there = [&](double p) { return form.p.contains(p); };
-      if (std::ranges::any_of(result_.degenerate, is_there)) continue;
-      CriticalZero place{BifurcationSystem::Kind::meeting, {form.x}, form.p, form.proven};
-      if (form.kind == BifurcationKind::pitchfork) {
-        add(form.kind, place);
-      } else {
-        place.simple = false;
-        join(rest, place);
-      }
-    }
-    for (const CriticalZero& zero : rest) {
-      const bool single = zero.simple;
-      const bool fold = zero.kind == BifurcationSystem::Kind::fold;
-      if (single && (fold || is_transcritical(problem_, *systems_, zero))) {
-        add(fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, zero);
-      } else {
-        add(BifurcationKind::unresolved, zero, reason_of(zero));
-      }
+  void add(std::span<const KnownZero> zeros) {
+    for (const KnownZero& zero : zeros) {
+      CriticalValue critical = value_at(zero);
+      // Where charts overlap, both may tell of it.
+      const auto is_same = [&](const CriticalValue& other) { return same_place(other, critical); };
+      if (all_.charts().size() == 1 || std::ranges::none_of(result_.critical, is_same))
+        result_.critical.push_back(std::move(critical));
     }
   }
 
-  static const char* reason_of(const CriticalZero& zero) {
-    if (!zero.simple) return several_events;
-    return zero.kind == BifurcationSystem::Kind::meeting ? degenerate_crossing : degenerate_fold;
-  }
-
-  /// A fold alone is a saddle-node: its system is regular only where it is one. Two families that cross, and
-  /// neither folds, are a transcritical point; one that folds on the mirror of a symmetry, a pitchfork.
-  void classify_by_families(const CriticalZeros& found) {
-    for (const CriticalZero& here : found.zeros) {
-      const bool fold = here.kind == BifurcationSystem::Kind::fold;
-      const bool is_degenerate = here.kind == BifurcationSystem::Kind::degenerate_fold;
-      std::vector<const CriticalZero*> others;
-      for (const CriticalZero& other : found.zeros) {
-        if (&other != &here && overlap(other, here)) others.push_back(&other);
-      }
-      if (here.simple && others.empty() && is_degenerate) {
-        add(BifurcationKind::unresolved, here, degenerate_fold);
-        continue;
-      }
-      if (here.simple && others.empty() && (fold || found.complete)) {
-        add(fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, here);
-        continue;
-      }
-      const bool pair = here.simple && !is_degenerate && others.size() == 1 && others[0]->simple &&
-                        others[0]->kind != here.kind &&
-                        others[0]->kind != BifurcationSystem::Kind::degenerate_fold;
-      if (pair && is_on_mirror(problem_, *systems_, here)) {
-        if (!fold) add(BifurcationKind::pitchfork, here);
-        continue;
-      }
-      const bool told = std::ranges::any_of(others, [&](const CriticalZero* other) { return other < &here; });
-      if (!told) add(BifurcationKind::unresolved, here, several_events);
-    }
-  }
-
-  /// Where a curve changes its stability on the mirror of a symmetry, two more equilibria on one side than on
-  /// the other say what happens.
-  BifurcationKind kind_seen(const CriticalZero& here) {
-    const double aside = 1e-4 * (to_ - from_) + 10 * here.p.width();
-    constexpr double reach = 0.2;
-    const std::size_t before = simple_near(here, here.p.lower - aside, reach);
-    const std::size_t after = simple_near(here, here.p.upper + aside, reach);
-    const bool three_and_one = std::min(before, after) == 1 && std::max(before, after) == 3;
-    return three_and_one && is_on_mirror(problem_, *systems_, here) ? BifurcationKind::pitchfork
-                                                                    : BifurcationKind::unresolved;
-  }
-
-  std::size_t simple_near(const CriticalZero& here, double p, double reach) {
-    std::size_t count = 0;
-    for (const SteadyState& state : all_.at(p).states) {
-      bool close = state.simple;
-      for (std::size_t k = 0; k < here.x.size(); ++k) {
-        const double d = state.y[kept()[unknowns()[k]]] - here.x[k].middle();
-        close =
-            close && std::abs(problem_.forces->turns[unknowns()[k]] ? std::remainder(d, 2 * std::numbers::pi)
-                                                                    : d) < reach;
-      }
-      count += close ? 1 : 0;
-    }
-    return count;
-  }
-
-  void add(BifurcationKind kind, const CriticalZero& found, const char* reason = "",
-           const std::optional<Interval>& omega = std::nullopt) {
+  CriticalValue value_at(const KnownZero& known) {
+    const CriticalZero& found = known.zero;
     CriticalValue critical;
-    critical.kind = kind;
-    if (kind == BifurcationKind::unresolved) critical.reason = reason;
+    critical.kind = known.kind;
+    critical.reason = known.reason;
     critical.value = found.p.middle();
     critical.error = distance_bound(critical.value, found.p);
     critical.proven = found.simple;
-    if (omega) {
-      critical.omega = omega->middle();
-      critical.omega_error = distance_bound(critical.omega, *omega);
+    if (known.omega) {
+      critical.omega = known.omega->middle();
+      critical.omega_error = distance_bound(critical.omega, *known.omega);
     }
-    const std::size_t n = y_.size() / 2;
-    critical.y.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n));
-    critical.y.resize(2 * n, 0.0);
-    critical.errors.assign(2 * n, 0.0);
     std::vector<Interval> constants = problem_.constants;
     constants[index_] = found.p;
-    const Box place = all_.place_of(*chart_, found);
-    for (const std::size_t k : problem_.forces->unknowns) {
-      critical.y[kept()[k]] = representative(place[k]);
-      critical.errors[kept()[k]] = distance_bound(critical.y[kept()[k]], place[k]);
-    }
-    std::vector<Interval> rates(problem_.statics->reduction.ignored.size());
-    TapeEvaluator<Interval>(problem_.forces->ignored_rates, constants)(place, rates);
-    for (std::size_t k = 0; k < rates.size(); ++k) {
-      const std::size_t i = n + problem_.statics->reduction.ignored[k];
-      critical.y[i] = representative(rates[k]);
-      critical.errors[i] = distance_bound(critical.y[i], rates[k]);
-    }
-    // Where charts overlap, both may tell of it.
-    const auto is_same = [&](const CriticalValue& other) { return same_place(other, critical); };
-    if (all_.charts().size() == 1 || std::ranges::none_of(result_.critical, is_same))
-      result_.critical.push_back(std::move(critical));
+    BoundedState state = bounded_state(problem_, constants, y_, all_.place_of(*chart_, found));
+    critical.y = std::move(state.y);
+    critical.errors = std::move(state.errors);
+    return critical;
   }
 
   const Dynamics& dynamics_;

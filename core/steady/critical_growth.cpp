@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/steady/critical_sentences.hpp"
 #include "core/steady/stability.hpp"
 
 namespace qdot {
@@ -55,7 +56,8 @@ CriticalGrowth critical_growth(const Dynamics& dynamics, const SteadyProblem& pr
     const BifurcationKind kind = is_degenerate                 ? BifurcationKind::unresolved
                                  : systems.growth_is_collision ? BifurcationKind::flutter
                                                                : BifurcationKind::hopf;
-    result.zeros.push_back({zero, kind, has_formula ? std::optional(sqrt(*square)) : std::nullopt});
+    result.zeros.push_back({zero, kind, is_degenerate ? degenerate_growth : "",
+                            has_formula ? std::optional(sqrt(*square)) : std::nullopt});
   }
   return result;
 }

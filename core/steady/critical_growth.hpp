@@ -3,22 +3,14 @@
 // (core/steady/growing_oscillations.hpp), all of them in a range.
 
 #include <functional>
-#include <optional>
 #include <vector>
 
-#include "core/steady/critical_value.hpp"
-#include "core/steady/critical_zeros.hpp"
+#include "core/steady/critical_kinds.hpp"
 
 namespace qdot {
 
-struct GrowthZero {
-  CriticalZero zero;
-  BifurcationKind kind{};         ///< hopf, flutter, or unresolved where pairs cross together or touch
-  std::optional<Interval> omega;  ///< of the oscillations, where it is known
-};
-
 struct CriticalGrowth {
-  std::vector<GrowthZero> zeros;
+  std::vector<KnownZero> zeros;  ///< hopf, flutter, or unresolved where pairs cross together or touch
   bool complete{true};
 };
 

@@ -10,6 +10,8 @@ import pathlib
 import random
 import sys
 import unittest
+from decimal import Decimal, getcontext
+from fractions import Fraction
 
 import mpmath
 from mpmath import mpf
@@ -18,6 +20,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
 
 mpmath.mp.dps = 45
+getcontext().prec = 60
 ORDER = 44
 REQUESTS = int(os.environ.get("QDOT_EXTENDED_REQUESTS", "12"))
 
@@ -110,6 +113,11 @@ def drawn(rng, system):
     return p, start
 
 
+def in_digits(x):
+    """Of a fraction of a power of ten."""
+    return format(Decimal(x.numerator)/Decimal(x.denominator), "f")
+
+
 def numbers(table):
     return "{" + ", ".join(f'"{name}": {value}' for name, value in table.items()) + "}"
 
@@ -149,6 +157,23 @@ class Extended(Service):
                     found = mpf(answer["trajectory"][name][-1])
                     self.assertLessEqual(abs(found - value), stated)
                     self.assertLessEqual(stated, mpf("1e-24"))
+
+    def test_instants_are_those_that_were_typed(self):
+        rng = random.Random(20241125)
+        system = json.dumps({"name": "thrown", "units": "none", "coordinates": [{"name": "x"}],
+                             "lagrangian": "x_dot^2/2", "forces": [{"name": "push", "value": "3", "along": "x"}]})
+        for i in range(24):
+            start = Fraction(rng.choice([0, -500, 2000])) + Fraction(rng.randint(1, 9), 10**rng.randint(13, 20))
+            end = start + Fraction(rng.randint(10**13, 10**14), 10**14) + Fraction(rng.randint(1, 9), 10**rng.randint(13, 22))
+            rows, precision = rng.choice([2, 4, 8]), '"precision": "extended", ' if i % 2 == 0 else ""
+            body = (f'{{"system": {system}, "initial": {{"x": 0, "x_dot": 1000}}, {precision}"t_start": {in_digits(start)}, '
+                    f'"t_end": {in_digits(end)}, "samples": {rows}}}')
+            with self.subTest(body=body):
+                answer = self.extended(body)
+                for row, found in enumerate(answer["trajectory"]["x"]):
+                    t = (end - start)*row/(rows - 1)
+                    off = abs(Fraction(found) - 1000*t - 3*t*t/2)
+                    self.assertLessEqual(off, Fraction(answer["accuracy"]["max_abs_error"]["x"]))
 
     def test_a_chaotic_motion_says_how_far_it_is_good(self):
         rods = {"system": "rod_pendulum", "initial": {"theta": 2.5, "phi": 2.9}, "t_end": 40, "samples": 81,

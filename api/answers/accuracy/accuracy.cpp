@@ -7,7 +7,6 @@
 #include "api/answers/accuracy/request.hpp"
 #include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
-#include "api/answers/simulate/extended_number.hpp"
 #include "api/answers/stated.hpp"
 #include "core/integrate/methods.hpp"
 
@@ -35,7 +34,7 @@ SimulationRequest motion(const AccuracyRequest& request, const ResolvedState& st
   core.parameters = state.parameters;
   core.y_start = state.y;
   core.t_start = request.t_start;
-  core.t_start_left_out = as_written(request.t_start).low;
+  core.t_start_left_out = request.start.low;
   core.t_end = *request.t_end;
   core.grid = request.grid;
   core.limits = limits_of_run();

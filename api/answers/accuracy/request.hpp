@@ -25,8 +25,9 @@ struct AccuracyRequest {
   bool measure{};
   std::optional<int> digits{};
 
+  Real start{};  ///< t_start as it was typed
   /// The instants to compare at, from the fields above.
-  std::vector<double> grid{};
+  Reals grid{};
 };
 
 [[nodiscard]] const RequestTable<AccuracyRequest>& accuracy_table();

@@ -29,26 +29,10 @@ constexpr const char* digits_round_away = "The digits asked for round more away 
 constexpr const char* contradicted =
     "The computation in doubles, which watches this one, differs from it by more than the sum of their errors.";
 
-/// The rows' instants, exactly as they are written.
-std::vector<DoubleDouble> exact_grid(const SimulateRequest& request) {
-  std::vector<DoubleDouble> grid;
-  if (!request.times.empty()) {
-    for (const double t : request.times) grid.push_back(as_written(t));
-    return grid;
-  }
-  const DoubleDouble start = as_written(request.t_start);
-  const DoubleDouble span = as_written(request.grid.back()) - start;
-  const auto steps = static_cast<double>(request.grid.size() - 1);
-  for (std::size_t i = 0; i < request.grid.size(); ++i) {
-    grid.push_back(start + span * DoubleDouble(static_cast<double>(i)) / DoubleDouble(steps));
-  }
-  return grid;
-}
-
 class ExtendedAnswer {
  public:
   ExtendedAnswer(const SimulateRequest& request, const ResolvedSystem& system, Call& call)
-      : request_(request), system_(system), call_(call), grid_(exact_grid(request)) {}
+      : request_(request), system_(system), call_(call), grid_(double_doubles(request.grid)) {}
 
   Response response() {
     if (!has_extended_expansion(system_.dynamics->accelerations()))
@@ -96,8 +80,8 @@ class ExtendedAnswer {
     ExtendedSimulationRequest extended;
     extended.parameters = system_.state.parameters;
     extended.y_start = system_.state.y;
-    extended.t_start = as_written(request_.t_start);
-    extended.grid = grid_;
+    extended.t_start = request_.start;
+    for (std::size_t i = 0; i < grid_.size(); ++i) extended.grid.push_back(request_.grid.exact(i));
     extended.max_error = request_.max_error;
     extended.limits = limits_of_run();
     result_ = extended_simulation(*system_.dynamics, extended);
@@ -162,7 +146,7 @@ class ExtendedAnswer {
       if (tape.evaluate(grid_[i], y, row) != Evaluation::ok)
         throw Error(ErrorCode::invalid_state, "One of the columns has no finite value along this motion.");
       for (std::size_t k = 0; k < row.size(); ++k) values[k].push_back(row[k]);
-      if (is_measured()) errors.add(instant(grid_[i]), around(y), row);
+      if (is_measured()) errors.add(instant(request_.grid.exact(i)), around(y), row);
     }
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (is_measured()) column_errors_.push_back(with_rounding(errors.largest()[k], values[k]));

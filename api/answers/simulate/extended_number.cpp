@@ -1,6 +1,5 @@
 #include "api/answers/simulate/extended_number.hpp"
 
-#include "api/json/writer.hpp"
 #include "core/expr/number.hpp"
 
 namespace qdot::api {
@@ -45,14 +44,6 @@ std::string extended_text(const DoubleDouble& value, int digits) {
   const auto whole = static_cast<int>(std::min(decimal.digits.size(), static_cast<std::size_t>(digits)));
   const int carried = static_cast<int>(kept.size()) - whole;
   return (value.high < 0 ? "-" : "") + decimal_text(std::move(kept), exponent + carried);
-}
-
-DoubleDouble as_written(double value) {
-  std::string text;
-  append_number(text, value);
-  const bool is_negative = text.starts_with('-');
-  const Number size = Number::written(text.substr(is_negative ? 1 : 0)).value_or(Number(0));
-  return (is_negative ? -size : size).rounded().double_double();
 }
 
 }  // namespace qdot::api

@@ -14,7 +14,4 @@ inline constexpr int most_digits = 31;
 /// trailing zeros: "0.5", "-1.234e-7". JSON reads it as a number.
 [[nodiscard]] std::string extended_text(const DoubleDouble& value, int digits = most_digits);
 
-/// The decimal that is written for a double, "0.1" for the double next to it, to twice a double's digits.
-[[nodiscard]] DoubleDouble as_written(double value);
-
 }  // namespace qdot::api

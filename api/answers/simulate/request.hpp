@@ -58,9 +58,10 @@ struct SimulateRequest {
 
   [[nodiscard]] bool is_extended() const { return precision == Precision::extended; }
 
+  Real start{};  ///< t_start as it was typed
   /// The instants to answer at, from the fields above; empty where the last of `steps` strides ends the
   /// motion.
-  std::vector<double> grid{};
+  Reals grid{};
 };
 
 [[nodiscard]] const RequestTable<SimulateRequest>& simulate_table();

@@ -4,7 +4,6 @@
 
 #include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
-#include "api/answers/simulate/extended_number.hpp"
 #include "api/answers/time_grid.hpp"
 #include "api/json/limits.hpp"
 
@@ -107,11 +106,13 @@ SimulationRequest core_request(const SimulateRequest& request, const Dynamics& d
   core.parameters = state.parameters;
   core.y_start = state.y;
   core.t_start = request.t_start;
-  core.t_start_left_out = as_written(request.t_start).low;
+  core.t_start_left_out = request.start.low;
   if (request.steps) core.end_after_impacts = static_cast<std::size_t>(*request.steps);
   core.t_end = request.t_end ? *request.t_end
                              : core.t_start + patience(dynamics.model(), state.parameters, *request.steps);
   core.grid = request.grid;
+  for (std::size_t i = 0; i < request.grid.size(); ++i)
+    core.grid_left_out.push_back(request.grid.exact(i).low);
   core.columns = columns_of(dynamics.model(), request.include);
   core.events = request.events;
   core.on_invalid = request.on_invalid;
@@ -138,7 +139,8 @@ std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynami
   if (!request.dt) {
     const auto grid = time_grid(
         {.t_start = core.t_start, .t_end = first.t, .samples = request.samples, .dt = {}, .times = {}});
-    return std::holds_alternative<GridError>(grid) ? core.grid : std::get<std::vector<double>>(grid);
+    if (std::holds_alternative<GridError>(grid)) return core.grid;
+    return std::get<Reals>(grid);
   }
   std::vector<double> grid;
   for (std::int64_t i = 0; i < most_rows_of_answer(); ++i) {

@@ -23,6 +23,8 @@ void check_turning_points(TurningPointsRequest& request, Findings& findings) {
   if (!findings.has_error_at({"t_start", "t_end"}) && request.t_end && *request.t_end <= request.t_start) {
     findings.report("t_end", "out_of_range", "'t_end' must be later than 't_start'.");
   }
+  request.start = findings.exact("t_start", request.t_start);
+  if (request.t_end) request.end = findings.exact("t_end", *request.t_end);
   if (!request.system.scene) return;
   if (!findings.has_error_at({"coordinate"})) check_coordinate(request, findings);
   check_inputs(request.system, findings);

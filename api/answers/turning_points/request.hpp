@@ -17,6 +17,8 @@ struct TurningPointsRequest {
   OnInvalid on_invalid{OnInvalid::stop};
   bool impacts{true};
   std::optional<int> digits{};
+
+  Real start{}, end{};  ///< t_start and t_end as they were typed
 };
 
 [[nodiscard]] const RequestTable<TurningPointsRequest>& turning_points_table();

@@ -4,7 +4,6 @@
 #include "api/answers/bounds.hpp"
 #include "api/answers/exact_json.hpp"
 #include "api/answers/integration_failure.hpp"
-#include "api/answers/simulate/extended_number.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/turning_points/request.hpp"
 #include "api/json/text.hpp"
@@ -214,14 +213,15 @@ class TurningPointsAnswer {
   }
 
   void put_exact(const TurningPoints& found) {
-    const ExactTurningPoints exact =
-        exact_turning_points(dynamics(), system_.state.parameters, written_texts(request_.system), found);
+    const Json& constants = body_["constants"];  // the energy, then the momenta
+    auto name = constants.items().begin();
+    const ExactTurningPoints exact = exact_turning_points(dynamics(), system_.state.parameters,
+                                                          written_texts(request_.system), found, name.key());
     Json json = Json::object();
     if (exact.equation) json["equation"] = exact_json(*exact.equation);
     if (exact.maximum) json[coordinate().name + "_max"] = exact_json(*exact.maximum);
     if (exact.minimum) json[coordinate().name + "_min"] = exact_json(*exact.minimum);
-    const Json& constants = body_["constants"];  // the energy, then the momenta
-    auto name = constants.items().begin();
+    if (exact.period) json["period"] = exact_json(*exact.period);
     if (exact.energy) json[name.key()] = exact_json(*exact.energy);
     for (const std::optional<ClosedForm>& momentum : exact.momenta) {
       ++name;
@@ -280,9 +280,9 @@ class TurningPointsAnswer {
     core.coordinate = coordinate_;
     core.limits = limits_of_run();
     core.t_start = request_.t_start;
-    core.t_start_left_out = as_written(request_.t_start).low;
+    core.t_start_left_out = request_.start.low;
     core.t_end = *request_.t_end;
-    core.t_end_left_out = as_written(*request_.t_end).low;
+    core.t_end_left_out = request_.end.low;
     core.on_invalid = request_.on_invalid;
     core.impacts = request_.impacts ? Impacts::apply : Impacts::ignore;
     const TrajectoryExtrema found = trajectory_extrema(dynamics(), core);

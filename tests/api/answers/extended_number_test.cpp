@@ -19,10 +19,11 @@ Number number_in(const std::string& text) {
 }
 
 TEST(ExtendedText, WritesWhatADecimalStandsFor) {
-  EXPECT_EQ(extended_text(as_written(0.1)), "0.1");
-  EXPECT_EQ(extended_text(as_written(-1234.5678)), "-1234.5678");
-  EXPECT_EQ(extended_text(as_written(3e-7)), "3.0e-7");
-  EXPECT_EQ(extended_text(as_written(6.02e23)), "6.02e23");
+  const auto typed = [](const char* text) { return number_in(text).rounded().double_double(); };
+  EXPECT_EQ(extended_text(typed("0.1")), "0.1");
+  EXPECT_EQ(extended_text(typed("-1234.5678")), "-1234.5678");
+  EXPECT_EQ(extended_text(typed("3e-7")), "3.0e-7");
+  EXPECT_EQ(extended_text(typed("6.02e23")), "6.02e23");
   EXPECT_EQ(extended_text(0.0), "0.0");
   EXPECT_EQ(extended_text(1e20), "100000000000000000000.0");
   EXPECT_EQ(extended_text(1e21), "1.0e21");

@@ -52,7 +52,7 @@ TEST(SimulateRequest, ReadsTheContractsExample) {
 TEST(SimulateRequest, ItsEndFollowsFromItsTimes) {
   const SimulateRequest read = request(R"("times": [0, "100 ms", 2])");
   EXPECT_EQ(read.t_end, 2);
-  EXPECT_EQ(read.grid, (std::vector{0.0, 0.1, 2.0}));
+  EXPECT_EQ(std::vector<double>(read.grid), (std::vector{0.0, 0.1, 2.0}));
   EXPECT_FALSE(read.samples);
 }
 

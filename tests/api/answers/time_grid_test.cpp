@@ -6,6 +6,7 @@
 
 #include "api/json/limits.hpp"
 #include "core/base/work_bounds.hpp"
+#include "core/expr/number.hpp"
 
 namespace qdot::api {
 namespace {
@@ -16,7 +17,7 @@ std::vector<double> grid(const GridRequest& request) {
     ADD_FAILURE() << error->field << ": " << error->detail;
     return {};
   }
-  return std::get<std::vector<double>>(result);
+  return std::get<Reals>(result);
 }
 
 GridError error(const GridRequest& request) {
@@ -31,6 +32,28 @@ TEST(TimeGrid, OfSamplesHasBothEndsAndDecimalInstants) {
   EXPECT_EQ(instants.front(), 0);
   EXPECT_EQ(instants.back(), 10);
   EXPECT_EQ(grid({.t_start = 1.0 / 3, .t_end = 2.0 / 3, .samples = 2}), (std::vector{1.0 / 3, 2.0 / 3}));
+}
+
+TEST(TimeGrid, InstantsAreThoseThatWereTyped) {
+  const auto typed = [](const char* text) { return Number::written(text)->rounded(); };
+  const auto left_out = [](const GridRequest& request, std::size_t i) {
+    const auto result = time_grid(request);
+    return std::get<Reals>(result).exact(i).low;
+  };
+  const Real late = typed("2000.20669775248365");
+  EXPECT_EQ(left_out({.t_end = late, .samples = 2}, 1), late.low);
+  const Real third = typed("1.3333333333333333333333333333333333333333");
+  EXPECT_EQ(left_out({.t_start = 1, .t_end = 2, .samples = 4}, 1), third.low);
+  EXPECT_EQ(grid({.t_end = typed("0.7"), .samples = 8})[1], 0.1) << "a seventh of the double is another one";
+  const auto only = [](const Real& t) {
+    Reals times;
+    times.push_back(t);
+    return times;
+  };
+  const Real before = typed("1.99999999999999999"), beyond = typed("3.00000000000000001");
+  EXPECT_EQ(error({.t_start = 2, .t_end = 3, .times = only(before)}).code, "out_of_range");
+  EXPECT_EQ(error({.t_start = 2, .t_end = 3, .times = only(beyond)}).code, "out_of_range");
+  EXPECT_EQ(error({.t_start = before, .t_end = beyond, .times = only(3)}).field, "none");
 }
 
 TEST(TimeGrid, HasAServicesBoundUnlessThereIsNone) {
@@ -64,14 +87,15 @@ TEST(TimeGrid, AStepThatDoesNotDivideTheSpanNamesTheNearestThatDo) {
 }
 
 TEST(TimeGrid, OfGivenInstantsIsTheseInstants) {
-  EXPECT_EQ(grid({.times = {0.5, 2}}), (std::vector{0.5, 2.0}));
-  EXPECT_EQ(grid({.t_end = 3, .times = {0, 3}}), (std::vector{0.0, 3.0}));
-  EXPECT_EQ(error({.times = {1, 1}}).code, "not_increasing");
-  EXPECT_EQ(error({.times = {2, 1}}).detail, "'times' must increase; 2.0 s is followed by 1.0 s.");
-  EXPECT_EQ(error({.t_end = 2, .times = {1, 3}}).detail,
+  EXPECT_EQ(grid({.times = std::vector<double>{0.5, 2}}), (std::vector{0.5, 2.0}));
+  EXPECT_EQ(grid({.t_end = 3, .times = std::vector<double>{0, 3}}), (std::vector{0.0, 3.0}));
+  EXPECT_EQ(error({.times = std::vector<double>{1, 1}}).code, "not_increasing");
+  EXPECT_EQ(error({.times = std::vector<double>{2, 1}}).detail,
+            "'times' must increase; 2.0 s is followed by 1.0 s.");
+  EXPECT_EQ(error({.t_end = 2, .times = std::vector<double>{1, 3}}).detail,
             "'times' has 3.0 s, which is not from 0.0 s to 2.0 s.");
-  EXPECT_EQ(error({.times = {-1, 3}}).field, "times");
-  EXPECT_EQ(error({.times = {0}}).field, "times") << "there is no motion";
+  EXPECT_EQ(error({.times = std::vector<double>{-1, 3}}).field, "times");
+  EXPECT_EQ(error({.times = std::vector<double>{0}}).field, "times") << "there is no motion";
 }
 
 TEST(TimeGrid, NeedsAnEndAfterItsStart) {

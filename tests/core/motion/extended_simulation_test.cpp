@@ -20,7 +20,7 @@ ExtendedSimulationRequest plane_pendulum(const Model& model, Real g) {
   ExtendedSimulationRequest request;
   request.parameters = parameter_values(model, given);
   request.y_start = initial_state(model, request.parameters, given);
-  request.grid = {decimal("7.3").double_double()};
+  request.grid.push_back(decimal("7.3"));
   return request;
 }
 

@@ -1,0 +1,80 @@
+#include "core/steady/critical_kinds.hpp"
+
+#include <algorithm>
+
+#include "core/steady/critical_sentences.hpp"
+#include "core/steady/mirrors.hpp"
+
+namespace qdot {
+namespace {
+
+const char* reason_of(const CriticalZero& zero) {
+  if (!zero.simple) return several_events;
+  return zero.kind == BifurcationSystem::Kind::meeting ? degenerate_crossing : degenerate_fold;
+}
+
+KnownZero kind_alone(const SteadyProblem& problem, const BifurcationSystems& systems,
+                     const CriticalZero& zero) {
+  const bool fold = zero.kind == BifurcationSystem::Kind::fold;
+  if (!zero.simple || !(fold || is_transcritical(problem, systems, zero)))
+    return {zero, BifurcationKind::unresolved, reason_of(zero), {}};
+  return {zero, fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, "", {}};
+}
+
+/// None: it is told with another.
+std::optional<KnownZero> kind_in_families(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                          const CriticalZeros& found, const CriticalZero& here) {
+  using Kind = BifurcationSystem::Kind;
+  const bool fold = here.kind == Kind::fold;
+  const bool is_degenerate = here.kind == Kind::degenerate_fold;
+  std::vector<const CriticalZero*> others;
+  for (const CriticalZero& other : found.zeros) {
+    if (&other != &here && overlap(other, here)) others.push_back(&other);
+  }
+  if (here.simple && others.empty() && is_degenerate)
+    return KnownZero{here, BifurcationKind::unresolved, degenerate_fold, {}};
+  if (here.simple && others.empty() && (fold || found.complete))
+    return KnownZero{here, fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, "", {}};
+  const bool pair = here.simple && !is_degenerate && others.size() == 1 && others[0]->simple &&
+                    others[0]->kind != here.kind && others[0]->kind != Kind::degenerate_fold;
+  if (pair && is_on_mirror(problem, systems, here))
+    return fold ? std::nullopt : std::optional(KnownZero{here, BifurcationKind::pitchfork, "", {}});
+  if (std::ranges::any_of(others, [&](const CriticalZero* other) { return other < &here; }))
+    return std::nullopt;
+  return KnownZero{here, BifurcationKind::unresolved, several_events, {}};
+}
+
+}  // namespace
+
+std::vector<KnownZero> kinds_by_normal_form(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                            std::span<const CriticalZero> zeros, SymmetryAxes& axes,
+                                            std::span<const double> degenerate) {
+  std::vector<KnownZero> result;
+  std::vector<CriticalZero> rest;
+  for (const CriticalZero& zero : zeros) {
+    if (!axes.explain(Box{zero.x[0], zero.p})) join(rest, zero);
+  }
+  for (const NormalForm& form : axes.found()) {
+    if (std::ranges::any_of(degenerate, [&](double p) { return form.p.contains(p); })) continue;
+    CriticalZero place{BifurcationSystem::Kind::meeting, {form.x}, form.p, form.proven};
+    if (form.kind == BifurcationKind::pitchfork) {
+      result.push_back({place, form.kind, "", {}});
+    } else {
+      place.simple = false;
+      join(rest, place);
+    }
+  }
+  for (const CriticalZero& zero : rest) result.push_back(kind_alone(problem, systems, zero));
+  return result;
+}
+
+std::vector<KnownZero> kinds_by_families(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                         const CriticalZeros& found) {
+  std::vector<KnownZero> result;
+  for (const CriticalZero& here : found.zeros) {
+    if (auto known = kind_in_families(problem, systems, found, here)) result.push_back(std::move(*known));
+  }
+  return result;
+}
+
+}  // namespace qdot
