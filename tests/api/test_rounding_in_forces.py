@@ -1,0 +1,76 @@
+"""Forces that are small differences of large numbers: what rounding leaves of them all computations of a motion have in
+common. The truths are closed forms: an oscillator after a Gaussian pulse whose square is written out, and forces that are
+-x but for (a x)^2 where nothing is rounded."""
+
+import pathlib
+import sys
+import unittest
+
+import mpmath
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, strict_json  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mpmath.mp.dps = 30
+mpf = mpmath.mpf
+GOALS = [{}, {"accuracy": "fast"}, {"accuracy": "accurate"}, {"max_error": 1e-7}, {"max_error": 1e-12},
+         {"method": "taylor", "rtol": 1e-11}, {"method": "taylor", "rtol": 1e-7}, {"method": "erk", "rtol": 1e-8},
+         {"method": "erk", "rtol": 1e-5}, {"method": "taylor", "rtol": 1e-13}]
+VANISHING = ["-(cosh(x*a) - 1)*2*b*b/x", "-(1 - cos(x*a))*2*b*b/x", "-(sqrt(1 + (x*a)^2) - 1)*2*b*b/x"]
+
+
+def forced(force, parameters=""):
+    return lagrangian("forced", parameters, "x - 0 0", "x_dot^2/2", forces=[{"name": "push", "value": force, "along": "x"}])
+
+
+class RoundingInForces(Service):
+    def ask(self, force, parameters, x, t_end, goal):
+        request = {"system": forced(force, parameters), "initial": {"x": x, "x_dot": 0}, "t_end": t_end, "samples": 2, **goal}
+        return strict_json(self.post("simulate", request).data)
+
+    def judge(self, answer, truth, allowed=0):
+        stated = answer["accuracy"]["max_abs_error"]
+        for name, true in zip(("x", "x_dot"), truth):
+            error = abs(mpf(answer["trajectory"][name][-1]) - true)
+            self.assertLessEqual(error, mpf(stated[name]) + allowed, (answer["request"], name, float(true)))
+        return stated
+
+    def test_a_pulse_whose_square_is_written_out(self):
+        for c, w in (("3.579", "0.000029"), ("4.0625", "0.0000012"), ("2.37", "0.003")):
+            centre, width = mpf(c), mpf(w)
+            square = f"(t^2 - {mpmath.nstr(2 * centre, 20)}*t + {mpmath.nstr(centre**2, 20)})"
+            force = f"exp(-{square}/{mpmath.nstr(width**2, 20, min_fixed=-20)}) - 0.86*x"
+            rate, left = mpmath.sqrt(mpf("0.86")), mpf("8.65") - centre
+            impulse = width * mpmath.sqrt(mpmath.pi) * mpmath.exp(-(rate * width / 2) ** 2)
+            truth = impulse * mpmath.sin(rate * left) / rate, impulse * mpmath.cos(rate * left)
+            for goal in GOALS:
+                with self.subTest(c=c, goal=goal):
+                    self.judge(self.ask(force, "", 0, 8.65, goal), truth)
+
+    def test_the_error_of_such_a_pulse_is_measured_not_only_bounded(self):
+        force = "exp(-(t^2 - 7.158*t + 12.809241)/0.000000000841) - 0.86*x"
+        answer = self.ask(force, "", 0, 8.65, {"method": "taylor", "rtol": 1e-11})
+        self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-9)
+
+    def test_a_force_that_vanishes_by_rounding(self):
+        for force in VANISHING:
+            for digits in (5, 7, 9, 20):
+                a, b = f"1e-{digits}", f"1e{digits}"
+                for goal in GOALS:
+                    with self.subTest(force=force, a=a, goal=goal):
+                        answer = self.ask(force, f"a - {a}; b - {b}", 1, 1.5, goal)
+                        if answer["accuracy"]["max_abs_error"] is None:
+                            self.assertTrue(answer["accuracy"]["reason"])
+                            continue
+                        truth = mpmath.cos(mpf("1.5")), -mpmath.sin(mpf("1.5"))
+                        self.judge(answer, truth, allowed=mpf(a) ** 2)
+
+    def test_a_wanted_error_is_not_met_where_rounding_leaves_nothing_of_the_force(self):
+        answer = self.ask(VANISHING[0], "a - 1e-20; b - 1e20", 1, 3, {"max_error": 1e-6})
+        self.assertFalse(answer["accuracy"]["meets_request"])
+        self.assertTrue(answer["accuracy"]["reason"])
+
+
+if __name__ == "__main__":
+    unittest.main()
