@@ -16,7 +16,7 @@ using Rewrite = std::function<std::optional<Expression>(Function, const Number& 
 /// How often the way of w is gone: there and back, or twice where w is even in x.
 constexpr int possible_passes[]{2, 4};
 
-/// w by x: x itself, or |x| on one side of 0; or a function of y = part * argument, linear in x.
+/// w by x: x itself, or |y| on one side of 0; or a function of y = part * argument, linear in x.
 struct Substitution {
   enum class Kind { itself, one_side, sine, cosine, exponential };
   Kind kind{};
@@ -77,7 +77,8 @@ class PeriodSearch {
     using Kind = Substitution::Kind;
     std::vector<Substitution> all;
     all.push_back({Kind::itself, x_, Number(1)});
-    if (!arguments({Function::abs, Function::sign}).empty()) all.push_back({Kind::one_side, x_, Number(1)});
+    for (const Expression& argument : arguments({Function::abs, Function::sign}))
+      all.push_back({Kind::one_side, argument, Number(1)});
     for (const Expression& argument : arguments({Function::sin, Function::cos, Function::tan})) {
       for (const Kind kind : {Kind::cosine, Kind::sine}) {
         all.push_back({kind, argument, Number(1)});
@@ -101,7 +102,10 @@ class PeriodSearch {
     const Expression by_y = substitute(e, {&y, 1});
     const Expression rate = graph_.number(w.part) * slope, one = graph_.number(1);
     std::optional<Expression> all;
-    if (w.kind == Kind::itself || w.kind == Kind::one_side) all = by_itself(by_y, w.kind == Kind::one_side);
+    if (w.kind == Kind::itself || w.kind == Kind::one_side) {
+      all = by_itself(by_y, w.kind == Kind::one_side);
+      if (all) all = *all * rate * rate;
+    }
     if (w.kind == Kind::cosine || w.kind == Kind::sine) {
       all = by_angle(by_y, w.kind);
       if (all) all = *all * rate * rate * (one - u_ * u_);

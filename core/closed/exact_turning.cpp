@@ -267,7 +267,8 @@ class TurningForms {
       principal.insert(principal.begin(), Expression(*graph_, call->argument));  // where the motion began
     if (root.number() != nullptr || written_length(root) < 8) add_known(function, root, principal);
     for (const Expression& value : principal) {
-      for (const Expression& x : {value, function == Function::cos ? -value : pi - value}) {
+      const Expression other = function == Function::cos ? -value : pi - value;
+      for (const Expression& x : {value, other, other + Number(2) * pi, other - Number(2) * pi}) {
         if (!agrees(values_.value(x), *extremum.value, extremum.error)) continue;
         auto form = formula(x, relations, assumed_);
         auto of_function = formula(root, relations, assumed_);

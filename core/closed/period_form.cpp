@@ -99,7 +99,9 @@ std::optional<ClosedForm> period_form(const QuadratureProblem& problem, const Ex
   for (const Expression& period : elementary_periods(problem, values)) {
     if (!agrees(values.value(period), *found.value, found.error)) continue;
     for (const Relations& relations : {values.relations(), Relations{}}) {
-      auto form = written(simplify(substitute(period, relations.replacements)), relations);
+      const Expression plain = substitute(period, relations.replacements), short_form = simplify(plain);
+      const bool is_shorter = written_length(short_form) < written_length(plain);
+      auto form = written(is_shorter ? short_form : plain, relations);
       if (form && (!best || form->text.size() < best->text.size())) best = std::move(form);
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/expr/simplify.hpp"
+
 namespace qdot {
 namespace {
 
@@ -82,13 +84,16 @@ std::optional<QuadraticForm> quadratic_form(Univariate above, Univariate below) 
   return QuadraticForm{p, shift / 2, above[1], above[0], -(of_below / of_above)};
 }
 
-/// |f| times the root of g, in the shorter of two forms.
+/// |f| times the root of g, in the shortest of three forms.
 Expression times_root(Graph& graph, const RationalFunction& f, const RationalFunction& g,
                       const SignOf& sign) {
-  const Expression inside = positive_root(graph, f * f * g, sign);
+  const RationalFunction square = f * f * g;
+  const Expression inside = positive_root(graph, square, sign);
   const Number size = sign(f.above) * sign(f.below) < 0 ? Number(-1) : Number(1);
   const Expression outside = size * to_expression(graph, f) * positive_root(graph, g, sign);
-  return written_length(outside) < written_length(inside) ? outside : inside;
+  const Expression& best = written_length(outside) < written_length(inside) ? outside : inside;
+  const Expression joined = sqrt(simplify(to_expression(graph, square)));
+  return written_length(joined) < written_length(best) ? joined : best;
 }
 
 }  // namespace

@@ -275,7 +275,7 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   ExtendedStepper stepper(system, request);
   ExtendedRun run;
   const std::size_t n = request.y_start.size();
-  std::vector<double> passed(n);
+  std::vector<double> passed(n), terms(n);
   std::optional<Separation> separation;
   if (system.in_doubles.expansion)
     separation.emplace(system.in_doubles, std::vector<double>(n), Separation::Scale::enlarged);
@@ -301,7 +301,9 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
     const auto failed = stepper.step();
     if (failed) run.ending = *failed;
     if (!failed && separation) {
-      separation->follow(stepper.polynomials());
+      const MotionPiece step = stepper.polynomials();
+      largest_terms(step, terms);
+      separation->follow(step, terms);
       separation->add(stepper.rounded(), separation->now());
     }
     sample();

@@ -137,10 +137,11 @@ class Integration {
   void note_own_errors(std::size_t count) {
     if (!own_errors_) return;
     const std::size_t n = request_.y_start.size();
-    for (std::size_t i = 0; i < count * n; ++i) {
-      run_.apart.push_back(own_errors_->in_last_step(i % n));
-      run_.apart_by_rounding.push_back(own_errors_->rounding_in_last_step(i % n));
-    }
+    own_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) own_[i] = own_errors_->in_last_step(i);
+    append(run_.apart, own_, count);
+    for (std::size_t i = 0; i < n; ++i) own_[i] = own_errors_->rounding_in_last_step(i);
+    append(run_.apart_by_rounding, own_, count);
   }
 
   void note_accelerations(std::size_t count) {
@@ -157,6 +158,7 @@ class Integration {
   EventSearch events_;
   ProgressGuard progress_;
   std::optional<OwnErrors> own_errors_;
+  std::vector<double> own_;  ///< of the last step
   Run run_;
 };
 

@@ -39,7 +39,7 @@ class OwnErrors {
  private:
   Separation by_truncation_, by_rounding_;
   RandomBits random_;
-  std::vector<double> sizes_, signs_;  ///< scratch
+  std::vector<double> terms_, sizes_, signs_;  ///< scratch
 };
 
 }  // namespace qdot

@@ -8,7 +8,7 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned order_tried_first = 8;
+constexpr unsigned least_order = 8;
 constexpr double negligible = 0.03;  ///< of the largest term: so the last ones show that these were enough
 constexpr double lost = 2;           ///< times what a component has reached
 constexpr double enlarged = 0x1p-30;
@@ -22,18 +22,20 @@ double beside(double y, double e) {
 
 }  // namespace
 
-double largest_term(std::span<const double> c, double h) {
-  double largest = 0, power = 1;
-  for (const double coefficient : c) {
-    largest = std::max(largest, std::abs(coefficient) * power);
-    power *= h;
+void largest_terms(const MotionPiece& step, std::span<double> terms) {
+  const double* c = step.rows.data();
+  for (double& largest : terms) {
+    double power = 1;
+    largest = 0;
+    for (unsigned k = 0; k <= step.order; ++k, power *= step.h)
+      largest = std::max(largest, std::abs(*c++) * power);
   }
-  return largest;
 }
 
 Separation::Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale)
     : original_(original),
       scale_(scale),
+      order_(least_order),
       e_(std::move(moved_by)),
       largest_(e_.size()),
       y_(e_.size()),
@@ -44,30 +46,17 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
-void Separation::follow(const MotionPiece& step) {
-  const unsigned order = std::min(order_tried_first, step.order);
+void Separation::follow(const MotionPiece& step, std::span<const double> terms) {
   for (std::size_t i = 0; i < e_.size(); ++i) {
-    const std::span<const double> c = step.rows.subspan(i * (step.order + 1), step.order + 1);
-    y_[i] = c[0];
-    size_[i] = std::max(size_[i], largest_term(c.first(order + 1), step.h));
+    y_[i] = step.rows[i * (step.order + 1)];
+    size_[i] = std::max(size_[i], terms[i]);
   }
-  go_on(step);
-}
-
-void Separation::follow(const MotionPiece& step, const Separation& other) {
-  y_ = other.y_;
-  size_ = other.size_;
-  go_on(step);
-}
-
-void Separation::go_on(const MotionPiece& step) {
-  const unsigned order = std::min(order_tried_first, step.order);
   const std::size_t n = e_.size() / 2;
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   project(step.t);
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
   place_beside();
-  if (!rise(step, order)) (void)rise(step, step.order);
+  take_rise(step);
   for (std::size_t i = 0; i < e_.size(); ++i) move_to(i, e_[i] + rise_[i] / factor_);
 }
 
@@ -107,27 +96,37 @@ void Separation::place_beside() {
   for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = y_[i] - factor_ * e_[i];
 }
 
-/// rise_: what the step adds to e, by series of an order; false where their last terms do not show that these
-/// are enough.
-bool Separation::rise(const MotionPiece& step, unsigned order) {
+/// By series of the order that does, as the step before tells, or else of the step's own.
+void Separation::take_rise(const MotionPiece& step) {
+  const unsigned order = std::min(order_, step.order);
+  unsigned enough = rise(step, order);
+  if (enough > order && order < step.order) enough = rise(step, step.order);
+  order_ = enough > least_order ? enough + 1 : least_order;
+}
+
+/// rise_: what the step adds to e, by series of an order. The order that does, from least_order on: two small
+/// terms in a row show that the rest is. It is more than this one where there are none.
+unsigned Separation::rise(const MotionPiece& step, unsigned order) {
   std::ranges::fill(rise_, 0.0);
   c_.resize(e_.size() * (order + 1));
-  if (original_.expansion(step.t, beside_, order, c_) != Evaluation::ok) return false;
-  bool is_enough = true;
+  if (original_.expansion(step.t, beside_, order, c_) != Evaluation::ok) return order + 1;
+  unsigned enough = std::min(least_order, order);
   for (std::size_t i = 0; i < e_.size(); ++i) {
     const double* own = step.rows.data() + i * (step.order + 1);
-    const double* other = c_.data() + i * (order + 1);
-    double power = 1, largest = factor_ * std::abs(e_[i]), before = 0, last = 0;
-    for (std::size_t k = 1; k <= order; ++k) {
+    double* terms = c_.data() + i * (order + 1);
+    double power = 1, sum = 0, largest = factor_ * std::abs(e_[i]);
+    for (unsigned k = 1; k <= order; ++k) {
       power *= step.h;
-      before = last;
-      last = (own[k] - other[k]) * power;
-      rise_[i] += last;
-      largest = std::max(largest, std::abs(last));
+      terms[k] = (own[k] - terms[k]) * power;
+      sum += terms[k];
+      largest = std::max(largest, std::abs(terms[k]));
     }
-    is_enough = is_enough && std::max(std::abs(before), std::abs(last)) <= negligible * largest;
+    rise_[i] = sum;
+    unsigned last = order;
+    while (last + 2 > enough && std::abs(terms[last]) <= negligible * largest) --last;
+    enough = std::max(enough, last + 2);
   }
-  return is_enough;
+  return enough;
 }
 
 }  // namespace qdot

@@ -19,8 +19,8 @@
 
 namespace qdot {
 
-/// The largest |c_k| h^k.
-[[nodiscard]] double largest_term(std::span<const double> c, double h);
+/// The largest |c_k| h^k of each component.
+void largest_terms(const MotionPiece& step, std::span<double> terms);
 
 class Separation {
  public:
@@ -32,10 +32,9 @@ class Separation {
   /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
 
-  /// The reference has taken this step. Where the original has no values e stays as it is.
-  void follow(const MotionPiece& step);
-  /// The same after another one of the same reference.
-  void follow(const MotionPiece& step, const Separation& other);
+  /// The reference has taken this step; `terms` are the largest of each component. Where the original has no
+  /// values e stays as it is.
+  void follow(const MotionPiece& step, std::span<const double> terms);
   /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
   /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
@@ -47,14 +46,15 @@ class Separation {
   [[nodiscard]] const std::vector<double>& in_last_step() const { return largest_; }
 
  private:
-  void go_on(const MotionPiece& step);
   void project(double t);
   void place_beside();
-  [[nodiscard]] bool rise(const MotionPiece& step, unsigned order);
+  void take_rise(const MotionPiece& step);
+  [[nodiscard]] unsigned rise(const MotionPiece& step, unsigned order);
   void move_to(std::size_t i, double e);
 
   const RightHandSide& original_;
   Scale scale_;
+  unsigned order_;    ///< of the series to be tried
   double factor_{1};  ///< e times it is what series differ by
   std::vector<double> e_, largest_;
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there

@@ -1,5 +1,7 @@
 #include "core/mechanics/canonical.hpp"
 
+#include <algorithm>
+
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
 
@@ -70,8 +72,16 @@ std::vector<std::size_t> all_coordinates(const Lagrangian& lagrangian) {
 
 std::vector<Expression> momentum_symbols(const Lagrangian& lagrangian) {
   std::vector<Expression> symbols;
-  for (const Expression& q : lagrangian.symbols.coordinates.value) {
-    symbols.push_back(lagrangian.graph->symbol("p_" + std::get<Symbol>(q.node()).name));
+  const Symbols& all = lagrangian.symbols;
+  const auto is_taken = [&](const Expression& p) {
+    const auto is_p = [&](const Expression& other) { return other == p; };
+    return std::ranges::any_of(all.parameters, is_p) || std::ranges::any_of(all.coordinates.value, is_p) ||
+           std::ranges::any_of(all.inputs.value, is_p) || std::ranges::any_of(all.multipliers, is_p);
+  };
+  for (const Expression& q : all.coordinates.value) {
+    const std::string& name = std::get<Symbol>(q.node()).name;
+    const Expression p = lagrangian.graph->symbol("p_" + name);
+    symbols.push_back(is_taken(p) ? lagrangian.graph->symbol("momentum_" + name) : p);
   }
   return symbols;
 }

@@ -15,8 +15,11 @@ constexpr double similar = 1e-2;
 constexpr double negligible = 1e-9;  ///< of the span: what is left of the series
 constexpr double no_time = 16;       ///< round-offs of t
 
-/// Of what is left of the series, whose ratios are as similar as that.
+/// Of the last round of the series over 1 less their ratio, as similar as that.
 constexpr double doubt_of_rest = 4 * similar;
+constexpr double nearly_lowest = 1000;      ///< flights in which rounding may be seen, in units of the lowest
+constexpr std::size_t most_by_chance = 64;  ///< impacts after the last of a series
+constexpr double part_of_flight = 1e-4;     ///< in which a speed is measured
 constexpr double safety_of_unseen = 16;
 constexpr double largest_ratio = 0.99;
 
@@ -53,7 +56,8 @@ class Rounds {
 };
 
 /// Of a series with these rounds; none where they are not one.
-std::optional<double> rest_of_series(const Rounds& rounds) {
+std::optional<RestOfImpacts> rest_of_series(const Rounds& rounds) {
+  if (!rounds.repeat(similar_rounds)) return std::nullopt;
   double least = infinity, most = 0;
   for (std::size_t i = 0; i + 1 < similar_rounds; ++i) {
     const double ratio = rounds.duration(i) / rounds.duration(i + 1);
@@ -61,25 +65,41 @@ std::optional<double> rest_of_series(const Rounds& rounds) {
     most = std::max(most, ratio);
   }
   if (!(most < 1) || most - least > similar * (1 - most)) return std::nullopt;
-  return rounds.duration(0) * most / (1 - most);
+  const double last = rounds.duration(0) / (1 - most);
+  return RestOfImpacts{most * last, doubt_of_rest * last};
 }
 
-}  // namespace
-
-std::optional<double> rest_of_impacts(std::span<const SectionRecord> sections, double span) {
-  for (std::size_t length = 1; length <= longest_round; ++length) {
-    const Rounds rounds(sections, length);
-    if (!rounds.repeat(2)) continue;
-    if (rounds.duration(0) <= no_time * time_round_off(sections.back().t)) return 0;
-    if (!rounds.repeat(similar_rounds)) continue;
-    const auto rest = rest_of_series(rounds);
-    if (rest && *rest <= negligible * span) return rest;
+/// What the last series before flights by chance has left, from the last of these on.
+std::optional<RestOfImpacts> rest_before_chance(std::span<const SectionRecord> sections, std::size_t length) {
+  const double now = sections.back().t;
+  for (std::size_t i = 1; i <= most_by_chance && i < sections.size(); ++i) {
+    const auto before = sections.first(sections.size() - i);
+    const auto rest = rest_of_series(Rounds(before, length));
+    if (!rest) continue;
+    const double left = before.back().t + rest->time - now;
+    return RestOfImpacts{std::max(0.0, left), rest->doubt + std::max(0.0, -left)};
   }
   return std::nullopt;
 }
 
-double doubt_of_accumulation(std::span<const SectionRecord> sections, double span) {
-  if (const auto rest = rest_of_impacts(sections, span); rest && *rest > 0) return doubt_of_rest * *rest;
+}  // namespace
+
+std::optional<RestOfImpacts> rest_of_impacts(std::span<const SectionRecord> sections, double span,
+                                             double lowest_flight) {
+  for (std::size_t length = 1; length <= longest_round; ++length) {
+    const Rounds rounds(sections, length);
+    if (!rounds.repeat(2)) continue;
+    if (rounds.duration(0) <= no_time * time_round_off(sections.back().t))
+      return RestOfImpacts{0, doubt_of_lost(sections, lowest_flight)};
+    const auto rest = rest_of_series(rounds);
+    if (rest && rest->time <= negligible * span) return rest;
+    if (rest || rounds.duration(0) > nearly_lowest * lowest_flight) continue;
+    if (const auto before = rest_before_chance(sections, length)) return before;
+  }
+  return std::nullopt;
+}
+
+double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flight) {
   double longest = 0;
   for (const SectionRecord& section : sections) longest = std::max(longest, section.duration);
   while (!sections.empty() && vanishes(sections.back())) sections = sections.first(sections.size() - 1);
@@ -88,8 +108,18 @@ double doubt_of_accumulation(std::span<const SectionRecord> sections, double spa
     const Rounds rounds(sections, length);
     if (rounds.repeat(3)) ratio = rounds.duration(0) / rounds.duration(1);
   }
-  const double lowest_flight = std::sqrt(time_round_off(1)) * longest;
-  return safety_of_unseen * lowest_flight / (1 - std::clamp(ratio, 0.0, largest_ratio));
+  const double shortest = std::max(lowest_flight, std::sqrt(time_round_off(1)) * longest);
+  return safety_of_unseen * shortest / (1 - std::clamp(ratio, 0.0, largest_ratio));
+}
+
+double lowest_flight(const Watch& watch, const SectionRecord& longest, std::span<const double> slopes,
+                     const SectionRecord& last) {
+  const double tau = part_of_flight * longest.duration;
+  std::vector<double> earlier = longest.before;
+  for (std::size_t i = 0; i < earlier.size(); ++i) earlier[i] -= tau * slopes[i];
+  const double fall = watch.value(longest.t - tau, earlier) - watch.value(longest.t, longest.before);
+  const double height = std::abs(fall) / tau * longest.duration / 4;
+  return longest.duration * std::sqrt(watch.rounding(last.t, last.before) / height);
 }
 
 }  // namespace qdot

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "core/dynamics/watch.hpp"
 #include "core/motion/section_record.hpp"
 
 namespace qdot {
@@ -13,12 +14,24 @@ namespace qdot {
 /// The reason that a motion ends with then.
 inline constexpr const char* impacts_accumulate = "impacts_accumulate";
 
-/// How long all further impacts take together, once that is of no account beside the span of the motion.
-[[nodiscard]] std::optional<double> rest_of_impacts(std::span<const SectionRecord> sections, double span);
+struct RestOfImpacts {
+  double time{};   ///< that all further impacts take together, from the last one on
+  double doubt{};  ///< an estimate of what that may be off, the errors of the impacts apart
+};
 
-/// An estimate of what the time at which they end may be off, the errors of the impacts apart. A flight of
-/// duration d is d^2 g/8 high: those are not seen that are lower than the rounding of the longest one's
-/// height.
-[[nodiscard]] double doubt_of_accumulation(std::span<const SectionRecord> sections, double span);
+/// Once that is of no account beside the span of the motion, or once flights are about as short as
+/// `lowest_flight`: as high as the distance is rounded. Then they no longer shrink by a factor, but go on by
+/// chance, and those before them tell.
+[[nodiscard]] std::optional<RestOfImpacts> rest_of_impacts(std::span<const SectionRecord> sections,
+                                                           double span, double lowest_flight);
+
+/// Of flights that are not seen any more: they are shorter than the lowest one, or lower than the rounding of
+/// the longest one's height.
+[[nodiscard]] double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flight);
+
+/// The duration of a flight that is as high as the distance is rounded where the last section ended. Heights
+/// go with d^2: that of the longest is v d/4, with the speed that `slopes`, y' at its end, tell.
+[[nodiscard]] double lowest_flight(const Watch& watch, const SectionRecord& longest,
+                                   std::span<const double> slopes, const SectionRecord& last);
 
 }  // namespace qdot

@@ -109,7 +109,7 @@ void ApartAlong::pass(SectionEnd end) {
   now_.by_truncation = apart_after(end, now_.by_truncation);
   now_.by_rounding = apart_after(end, now_.by_rounding);
   RandomBits random(std::bit_cast<std::uint64_t>(end.t));
-  const double late = OwnErrors::enlarged * time_round_off(end.t) * (random.fraction() - 0.5);
+  const double late = OwnErrors::enlarged * (time_round_off(end.t) + end.doubt) * (random.fraction() - 0.5);
   const std::vector<double> rates = rates_of_instant(end);
   for (std::size_t i = 0; i < rates.size(); ++i) {
     if (std::isfinite(rates[i])) now_.by_rounding[i] += late * rates[i];

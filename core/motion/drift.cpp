@@ -10,6 +10,9 @@
 namespace qdot {
 namespace {
 
+/// Of the terms of a constraint: what rounding leaves of it, and no more.
+constexpr double kept_by_impacts = 1e-9;
+
 std::span<const double> row_of(std::span<const double> states, std::size_t i, std::size_t width) {
   return states.subspan(i * width, width);
 }
@@ -88,6 +91,21 @@ std::vector<ConstraintRecord> constraints_along(const Dynamics& dynamics, const 
       record.max_abs_rate = std::max(record.max_abs_rate, std::abs(residuals[k++]));
   }
   return records;
+}
+
+bool keeps_constraints(const Dynamics& dynamics, const SimulationRequest& request, double t,
+                       std::span<const double> before, std::span<const double> after) {
+  const ConstraintSurface* surface = dynamics.constraint_surface();
+  if (surface == nullptr) return true;
+  ConstrainedStates states(*surface, request.parameters);
+  if (!states.evaluate(t, before)) return true;
+  const std::vector<double> left(states.residuals().begin(), states.residuals().end());
+  bool keeps = states.evaluate(t, after);
+  for (std::size_t k = 0; keeps && k < left.size(); ++k) {
+    const double allowed = kept_by_impacts * states.size_of_terms(k, after) + 2 * std::abs(left[k]);
+    keeps = std::abs(states.residuals()[k]) <= allowed;
+  }
+  return keeps;
 }
 
 }  // namespace qdot

@@ -48,4 +48,9 @@ struct Segment {
                                                               const SimulationRequest& request,
                                                               std::span<const double> states);
 
+/// Whether an impact from `before` to `after` at time t leaves what constraints ask for: one that is derived
+/// does, one that is written has to.
+[[nodiscard]] bool keeps_constraints(const Dynamics& dynamics, const SimulationRequest& request, double t,
+                                     std::span<const double> before, std::span<const double> after);
+
 }  // namespace qdot

@@ -103,7 +103,7 @@ double EventComparison::accumulation_error(std::span<const double> of_state) {
   double of_impacts = 0;
   for (const EventRecord& event : motion.events)
     of_impacts = std::max(of_impacts, of_state_.of(event, of_state, scale_).value_or(0));
-  return of_impacts + doubt_of_accumulation(motion.sections, motion_.request.t_end - motion_.request.t_start);
+  return of_impacts + motion.stop->doubt;
 }
 
 /// The computations have each its own; they may agree by chance, and the last row is before all of them.

@@ -114,9 +114,11 @@ class ExtendedLadder {
   void compare(const std::vector<ExtendedRun>& others) {
     const ExtendedRun& first = result_.run;
     const std::size_t width = request_.y_start.size();
-    std::vector<double> scale(width);
+    std::vector<double> of_rows(width), scale(width);  // a column may be zero at all rows, and not between
+    for (std::size_t k = 0; k < width; ++k) scale[k] = std::abs(request_.y_start[k]);
     for (std::size_t i = 0; i < first.states.size(); ++i) {
-      scale[i % width] = std::max(scale[i % width], std::abs(first.states[i].high));
+      of_rows[i % width] = std::max(of_rows[i % width], std::abs(first.states[i].high));
+      scale[i % width] = std::max({scale[i % width], of_rows[i % width], first.passed[i]});
     }
     RowErrors in_doubles(scale, [&] { return winding_coordinates(dynamics_.model()); });
     std::vector<double>& error = result_.max_abs_error;
@@ -136,7 +138,7 @@ class ExtendedLadder {
           other_rows[j].push_back(other.high);
           difference = std::max(difference, std::abs((y - other).high));
         }
-        error[k] = std::max(error[k], caution * difference + common_round_off * scale[k] + by_instant[k]);
+        error[k] = std::max(error[k], caution * difference + common_round_off * of_rows[k] + by_instant[k]);
         is_lost = is_lost || difference > 1e-3 * scale[k];
       }
       lost_ = lost_ || is_lost;

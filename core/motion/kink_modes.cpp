@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "core/motion/extended_pieces.hpp"
 
 namespace qdot {
 namespace {
@@ -12,6 +15,10 @@ constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
 constexpr double far = 1e-6;         ///< of the numbers that make it up: no rounding error of u
 constexpr double same_rates = 1e-9;  ///< of two ways that are one
 constexpr double full_side = 1 + 1e-12;
+constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
+constexpr double several = 4;
+constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
+constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
 
 double norm(std::span<const double> gradient) {
   double sum = 0;
@@ -23,6 +30,12 @@ double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
+}
+
+/// A zero of c0 + c1 s + c2 s^2 next to 0; far away where it is hardly crossed.
+double zero_beside(double c0, double c1, double c2) {
+  if (std::abs(4 * c0 * c2) > hardly * c1 * c1) return std::sqrt(std::abs(c0 / c2)) / hardly;
+  return -2 * c0 / (c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1));
 }
 
 /// y -= u gradient / |gradient|^2; one component of it exactly.
@@ -148,12 +161,62 @@ void KinkModes::settle(const Way& way, double t, std::vector<double>& y) {
   for (const std::size_t k : way.begins) put_on(k, way.sides, t, y);
 }
 
-double KinkModes::time_since(std::size_t kink, const Sides& sides, double t, std::span<const double> y) {
+/// u at (t, y) beyond the rounding of doubles, which all computations of a motion have in common.
+double KinkModes::exact_argument(std::size_t kink, const Sides& sides) {
+  const Mode& with = *mode(sides);
+  const std::vector<DoubleDouble> constants(with.parameters.begin(), with.parameters.end());
+  ExtendedFunction u(*with.motion->arguments[kink], constants);
+  return u(t_, std::vector<DoubleDouble>(y_.begin(), y_.end())).front().value();
+}
+
+/// y' of the motion that was looked at last.
+std::vector<double> KinkModes::rates(const Sides& sides) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < y_.size(); ++i) result.push_back(mode(sides)->rows[i * (order + 1) + 1]);
+  return result;
+}
+
+/// One kink after the other, in order of time: where the motion changes its way at t + s, s < 0 before t, it
+/// is (f_old - f_new) s off at t, and the arguments of the others with it.
+KinkModes::Passage KinkModes::passage(const Sides& before, const Way& after, double t,
+                                      std::span<const double> y, double farthest) {
   t_ = t;
   y_.assign(y.begin(), y.end());
   series_.clear();
-  const Series& all = series(sides);
-  return all ? (*all)[kink][0] / (*all)[kink][1] : std::numeric_limits<double>::quiet_NaN();
+  Passage passage{.move = std::vector<double>(y.size()), .doubt = 0};
+  struct Ahead {
+    double u, explained;  ///< by rounding, and by a margin (kink_ends.cpp)
+  };
+  std::map<std::size_t, Ahead> ahead;  // those that are still to come
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (before[k] == 0 || before[k] == after.sides[k]) continue;
+    if (!series(before)) return passage;
+    const double u = exact_argument(k, before);
+    ahead[k] = {u, several * (std::abs(u - (*series(before))[k][0]) + margin * after.size[k])};
+  }
+  std::vector<double> move(y.size());
+  for (Sides now = before; !ahead.empty();) {
+    const std::vector<std::vector<double>> old = *series(now);
+    const auto zero_of = [&](const auto& one) {
+      const std::vector<double>& c = old[one.first];
+      return zero_beside(one.second.u, c[1], c[2]);
+    };
+    const auto first = std::ranges::min_element(ahead, {}, zero_of);
+    const std::size_t kink = first->first;
+    const double s = zero_of(*first);
+    passage.doubt = std::max(passage.doubt, of_state * after.size[kink] / std::abs(old[kink][1]));
+    if (!(std::abs(s) <= farthest)) passage.doubt = std::max(passage.doubt, std::abs(s));
+    if (!(std::abs(s) <= farthest || std::abs(first->second.u) <= first->second.explained)) return passage;
+    const std::vector<double> rate = rates(now);
+    now[kink] = after.sides[kink];
+    ahead.erase(first);
+    if (!series(now)) return passage;
+    for (auto& [k, other] : ahead) other.u += s * (old[k][1] - (*series(now))[k][1]);
+    const std::vector<double> next = rates(now);
+    for (std::size_t i = 0; i < y.size(); ++i) move[i] += s * (rate[i] - next[i]);
+  }
+  passage.move = std::move(move);
+  return passage;
 }
 
 /// All combinations for the active kinks.

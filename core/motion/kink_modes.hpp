@@ -49,8 +49,16 @@ class KinkModes {
   /// The sides on which (t, y) is; kinks count as their sides u > 0.
   [[nodiscard]] Sides sides_at(double t, std::span<const double> y);
 
-  /// How long ago the motion with these sides was at u = 0, a short time before (t, y).
-  [[nodiscard]] double time_since(std::size_t kink, const Sides& sides, double t, std::span<const double> y);
+  /// A motion passed from one way to another at kinks that it met a little before or after (t, y), up to
+  /// where it went on by the old one.
+  struct Passage {
+    std::vector<double> move;  ///< what y is off by for that
+    double doubt{};            ///< by how many seconds an instant may be elsewhere
+  };
+  /// Nothing is moved where an instant is farther than `farthest` [s] and not for rounding, or hardly
+  /// crossed.
+  [[nodiscard]] Passage passage(const Sides& before, const Way& after, double t, std::span<const double> y,
+                                double farthest);
 
   /// The model's parameters and the sides.
   [[nodiscard]] std::vector<double> parameters(const Sides& sides) const;
@@ -77,6 +85,8 @@ class KinkModes {
   [[nodiscard]] Verdict judge(const Sides& sides);
   [[nodiscard]] std::vector<double> geometry(const Sides& sides, double t, std::span<const double> y);
   [[nodiscard]] Sides completed(Sides sides, double t, std::span<const double> y);
+  [[nodiscard]] std::vector<double> rates(const Sides& sides);
+  [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides);
   void put_on(std::size_t kink, const Sides& sides, double t, std::vector<double>& y);
   [[nodiscard]] std::optional<Sides> only_way();
   [[nodiscard]] bool is_same_motion(const Sides& one, const Sides& other);

@@ -29,10 +29,6 @@ void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::ve
   }
 }
 
-bool all_are_wanted(const DenseGrid& grid) {
-  return std::ranges::find(grid.wanted, false) == grid.wanted.end();
-}
-
 /// Of a number that is not negative.
 double next_above(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
@@ -43,7 +39,6 @@ class Comparing {
         others_(others),
         width_(motion.width()),
         largest_(largest_magnitudes(motion, Rows::all)),
-        scale_(all_are_wanted(motion.grid) ? largest_ : largest_magnitudes(motion, Rows::wanted)),
         at_impacts_(motion, largest_),
         errors_(largest_, [&] { return winding_coordinates(motion.dynamics.model()); }),
         workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)),
@@ -160,7 +155,7 @@ class Comparing {
 
   [[nodiscard]] bool is_useful(std::span<const double> error) const {
     for (std::size_t k = 0; k < width_; ++k) {
-      if (error[k] > useful * scale_[k]) return false;
+      if (error[k] > useful * (largest_[k] > 0 ? largest_[k] : 1)) return false;  // also between rows
     }
     return true;
   }
@@ -203,7 +198,7 @@ class Comparing {
   const ComputedMotion& motion_;
   const std::vector<Simulation>& others_;
   std::size_t width_;
-  std::vector<double> largest_, scale_;
+  std::vector<double> largest_;
   RowsAtImpacts at_impacts_;
   RowErrors errors_;
   Workspace workspace_;

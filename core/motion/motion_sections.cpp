@@ -16,7 +16,8 @@ namespace {
 constexpr double farthest_apart = 16;  ///< times what an instant and rounding move a motion
 /// As in kink_ends.cpp: so far a motion goes over a kink before it is met once more.
 constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
-constexpr double round_offs = 16;  ///< of t: what is nearer happens at one instant
+constexpr double short_part = 0.1;  ///< of a section
+constexpr double round_offs = 16;   ///< of t: what is nearer happens at one instant
 
 WatchRequest watch_request(const SimulationRequest& request) {
   return {.parameters = request.parameters,
@@ -74,26 +75,25 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
   for (std::size_t k = 0; k < met.size(); ++k) met_[k] = met_[k] || met[k];
   note_size(y);
   const Sides before = way_.sides;
-  const RightHandSide& old = now_->system;
-  if (!go_on(t, y) && !(come_together(t, y) && go_on(t, y))) return false;
-  if (std::ranges::count(met_, true) == 1) {
-    const auto k = static_cast<std::size_t>(std::ranges::find(met_, true) - met_.begin());
-    if (before[k] != 0) take_back(k, before, old, t, y);
+  const double begun = t_;
+  doubt_of_instant_ = 0;
+  const bool is_alone = std::ranges::count(met_, true) == std::ranges::count(met, true);
+  if (go_on(t, y)) {
+    if (is_alone) take_back(before, begun, t, y);
+  } else if (!(come_together(t, y) && go_on(t, y))) {
+    return false;
   }
   modes_->settle(way_, t, y);
   return true;
 }
 
-/// The kink was met a little before t, by the round-off of t, always to the same side: since then the motion
-/// has been the new one.
-void MotionSections::take_back(std::size_t kink, const Sides& before, const RightHandSide& old, double t,
-                               std::vector<double>& y) {
-  const double late = modes_->time_since(kink, before, t, y);
-  if (!(late > 0 && late <= resolution_)) return;
-  std::vector<double> was(y.size()), is(y.size());
-  if (old.derivative(t, y, was) != Evaluation::ok) return;
-  if (now_->system.derivative(t, y, is) != Evaluation::ok) return;
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += late * (is[i] - was[i]);
+/// The kinks were met a little before t or after it: by the round-off of t and of their arguments, and where
+/// the motion came back to a kink at which the section began, by the margin of that (kink_ends.cpp).
+void MotionSections::take_back(const Sides& before, double begun, double t, std::vector<double>& y) {
+  const double farthest = std::max(resolution_, short_part * (t - begun));
+  const KinkModes::Passage passage = modes_->passage(before, way_, t, y, farthest);
+  doubt_of_instant_ = passage.doubt;
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += passage.move[i];
 }
 
 /// Kinks that follow each other again and again within one instant are met together: infinitely many turns

@@ -39,6 +39,8 @@ class MotionSections {
   [[nodiscard]] double begun() const { return t_; }
   /// What happens in so short a time is one instant.
   [[nodiscard]] double resolution() const { return resolution_; }
+  /// By how many seconds rounding may have moved the instant that was passed last.
+  [[nodiscard]] double doubt_of_instant() const { return doubt_of_instant_; }
 
   /// Functions of the state in the section; they may contain q''.
   struct Columns {
@@ -63,8 +65,7 @@ class MotionSections {
   [[nodiscard]] bool go_on(double t, std::span<const double> y);
   void note_size(std::span<const double> y);
   [[nodiscard]] bool come_together(double t, std::vector<double>& y);
-  void take_back(std::size_t kink, const Sides& before, const RightHandSide& old, double t,
-                 std::vector<double>& y);
+  void take_back(const Sides& before, double begun, double t, std::vector<double>& y);
   void enter(const KinkModes::Way& way, double t);
 
   const Dynamics& dynamics_;
@@ -76,7 +77,8 @@ class MotionSections {
   Section* now_{};
   std::vector<Section*> history_;
   KinkModes::Way way_;
-  double t_{};                                ///< when the section began
+  double t_{};  ///< when the section began
+  double doubt_of_instant_{};
   std::vector<double> largest_;               ///< |y_i| where sections have begun
   std::vector<bool> met_;                     ///< at that instant
   std::set<Sides> tried_;                     ///< at that instant

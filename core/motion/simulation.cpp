@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/work.hpp"
-#include "core/dynamics/constraint_surface.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/integrate/integrate.hpp"
@@ -21,8 +20,7 @@ namespace {
 
 constexpr std::size_t most_impacts = 10'000;
 constexpr std::size_t rows_of_reference = 64;  ///< at which it is looked at what that keeps
-/// Of the terms of a constraint: what rounding leaves of it, and no more.
-constexpr double kept_by_impacts = 1e-9;
+constexpr double short_flight = 1e-2;          ///< of the longest
 constexpr const char* accumulation =
     "The impacts follow each other faster and faster, and accumulate at this time.";
 
@@ -110,6 +108,7 @@ class Simulator {
     is_determined_ = sections_.pass(result_.t, result_.y, met);
     if (!is_determined_) return;
     finish(end);
+    end.doubt = sections_.doubt_of_instant();
     apart_.pass(std::move(end));
   }
 
@@ -289,14 +288,19 @@ class Simulator {
       result_.ending = Ending::reached_end;
       return false;
     }
-    const auto rest = passed.is_over ? rest_of_impacts(result_.sections, request_.t_end - request_.t_start)
-                                     : std::optional(0.0);
-    if (rest) {
-      result_.t += *rest;
-      result_.stop = Stop{impacts_accumulate, result_.t, accumulation};
+    if (result_.sections[longest_].duration < result_.sections.back().duration)
+      longest_ = result_.sections.size() - 1;
+    const double lowest = lowest_flight(passed.all.front().impact);
+    if (const auto rest = passed.is_over
+                              ? rest_of_impacts(result_.sections, request_.t_end - request_.t_start, lowest)
+                              : RestOfImpacts{0, doubt_of_lost(result_.sections, lowest)}) {
+      result_.t += rest->time;
+      result_.stop = Stop{impacts_accumulate, result_.t, accumulation, rest->doubt};
       return false;
     }
-    if (!obeys_constraints(passed.after)) return false;
+    if (!keeps_constraints(dynamics_, request_, result_.t, result_.y, passed.after))
+      throw Error(ErrorCode::invalid_state,
+                  "The state after an impact, as its map says, does not obey the constraints.");
     const std::size_t first = passed.all.front().impact;
     SectionEnd end = now_ending(watches_of_impacts()[first].value);
     end.map = [this, t = end.t, all = passed.all](const std::vector<double>& y) {
@@ -311,27 +315,18 @@ class Simulator {
     return true;
   }
 
+  /// How short a flight may be before the distance is rounded as much as it is high.
+  [[nodiscard]] double lowest_flight(std::size_t impact) const {
+    const SectionRecord& longest = result_.sections[longest_];
+    if (result_.sections.back().duration > short_flight * longest.duration) return 0;
+    return qdot::lowest_flight(watches_of_impacts()[impact], longest, slopes(longest.before),
+                               result_.sections.back());
+  }
+
   [[nodiscard]] std::vector<double> slopes(const std::vector<double>& y) const {
     std::vector<double> result(y.size());
     if (sections_.system().derivative(result_.t, y, result) != Evaluation::ok) std::ranges::fill(result, 0);
     return result;
-  }
-
-  /// An impact that is derived keeps what constraints ask for; one that is written has to.
-  [[nodiscard]] bool obeys_constraints(std::vector<double> after) const {
-    const ConstraintSurface* surface = dynamics_.constraint_surface();
-    if (surface == nullptr) return true;
-    ConstrainedStates states(*surface, request_.parameters);
-    if (!states.evaluate(result_.t, result_.y)) return true;
-    const std::vector<double> before(states.residuals().begin(), states.residuals().end());
-    bool obeys = states.evaluate(result_.t, after);
-    for (std::size_t k = 0; obeys && k < before.size(); ++k) {
-      const double allowed = kept_by_impacts * states.size_of_terms(k, after) + 2 * std::abs(before[k]);
-      obeys = std::abs(states.residuals()[k]) <= allowed;
-    }
-    if (obeys) return true;
-    throw Error(ErrorCode::invalid_state,
-                "The state after an impact, as its map says, does not obey the constraints.");
   }
 
   [[nodiscard]] std::span<const double> row(std::size_t i) const {
@@ -368,6 +363,7 @@ class Simulator {
   ApartAlong apart_;
   std::optional<InstantImpacts> impacts_;
   std::vector<bool> met_impacts_;  ///< at the end of the section
+  std::size_t longest_{};          ///< of the sections between impacts
   bool is_determined_{true};
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;

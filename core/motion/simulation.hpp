@@ -22,6 +22,7 @@ struct Stop {
   std::string reason;  ///< "string_slack", "lift_off", "fall", "coordinate_singularity"
   double t{};
   std::string message;
+  double doubt{};  ///< of t, where impacts accumulate: an estimate beside their own errors
 };
 
 /// As the tables of these names below, with a row for each instant of EventRows::events() that was reached.

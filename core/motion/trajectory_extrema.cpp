@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/motion/typed_start.hpp"
 
@@ -28,6 +29,26 @@ struct Followed {
   TrajectoryExtrema ending;
   std::vector<PossibleExtremum> candidates;
 };
+
+/// What doubles leave out of numbers is followed so much enlarged, and its effect taken back by as much.
+constexpr double enlargement = 4096;
+
+Reals with_enlarged_rest(const Reals& typed) {
+  Reals numbers;
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    const Real& x = typed.exact(i);
+    const double rest = x.low + std::copysign(x.error, x.low);
+    numbers.push_back({x.value + enlargement * rest, x.low, x.error});
+  }
+  return numbers;
+}
+
+bool are_doubles(const Reals& typed) {
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    if (!typed.exact(i).is_exact()) return false;
+  }
+  return true;
+}
 
 class Follower {
  public:
@@ -104,10 +125,15 @@ double extreme(const Followed& motion, double sign) {
 
 /// The first candidate that cannot be told from the extremum; what two integrations disagree about is its
 /// error. Of motions that end differently nothing is certain.
-PossibleExtremum chosen(const Followed& motion, const Followed& other, double sign, Finding& extremum) {
+PossibleExtremum chosen(const Followed& motion, const Followed& other, const std::optional<Followed>& rounded,
+                        double sign, Finding& extremum) {
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
   const double most = extreme(motion, sign);
-  const double error = std::abs(most - extreme(other, sign)) + round_off * std::abs(most);
+  double error = std::abs(most - extreme(other, sign)) + round_off * std::abs(most);
+  if (rounded) {
+    const bool ends_alike = rounded->ending.ending == motion.ending.ending;
+    error += std::abs(most - extreme(*rounded, sign)) / (ends_alike ? enlargement : 1);
+  }
   const PossibleExtremum first =
       *std::find_if(motion.candidates.begin(), motion.candidates.end(),
                     [&](const PossibleExtremum& candidate) { return sign * (most - candidate.x) <= error; });
@@ -124,9 +150,16 @@ PossibleExtremum chosen(const Followed& motion, const Followed& other, double si
 TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request) {
   const Followed motion = Follower(dynamics, request).follow(fine);
   const Followed other = Follower(dynamics, request).follow(coarse);
+  std::optional<Followed> rounded;
+  if (!are_doubles(request.parameters) || !are_doubles(request.y_start)) {
+    ExtremaRequest moved = request;
+    moved.parameters = with_enlarged_rest(request.parameters);
+    moved.y_start = with_enlarged_rest(request.y_start);
+    rounded = Follower(dynamics, moved).follow(fine);
+  }
   TrajectoryExtrema result = motion.ending;
-  const PossibleExtremum top = chosen(motion, other, 1, result.maximum);
-  const PossibleExtremum bottom = chosen(motion, other, -1, result.minimum);
+  const PossibleExtremum top = chosen(motion, other, rounded, 1, result.maximum);
+  const PossibleExtremum bottom = chosen(motion, other, rounded, -1, result.minimum);
   result.t_maximum = top.t;
   result.t_minimum = bottom.t;
   if (top.t == request.t_start) {

@@ -9,8 +9,8 @@
 namespace qdot {
 
 struct ExtremaRequest {
-  std::vector<double> parameters;
-  std::vector<double> y_start;  ///< q, then q'
+  Reals parameters;
+  Reals y_start;  ///< q, then q'
   std::size_t coordinate{};
   double t_start{};
   double t_end{};
@@ -32,7 +32,9 @@ struct TrajectoryExtrema {
 
 /// The motion is integrated twice, by two methods with tolerances a hundred times apart; what the extrema
 /// differ by is the error stated. One begins at the instant that was typed, the other one at t_start, so that
-/// what the motion makes of the rounding is in that error. Throws what simulate throws.
+/// what the motion makes of the rounding is in that error; and what it makes of the rounding of the other
+/// numbers that were typed, where these are no doubles, a third integration tells. Throws what simulate
+/// throws.
 [[nodiscard]] TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request);
 
 }  // namespace qdot

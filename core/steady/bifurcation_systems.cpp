@@ -107,7 +107,10 @@ class SystemsDerivation {
       for (const Expression& rate : {x_dot.back(), x_ddot.back()})
         at_rest_.emplace_back(rate, graph_.number(0));
     }
-    if (equations.size() > largest_written_system) return;
+    if (equations.size() > largest_written_system) {
+      result_.growth_is_unknown = !forces_.symmetric || !rest_without_rates(equations, x_dot);
+      return;
+    }
     const Matrix rates = slopes_at_rest(equations, x_dot);
     const auto vanishes = [](const std::vector<Expression>& row) {
       return std::ranges::all_of(row, &Expression::is_zero);
@@ -122,6 +125,16 @@ class SystemsDerivation {
   } catch (const Error& error) {  // the algebra grows too large
     if (error.code() != ErrorCode::too_large) throw;
     growth_.reset();
+    result_.growth_is_unknown = true;
+  }
+
+  /// No equation has a term that is linear in a velocity, as its derivatives at rest show without algebra.
+  [[nodiscard]] bool rest_without_rates(const std::vector<Expression>& equations,
+                                        const std::vector<Expression>& x_dot) const {
+    return std::ranges::all_of(equations, [&](const Expression& e) {
+      return std::ranges::all_of(
+          x_dot, [&](const Expression& v) { return substitute(differentiate(e, v), at_rest_).is_zero(); });
+    });
   }
 
   /// Of a family of equilibria. What one of its factors is itself is 0.

@@ -34,6 +34,8 @@ struct BifurcationSystems {
   /// Of equilibria about which oscillations begin to grow: `systems` knows nothing of them.
   std::vector<BifurcationSystem> growth;
   bool growth_is_collision{};  ///< of two frequencies
+  /// Too many coordinates, or algebra that grows too large: oscillations may grow, and `growth` is empty.
+  bool growth_is_unknown{};
   CompiledFunction square;  ///< omega^2 of the oscillations at (x, p); without outputs where it is not known
   /// Factors of p alone, as functions of p and their slopes: where one vanishes, so does a force everywhere.
   CompiledFunction vanishing, vanishing_slopes;

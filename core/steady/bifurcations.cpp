@@ -8,6 +8,7 @@
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/critical_sentences.hpp"
 #include "core/steady/missed_changes.hpp"
+#include "core/steady/missed_growth.hpp"
 #include "core/steady/region_ends.hpp"
 
 namespace qdot {
@@ -38,7 +39,7 @@ class CriticalSearch {
       return std::move(result_);
     }
     const auto depends = [](const CriticalChart& c) {
-      return c.systems->depends || !c.systems->growth.empty();
+      return c.systems->depends || !c.systems->growth.empty() || c.systems->growth_is_unknown;
     };
     if (std::ranges::none_of(all_.charts(), depends)) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
@@ -118,7 +119,7 @@ class CriticalSearch {
         critical_growth(dynamics_, problem_, *systems_, index_, {from_, to_},
                         [&](const CriticalZero& zero) { return all_.place_of(*chart_, zero); });
     add(found.zeros);
-    if (!found.complete) incomplete(more_growth);
+    if (!found.complete || systems_->growth_is_unknown) incomplete(more_growth);
   }
 
   void leave_to_other_charts(CriticalZeros& found) {
@@ -147,11 +148,12 @@ class CriticalSearch {
   }
 
   void add_missed() {
+    const auto growth = missed_growth(dynamics_, all_, index_, result_.branches, result_.critical);
+    add(growth);
     const auto missed = missed_changes(all_, *chart_, result_.branches, result_.critical, {from_, to_});
-    if (missed.empty()) return;
     add(missed);
     std::ranges::sort(result_.critical, {}, &CriticalValue::value);
-    trace();
+    if (!missed.empty()) trace();
   }
 
   [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return systems_->unknowns; }

@@ -180,6 +180,20 @@ class ExactNumbers(Service):
                 self.holds(answer[name], answer["error"][name], exact, raw(body))
                 self.assertLess(answer["error"][name], 1e-12, raw(body))
 
+    def test_extrema_along_a_motion_are_those_of_the_typed_decimals(self):
+        rng = random.Random(5)
+        system = {"name": "pushed", "units": "none", "parameters": [{"name": "a", "default": 1}, {"name": "b", "default": 1}],
+                  "coordinates": [{"name": "x"}], "lagrangian": "x_dot^2/2",
+                  "forces": [{"name": "push", "value": "a - b", "along": "x"}]}
+        for _ in range(40):
+            a, b, v = typed(rng, 900.5, 901), typed(rng, 900, 900.5), typed(rng, 0, 3)
+            body = {"system": system, "parameters": {"a": as_number(a), "b": as_number(b)},
+                    "initial": {"x": 0, "x_dot": as_number(v)}, "coordinate": "x", "t_end": 18.5}
+            answer = self.answer_of("turning_points", body)
+            self.assertEqual(answer["method"], "trajectory")
+            exact = exactly(v)*mpmath.mpf("18.5") + (exactly(a) - exactly(b))*mpmath.mpf("18.5")**2/2
+            self.holds(answer["x_max"], answer["error"]["x_max"], exact, raw(body))
+
     def test_solved_parameters_hold_the_typed_position(self):
         rng = random.Random(4)
         for _ in range(CASES):

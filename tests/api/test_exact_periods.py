@@ -28,6 +28,7 @@ PERIODS = [
     (on_a_line("well", "m kg 1.3; U0 J 2; a 1/m 1.5", "0.2", "-U0/cosh(a*x)^2"), "pi/a*sqrt(2*m/Abs(E))"),
     (on_a_line("tangent", "m kg 1.3; U0 J 2; a 1/m 1.5", "0.2", "U0*tan(a*x)^2"), "pi/a*sqrt(2*m/(E + U0))"),
     (on_a_line("wedge", "m kg 1.3; F N 2", "0.2", "F*abs(x)"), "4*sqrt(2*m*E)/F"),
+    (on_a_line("valley", "m kg 1.3; F N 2; b m 1; a 1 2", "0.2", "F*abs(a*x - b)"), "4*sqrt(2*m*E)/(F*a)"),
     (on_a_line("centrifugal", "m kg 1.3; A J*m^2 2; k N/m 3", "0.4", "A/x^2 + k*x^2/2"), "pi*sqrt(m/k)"),
     (on_a_line("attracted", "m kg 1.3; A J*m^2 2; B J*m 3", "1", "A/x^2 - B/x"), "pi*B*sqrt(m/(2*Abs(E)**3))"),
     (scene("isotropic", "m kg 1.3; k N/m 3", "r m 1; phi rad 0 1.3", bodies=IN_THE_PLANE, potential="k*r^2/2"),
@@ -77,6 +78,16 @@ class ExactPeriods(Service):
         for name in ("r_max", "r_min"):
             self.assertAlmostEqual(float(value(found["exact"][name]["text"], numbers)), found[name], places=12)
         self.assertNotIn("equation", found["exact"])
+
+    def test_a_parameter_may_have_the_name_of_a_momentum(self):
+        numbers = []
+        for name in ("c", "p_phi"):
+            system = scene("orbit", f"m kg 1; k N*m^2 3; {name} kg*m^2/s 1", "r m 1; phi rad 0 1.3", bodies=IN_THE_PLANE,
+                           potential=f"-k/r + {name}^2/(20*m*r^2)")
+            found = self.ask("turning_points", {"system": system})
+            self.assertAlmostEqual(found["constants"]["E"], 1.3**2/2 - 3 + 1/20, places=14)
+            numbers.append([found[key] for key in ("r_max", "r_min", "period")])
+        self.assertEqual(*numbers)
 
     def test_none_is_claimed_where_it_is_no_such_integral(self):
         for system in NOT_ELEMENTARY:

@@ -175,6 +175,15 @@ class Extended(Service):
                     off = abs(Fraction(found) - 1000*t - 3*t*t/2)
                     self.assertLessEqual(off, Fraction(answer["accuracy"]["max_abs_error"]["x"]))
 
+    def test_a_row_where_a_column_is_zero_is_as_good_as_any(self):
+        system = {"name": "thrown", "units": "none", "coordinates": [{"name": "x"}], "lagrangian": "x_dot^2/2",
+                  "forces": [{"name": "push", "value": "3", "along": "x"}]}
+        for more in ({}, {"precision": "extended"}):
+            accuracy = self.ask("simulate", {"system": system, "initial": {"x": -6, "x_dot": 0}, "times": [2]} | more)["accuracy"]
+            self.assertIsNone(accuracy["horizon"])
+            for name in ("x", "x_dot"):
+                self.assertLess(accuracy["max_abs_error"][name], 1e-26 if more else 1e-14)
+
     def test_a_chaotic_motion_says_how_far_it_is_good(self):
         rods = {"system": "rod_pendulum", "initial": {"theta": 2.5, "phi": 2.9}, "t_end": 40, "samples": 81,
                 "on_invalid": "continue"}

@@ -11,6 +11,12 @@ namespace {
 
 using namespace integrate_test;
 
+void follow(Separation& separation, const MotionPiece& step) {
+  std::vector<double> terms(2);
+  largest_terms(step, terms);
+  separation.follow(step, terms);
+}
+
 struct Steps {
   double k{}, k_of_reference{};
   std::vector<double> own{};  ///< error of each step
@@ -22,7 +28,7 @@ struct Steps {
     const RightHandSide original = pulled_by(k), reference = pulled_by(k_of_reference);
     Separation separation(original, std::move(moved_by), scale);
     take_steps(reference, start, h, count, {}, [&](const MotionPiece& step) {
-      separation.follow(step);
+      follow(separation, step);
       separation.add(own, separation.now());
     });
     return separation.in_last_step();
@@ -44,6 +50,21 @@ TEST(Separation, OfAnOscillationDoesNotGrow) {
 TEST(Separation, IsThatOfLongSteps) {
   const auto apart = Steps{.k = 1, .k_of_reference = 1, .h = 6}.apart({1e-12, 0}, 2);
   EXPECT_NEAR(apart[0], 1e-12 * std::cosh(12), 1e-3 * apart[0]);
+}
+
+TEST(Separation, OfLongStepsIsFoundByTheOrderThatDidBefore) {
+  RightHandSide original = pulled_by(-1);
+  std::vector<unsigned> orders;
+  original.expansion = [&orders, expansion = original.expansion](double t, std::span<const double> y,
+                                                                 unsigned order, std::span<double> c) {
+    orders.push_back(order);
+    return expansion(t, y, order, c);
+  };
+  Separation separation(original, {1e-9, 0});
+  take_steps(pulled_by(-1), {1, 0}, 3, 4, {}, [&](const MotionPiece& step) { follow(separation, step); });
+  ASSERT_EQ(orders.size(), 5U);  // more than the first was needed once
+  EXPECT_EQ(orders[1], order);
+  for (const unsigned later : std::span(orders).subspan(2)) EXPECT_LT(later, 14U);
 }
 
 TEST(Separation, ErrorsOfStepsAddUpAlongWhatGrows) {
@@ -80,7 +101,7 @@ TEST(Separation, StaysWhereTheOriginalHasNoValues) {
   original.expansion = [](double, auto, unsigned, auto) { return Evaluation::nonfinite; };
   Separation separation(original, {1e-9, 0});
   const std::vector<double> rows(2 * (order + 1), 1.0);
-  separation.follow({.t = 0, .h = 1, .rows = rows, .order = order, .defect = {}});
+  follow(separation, {.t = 0, .h = 1, .rows = rows, .order = order, .defect = {}});
   EXPECT_EQ(separation.in_last_step()[0], 1e-9);
 }
 
@@ -93,7 +114,7 @@ TEST(Separation, IsWithinConstraints) {
   Separation separation(original, {1e-3, 1e-9});
   std::vector<double> c(2 * (order + 1));
   ASSERT_EQ(original.expansion(0, std::vector<double>{1, 0}, order, c), Evaluation::ok);
-  separation.follow({.t = 0, .h = 1e-3, .rows = c, .order = order, .defect = {}});
+  follow(separation, {.t = 0, .h = 1e-3, .rows = c, .order = order, .defect = {}});
   EXPECT_LT(separation.in_last_step()[0], 1e-11);
   EXPECT_NEAR(separation.in_last_step()[1], 1e-9, 1e-12);
 }

@@ -157,6 +157,43 @@ TEST(DryFriction, FarFromTheOriginIsNoMoreCertainThanItsNumbers) {
   EXPECT_LE(off, found.max_abs_error[1]);
 }
 
+/// The mass comes back again and again to the kink at which its section began. Parabolas, x = 1000.2 at rest.
+TEST(Kinks, FarFromTheOriginAreMetWhereTheyAre) {
+  const auto found = measured("-F*sign(x - 1000.3*L)", {{"x", 1000.2}}, 7, 1);
+  const double amplitude = 1000.3 - 1000.2, quarter = std::sqrt(2 * amplitude);
+  const double turns = std::floor((7 + quarter) / (2 * quarter)), s = 7 - 2 * quarter * turns;
+  const double side = std::fmod(turns, 2) == 0 ? -1 : 1;
+  EXPECT_NEAR(row(found.simulation, 1)[0], 1000.3 + side * (amplitude - s * s / 2), 1e-11);
+  EXPECT_LE(found.max_abs_error[0], 1e-10);
+}
+
+/// Two kinks are met at the same instant, 0.72 s, and one of them soon after that again. By parabolas with 50
+/// digits.
+TEST(Kinks, MetTogetherAreLeftAtTheirOwnTimes) {
+  Scene scene;
+  scene.name = "pushed";
+  scene.without_units = true;
+  scene.coordinates = {Coordinate{"x", "1", "0", "0", {}, {}, {}, {}},
+                       Coordinate{"y", "1", "0", "0", {}, {}, {}, {}}};
+  scene.lagrangian = "(x_dot^2 + y_dot^2)/2";
+  const std::string one = "sign(-0.57*x - 1.99*y + 4.5082)", other = "sign(-1.34*x + 0.49*y + 1.2437)";
+  scene.forces = {{.name = "f", .value = "0.98 + 0.67*" + one + " + 0.89*" + other, .along = "x"},
+                  {.name = "g", .value = "-0.33 + 0.24*" + one + " + 0.85*" + other, .along = "y"}};
+  const auto model = build_model(scene);
+  const Values start{{"x", 2.159664}, {"y", 2.874736}, {"x_dot", -0.5824}, {"y_dot", -0.9676}};
+  SimulationRequest request = test::request_for(*model, start, {0, 2.29});
+  request.method = Method::taylor;
+  request.tolerances = {1e-9, 1e-12};
+  const MeasuredSimulation found = simulate_with_error(Dynamics(model), request, {});
+  ASSERT_EQ(found.max_abs_error.size(), 4u);
+  const double end[] = {1.57790717924816186317, -1.879478952403440917197, 0.6217576669305885457904,
+                        -3.056503351807864871998};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(row(found.simulation, 1)[k], end[k], found.max_abs_error[k]) << k;
+    EXPECT_NEAR(row(found.simulation, 1)[k], end[k], 2e-14) << k;
+  }
+}
+
 /// A quarter of the oscillation is x = 9 cos t - 5. Each step ends at the kink, and what it may hide is that
 /// of the part that was gone.
 TEST(Kinks, AreWhereAStepEndsAndWhatItMayHide) {
