@@ -40,6 +40,7 @@ Failure failure_of(Ending ending) {
               "this place, or the motion has a singularity there. A shorter h may do, or method taylor."};
     case Ending::reached_end:
     case Ending::event:
+    case Ending::given_up:
       break;
   }
   return {};

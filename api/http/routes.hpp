@@ -41,7 +41,8 @@ struct Call {
   std::vector<std::string> notes{};     ///< sentences about how the request was understood
   Timing timing{};
   const Submission* submission{};  ///< the fields of the request where they were read before; else nullptr
-  /// Members of the answer that are read, where others need not be written; else nullptr.
+  /// Members of the answer that are read, or their parts by pointer (JsonWriter), where others need not be
+  /// written; else nullptr.
   const std::vector<std::string>* wanted{};
 };
 

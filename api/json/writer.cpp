@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "core/base/work.hpp"
@@ -47,6 +48,14 @@ void append_flat(std::string& out, const Json& json, std::string_view comma, int
   } else {
     out += json.dump();  // null, true, false and integers
   }
+}
+
+/// What follows the first of a pointer's names: "theta/100" in "/trajectory/theta/100". None where it has
+/// another one, or nothing follows.
+std::optional<std::string_view> after_name(std::string_view pointer, std::string_view name) {
+  if (!pointer.starts_with('/') || !pointer.substr(1).starts_with(name)) return std::nullopt;
+  const std::string_view rest = pointer.substr(1 + name.size());
+  return rest.starts_with('/') ? std::optional(rest.substr(1)) : std::nullopt;
 }
 
 /// The number's digits from `text` on, at most longest_number of them; returns their end.
@@ -144,6 +153,7 @@ void JsonWriter::new_line() {
 }
 
 void JsonWriter::key(std::string_view name) {
+  if (has_members_.size() == 1) member_ = name;
   separate();
   append_string(out_, name);
   out_ += layout_ == Layout::pretty ? ": " : ":";
@@ -195,10 +205,43 @@ void JsonWriter::columns(std::span<const Column> table, int digits) {
   begin_object();
   for (const Column& column : table) {
     check_interruption();
-    key(column.name);
-    numbers(column.values, digits);
+    if (is_wanted_whole(column.name)) {
+      key(column.name);
+      numbers(column.values, digits);
+    } else {
+      wanted_numbers(column, digits);
+    }
   }
   end_object();
+}
+
+bool JsonWriter::is_wanted_whole(std::string_view column) const {
+  if (wanted_ == nullptr || has_members_.size() != 2) return true;
+  return std::ranges::any_of(*wanted_, [&](const std::string& wanted) {
+    return wanted == member_ || after_name(wanted, member_) == column;
+  });
+}
+
+void JsonWriter::wanted_numbers(const Column& column, int digits) {
+  std::vector<bool> is_wanted(column.values.size());
+  bool any = false;
+  for (const std::string& wanted : *wanted_) {
+    const auto rest = after_name(wanted, member_);
+    if (!rest || !rest->starts_with(column.name + "/")) continue;
+    any = true;
+    const std::string_view place = rest->substr(column.name.size() + 1);
+    std::size_t i = is_wanted.size();
+    std::from_chars(place.data(), place.data() + place.size(), i);
+    if (i < is_wanted.size()) is_wanted[i] = true;
+  }
+  if (!any) return;
+  key(column.name);
+  separate();
+  for (std::size_t i = 0; i < is_wanted.size(); ++i) {
+    out_ += i == 0 ? '[' : ',';
+    is_wanted[i] ? append_number(out_, column.values[i], digits) : void(out_ += "null");
+  }
+  out_ += is_wanted.empty() ? "[]" : "]";
 }
 
 void JsonWriter::value(const Json& json, int digits) {
@@ -218,7 +261,9 @@ void JsonWriter::value(const Json& json, int digits) {
 
 bool JsonWriter::wants(std::string_view name) const {
   return wanted_ == nullptr || has_members_.size() != 1 ||
-         std::ranges::find(*wanted_, name) != wanted_->end();
+         std::ranges::any_of(*wanted_, [name](const std::string& wanted) {
+           return wanted == name || after_name(wanted, name).has_value();
+         });
 }
 
 void JsonWriter::member(std::string_view name, const Json& json, int digits) {

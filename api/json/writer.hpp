@@ -40,7 +40,9 @@ struct Column {
 /// each object of an array on its own line; an array of numbers stays on one.
 class JsonWriter {
  public:
-  /// With `wanted`, which has to live as long, of the document's own members only those are written.
+  /// With `wanted`, which has to live as long, of the document's own members only those are written; and of a
+  /// table that is one of them, where `wanted` has "/trajectory/theta/100" in its place, that number alone,
+  /// with null before and after it.
   explicit JsonWriter(Layout layout, const std::vector<std::string>* wanted = nullptr)
       : layout_(layout), wanted_(wanted) {}
 
@@ -56,7 +58,7 @@ class JsonWriter {
   void number_texts(std::span<const std::string> numbers);
   void string(std::string_view text);
   void numbers(std::span<const double> values, int digits = shortest_digits);
-  /// {"t": [...], "theta": [...]}
+  /// {"t": [...], "theta": [...]}; those that are wanted.
   void columns(std::span<const Column> table, int digits = shortest_digits);
   /// Any value; `digits` holds for every floating-point number in it.
   void value(const Json& json, int digits = shortest_digits);
@@ -75,9 +77,12 @@ class JsonWriter {
   void close(char bracket);
   void separate();
   void new_line();
+  [[nodiscard]] bool is_wanted_whole(std::string_view column) const;
+  void wanted_numbers(const Column& column, int digits);
 
   Layout layout_;
   const std::vector<std::string>* wanted_;
+  std::string member_;  ///< of the document's own, the last one
   std::string out_;
   std::vector<bool> has_members_;  ///< for each open bracket
   bool after_key_{false};

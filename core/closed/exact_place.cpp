@@ -11,6 +11,7 @@
 #include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
 #include "core/expr/trigonometry.hpp"
+#include "core/steady/exponential_form.hpp"
 
 namespace qdot {
 namespace {
@@ -113,7 +114,7 @@ bool ExactPlace::solve(std::size_t k, const Expression& force) {
   const Polynomial above = without_factor(numerator(force), x);
   const int n = highest_power(above, x);
   const auto parts = n > 0 ? linear_in(graph, above, x, x, n) : std::nullopt;
-  if (!parts) return n == 2 && solve_quadratic(k, above);
+  if (!parts) return (n == 2 && solve_quadratic(k, above)) || solve_exponential(k, force);
   const RationalFunction value = -in_lowest_terms(parts->rest, parts->slope);
   if (n == 1) {
     settle(k, to_expression(graph, value));
@@ -147,6 +148,38 @@ bool ExactPlace::solve_quadratic(std::size_t k, const Polynomial& force) {
   for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], problem_->sign)) {
     if (near == 0 || sign_at(root) != near) continue;
     settle(k, root);
+    return true;
+  }
+  return false;
+}
+
+/// c0 + c1 w + c2 w^2 = 0 of w = exp(s x + r): the root as in solve_quadratic.
+bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
+  const Expression& x = problem_->x[k];
+  Graph& graph = x.graph();
+  const auto by_w = by_exponential(force, {&x, 1});
+  if (!by_w) return false;
+  const Expression slope = differentiate(by_w->argument, x);
+  const auto c = quadratic_in(to_expression(graph, by_w->e), by_w->w);
+  if (!c || depends_on(slope, problem_->x) ||
+      std::ranges::any_of(*c, [&](const Expression& e) { return depends_on(e, problem_->x); }))
+    return false;
+  const auto sign_at = [&](const Expression& w) {
+    const RationalFunction rate = rational_function((*c)[1] + Number(2) * (*c)[2] * w);
+    return problem_->sign(rate.above) * problem_->sign(rate.below);
+  };
+  const int near = sign_at(graph.call(Function::exp, by_w->argument));
+  const Replacement origin{x, graph.number(0)};
+  const Expression offset = substitute(by_w->argument, {&origin, 1});
+  for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], problem_->sign)) {
+    const RationalFunction w = rational_function(root);
+    if (problem_->sign(w.above) * problem_->sign(w.below) <= 0 || near == 0 || sign_at(root) != near)
+      continue;
+    const Expression inverse = graph.number(1) / root;
+    const bool turned = written_length(inverse) < written_length(root);
+    const Expression logarithm =
+        turned ? -graph.call(Function::log, inverse) : graph.call(Function::log, root);
+    settle(k, (logarithm - offset) / slope);
     return true;
   }
   return false;
@@ -242,8 +275,8 @@ Expression ExactPlace::with_powers_taken(const Expression& e) const {
 }
 
 Expression ExactPlace::at(const Expression& e) const {
-  Expression result =
-      with_roots_taken(with_powers_taken(with_special_angles(substitute(e, replacements_))), problem_->sign);
+  const Expression there = with_logarithms_taken(with_special_angles(substitute(e, replacements_)));
+  Expression result = with_roots_taken(with_powers_taken(there), problem_->sign);
   if (solved_.empty()) return result;
   Graph& graph = e.graph();
   Polynomial opened = with_single_angles(graph, multiplied_out(result));

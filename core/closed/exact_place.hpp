@@ -1,7 +1,8 @@
 #pragma once
 // An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine, a
 // cosine or a tangent that solves a linear equation; coordinates that solve one, l = l0 + m*g/k, or a
-// quadratic one, of which a power solves one, r^6 = 2*s^6, or that are a parameter. It is proven by putting
+// quadratic one, of which a power or an exponential solves one, r^6 = 2*s^6, exp(-a*x) = 1/2, or that are a
+// parameter. It is proven by putting
 // it into the forces, which have to vanish identically.
 
 #include <optional>
@@ -64,6 +65,7 @@ class ExactPlace {
   [[nodiscard]] bool take_parameter();
   [[nodiscard]] bool solve(std::size_t k, const Expression& force);
   [[nodiscard]] bool solve_quadratic(std::size_t k, const Polynomial& force);
+  [[nodiscard]] bool solve_exponential(std::size_t k, const Expression& force);
   [[nodiscard]] std::optional<Expression> root(std::size_t k, int n, const RationalFunction& value) const;
   [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
   [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force);

@@ -1,12 +1,12 @@
 #include "core/closed/exact_turning.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/exact_roots.hpp"
+#include "core/closed/period_form.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
@@ -20,36 +20,37 @@ namespace {
 class TurningForms {
  public:
   TurningForms(const Dynamics& dynamics, const Reals& parameters, const WrittenTexts& written,
-               const TurningPoints& found)
+               const TurningPoints& found, const std::string& energy_name)
       : statics_(dynamics.statics(parameters)),
         graph_(std::make_shared<Graph>(*statics_->reduction.graph)),
         values_(dynamics.model(), graph_, written, parameters),
         found_(found),
         x_(graph_->adopt(statics_->reduction.x[0])),
-        is_angle_(dynamics.model().scene.coordinates[found.coordinate].unit == "rad") {}
+        is_angle_(dynamics.model().scene.coordinates[found.coordinate].unit == "rad") {
+    take_constants(energy_name);
+  }
 
   ExactTurningPoints forms() {
-    ExactTurningPoints result;
-    if (!take_initial_state()) return result;
-    const Expression balance = energy_balance();
-    if (found_.energy.value)
-      result.energy = constant(simplify(energy_), *found_.energy.value, found_.energy.error);
-    for (std::size_t c = 0; c < momenta_.size(); ++c)
-      result.momenta.push_back(constant(momenta_[c].second, found_.momenta[c], found_.momenta_errors[c]));
-    std::size_t length = 0;
-    for (const Relations& relations : {values_.relations(), Relations{}}) {
-      const Expression left = divided(substitute(balance, relations.replacements));
-      if (left.is_zero() || !depends_on(left, x_)) return {};
-      const auto form = formula(left, relations, {&x_, 1});
-      const bool better = form && (!result.equation || written_length(left) < length);
-      if (better) {
-        length = written_length(left);
-        result.equation = with_zero(*form);
-      }
-      consider(found_.maximum, left, relations, result.maximum);
-      consider(found_.minimum, left, relations, result.minimum);
-    }
-    return result;
+    if (take_initial_state()) return forms_from_start();
+    start_.clear();
+    assumed_.clear();
+    return by_constants_ ? forms_by_constants() : ExactTurningPoints{};
+  }
+
+  /// By h and the momenta, or with the initial state put in where that is shorter. After forms().
+  [[nodiscard]] std::optional<ClosedForm> period() const {
+    if (!found_.period.value || found_.motion != MotionKind::libration) return std::nullopt;
+    const auto form_of = [&](const QuadratureProblem& problem, const std::vector<std::string>& started) {
+      return period_form(
+          problem, values_, found_.period,
+          [&](const Expression& e, const Relations& relations) { return formula(e, relations, started); });
+    };
+    std::optional<ClosedForm> best;
+    if (by_constants_) best = form_of({x_, inertia_, potential_, energy_symbol_}, {});
+    if (!energy_) return best;
+    std::optional<ClosedForm> other =
+        form_of({x_, substitute(inertia_, momenta_), substitute(potential_, momenta_), *energy_}, assumed_);
+    return !best || (other && other->text.size() < best->text.size()) ? other : best;
   }
 
  private:
@@ -57,6 +58,61 @@ class TurningForms {
     form.text += " = 0";
     form.latex += " = 0";
     return form;
+  }
+
+  ExactTurningPoints forms_from_start() {
+    ExactTurningPoints result;
+    const Expression balance = energy_balance();
+    if (found_.energy.value)
+      result.energy = constant(simplify(*energy_), *found_.energy.value, found_.energy.error);
+    for (std::size_t c = 0; c < momenta_.size(); ++c)
+      result.momenta.push_back(constant(momenta_[c].second, found_.momenta[c], found_.momenta_errors[c]));
+    std::size_t length = 0;
+    for (const Relations& relations : {values_.relations(), Relations{}}) {
+      const Expression left = divided(substitute(balance, relations.replacements));
+      if (left.is_zero() || !depends_on(left, x_)) return {};
+      const auto form = formula(left, relations, assumed_, {&x_, 1});
+      const bool better = form && (!result.equation || written_length(left) < length);
+      if (better) {
+        length = written_length(left);
+        result.equation = with_zero(*form);
+      }
+      consider(left, relations, result);
+    }
+    return result;
+  }
+
+  ExactTurningPoints forms_by_constants() {
+    ExactTurningPoints result;
+    const Expression balance = potential_ - energy_symbol_;
+    for (const Relations& relations : {values_.relations(), Relations{}}) {
+      const Expression left = divided(substitute(balance, relations.replacements));
+      if (left.is_zero() || !depends_on(left, x_)) return {};
+      consider(left, relations, result);
+    }
+    return result;
+  }
+
+  void take_constants(const std::string& energy_name) {
+    const Reduction& reduction = statics_->reduction;
+    const Expression rate = graph_->adopt(reduction.x_dot[0]);
+    const Replacement rest{rate, graph_->number(0)};
+    std::vector<Replacement> vanishing;
+    for (std::size_t c = 0; c < reduction.ignored.size(); ++c) {
+      const std::size_t place = reduction.constants.size() - reduction.ignored.size() + c;
+      const Expression p = graph_->adopt(reduction.constants[place]);
+      const bool vanishes = found_.momenta[c] == 0 && found_.momenta_errors[c] == 0;
+      if (vanishes) vanishing.emplace_back(p, graph_->number(0));
+      constants_.push_back(p);
+      values_.set(p, {found_.momenta[c], 0, found_.momenta_errors[c]});
+    }
+    const Expression routhian = substitute(graph_->adopt(reduction.routhian), vanishing);
+    potential_ = -substitute(routhian, {&rest, 1});
+    inertia_ = substitute(differentiate(differentiate(routhian, rate), rate), {&rest, 1});
+    energy_symbol_ = graph_->symbol(energy_name);
+    by_constants_ = std::ranges::find(values_.symbols(), energy_symbol_) == values_.symbols().end();
+    if (by_constants_) values_.set(energy_symbol_, {*found_.energy.value, 0, found_.energy.error});
+    constants_.push_back(energy_symbol_);
   }
 
   /// (q0, q0') as replacements of all coordinates and velocities. A number with a dimension would leave
@@ -85,11 +141,19 @@ class TurningForms {
     assumed_.push_back(name + "_dot(0) = " + print(rate, Form::text, notation));
   }
 
-  /// With what was put in for the initial state.
+  /// With what was put in for the initial state, and the signs of constants in it.
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e, const Relations& relations,
+                                                  const std::vector<std::string>& started,
                                                   std::span<const Expression> allowed = {}) const {
-    auto form = closed_form(values_, e, relations, allowed);
-    if (form) form->assumes.insert(form->assumes.end(), assumed_.begin(), assumed_.end());
+    std::vector<Expression> symbols = constants_;
+    symbols.insert(symbols.end(), allowed.begin(), allowed.end());
+    auto form = closed_form(values_, e, relations, symbols);
+    if (!form) return form;
+    for (const Expression& c : constants_) {
+      if (depends_on(e, c))
+        form->assumes.push_back(print(c, Form::text) + (values_.sign(c) < 0 ? " < 0" : " > 0"));
+    }
+    form->assumes.insert(form->assumes.end(), started.begin(), started.end());
     return form;
   }
 
@@ -101,18 +165,14 @@ class TurningForms {
   [[nodiscard]] Expression energy_balance() {
     const Reduction& reduction = statics_->reduction;
     const Expression rate = graph_->adopt(reduction.x_dot[0]);
-    const Replacement rest{rate, graph_->number(0)};
     for (std::size_t c = 0; c < reduction.ignored.size(); ++c) {
-      const std::size_t place = reduction.constants.size() - reduction.ignored.size() + c;
       const Expression p = graph_->adopt(values_.model().momenta[reduction.ignored[c]]);
-      momenta_.emplace_back(graph_->adopt(reduction.constants[place]), at_start(without_zeros(p)));
+      momenta_.emplace_back(constants_[c], at_start(without_zeros(p)));
     }
-    const Expression routhian = substitute(graph_->adopt(reduction.routhian), momenta_);
-    const Expression potential = -substitute(routhian, {&rest, 1});
-    const Expression inertia = substitute(differentiate(differentiate(routhian, rate), rate), {&rest, 1});
-    const Expression kinetic = Number::ratio(1, 2) * inertia * rate * rate;
+    const Expression potential = substitute(potential_, momenta_);
+    const Expression kinetic = Number::ratio(1, 2) * substitute(inertia_, momenta_) * rate * rate;
     energy_ = at_start(potential) + at_start(kinetic);
-    return potential - energy_;
+    return potential - *energy_;
   }
 
   /// A constant of the motion, in the shorter of its forms.
@@ -121,8 +181,8 @@ class TurningForms {
     const Relations& relations = values_.relations();
     const Expression general = to_expression(*graph_, rational_function(e));
     const Expression related = simplify(substitute(e, relations.replacements));
-    if (written_length(related) < written_length(general)) return formula(related, relations);
-    return formula(general, {});
+    if (written_length(related) < written_length(general)) return formula(related, relations, assumed_);
+    return formula(general, {}, assumed_);
   }
 
   /// The model's expressions know nothing of parameters that are zero.
@@ -149,20 +209,25 @@ class TurningForms {
     return written_length(simple) < written_length(quotient) ? simple : quotient;
   }
 
-  void consider(const Finding& extremum, const Expression& left, const Relations& relations,
-                std::optional<ExactExtremum>& best) const {
-    if (!extremum.value) return;
+  /// The extrema that are roots of `left`, where their formulas are shorter.
+  void consider(const Expression& left, const Relations& relations, ExactTurningPoints& result) const {
     for (const Function function : {Function::cos, Function::sin}) {
       const Expression unknown = is_angle_ ? graph_->call(function, x_) : x_;
       for (const Expression& root : roots_in(unknown, left)) {
-        auto found =
-            is_angle_ ? angle(function, root, extremum, relations) : number(root, extremum, relations);
-        if (found && is_root(found->first, left, relations) &&
-            (!best || found->second.value.text.size() < best->value.text.size()))
-          best = std::move(found->second);
+        consider(found_.maximum, function, root, left, relations, result.maximum);
+        consider(found_.minimum, function, root, left, relations, result.minimum);
       }
       if (!is_angle_) return;
     }
+  }
+
+  void consider(const Finding& extremum, Function function, const Expression& root, const Expression& left,
+                const Relations& relations, std::optional<ExactExtremum>& best) const {
+    if (!extremum.value) return;
+    auto found = is_angle_ ? angle(function, root, extremum, relations) : number(root, extremum, relations);
+    if (found && is_root(found->first, left, relations) &&
+        (!best || found->second.value.text.size() < best->value.text.size()))
+      best = std::move(found->second);
   }
 
   using Found = std::optional<std::pair<Expression, ExactExtremum>>;
@@ -187,7 +252,7 @@ class TurningForms {
   [[nodiscard]] Found number(const Expression& root, const Finding& extremum,
                              const Relations& relations) const {
     if (!agrees(values_.value(root), *extremum.value, extremum.error)) return std::nullopt;
-    auto form = formula(root, relations);
+    auto form = formula(root, relations, assumed_);
     if (!form) return std::nullopt;
     return {{root, {*std::move(form), std::nullopt, std::nullopt}}};
   }
@@ -202,10 +267,11 @@ class TurningForms {
       principal.insert(principal.begin(), Expression(*graph_, call->argument));  // where the motion began
     if (root.number() != nullptr || written_length(root) < 8) add_known(function, root, principal);
     for (const Expression& value : principal) {
-      for (const Expression& x : {value, function == Function::cos ? -value : pi - value}) {
+      const Expression other = function == Function::cos ? -value : pi - value;
+      for (const Expression& x : {value, other, other + Number(2) * pi, other - Number(2) * pi}) {
         if (!agrees(values_.value(x), *extremum.value, extremum.error)) continue;
-        auto form = formula(x, relations);
-        auto of_function = formula(root, relations);
+        auto form = formula(x, relations, assumed_);
+        auto of_function = formula(root, relations, assumed_);
         if (!form || !of_function) continue;
         ExactExtremum result{*std::move(form), std::nullopt, std::nullopt};
         (function == Function::cos ? result.cosine : result.sine) = std::move(of_function);
@@ -234,6 +300,13 @@ class TurningForms {
   /// At other values of the parameters, too.
   [[nodiscard]] bool is_root(const Expression& x, const Expression& left, const Relations& relations) const {
     Trial trial(values_, relations);
+    std::vector<Expression> numbers;
+    for (const Expression& p : constants_)
+      numbers.push_back(graph_->number(Number::real(values_.value(p).value)));
+    // Some place in reach, so that there are turning points.
+    const Replacement there{x_, graph_->number(Number::real(values_.value(x).value))};
+    numbers.back() = substitute(potential_, {&there, 1});
+    trial.set(constants_, numbers);
     trial.set({x_}, {x});
     trial.vanishes(terms_of(left));
     return trial.passes();
@@ -246,42 +319,37 @@ class TurningForms {
   Expression x_;
   bool is_angle_;
   std::vector<Replacement> start_;
-  std::vector<std::string> assumed_;  ///< "theta(0) = pi/6"
-  std::vector<Replacement> momenta_;  ///< p_c, by the parameters
-  Expression energy_;                 ///< h
+  std::vector<std::string> assumed_;   ///< "theta(0) = pi/6"
+  std::vector<Expression> constants_;  ///< p_c and h as symbols, which have values
+  Expression energy_symbol_;           ///< h
+  bool by_constants_{};                ///< h is the name of no parameter
+  Expression potential_, inertia_;     ///< U(x; p) and A(x; p)
+  std::vector<Replacement> momenta_;   ///< p_c, by the parameters
+  std::optional<Expression> energy_;   ///< h, by the parameters
 };
-
-/// A plain number other than 0.
-bool is_decimal(std::string_view text) {
-  if (text.starts_with('-')) text.remove_prefix(1);
-  const auto number = Number::written(text);
-  return number && !number->is_zero();
-}
-
-/// Whether the initial state has a velocity or a length in decimals, which leaves no formula.
-bool starts_from_decimals(const Scene& scene, const WrittenTexts& written) {
-  if (scene.without_units) return false;
-  const auto text_of = [&](const std::string& name, const std::string& by_default) -> const std::string& {
-    const auto found = written.find(name);
-    return found == written.end() ? by_default : found->second;
-  };
-  return std::ranges::any_of(scene.coordinates, [&](const Coordinate& q) {
-    return is_decimal(text_of(q.name + "_dot", q.initial_rate)) ||
-           (q.unit != "rad" && is_decimal(text_of(q.name, q.initial)));
-  });
-}
 
 }  // namespace
 
 ExactTurningPoints exact_turning_points(const Dynamics& dynamics, const Reals& parameters,
-                                        const WrittenTexts& written, const TurningPoints& found) {
-  if (starts_from_decimals(dynamics.model().scene, written)) return {};
-  try {
-    const WorkScope budget(most_algebra);
-    return TurningForms(dynamics, parameters, written, found).forms();
-  } catch (const Error&) {  // the algebra grows too large, or divides by what vanishes
-    return {};
-  }
+                                        const WrittenTexts& written, const TurningPoints& found,
+                                        const std::string& energy_name) {
+  ExactTurningPoints result;
+  std::optional<TurningForms> forms;
+  const auto tried = [](const auto& search) {
+    try {
+      const WorkScope budget(most_algebra);
+      search();
+    } catch (const Error&) {  // the algebra grows too large, or divides by what vanishes
+    }
+  };
+  tried([&] {
+    forms.emplace(dynamics, parameters, written, found, energy_name);
+    result = forms->forms();
+  });
+  tried([&] {
+    if (forms) result.period = forms->period();
+  });
+  return result;
 }
 
 }  // namespace qdot

@@ -37,6 +37,42 @@ Expression with_roots_taken(const Expression& e, const SignOf& sign) {
   return taken.empty() ? e : substitute(e, taken);
 }
 
+namespace {
+
+/// What exp(argument) is by the u of n log(u) in it, and the rest of the argument.
+std::optional<std::pair<Expression, Expression>> power_of_logarithm(const Expression& argument) {
+  Graph& graph = argument.graph();
+  for (const Expression& term : terms_of(argument)) {
+    const auto [n, rest] = split_coefficient(term);
+    const auto* call = std::get_if<Call>(&rest.node());
+    if (call != nullptr && call->function == Function::log)
+      return std::pair(pow(Expression(graph, call->argument), n), argument - term);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Expression with_logarithms_taken(const Expression& e) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> taken;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (call == nullptr || call->function == Function::log) continue;
+    const Function function = call->function;
+    const auto power = power_of_logarithm(expand(Expression(graph, call->argument)));
+    if (!power) continue;
+    const Expression up = power->first * graph.call(Function::exp, expand(power->second));
+    const Expression down = graph.number(1) / up;
+    const Number half = Number::ratio(1, 2);
+    if (function == Function::exp) taken.emplace_back(Expression(graph, id), up);
+    if (function == Function::sinh) taken.emplace_back(Expression(graph, id), half * (up - down));
+    if (function == Function::cosh) taken.emplace_back(Expression(graph, id), half * (up + down));
+  }
+  return taken.empty() ? e : substitute(e, taken);
+}
+
 Polynomial without_factor(const Polynomial& e, const Expression& u) {
   if (e.empty()) return e;
   int common = 64;

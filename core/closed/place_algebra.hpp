@@ -23,6 +23,9 @@ struct LinearIn {
 /// With roots of squares taken, sqrt(h^2) = h where h > 0.
 [[nodiscard]] Expression with_roots_taken(const Expression& e, const SignOf& sign);
 
+/// With exp(n log(u)) = u^n.
+[[nodiscard]] Expression with_logarithms_taken(const Expression& e);
+
 /// f^(1/n) where f is a product of what is positive.
 [[nodiscard]] std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
                                                         const SignOf& sign);

@@ -20,6 +20,10 @@
 
 namespace qdot {
 
+namespace taylor {
+class Rounding;
+}
+
 using Slot = std::uint32_t;
 
 enum class Operation : std::uint8_t {
@@ -65,6 +69,7 @@ class CompiledFunction {
   template <class T>
   friend class TapeEvaluator;
   friend class TaylorTranslation;
+  friend class taylor::Rounding;
   friend class ExtendedTape;
 
   [[nodiscard]] bool run(std::span<const Instruction> instructions, double* slots) const noexcept;

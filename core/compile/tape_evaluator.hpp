@@ -44,6 +44,9 @@ class TapeEvaluator {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = slots_[function_.outputs_[i]];
   }
 
+  /// Values of all slots.
+  [[nodiscard]] std::span<const T> slots() const { return slots_; }
+
  private:
   void run(std::span<const Instruction> instructions) {
     spend_work(instructions.size());

@@ -88,6 +88,7 @@ std::optional<Ending> ExtendedStepper::step() {
     const double part = bounded_part(whole);
     bounded_ = part > 0;
     if (part > 0 && part < whole) h = part;
+    if (part > 0) bound_rounding();
   }
   for (int i = 0; i < attempts_at_a_step; ++i, h = std::min(h, left.high) / 2) {
     const DoubleDouble t = h < left.high ? t_ + DoubleDouble(h) : request_.t_end;
@@ -110,7 +111,7 @@ void ExtendedStepper::interpolate(const DoubleDouble& t, std::span<DoubleDouble>
 MotionPiece ExtendedStepper::polynomials() {
   rows_.resize(coefficients_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = coefficients_[i].high;
-  return {t_previous_.high, last_step_, rows_, order_, {}};
+  return {t_previous_.high, last_step_, rows_, order_, {}, {}};
 }
 
 std::span<const double> ExtendedStepper::rounded() {
@@ -122,6 +123,11 @@ std::span<const double> ExtendedStepper::rounded() {
     const double share = others <= first ? others / std::max(first, std::numeric_limits<double>::min()) : 1;
     rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
     rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
+    if (in_doubles_.empty()) continue;
+    const double of_acceleration = in_double_doubles_[i] + (share > small ? share * in_doubles_[i] : 0);
+    const double of_velocity = of_acceleration * last_step_;
+    rounded_[n + i] += of_velocity;
+    rounded_[i] += of_velocity * last_step_ / 2;
   }
   return rounded_;
 }
@@ -231,6 +237,14 @@ double ExtendedStepper::bounded_part(double h) {
   return 0;
 }
 
+/// Of the step that is to be taken.
+void ExtendedStepper::bound_rounding() {
+  if (!system_.rounding) return;
+  in_doubles_.resize(y_.size() / 2);
+  in_double_doubles_.resize(y_.size() / 2);
+  system_.rounding(in_doubles_, in_double_doubles_);
+}
+
 bool ExtendedStepper::try_step(const DoubleDouble& t) {
   const DoubleDouble h = t - t_;
   for (std::size_t i = 0; i < y_.size(); ++i) {
@@ -261,7 +275,7 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   ExtendedStepper stepper(system, request);
   ExtendedRun run;
   const std::size_t n = request.y_start.size();
-  std::vector<double> passed(n);
+  std::vector<double> passed(n), terms(n);
   std::optional<Separation> separation;
   if (system.in_doubles.expansion)
     separation.emplace(system.in_doubles, std::vector<double>(n), Separation::Scale::enlarged);
@@ -287,7 +301,9 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
     const auto failed = stepper.step();
     if (failed) run.ending = *failed;
     if (!failed && separation) {
-      separation->follow(stepper.polynomials());
+      const MotionPiece step = stepper.polynomials();
+      largest_terms(step, terms);
+      separation->follow(step, terms);
       separation->add(stepper.rounded(), separation->now());
     }
     sample();

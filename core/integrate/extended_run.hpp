@@ -33,6 +33,9 @@ struct ExtendedSystem {
   /// what is allowed, at most 1 where nothing is hidden. Optional.
   std::function<double(double t, std::span<const double> y, double h, std::span<const double> allowed)>
       hidden{};
+  /// Over the step that was looked at last: bounds of what rounding to doubles, and to double-doubles, does
+  /// to each acceleration (the second half of y'). Optional.
+  std::function<void(std::span<double> in_doubles, std::span<double> in_double_doubles)> rounding{};
   /// Coefficients from this order on are doubles; what is left of the sum is added up in doubles, too.
   unsigned first_in_doubles{~0U};
   /// The equations in doubles, where it is wanted what the motion makes of the rounding of those
@@ -67,8 +70,9 @@ class ExtendedStepper {
 
   /// The polynomials of the last step in doubles.
   [[nodiscard]] MotionPiece polynomials();
-  /// What coefficients in doubles have rounded in the last step, for each component: of |y| as much as their
-  /// terms are of the others.
+  /// What was rounded in the last step, for each component. By coefficients in doubles: of |y| as much as
+  /// their terms are of the others, and where that is much, so much of what rounding does to the
+  /// accelerations. By the others: what rounding to double-doubles does to these.
   [[nodiscard]] std::span<const double> rounded();
 
   /// Whether every step up to now has a bound of what it hides.
@@ -91,6 +95,7 @@ class ExtendedStepper {
   [[nodiscard]] double log_of_step_by(unsigned k, double part = 1) const;
   /// A length up to h over which a step hides nothing; 0 where there is none.
   [[nodiscard]] double bounded_part(double h);
+  void bound_rounding();
   [[nodiscard]] bool try_step(const DoubleDouble& t);
   [[nodiscard]] bool holds_until(const DoubleDouble& h) const;
   [[nodiscard]] std::span<const DoubleDouble> row(const std::vector<DoubleDouble>& c, std::size_t i) const {
@@ -108,8 +113,9 @@ class ExtendedStepper {
   std::vector<DoubleDouble> beyond_;        ///< at the end of the step that is tried
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
-  std::vector<double> place_, allowed_;  ///< scratch
-  std::vector<double> rows_, rounded_;   ///< of the last step
+  std::vector<double> place_, allowed_;                 ///< scratch
+  std::vector<double> rows_, rounded_;                  ///< of the last step
+  std::vector<double> in_doubles_, in_double_doubles_;  ///< what rounding does in it to accelerations
   bool bounded_;
 };
 

@@ -77,6 +77,7 @@ class Integration {
     const double t = found.terminal ? found.events.back().t : stepper_->t();
     if (own_errors_) follow_until(t);
     if (found.terminal) stepper_->end_at(t);
+    const std::size_t first = run_.rows;
     if (const auto failed = sample_until(t)) return failed;
 
     run_.t = t;
@@ -88,7 +89,13 @@ class Integration {
     if (run_.events.size() > most_occurrences)
       throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");
     if (found.terminal) return Ending::event;
+    if (is_given_up(first)) return Ending::given_up;
     return run_.t < request_.t_end ? progress_.check(*stepper_) : std::nullopt;
+  }
+
+  [[nodiscard]] bool is_given_up(std::size_t first) const {
+    if (!request_.goes_on || first == run_.rows) return false;
+    return !request_.goes_on(first, std::span(run_.states).subspan(first * request_.y_start.size()));
   }
 
   // The rows up to and including t; on failure those of before.
@@ -130,10 +137,11 @@ class Integration {
   void note_own_errors(std::size_t count) {
     if (!own_errors_) return;
     const std::size_t n = request_.y_start.size();
-    for (std::size_t i = 0; i < count * n; ++i) {
-      run_.apart.push_back(own_errors_->in_last_step(i % n));
-      run_.apart_by_rounding.push_back(own_errors_->rounding_in_last_step(i % n));
-    }
+    own_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) own_[i] = own_errors_->in_last_step(i);
+    append(run_.apart, own_, count);
+    for (std::size_t i = 0; i < n; ++i) own_[i] = own_errors_->rounding_in_last_step(i);
+    append(run_.apart_by_rounding, own_, count);
   }
 
   void note_accelerations(std::size_t count) {
@@ -150,6 +158,7 @@ class Integration {
   EventSearch events_;
   ProgressGuard progress_;
   std::optional<OwnErrors> own_errors_;
+  std::vector<double> own_;  ///< of the last step
   Run run_;
 };
 

@@ -4,9 +4,11 @@
 //
 // Both follow e of separation.hpp. By truncation, from the motion as it is asked for: each step adds the
 // bound of its defect, which goes with s^(order - 1) and comes to defect h/order, to the side where the other
-// sample is, so that it adds up along what grows. By rounding, from a motion whose numbers differ by
-// `enlarged` times as much as rounding makes: of whole last places two or three often cancel to nothing. Each
-// step adds about half a last place of its largest term, enlarged as much, by random numbers.
+// sample is, so that it adds up along what grows. So does what rounding makes of the accelerations, a bound e
+// of core/compile/taylor/rounding.hpp that all computations have in common: e h of a velocity, e h^2/2 of its
+// coordinate. By rounding, from a motion whose numbers differ by `enlarged` times as much as rounding makes:
+// of whole last places two or three often cancel to nothing. Each step adds about half a last place of its
+// largest term, enlarged as much, by random numbers.
 
 #include "core/integrate/separation.hpp"
 #include "core/numerics/random_bits.hpp"
@@ -37,7 +39,7 @@ class OwnErrors {
  private:
   Separation by_truncation_, by_rounding_;
   RandomBits random_;
-  std::vector<double> sizes_, signs_;  ///< scratch
+  std::vector<double> terms_, sizes_, signs_;  ///< scratch
 };
 
 }  // namespace qdot

@@ -31,6 +31,9 @@ struct RightHandSide {
   /// gave last; infinite where there is none. Returns the largest of h defect_i / allowed_i. Where nothing is
   /// `allowed` they are the closest there are. Optional.
   std::function<double(double h, std::span<const double> allowed, std::span<double> defect)> defect{};
+  /// What rounding of f may come to over the step whose defect was bounded last, a bound for each y_i' that
+  /// is an acceleration: the second half of y. Optional.
+  std::function<void(std::span<double> rounding)> rounding{};
   /// Moves a state that is near to it onto what all states obey: constraints, from which steps drift away by
   /// their errors. Returns whether it could. Optional; used by Method::taylor.
   std::function<bool(double t, std::span<double> y)> project{};
@@ -54,6 +57,9 @@ struct MotionPiece {
   /// Bounds of |p_i' - f_i(t, p)| over the piece, as RightHandSide::defect gives them; empty where they are
   /// not known.
   std::span<const double> defect{};
+  /// Bounds of how far f may be from what it is computed as, for the second half of y, as
+  /// RightHandSide::rounding gives them; empty where they are not known.
+  std::span<const double> rounding{};
 };
 
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
@@ -116,6 +122,8 @@ struct RunRequest {
   /// Instants at which the state is wanted: increasing, in [t_start, t_end]; t_start itself gives y_start.
   std::span<const double> grid{};
   std::vector<EventFunction> events{};
+  /// Asked after each step that has reached rows, with the first of them and them: whether the run goes on.
+  std::function<bool(std::size_t first, std::span<const double> rows)> goes_on{};
   Method method{Method::adams};
   unsigned taylor_order{};  ///< 0: by the tolerance
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
@@ -139,6 +147,7 @@ enum class Ending {
   tolerance,       ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
   blow_up,         ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
   no_convergence,  ///< gauss: no solution found for the equations of a step; h is too long at this place
+  given_up,        ///< RunRequest::goes_on said no
   undetermined     ///< at a kink the equations do not tell how a motion goes on (core/motion)
 };
 

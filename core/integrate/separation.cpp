@@ -12,6 +12,7 @@ constexpr unsigned order_tried_first = 8;
 constexpr double negligible = 0.03;  ///< of the largest term: so the last ones show that these were enough
 constexpr double lost = 2;           ///< times what a component has reached
 constexpr double enlarged = 0x1p-30;
+constexpr double most_of_all = 1e300;  ///< instead of an error without a bound
 
 /// y - e, and not y itself, where nothing would be rounded otherwise.
 double beside(double y, double e) {
@@ -21,13 +22,14 @@ double beside(double y, double e) {
 
 }  // namespace
 
-double largest_term(std::span<const double> c, double h) {
-  double largest = 0, power = 1;
-  for (const double coefficient : c) {
-    largest = std::max(largest, std::abs(coefficient) * power);
-    power *= h;
+void largest_terms(const MotionPiece& step, std::span<double> terms) {
+  const double* c = step.rows.data();
+  for (double& largest : terms) {
+    double power = 1;
+    largest = 0;
+    for (unsigned k = 0; k <= step.order; ++k, power *= step.h)
+      largest = std::max(largest, std::abs(*c++) * power);
   }
-  return largest;
 }
 
 Separation::Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale)
@@ -37,18 +39,20 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
       largest_(e_.size()),
       y_(e_.size()),
       size_(e_.size()),
+      added_(e_.size()),
       beside_(e_.size()),
       rise_(e_.size()) {
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
-void Separation::follow(const MotionPiece& step) {
+void Separation::follow(const MotionPiece& step, std::span<const double> terms) {
   const unsigned order = std::min(order_tried_first, step.order);
   for (std::size_t i = 0; i < e_.size(); ++i) {
-    const std::span<const double> c = step.rows.subspan(i * (step.order + 1), step.order + 1);
-    y_[i] = c[0];
-    size_[i] = std::max(size_[i], largest_term(c.first(order + 1), step.h));
+    y_[i] = step.rows[i * (step.order + 1)];
+    size_[i] = std::max(size_[i], terms[i]);
   }
+  const std::size_t n = e_.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   project(step.t);
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
   place_beside();
@@ -57,12 +61,17 @@ void Separation::follow(const MotionPiece& step) {
 }
 
 void Separation::add(std::span<const double> sizes, std::span<const double> sides) {
-  for (std::size_t i = 0; i < sizes.size(); ++i) move_to(i, e_[i] + std::copysign(sizes[i], sides[i]));
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const double size = std::min(sizes[i], most_of_all);
+    added_[i] += size;
+    move_to(i, e_[i] + std::copysign(size, sides[i]));
+  }
 }
 
 void Separation::move_to(std::size_t i, double e) {
   if (!std::isfinite(e)) return;
-  e_[i] = std::clamp(e, -lost * size_[i], lost * size_[i]);
+  const double most = lost * std::max(size_[i], added_[i]);  // what stands still has no size but that
+  e_[i] = std::clamp(e, -most, most);
   largest_[i] = std::max(largest_[i], std::abs(e_[i]));
 }
 

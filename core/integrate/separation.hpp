@@ -19,8 +19,8 @@
 
 namespace qdot {
 
-/// The largest |c_k| h^k.
-[[nodiscard]] double largest_term(std::span<const double> c, double h);
+/// The largest |c_k| h^k of each component.
+void largest_terms(const MotionPiece& step, std::span<double> terms);
 
 class Separation {
  public:
@@ -32,9 +32,11 @@ class Separation {
   /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
 
-  /// The reference has taken this step. Where the original has no values e stays as it is.
-  void follow(const MotionPiece& step);
-  /// Errors |d_i| that the step has made, each to the side where `sides` are.
+  /// The reference has taken this step; `terms` are the largest of each component. Where the original has no
+  /// values e stays as it is.
+  void follow(const MotionPiece& step, std::span<const double> terms);
+  /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
+  /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
 
   [[nodiscard]] const std::vector<double>& now() const { return e_; }
@@ -54,6 +56,7 @@ class Separation {
   double factor_{1};  ///< e times it is what series differ by
   std::vector<double> e_, largest_;
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
+  std::vector<double> added_;              ///< by steps, and where that alone takes coordinates
   std::vector<double> beside_, c_, rise_;  ///< scratch
 };
 

@@ -101,8 +101,9 @@ class TaylorStepper final : public Stepper {
   }
 
   std::optional<MotionPiece> polynomials() const override {
-    MotionPiece piece{t_previous_, t_ - t_previous_, coefficients_, order_, {}};
+    MotionPiece piece{t_previous_, t_ - t_previous_, coefficients_, order_, {}, {}};
     if (last_is_bounded_) piece.defect = defect_;
+    if (last_is_bounded_) piece.rounding = rounding_;
     return piece;
   }
 
@@ -241,6 +242,10 @@ class TaylorStepper final : public Stepper {
     }
     if (bad <= 4 * h && good <= h / 4) good = lengthened(good, bad);
     if (request_.is_reference) look_closely(good);
+    if (request_.originals != nullptr && system_.rounding) {
+      rounding_.resize(y_.size() / 2);
+      system_.rounding(rounding_);
+    }
     return {good, true};
   }
 
@@ -373,6 +378,7 @@ class TaylorStepper final : public Stepper {
   std::vector<double> weights_ = rise_;
   std::vector<double> sums_;  ///< of four samples
   std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
+  std::vector<double> rounding_;  ///< of accelerations
   std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
   std::vector<double> hidden_before_, off_before_;  ///< the last step
   std::vector<double> fastest_;                     ///< accelerations in the last step

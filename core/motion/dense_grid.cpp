@@ -25,7 +25,7 @@ DenseGrid::DenseGrid(const SimulationRequest& request) : t(request.grid) {
   for (std::size_t i = 1; t.size() < instants && i < instants; ++i) {
     t.push_back(request.t_start + span * static_cast<double>(i) / instants);
   }
-  std::sort(t.begin(), t.end());
+  if (!std::ranges::is_sorted(t)) std::sort(t.begin(), t.end());
   t.erase(std::unique(t.begin(), t.end()), t.end());
   auto next = request.grid.begin();
   for (const double instant : t) {
@@ -37,6 +37,7 @@ DenseGrid::DenseGrid(const SimulationRequest& request) : t(request.grid) {
 }
 
 void DenseGrid::thin(Simulation& simulation, std::size_t width, std::size_t columns) const {
+  if (std::ranges::find(wanted, false) == wanted.end()) return;
   const std::size_t rows = simulation.rows;
   thin_rows(simulation.states, rows, width, wanted);
   thin_rows(simulation.columns, rows, columns, wanted);

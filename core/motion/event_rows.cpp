@@ -49,10 +49,13 @@ EventRows::EventRows(std::span<const double> grid, const Simulation& motion) {
     if (!events_.empty() && events_.back() == event.t) continue;
     if (!is_beside(ends, event.t)) events_.push_back(event.t);
   }
+  instants_.reserve(grid.size() + events_.size());
   std::ranges::set_union(grid, events_, std::back_inserter(instants_));
-  for (const double t : instants_) {
-    is_row_.push_back(std::ranges::binary_search(grid, t));
-    is_event_.push_back(std::ranges::binary_search(events_, t));
+  is_row_.resize(instants_.size(), events_.empty());
+  is_event_.resize(instants_.size());
+  for (std::size_t i = 0; i < instants_.size() && !events_.empty(); ++i) {
+    is_row_[i] = std::ranges::binary_search(grid, instants_[i]);
+    is_event_[i] = std::ranges::binary_search(events_, instants_[i]);
   }
 }
 

@@ -22,6 +22,8 @@ class EventRows {
   [[nodiscard]] const std::vector<double>& instants() const { return instants_; }
   /// Instants of events, increasing.
   [[nodiscard]] const std::vector<double>& events() const { return events_; }
+  /// Whether the grid has this one of instants().
+  [[nodiscard]] bool is_row(std::size_t instant) const { return is_row_[instant]; }
   /// The number of an event's instant among events().
   [[nodiscard]] std::optional<std::size_t> place(double t) const;
 

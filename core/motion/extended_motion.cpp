@@ -92,6 +92,10 @@ ExtendedSystem extended_system(const CompiledFunction& accelerations, const Exte
     system.round_off = 1e-18;
     if (request.look_for_hidden) {
       system.hidden = hidden_of(mixed);
+      system.rounding = [mixed](std::span<double> in_doubles, std::span<double> in_double_doubles) {
+        mixed->bound_rounding(in_doubles, taylor::half_unit_of_doubles);
+        mixed->bound_rounding(in_double_doubles, taylor::half_unit_of_double_doubles);
+      };
       system.in_doubles = in_doubles(accelerations, request.parameters);
     }
   }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/motion/error_growth.hpp"
 #include "core/motion/motion_comparison.hpp"
+#include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
 
 namespace qdot {
@@ -11,9 +13,13 @@ namespace {
 
 constexpr double loosest = 1e-2;
 constexpr double aim = 0.2;  ///< of the wanted error, when the next tolerance is chosen
+/// So small a part of the wanted error leaves room for a looser run; so loose that may be, of what is wanted.
+constexpr double far_below = 0.02, loosest_of_wanted = 0.1;
+constexpr double next_to_digits = 2 * near_round_off;  ///< the check of a tighter run takes double-doubles
 constexpr int most_rungs = 8;
 constexpr double dear =
     12;  ///< times the work of a loose run and its check: that of a check in double-doubles
+constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 constexpr const char* work_spent =
@@ -48,15 +54,24 @@ class Ladder {
       return finished();
     }
     Tolerances next = start();
+    std::optional<Tolerances> given_up;
     for (int i = 0; i < most_rungs; ++i) {
       take(next);
       if (!ended_well(result_.simulation.ending)) break;
+      may_give_up_ = is_error_wanted() && i + 1 < most_rungs;
       measure();
+      if (expected_excess_) {
+        given_up = next;
+        excess_ = *expected_excess_;
+        next = *tighter(next);
+        continue;
+      }
       if (keep_best() || result_.max_abs_error.empty() || next.rtol <= tightest_tolerance) break;
       const auto wanted = tighter(next);
       if (!wanted) break;
       next = *wanted;
     }
+    if (!best_ && given_up) measure_to_the_end(*given_up);
     if (best_) result_ = std::move(*best_);
     return finished();
   }
@@ -68,7 +83,7 @@ class Ladder {
   /// tight that the check takes double-doubles, a little more than that is tried first.
   [[nodiscard]] Tolerances start() const {
     if (goal_.kind == Kind::work) return with_rtol(loosest);
-    const double likely = std::max(goal_.value * 1e-3, std::min(goal_.value * 1e-2, 2 * near_round_off));
+    const double likely = std::max(goal_.value * 1e-3, std::min(goal_.value * 1e-2, next_to_digits));
     return with_rtol(std::clamp(likely, tightest_tolerance, loosest));
   }
 
@@ -102,11 +117,21 @@ class Ladder {
     return {dynamics_, request_, grid_, *event_rows_, result_.simulation, result_.tolerances, is_stiff_};
   }
 
+  /// What was given up is the best there is.
+  void measure_to_the_end(const Tolerances& tolerances) {
+    may_give_up_ = false;
+    take(tolerances);
+    if (!ended_well(result_.simulation.ending)) return;
+    measure();
+    (void)keep_best();
+  }
+
   void measure() {
     contradicts_ = false;
     doubt_ = 0;
     result_.events_in_doubt.clear();
     event_rows_.emplace(grid_.t, result_.simulation);
+    expected_excess_.reset();
     const bool is_near = motion().is_near_round_off();
     std::optional<Simulation> sharper;
     if (is_near) sharper = sharper_motion();
@@ -117,6 +142,7 @@ class Ladder {
     std::vector<Simulation> others;
     if (!add_check(others, 1)) return;
     if (is_near || !tells_truncation(motion(), others.front())) {
+      if (!is_near && is_measured_looser(others)) return;
       if (!is_near) sharper = sharper_motion();
       if (is_enough()) return state({std::move(*sharper)});
       const bool can_afford_another = left() >= 2 * others.front().evaluations;
@@ -129,6 +155,40 @@ class Ladder {
     state(others);
   }
 
+  /// Where rounding may be as large as the difference, and both are far below what is wanted, the same check
+  /// tells the error of a looser run, and no more digits are needed. False, and all as it was, where that run
+  /// does not meet what is wanted.
+  bool is_measured_looser(const std::vector<Simulation>& checks) {
+    const std::optional<Tolerances> looser = looser_than_needed(checks);
+    if (!looser) return false;
+    MeasuredSimulation tighter = std::move(result_);
+    take(*looser);
+    if (ended_well(result_.simulation.ending) && can_be_checked_by(checks.front()) &&
+        tells_truncation(motion(), checks.front())) {
+      state(checks);
+      if (excess(result_.max_abs_error) <= 1 && !contradicts_) return true;
+    }
+    contradicts_ = false;
+    result_ = std::move(tighter);
+    return false;
+  }
+
+  /// None where the error of the run is not far below what is wanted, or would still be rounding, and where
+  /// the check has rows at its events: another run has them at other instants.
+  [[nodiscard]] std::optional<Tolerances> looser_than_needed(const std::vector<Simulation>& checks) const {
+    if (!is_error_wanted() || !request_.events.empty() || !event_rows_->events().empty()) return std::nullopt;
+    const std::vector<double> difference = largest_differences(motion(), checks.front());
+    const double now = safety_of_differences * excess(difference), rtol = result_.tolerances.rtol;
+    if (!(now <= far_below)) return std::nullopt;
+    const double looser = std::min({rtol * aim / now, loosest_of_wanted * goal_.value, loosest});
+    const std::vector<double> scale = largest_magnitudes(motion(), Rows::wanted);
+    for (std::size_t k = 0; k < scale.size(); ++k) {
+      const double then = difference[k] * (looser / rtol);
+      if (then > 0 && then < near_round_off * scale[k]) return std::nullopt;
+    }
+    return looser > rtol ? std::optional(with_rtol(looser)) : std::nullopt;
+  }
+
   std::optional<Simulation> sharper_motion() {
     SharperMotion sharper = in_more_digits(motion(), left());
     spent_ += sharper.evaluations;
@@ -137,10 +197,31 @@ class Ladder {
 
   /// False where it does not tell the error of the first.
   bool add_check(std::vector<Simulation>& others, double direction) {
-    const SimulationRequest request = check_of(motion(), direction);
-    result_.verified_by = request.method;
-    Simulation& other = others.emplace_back(run(request));
+    const ComputedMotion now = motion();
+    SimulationRequest request = check_of(now, direction);
+    std::optional<ErrorGrowth> growth;
+    if (can_give_up()) {
+      growth.emplace(now, wanted());
+      request.goes_on = [this, &growth](std::size_t first, std::span<const double> rows) {
+        return growth->add(first, rows) || !is_enough_to_expect(growth->expected());
+      };
+    }
+    Simulation& other = others.emplace_back(run(std::move(request)));
     event_rows_->set_apart(other, request_.y_start.size());
+    if (other.ending != Ending::given_up) return can_be_checked_by(other);
+    expected_excess_ = growth->expected();
+    return false;
+  }
+
+  /// Where a tighter run can be expected to do, and rows at impacts do not differ for another reason.
+  [[nodiscard]] bool can_give_up() const {
+    return may_give_up_ && result_.simulation.method == Method::taylor && !motion().is_near_round_off() &&
+           result_.simulation.sections.empty() &&
+           left() / work_of_all_rungs >= result_.simulation.evaluations;
+  }
+
+  bool can_be_checked_by(const Simulation& other) {
+    result_.verified_by = other.method;
     result_.bounded = result_.bounded && other.bounded;
     if (const char* reason = not_comparable(motion(), other)) {
       result_.reason = reason;
@@ -166,13 +247,23 @@ class Ladder {
     if (contradicts_) result_.reason = contradiction(comparison.changed);
   }
 
+  [[nodiscard]] bool is_error_wanted() const {
+    return goal_.kind == Kind::absolute || goal_.kind == Kind::relative;
+  }
+
+  /// The error wanted of each column.
+  [[nodiscard]] std::vector<double> wanted() const {
+    std::vector<double> wanted = largest_magnitudes(motion(), Rows::wanted);
+    for (double& error : wanted) error = goal_.value * (goal_.kind == Kind::relative ? error : 1.0);
+    return wanted;
+  }
+
   /// The largest error in units of what is wanted; 1 is met.
-  [[nodiscard]] double excess() const {
-    const std::vector<double> scale = largest_magnitudes(motion(), Rows::wanted);
+  [[nodiscard]] double excess(const std::vector<double>& error) const {
+    const std::vector<double> wanted = this->wanted();
     double largest = 0;
-    for (std::size_t k = 0; k < result_.max_abs_error.size(); ++k) {
-      const double wanted = goal_.value * (goal_.kind == Kind::relative ? scale[k] : 1.0);
-      if (result_.max_abs_error[k] > 0) largest = std::max(largest, result_.max_abs_error[k] / wanted);
+    for (std::size_t k = 0; k < error.size(); ++k) {
+      if (error[k] > 0) largest = std::max(largest, error[k] / wanted[k]);
     }
     return largest;
   }
@@ -184,7 +275,7 @@ class Ladder {
       best_ = result_;
       return false;
     }
-    const double now = excess();
+    const double now = excess(result_.max_abs_error);
     result_.meets_request = result_.bounded && now <= 1 && !contradicts_;
     excess_ = now;
     if (!best_ || best_contradicts_ || (now < best_excess_ && !contradicts_)) {
@@ -198,8 +289,7 @@ class Ladder {
   /// The next tolerance; none when there is no work left for it.
   [[nodiscard]] std::optional<Tolerances> tighter(const Tolerances& now) const {
     if (goal_.kind != Kind::work) {
-      const double factor = std::clamp(aim / excess_, 1e-6, 0.1);
-      return with_rtol(std::max(tightest_tolerance, now.rtol * factor));
+      return with_rtol(rtol_to_meet(excess_, now.rtol));
     }
     // A run and its check cost twice as much as now when the tolerance goes down by this factor.
     const double cost = static_cast<double>(best_->simulation.evaluations) * 2.4;
@@ -212,11 +302,21 @@ class Ladder {
     return with_rtol(std::clamp(now.rtol * factor, least, std::max(least, now.rtol * 0.1)));
   }
 
+  /// Of a run with that error, in units of what is wanted.
+  [[nodiscard]] static double rtol_to_meet(double excess, double rtol) {
+    return std::max(tightest_tolerance, rtol * std::clamp(aim / excess, 1e-6, 0.1));
+  }
+
+  /// The next run is not chosen by a guess where its check takes double-doubles, except from next to them.
+  [[nodiscard]] bool is_enough_to_expect(double excess) const {
+    const double rtol = result_.tolerances.rtol;
+    return rtol <= next_to_digits || rtol_to_meet(excess, rtol) >= next_to_digits;
+  }
+
   MeasuredSimulation finished() {
     grid_.thin(result_.simulation, request_.y_start.size(), request_.columns.size());
     result_.evaluations = spent_;
-    const bool error_wanted = goal_.kind == Kind::absolute || goal_.kind == Kind::relative;
-    if (error_wanted && result_.max_abs_error.empty()) {
+    if (is_error_wanted() && result_.max_abs_error.empty()) {
       result_.meets_request = false;  // for the reason that there is already
     } else if (result_.meets_request == false && result_.reason.empty()) {
       const bool work_is_spent = doubt_ > 0 || (result_.tolerances.rtol > tightest_tolerance &&
@@ -235,6 +335,8 @@ class Ladder {
   MeasuredSimulation result_;
   std::optional<MeasuredSimulation> best_;
   double best_excess_{}, excess_{};
+  bool may_give_up_{false};
+  std::optional<double> expected_excess_;              ///< of a motion whose check was given up
   bool contradicts_{false}, best_contradicts_{false};  ///< what is conserved has changed
   double doubt_{};                                     ///< of each column: round-off that was not measured
   std::uint64_t spent_{};

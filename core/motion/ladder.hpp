@@ -17,7 +17,10 @@
 // it is checked by the tightest run there is, and does not climb.
 //
 // A wanted error is reached by climbing: the error at one tolerance tells the next one to try, until the
-// wanted error is met, the allowed work is spent, or the last rung is reached.
+// wanted error is met, the allowed work is spent, or the last rung is reached. A check that shows early that
+// its motion does not meet it is given up (error_growth.hpp). And where a motion is so far below what is
+// wanted that rounding hides its error, a looser one is returned whose error the same check tells: more
+// digits would cost several times as much.
 
 #include <optional>
 #include <string>

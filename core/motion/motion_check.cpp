@@ -108,6 +108,26 @@ std::vector<double> rounding_of_a_step(const ComputedMotion& motion) {
   return rounding;
 }
 
+/// Which columns do; empty where the difference of one of them is round-off.
+std::vector<bool> columns_that_vary(const ComputedMotion& motion, const Simulation& check,
+                                    std::span<const double> differences) {
+  const std::size_t width = motion.width();
+  const std::size_t count = std::min(motion.simulation.states.size(), check.states.size());
+  const double* states = motion.simulation.states.data();
+  std::vector<bool> varies(width);
+  for (std::size_t k = 0; k < width; ++k) {
+    double size = 0;
+    bool is_other = false;
+    for (std::size_t i = k; i < count; i += width) {
+      size = std::max(size, std::abs(states[i]));
+      is_other = is_other || states[i] != states[k];
+    }
+    if (is_other && differences[k] <= near_round_off * size) return {};
+    varies[k] = is_other;
+  }
+  return varies;
+}
+
 /// None where the equations or what happens on the way cannot be followed in double-doubles.
 std::optional<ExtendedRun> extended_states_of(const Simulation& motion, const Dynamics& dynamics,
                                               const ExtendedMotionRequest& request) {
@@ -170,30 +190,37 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   return request;
 }
 
-bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
-  const std::vector<double>& states = motion.simulation.states;
-  const std::size_t width = motion.width(), n = width / 2;
-  std::vector<double> differences;
-  std::vector<bool> varies(width);
+std::vector<double> largest_differences(const ComputedMotion& motion, const Simulation& check) {
+  const std::size_t width = motion.width();
+  const std::size_t count = std::min(motion.simulation.states.size(), check.states.size());
+  std::vector<double> differences(width);
   for (std::size_t k = 0; k < width; ++k) {
-    double difference = 0, size = 0;
-    for (std::size_t i = k; i < std::min(states.size(), check.states.size()); i += width) {
-      difference = std::max(difference, std::abs(states[i] - check.states[i]));
-      size = std::max(size, std::abs(states[i]));
-      varies[k] = varies[k] || states[i] != states[k];
-    }
-    if (varies[k] && difference <= near_round_off * size) return false;
-    differences.push_back(difference);
+    const double *own = motion.simulation.states.data(), *other = check.states.data();
+    double difference = 0;
+    for (std::size_t i = k; i < count; i += width)
+      difference = std::max(difference, std::abs(own[i] - other[i]));
+    differences[k] = difference;
   }
+  return differences;
+}
+
+bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
+  const std::size_t width = motion.width(), n = width / 2;
+  const std::vector<double> differences = largest_differences(motion, check);
+  const std::vector<bool> varies = columns_that_vary(motion, check, differences);
+  if (varies.empty()) return false;
   const std::vector<double> in_common = rounding_of_a_step(motion);
   for (std::size_t i = 0; i < n; ++i) {
     if (differences[n + i] <= much_more * in_common[i]) return false;
   }
   if (!keeps_better(motion.simulation, check)) return false;
-  for (std::size_t i = 0; i < check.apart.size(); ++i) {
-    const double difference = differences[i % width];
-    if (varies[i % width] && much_more * difference <= check.apart[i]) return false;
-    if (varies[i % width] && difference <= farther_than_samples * check.apart_by_rounding[i]) return false;
+  for (std::size_t k = 0; k < width; ++k) {
+    if (!varies[k]) continue;
+    const double difference = differences[k];
+    for (std::size_t i = k; i < check.apart.size(); i += width) {
+      if (much_more * difference <= check.apart[i]) return false;
+      if (difference <= farther_than_samples * check.apart_by_rounding[i]) return false;
+    }
   }
   return true;
 }

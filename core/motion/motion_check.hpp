@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/motion/dense_grid.hpp"
@@ -36,6 +37,9 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 
 /// Its rows are those of event_rows. Numbers are moved up (1) or down (-1).
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);
+
+/// The largest difference of each column.
+[[nodiscard]] std::vector<double> largest_differences(const ComputedMotion& motion, const Simulation& check);
 
 /// One check tells the error of truncation. Where round-off is as large, as the difference or what is
 /// conserved shows, or the accelerations at some rows, a single difference may be small by chance; two checks

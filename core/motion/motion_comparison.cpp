@@ -1,7 +1,9 @@
 #include "core/motion/motion_comparison.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "core/motion/event_comparison.hpp"
@@ -27,6 +29,9 @@ void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::ve
   }
 }
 
+/// Of a number that is not negative.
+double next_above(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
+
 class Comparing {
  public:
   Comparing(const ComputedMotion& motion, const std::vector<Simulation>& others)
@@ -38,7 +43,14 @@ class Comparing {
         errors_(largest_, [&] { return winding_coordinates(motion.dynamics.model()); }),
         workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)),
         missed_(width_),
-        acceleration_(width_ / 2) {}
+        acceleration_(width_ / 2),
+        tau_(width_ / 2),
+        difference_(width_) {
+    for (std::size_t i = 0; i < tau_.size(); ++i) {
+      const double tau = largest_[i] / largest_[tau_.size() + i];
+      if (tau > 0 && std::isfinite(tau)) tau_[i] = tau;
+    }
+  }
 
   RowComparison compare(double doubt) {
     RowComparison result;
@@ -91,13 +103,13 @@ class Comparing {
 
   void add_rounding_of_instant(std::size_t row) {
     const double t = motion_.grid.t[row];
-    const double in_parts = std::ldexp(t, 20), left_out = std::abs(motion_.grid.left_out[row]);
+    const double in_parts = t * 0x1p20, left_out = std::abs(motion_.grid.left_out[row]);
     const bool is_short = in_parts == std::nearbyint(in_parts);  // and so a decimal, too
     if (is_short && left_out == 0) return;
     const std::size_t n = width_ / 2;
     const std::span<const double> y = row_of(motion_.simulation, row);
     if (!take_accelerations(row)) return;
-    const double rounded = is_short ? left_out : (std::nextafter(std::abs(t), infinity) - std::abs(t)) / 2;
+    const double rounded = is_short ? left_out : (next_above(std::abs(t)) - std::abs(t)) / 2;
     for (std::size_t i = 0; i < n; ++i) {
       missed_[i] += rounded * std::abs(y[n + i]);
       missed_[n + i] += rounded * std::abs(acceleration_[i]);
@@ -127,17 +139,17 @@ class Comparing {
     const std::span<const double> y = row_of(motion_.simulation, row);
     const std::vector<double>& t = motion_.grid.t;
     const double to_next = row + 1 < t.size() ? t[row + 1] - t[row] : row > 0 ? t[row] - t[row - 1] : 0;
-    const auto difference = [&](std::size_t k) {
-      double largest = 0;
-      for (const auto& other : same_row_) largest = std::max(largest, std::abs(y[k] - other.row[k]));
-      return largest;
-    };
+    std::ranges::fill(difference_, 0.0);
+    for (const auto& other : same_row_) {
+      for (std::size_t k = 0; k < 2 * n; ++k)
+        difference_[k] = std::max(difference_[k], std::abs(y[k] - other.row[k]));
+    }
     for (std::size_t i = 0; i < n; ++i) {
-      const double tau = largest_[i] / largest_[n + i];
-      if (!(tau > 0) || !std::isfinite(tau)) continue;
+      const double tau = tau_[i];
+      if (tau == 0) continue;
       const double away = std::min(to_next / 2, part * tau);
-      missed_[i] += away * difference(n + i);
-      missed_[n + i] += away / tau * (difference(i) / tau);
+      missed_[i] += away * difference_[n + i];
+      missed_[n + i] += away / tau * (difference_[i] / tau);
     }
   }
 
@@ -193,6 +205,8 @@ class Comparing {
   std::vector<OtherRow> same_row_;                   ///< of the others
   std::vector<std::vector<double>> beside_impacts_;  ///< those of them that were moved
   std::vector<double> missed_, acceleration_;
+  std::vector<double> tau_;         ///< L_q / L_v of each coordinate; 0 where that is no time
+  std::vector<double> difference_;  ///< in a row, the largest of each column
 };
 
 }  // namespace
@@ -203,7 +217,8 @@ std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which)
   for (std::size_t row = 0; row < motion.simulation.rows; ++row) {
     if (which == Rows::wanted && !motion.grid.wanted[row]) continue;
     const double* y = motion.simulation.states.data() + row * width;
-    for (std::size_t k = 0; k < width; ++k) largest[k] = std::max(largest[k], std::abs(y[k]));
+    double* const most = largest.data();
+    for (std::size_t k = 0; k < width; ++k) most[k] = std::max(most[k], std::abs(y[k]));
   }
   return largest;
 }

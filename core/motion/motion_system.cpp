@@ -60,6 +60,7 @@ RightHandSide system_of(const CompiledFunction& accelerations, const CompiledFun
     system.defect = [expansion](double h, std::span<const double> allowed, std::span<double> defect) {
       return expansion->bound_defect(h, allowed, defect);
     };
+    system.rounding = [expansion](std::span<double> rounding) { expansion->bound_rounding(rounding); };
   }
   return system;
 }

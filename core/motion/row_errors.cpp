@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace qdot {
 namespace {
@@ -12,40 +13,53 @@ constexpr double too_much = 0.5;         ///< of a column
 constexpr double safety_of_samples = 2;  ///< of what another is off by: one sample of its signs
 constexpr double of_lost = 4;  ///< times the range: the true motion may go farther than those computed
 
-double largest_difference(std::size_t k, std::span<const double> row, std::span<const OtherRow> others) {
-  double difference = 0;
-  for (const OtherRow& other : others) difference = std::max(difference, std::abs(row[k] - other.row[k]));
-  return difference;
+/// In one column of a row.
+struct Largest {
+  double difference{}, apart{};  ///< of the others from it, and from what they stand for
+
+  [[nodiscard]] double error(double value, double unseen) const {
+    return difference + std::max(difference, safety_of_samples * apart) + storing * std::abs(value) + unseen;
+  }
+};
+
+inline Largest largest_of(std::size_t k, double value, std::span<const OtherRow> others) {
+  Largest largest;
+  for (const OtherRow& other : others) {
+    largest.difference = std::max(largest.difference, std::abs(value - other.row[k]));
+    if (!other.apart.empty()) largest.apart = std::max(largest.apart, other.apart[k]);
+  }
+  return largest;
 }
 
 }  // namespace
 
 double error_of_row(std::size_t k, std::span<const double> row, std::span<const OtherRow> others,
                     std::span<const double> unseen) {
-  const double difference = largest_difference(k, row, others);
-  double apart = 0;
-  for (const OtherRow& other : others) {
-    if (!other.apart.empty()) apart = std::max(apart, other.apart[k]);
-  }
-  return difference + std::max(difference, safety_of_samples * apart) + storing * std::abs(row[k]) +
-         (unseen.empty() ? 0 : unseen[k]);
+  return largest_of(k, row[k], others).error(row[k], unseen.empty() ? 0 : unseen[k]);
 }
 
 RowErrors::RowErrors(std::vector<double> scale, Winding winding)
     : scale_(std::move(scale)),
       error_(scale_.size()),
       winding_(std::move(winding)),
+      error_before_(error_),
       lowest_(scale_.size(), std::numeric_limits<double>::infinity()),
       highest_(scale_.size(), -std::numeric_limits<double>::infinity()) {}
 
 void RowErrors::add(double t, std::span<const double> row, std::span<const OtherRow> others,
                     std::span<const double> unseen) {
-  const bool is_first = error_before_.empty();
-  if (!lost_) error_before_ = error_;
+  const bool is_first = std::exchange(is_first_, false);
+  if (!lost_) error_before_.swap(error_);
+  const double* const before = lost_ ? error_.data() : error_before_.data();
+  double* const error = error_.data();
+  const double* const scale = scale_.data();
+  bool is_lost = lost_;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    error_[k] = std::max(error_[k], error_of_row(k, row, others, unseen));
-    lost_ = lost_ || safety_of_differences * largest_difference(k, row, others) > too_much * scale_[k];
+    const Largest largest = largest_of(k, row[k], others);
+    error[k] = std::max(before[k], largest.error(row[k], unseen.empty() ? 0 : unseen[k]));
+    is_lost = is_lost | (safety_of_differences * largest.difference > too_much * scale[k]);
   }
+  lost_ = is_lost;
   widen(row);
   for (const OtherRow& other : others) widen(other.row);
   if (!lost_ || is_first) t_before_ = t;
@@ -64,9 +78,10 @@ void RowErrors::widen_lost(double t) {
 }
 
 void RowErrors::widen(std::span<const double> row) {
+  double *const lowest = lowest_.data(), *const highest = highest_.data();
   for (std::size_t k = 0; k < row.size(); ++k) {
-    lowest_[k] = std::min(lowest_[k], row[k]);
-    highest_[k] = std::max(highest_[k], row[k]);
+    lowest[k] = std::min(lowest[k], row[k]);
+    highest[k] = std::max(highest[k], row[k]);
   }
 }
 

@@ -56,7 +56,7 @@ class RowErrors {
 
   std::vector<double> scale_, error_;
   Winding winding_;
-  bool lost_{false};
+  bool is_first_{true}, lost_{false};
   double t_before_{};                 ///< the last row before the motion was lost
   std::vector<double> error_before_;  ///< at it
   std::vector<bool> winds_;           ///< once the motion is lost

@@ -11,6 +11,7 @@
 #include "core/motion/apart_along.hpp"
 #include "core/motion/instant_impacts.hpp"
 #include "core/motion/motion_sections.hpp"
+#include "core/motion/start_conditions.hpp"
 #include "core/motion/start_from_rest.hpp"
 #include "core/motion/unseen_along.hpp"
 
@@ -39,7 +40,7 @@ class Simulator {
   }
 
   Simulation run() {
-    check_configuration();
+    check_configuration(sections_.watches(), start());
     if (!stopped_at_start()) {
       std::size_t impacts = 0;
       while (segment()) {
@@ -60,39 +61,20 @@ class Simulator {
   }
 
  private:
-  /// The motion is over before it begins where a condition fails in the initial state.
+  [[nodiscard]] MotionStart start() const {
+    return {result_.t, result_.y, request_.t_end - request_.t_start};
+  }
+
   bool stopped_at_start() {
-    for (const Watch& watch : sections_.watches()) {
-      if (watch.kind != Watch::Kind::validity || holds_at_start(watch)) continue;
-      result_.stop = Stop{watch.reason, result_.t, watch.message};
-      result_.ending = Ending::event;
-      result_.states = result_.y;
-      result_.rows = !request_.grid.empty() && request_.grid.front() == result_.t ? 1 : 0;
-      result_.states.resize(result_.rows * result_.y.size());
-      row_sections_.resize(result_.rows, sections_.section());
-      return true;
-    }
-    return false;
-  }
-
-  /// A condition that holds with equality fails at once when its value falls from there.
-  bool holds_at_start(const Watch& watch) const {
-    const double value = watch.value(result_.t, result_.y);
-    if (value != 0) return !(value < 0);
-    const double h = 1e-9 * std::min(1.0, request_.t_end - request_.t_start);
-    std::vector<double> y = result_.y, slope(y.size());
-    if (sections_.system().derivative(result_.t, y, slope) != Evaluation::ok) return true;
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];
-    return !(watch.value(result_.t + h, y) < 0);
-  }
-
-  void check_configuration() const {
-    for (const Watch& watch : sections_.watches()) {
-      if (watch.kind != Watch::Kind::singularity) continue;
-      const double value = watch.value(result_.t, result_.y);
-      if (watch.direction == Crossing::falling ? value > 0 : value != 0) continue;
-      throw Error(ErrorCode::invalid_state, watch.message);
-    }
+    const Watch* failing = failing_at_start(sections_.watches(), sections_.system(), start());
+    if (failing == nullptr) return false;
+    result_.stop = Stop{failing->reason, result_.t, failing->message};
+    result_.ending = Ending::event;
+    result_.states = result_.y;
+    result_.rows = !request_.grid.empty() && request_.grid.front() == result_.t ? 1 : 0;
+    result_.states.resize(result_.rows * result_.y.size());
+    row_sections_.resize(result_.rows, sections_.section());
+    return true;
   }
 
   /// Integrates to the next impact. True when there was one.
@@ -147,7 +129,7 @@ class Simulator {
 
   /// Whether the motion goes on by a step away from a place where a speed is zero, or after one.
   [[nodiscard]] bool leaves_rest(const Run& done) const {
-    if (done.ending == Ending::event) return false;
+    if (done.ending == Ending::event || done.ending == Ending::given_up) return false;
     if (done.ending == Ending::reached_end) return done.t < request_.t_end;
     return done.steps > 0 && from_rest_.length(done.t, done.y, sections_.system()).has_value();
   }
@@ -168,6 +150,11 @@ class Simulator {
     run.y_start = result_.y;
     run.t_end = request_.t_end;
     run.grid = std::span(request_.grid).subspan(result_.rows);
+    if (request_.goes_on) {
+      run.goes_on = [this, before = result_.rows](std::size_t first, std::span<const double> rows) {
+        return request_.goes_on(before + first, rows);
+      };
+    }
     run.method = request_.method;
     const std::optional<double> step = from_rest_.length(run.t_start, run.y_start, sections_.system());
     if (step) {

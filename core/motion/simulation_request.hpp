@@ -2,7 +2,9 @@
 // Which motion is wanted, and of it what.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,9 @@ struct SimulationRequest {
   double t_end{};
   std::vector<double> grid;           ///< increasing, in [t_start, t_end]
   std::vector<double> grid_left_out;  ///< what they leave out of the instants that were typed; empty: nothing
-  std::vector<Column> columns;        ///< wanted beside the state
-  std::vector<std::string> events;    ///< "theta = 0+", or names of the scene's events
+  std::function<bool(std::size_t first, std::span<const double> rows)> goes_on{};  ///< as RunRequest::goes_on
+  std::vector<Column> columns;      ///< wanted beside the state
+  std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};
   Impacts impacts{Impacts::apply};
   std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one

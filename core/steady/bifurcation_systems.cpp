@@ -1,12 +1,15 @@
 #include "core/steady/bifurcation_systems.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/linear.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/steady/exponential_form.hpp"
 #include "core/steady/factors.hpp"
 #include "core/steady/growing_oscillations.hpp"
 #include "core/steady/linear_unknowns.hpp"
@@ -104,7 +107,10 @@ class SystemsDerivation {
       for (const Expression& rate : {x_dot.back(), x_ddot.back()})
         at_rest_.emplace_back(rate, graph_.number(0));
     }
-    if (equations.size() > largest_written_system) return;
+    if (equations.size() > largest_written_system) {
+      result_.growth_is_unknown = !forces_.symmetric || !rest_without_rates(equations, x_dot);
+      return;
+    }
     const Matrix rates = slopes_at_rest(equations, x_dot);
     const auto vanishes = [](const std::vector<Expression>& row) {
       return std::ranges::all_of(row, &Expression::is_zero);
@@ -119,6 +125,16 @@ class SystemsDerivation {
   } catch (const Error& error) {  // the algebra grows too large
     if (error.code() != ErrorCode::too_large) throw;
     growth_.reset();
+    result_.growth_is_unknown = true;
+  }
+
+  /// No equation has a term that is linear in a velocity, as its derivatives at rest show without algebra.
+  [[nodiscard]] bool rest_without_rates(const std::vector<Expression>& equations,
+                                        const std::vector<Expression>& x_dot) const {
+    return std::ranges::all_of(equations, [&](const Expression& e) {
+      return std::ranges::all_of(
+          x_dot, [&](const Expression& v) { return substitute(differentiate(e, v), at_rest_).is_zero(); });
+    });
   }
 
   /// Of a family of equilibria. What one of its factors is itself is 0.
@@ -153,6 +169,7 @@ class SystemsDerivation {
       for (const Expression& v : variables_) slopes.push_back(simplify(differentiate(e, v)));
     }
     result_.slopes = compiled(slopes);
+    for (const Exponential w : {Exponential::rising, Exponential::falling}) add_nested(numerators, w);
     if (x_.size() > 1) return add_mirrors(numerators);
     if (x_.size() != 1 || numerators.size() != 1) return;
     const Expression second = simplify(differentiate(slopes[0], x_[0]));
@@ -169,6 +186,16 @@ class SystemsDerivation {
       for (const Expression& centre : found) centres.push_back(centre + graph_.symbol("pi"));
     }
     result_.centres = compiled(centres);
+  }
+
+  void add_nested(const std::vector<Expression>& numerators, Exponential w) {
+    std::vector<Expression> nested, slopes;
+    for (const Expression& e : numerators) nested.push_back(nested_in_exponentials(e, x_, w));
+    if (nested == numerators) return;
+    for (const Expression& e : nested) {
+      for (const Expression& v : variables_) slopes.push_back(simplify(differentiate(e, v)));
+    }
+    result_.nested.push_back({compiled(nested), compiled(slopes)});
   }
 
   /// 0, where a factor that is linear in x vanishes, and the middle of the roots of a polynomial in x.
@@ -237,13 +264,54 @@ class SystemsDerivation {
     return result;
   }
 
+  /// df/dx of one unknown that is no angle, where f = a + p^n b: b a' - a b' = b df/dx - b' f, which knows
+  /// nothing of p, so that a search far out, where forces are small, does not depend on how small p is.
+  Expression without_parameter(const std::vector<Expression>& f, const Expression& slope) {
+    if (f.size() != 1 || forces_.turns[result_.unknowns[0]] || !depends_on(slope, p_)) return slope;
+    std::map<int, Polynomial> parts;
+    for (const auto& [monomial, coefficient] : multiplied_out(f[0])) {
+      const int power = exponent_of(monomial, p_.id());
+      const Monomial rest = times(monomial, p_.id(), -power);
+      if (depends_on(to_expression(graph_, rest), p_)) return slope;
+      qdot::add(parts[power], rest, coefficient);
+    }
+    if (parts.size() != 2 || parts.begin()->first != 0) return slope;
+    const Polynomial &first = parts.begin()->second, &last = parts.rbegin()->second;
+    if (!have_no_common_zero(first, last)) return slope;
+    const Expression a = to_expression(graph_, first), b = to_expression(graph_, last);
+    return simplify(numerator_of(b * differentiate(a, x_[0]) - a * differentiate(b, x_[0]), all_x_));
+  }
+
+  /// Where both vanish, f does for every p. b is one product: of what cannot vanish, or a power of x beside a
+  /// polynomial a that has a term without x.
+  [[nodiscard]] bool have_no_common_zero(const Polynomial& a, const Polynomial& b) {
+    if (b.size() != 1) return false;
+    const auto is_positive = [&](const Expression& e) {
+      const auto* call = std::get_if<Call>(&e.node());
+      return !depends_on(e, x_) ||
+             (call != nullptr && (call->function == Function::exp || call->function == Function::cosh));
+    };
+    const auto all_are = [&](const Monomial& monomial, const auto& wanted) {
+      return std::ranges::all_of(monomial,
+                                 [&](const Atom& atom) { return wanted(Expression(graph_, atom.base)); });
+    };
+    const Monomial& product = b.begin()->first;
+    if (all_are(product, is_positive)) return true;
+    const auto is_power = [&](const Expression& e) { return e == x_[0] || is_positive(e); };
+    const auto is_symbolic = [&](const Expression& e) { return e == x_[0] || !depends_on(e, x_); };
+    const auto knows_nothing_of_x = [&](const Expression& e) { return !depends_on(e, x_); };
+    return all_are(product, is_power) &&
+           std::ranges::all_of(a, [&](const auto& term) { return all_are(term.first, is_symbolic); }) &&
+           std::ranges::any_of(a, [&](const auto& term) { return all_are(term.first, knows_nothing_of_x); });
+  }
+
   void add_fold(std::vector<Expression> f) {
     Matrix jacobian;
     for (const Expression& fi : f) {
       jacobian.emplace_back();
       for (const Expression& x : x_) jacobian.back().push_back(differentiate(fi, x));
     }
-    const Expression all = simplify(determinant(jacobian));
+    const Expression all = without_parameter(f, simplify(determinant(jacobian)));
     if (all.is_zero()) return;
     const std::vector<Factor> factors = factors_along(all, p_);
     Expression constant = graph_.number(1);  // it may be zero for some parameters
@@ -288,14 +356,15 @@ class SystemsDerivation {
       throw Error(ErrorCode::not_applicable,
                   "The forces have too many factors to follow all their equilibria.");
     }
-    std::vector<Expression> jacobian;
+    std::vector<Expression> values, jacobian;
     for (const Expression& e : f) {
-      for (const Expression& v : variables_) jacobian.push_back(simplify(differentiate(e, v)));
+      values.push_back(nested_in_exponentials(e, x_));
+      for (const Expression& v : variables_) jacobian.push_back(simplify(differentiate(values.back(), v)));
     }
     const bool is_growth =
         kind == BifurcationSystem::Kind::growth || kind == BifurcationSystem::Kind::degenerate_growth;
     auto& systems = is_growth ? result_.growth : result_.systems;
-    systems.push_back({kind, compiled(f), compiled(jacobian)});
+    systems.push_back({kind, compiled(values), compiled(jacobian)});
   }
 
   [[nodiscard]] CompiledFunction compiled(const std::vector<Expression>& expressions) {

@@ -34,6 +34,8 @@ struct BifurcationSystems {
   /// Of equilibria about which oscillations begin to grow: `systems` knows nothing of them.
   std::vector<BifurcationSystem> growth;
   bool growth_is_collision{};  ///< of two frequencies
+  /// Too many coordinates, or algebra that grows too large: oscillations may grow, and `growth` is empty.
+  bool growth_is_unknown{};
   CompiledFunction square;  ///< omega^2 of the oscillations at (x, p); without outputs where it is not known
   /// Factors of p alone, as functions of p and their slopes: where one vanishes, so does a force everywhere.
   CompiledFunction vanishing, vanishing_slopes;
@@ -42,6 +44,12 @@ struct BifurcationSystems {
   /// The numerators N_i of the forces at (x, p), without factors that cannot vanish, and their derivatives
   /// along all of (x, p), by rows.
   CompiledFunction numerators, slopes;
+  /// What has the zeros of `numerators`, nested in exponentials (core/steady/exponential_form.hpp) that rise
+  /// or fall: for the ends of a region. None without exponentials.
+  struct Nested {
+    CompiledFunction values, slopes;
+  };
+  std::vector<Nested> nested;
   CompiledFunction higher;  ///< N_xx, N_xp, N_xxx; only of one unknown
   /// Centres of reflections that turn N into -N, whatever p: functions without variables that matter. Of one
   /// unknown.

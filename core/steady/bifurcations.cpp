@@ -8,6 +8,7 @@
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/critical_sentences.hpp"
 #include "core/steady/missed_changes.hpp"
+#include "core/steady/missed_growth.hpp"
 #include "core/steady/region_ends.hpp"
 
 namespace qdot {
@@ -38,7 +39,7 @@ class CriticalSearch {
       return std::move(result_);
     }
     const auto depends = [](const CriticalChart& c) {
-      return c.systems->depends || !c.systems->growth.empty();
+      return c.systems->depends || !c.systems->growth.empty() || c.systems->growth_is_unknown;
     };
     if (std::ranges::none_of(all_.charts(), depends)) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
@@ -118,7 +119,7 @@ class CriticalSearch {
         critical_growth(dynamics_, problem_, *systems_, index_, {from_, to_},
                         [&](const CriticalZero& zero) { return all_.place_of(*chart_, zero); });
     add(found.zeros);
-    if (!found.complete) incomplete(more_growth);
+    if (!found.complete || systems_->growth_is_unknown) incomplete(more_growth);
   }
 
   void leave_to_other_charts(CriticalZeros& found) {
@@ -147,11 +148,12 @@ class CriticalSearch {
   }
 
   void add_missed() {
+    const auto growth = missed_growth(dynamics_, all_, index_, result_.branches, result_.critical);
+    add(growth);
     const auto missed = missed_changes(all_, *chart_, result_.branches, result_.critical, {from_, to_});
-    if (missed.empty()) return;
     add(missed);
     std::ranges::sort(result_.critical, {}, &CriticalValue::value);
-    trace();
+    if (!missed.empty()) trace();
   }
 
   [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return systems_->unknowns; }
@@ -209,24 +211,11 @@ class CriticalSearch {
       critical.omega = known.omega->middle();
       critical.omega_error = distance_bound(critical.omega, *known.omega);
     }
-    const std::size_t n = y_.size() / 2;
-    critical.y.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n));
-    critical.y.resize(2 * n, 0.0);
-    critical.errors.assign(2 * n, 0.0);
     std::vector<Interval> constants = problem_.constants;
     constants[index_] = found.p;
-    const Box place = all_.place_of(*chart_, found);
-    for (const std::size_t k : problem_.forces->unknowns) {
-      critical.y[kept()[k]] = representative(place[k]);
-      critical.errors[kept()[k]] = distance_bound(critical.y[kept()[k]], place[k]);
-    }
-    std::vector<Interval> rates(problem_.statics->reduction.ignored.size());
-    TapeEvaluator<Interval>(problem_.forces->ignored_rates, constants)(place, rates);
-    for (std::size_t k = 0; k < rates.size(); ++k) {
-      const std::size_t i = n + problem_.statics->reduction.ignored[k];
-      critical.y[i] = representative(rates[k]);
-      critical.errors[i] = distance_bound(critical.y[i], rates[k]);
-    }
+    BoundedState state = bounded_state(problem_, constants, y_, all_.place_of(*chart_, found));
+    critical.y = std::move(state.y);
+    critical.errors = std::move(state.errors);
     return critical;
   }
 

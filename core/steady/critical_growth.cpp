@@ -18,18 +18,48 @@ std::optional<Interval> square_by_formula(const SteadyProblem& problem, const Bi
   return square[0].is_finite() ? std::optional(square[0]) : std::nullopt;
 }
 
+constexpr double off_by_rounding = 1e-6;  ///< of eigenvalues near the axis, relative
+
+using Eigenvalue = SteadyStability::Eigenvalue;
+
+/// How far it is off the imaginary axis, relative; not finite for real ones.
+double off_axis(const Eigenvalue& e) {
+  const bool oscillates = std::abs(e.s.imag()) > e.error;
+  return oscillates ? std::abs(e.s.real()) / std::abs(e.s.imag()) : infinity;
+}
+
+bool is_on_axis(const Eigenvalue& e) {
+  const double omega = std::abs(e.s.imag());
+  return off_axis(e) * omega <= e.error + off_by_rounding * omega;
+}
+
 /// The pair nearest to the imaginary axis: the condition vanishes for real ones +-r, too.
 std::optional<Interval> square_by_eigenvalues(const SteadyStability& at) {
-  constexpr double rounding = 1e-6;
   if (at.eigenvalues.empty()) return std::nullopt;
-  const auto distance = [](const SteadyStability::Eigenvalue& e) {
-    const bool oscillates = std::abs(e.s.imag()) > e.error;
-    return oscillates ? std::abs(e.s.real()) / std::abs(e.s.imag()) : infinity;
-  };
-  const auto nearest = std::ranges::min_element(at.eigenvalues, {}, distance);
-  const double omega = std::abs(nearest->s.imag());
-  const bool is_on_axis = distance(*nearest) * omega <= nearest->error + rounding * omega;
-  return is_on_axis ? square(Interval(omega)) : Interval(-1);
+  const auto nearest = std::ranges::min_element(at.eigenvalues, {}, off_axis);
+  return is_on_axis(*nearest) ? square(Interval(nearest->s.imag())) : Interval(-1);
+}
+
+/// Of pairs that cross together: omega where all have that of the formula, which knows of one pair.
+struct CrossingTogether {
+  bool is_known{}, oscillates{};
+  std::optional<Interval> omega;
+};
+
+CrossingTogether crossing_together(const SteadyStability& at, const std::optional<Interval>& formula) {
+  CrossingTogether result;
+  result.is_known = !at.eigenvalues.empty() && std::ranges::all_of(at.eigenvalues, [](const Eigenvalue& e) {
+    return std::isfinite(e.error);
+  });
+  if (formula && formula->lower > 0) result.omega = sqrt(*formula);
+  for (const Eigenvalue& e : at.eigenvalues) {
+    if (!is_on_axis(e)) continue;
+    result.oscillates = true;
+    const double omega = std::abs(e.s.imag());
+    if (result.omega && std::abs(result.omega->middle() - omega) > e.error + off_by_rounding * omega)
+      result.omega.reset();
+  }
+  return result;
 }
 
 }  // namespace
@@ -46,18 +76,24 @@ CriticalGrowth critical_growth(const Dynamics& dynamics, const SteadyProblem& pr
   for (const CriticalZero& zero : found.zeros) {
     SteadyProblem here = problem;
     here.constants[index] = zero.p;
-    const auto square = !zero.simple ? std::nullopt
-                        : has_formula
-                            ? square_by_formula(problem, systems, zero)
-                            : square_by_eigenvalues(StabilityAnalysis(dynamics, here).at(place_of(zero)));
+    const auto stability = [&] { return StabilityAnalysis(dynamics, here).at(place_of(zero)); };
+    const auto formula =
+        zero.simple && has_formula ? square_by_formula(problem, systems, zero) : std::nullopt;
+    if (zero.simple && zero.kind == BifurcationSystem::Kind::degenerate_growth) {
+      const CrossingTogether pairs = crossing_together(stability(), formula);
+      result.complete = result.complete && pairs.is_known;
+      if (pairs.oscillates)
+        result.zeros.push_back({zero, BifurcationKind::unresolved, degenerate_growth, pairs.omega});
+      continue;
+    }
+    const auto square = !zero.simple  ? std::nullopt
+                        : has_formula ? formula
+                                      : square_by_eigenvalues(stability());
     result.complete = result.complete && square && !square->contains(0.0);
     if (!square || square->lower <= 0) continue;
-    const bool is_degenerate = zero.kind == BifurcationSystem::Kind::degenerate_growth;
-    const BifurcationKind kind = is_degenerate                 ? BifurcationKind::unresolved
-                                 : systems.growth_is_collision ? BifurcationKind::flutter
-                                                               : BifurcationKind::hopf;
-    result.zeros.push_back({zero, kind, is_degenerate ? degenerate_growth : "",
-                            has_formula ? std::optional(sqrt(*square)) : std::nullopt});
+    const BifurcationKind kind =
+        systems.growth_is_collision ? BifurcationKind::flutter : BifurcationKind::hopf;
+    result.zeros.push_back({zero, kind, "", has_formula ? std::optional(sqrt(*square)) : std::nullopt});
   }
   return result;
 }

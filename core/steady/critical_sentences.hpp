@@ -16,6 +16,9 @@ inline constexpr const char* several_events =
 inline constexpr const char* change_of_stability =
     "The stability along a curve of equilibria changes here; in which way other equilibria take part is not "
     "proven.";
+inline constexpr const char* growth_along_curve =
+    "Found where the stability of an equilibrium that stays in its place changes: a pair of eigenvalues leaves the "
+    "imaginary axis between the bounds of the error, and that no other does near there is not proven.";
 inline constexpr const char* more_growth =
     "Oscillations about an equilibrium may begin to grow at more values than are listed: the search for them "
     "was given up, or rounding hides whether they do.";

@@ -6,8 +6,8 @@
 #include "core/base/error.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/steady/force_system.hpp"
-#include "core/steady/found_places.hpp"
 #include "core/steady/kink_stability.hpp"
+#include "core/steady/region_sentences.hpp"
 
 namespace qdot {
 namespace {
@@ -17,6 +17,16 @@ constexpr std::size_t most_boxes(std::size_t unknowns) { return unknowns < 3 ? 2
 constexpr std::size_t most_boxes_of_middle = 2'000;
 constexpr std::size_t most_kinks = 5;  ///< each multiplies the work by three
 
+/// No value where the enclosure reaches across an end of the domain.
+std::optional<bool> is_inside(const Domain& domain, const Interval& x) {
+  const bool below = domain.lower_open ? x.upper <= domain.lower : x.upper < domain.lower;
+  const bool above = domain.upper_open ? x.lower >= domain.upper : x.lower > domain.upper;
+  if (below || above) return false;
+  const bool past_lower = domain.lower_open ? x.lower > domain.lower : x.lower >= domain.lower;
+  const bool past_upper = domain.upper_open ? x.upper < domain.upper : x.upper <= domain.upper;
+  return past_lower && past_upper ? std::optional(true) : std::nullopt;
+}
+
 class RegionSearch {
  public:
   RegionSearch(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y)
@@ -25,8 +35,7 @@ class RegionSearch {
         problem_(problem),
         reduction_(problem_.statics->reduction),
         system_(*problem_.forces, problem_.constants, given_place()),
-        forces_(problem_.forces->forces, problem_.constants),
-        rates_(problem_.forces->ignored_rates, problem_.constants) {}
+        states_(problem_, y_) {}
 
   Equilibria run() {
     for (const std::size_t j : forces().free) result_.free.push_back(reduction_.kept[j]);
@@ -47,8 +56,9 @@ class RegionSearch {
 
  private:
   [[nodiscard]] const SteadyForces& forces() const { return *problem_.forces; }
+  [[nodiscard]] const Scene& scene() const { return dynamics_.model().scene; }
   [[nodiscard]] const Coordinate& coordinate(std::size_t place) const {
-    return dynamics_.model().scene.coordinates[reduction_.kept[place]];
+    return scene().coordinates[reduction_.kept[place]];
   }
   [[nodiscard]] Box given_place() const {
     Box place;
@@ -73,7 +83,7 @@ class RegionSearch {
 
   void find() {
     if (forces().unknowns.empty()) {
-      add({given_place(), {}, {}, true});
+      result_.states.push_back(states_.at({given_place(), {}, {}, true}));
       return;
     }
     if (forces().charts.empty()) search();
@@ -112,7 +122,7 @@ class RegionSearch {
     Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
     if (!isolation.complete) isolation = nearer(sides, region, scales, std::move(isolation));
     for (const Box& box : isolation.undecided) {
-      if (system_.holds(sides, box).value_or(true)) incomplete(undecided(box));
+      if (system_.holds(sides, box).value_or(true)) incomplete(undecided(scene(), problem_, box));
     }
     for (const Box& box : isolation.poles) give_up_at_pole(box);
     for (const IsolatedZero& zero : isolation.zeros) take(sides, zero);
@@ -145,7 +155,9 @@ class RegionSearch {
 
   void take(const Sides& sides, const IsolatedZero& zero) {
     const std::optional<bool> in_chart = system_.is_in_chart(zero.enclosure);
-    if (!in_chart) return incomplete(place_named(zero.enclosure) + " the constraints depend on each other.");
+    if (!in_chart)
+      return incomplete(place_named(scene(), problem_, zero.enclosure) +
+                        " the constraints depend on each other.");
     if (!*in_chart) return;
     const std::optional<bool> holds = system_.holds(sides, zero.enclosure);
     if (holds && !*holds) return;
@@ -158,19 +170,10 @@ class RegionSearch {
       place.sides.push_back(side == 0 ? zero.enclosure[next++] : Interval(side));
     }
     for (const std::size_t j : forces().unknowns) {
-      if (forces().turns[j] && is_inside(j, reduced_angle(place.x[j])).value_or(true)) place.turn_back(j);
+      if (forces().turns[j] && is_inside(coordinate(j).domain, reduced_angle(place.x[j])).value_or(true))
+        place.turn_back(j);
     }
     found_.add(std::move(place));
-  }
-
-  [[nodiscard]] std::string undecided(const Box& box) const {
-    std::string where;
-    for (std::size_t k = 0; k < forces().unknowns.size(); ++k) {
-      const std::size_t j = forces().unknowns[k];
-      where += (where.empty() ? "Where " : " and ") + coordinate(j).name + " lies between " +
-               short_number(box[k].lower) + " and " + short_number(box[k].upper);
-    }
-    return where + ", the forces are too small to tell whether they vanish.";
   }
 
   void mismatch() {
@@ -180,38 +183,17 @@ class RegionSearch {
                    : "The forces leave a whole family of positions in equilibrium, which is not listed.");
   }
 
-  /// "Near x = 0 and y = 1"
-  [[nodiscard]] std::string place_named(const Box& box) const {
-    std::string where;
-    for (std::size_t k = 0; k < forces().unknowns.size(); ++k) {
-      where += (where.empty() ? "Near " : " and ") + coordinate(forces().unknowns[k]).name + " = " +
-               short_number(box[k].contains(0.0) ? 0.0 : box[k].middle());
-    }
-    return where;
-  }
-
   void give_up_at_pole(const Box& box) {
     incomplete(
-        place_named(box) +
+        place_named(scene(), problem_, box) +
         " is a singularity: forces have no value there, and next to it none that tells whether they vanish.");
-  }
-
-  /// No value where the enclosure reaches across an end of the domain.
-  [[nodiscard]] std::optional<bool> is_inside(std::size_t place, const Interval& x) const {
-    const Domain& domain = coordinate(place).domain;
-    const bool below = domain.lower_open ? x.upper <= domain.lower : x.upper < domain.lower;
-    const bool above = domain.upper_open ? x.lower >= domain.upper : x.lower > domain.upper;
-    if (below || above) return false;
-    const bool past_lower = domain.lower_open ? x.lower > domain.lower : x.lower >= domain.lower;
-    const bool past_upper = domain.upper_open ? x.upper < domain.upper : x.upper <= domain.upper;
-    return past_lower && past_upper ? std::optional(true) : std::nullopt;
   }
 
   void add_within_domain(FoundPlace place) {
     if (place.simple) make_exact(place);
     bool certain = true;
     for (const std::size_t j : forces().unknowns) {
-      const std::optional<bool> inside = is_inside(j, place.x[j]);
+      const std::optional<bool> inside = is_inside(coordinate(j).domain, place.x[j]);
       if (inside && !*inside) return;
       certain = certain && inside;
     }
@@ -221,7 +203,7 @@ class RegionSearch {
           "side of it.");
       place.simple = false;
     }
-    add(place);
+    result_.states.push_back(states_.at(place));
   }
 
   /// The number that is meant, where the forces prove that it is the zero.
@@ -229,9 +211,7 @@ class RegionSearch {
     FoundPlace exact = place;
     for (Interval& x : exact.x) x = representative(x);
     if (!forces().charts.empty()) {
-      Box g(forces().rest.size());
-      forces_(exact.x, g);
-      if (std::ranges::all_of(g, is_zero)) place = exact;
+      if (states_.is_at_rest(exact.x)) place = exact;
       return;
     }
     Sides sides;
@@ -249,70 +229,12 @@ class RegionSearch {
     if (vanish && std::ranges::all_of(kinks, [](const Interval& u) { return is_zero(u); })) place = exact;
   }
 
-  void add(const FoundPlace& found) {
-    SteadyState state;
-    state.simple = found.simple;
-    state.at_kink = found.at_kink;
-    state.sides = found.sides;
-    state.enclosure = found.x;
-    std::vector<double> place;
-    for (const Interval& xi : found.x) place.push_back(representative(xi));
-    if (!found.simple && !found.at_kink) place = least_residual(found.x, place);
-    if (!found.at_kink) state.residual = largest_force(place, &Interval::magnitude);
-    fill_state(state, place, found.x);
-    result_.states.push_back(std::move(state));
-  }
-
-  template <class Size>
-  double largest_force(const std::vector<double>& place, Size size) {
-    std::vector<Interval> g(forces().rest.size());
-    forces_(Box(place.begin(), place.end()), g);
-    double largest = 0;
-    for (const Interval& force : g) largest = std::max(largest, std::abs(std::invoke(size, force)));
-    return largest;
-  }
-
-  /// Of many zeros too close to be told apart, or none: where the forces are least.
-  std::vector<double> least_residual(const Box& x, std::vector<double> best) {
-    double least = largest_force(best, &Interval::middle);
-    constexpr int samples = 64;
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      const std::vector<double> start = best;
-      for (int i = 0; i <= samples; ++i) {
-        std::vector<double> place = start;
-        place[j] = x[j].lower + x[j].width() * i / samples;
-        if (const double here = largest_force(place, &Interval::middle); here < least) {
-          least = here;
-          best = place;
-        }
-      }
-    }
-    return best;
-  }
-
-  void fill_state(SteadyState& state, const std::vector<double>& place, const Box& x) {
-    const std::size_t n = y_.size() / 2;
-    state.y.assign(y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(n));
-    state.y.resize(2 * n, 0.0);
-    state.errors.assign(2 * n, 0.0);
-    for (std::size_t j = 0; j < place.size(); ++j) {
-      state.y[reduction_.kept[j]] = place[j];
-      state.errors[reduction_.kept[j]] = distance_bound(place[j], x[j]);
-    }
-    std::vector<Interval> rates(reduction_.ignored.size());
-    rates_(x, rates);
-    for (std::size_t k = 0; k < rates.size(); ++k) {
-      state.y[n + reduction_.ignored[k]] = representative(rates[k]);
-      state.errors[n + reduction_.ignored[k]] = distance_bound(representative(rates[k]), rates[k]);
-    }
-  }
-
   const Dynamics& dynamics_;
   std::vector<double> y_;
   SteadyProblem problem_;
   const Reduction& reduction_;
   ForceSystem system_;
-  TapeEvaluator<Interval> forces_, rates_;
+  SteadyStates states_;
   std::vector<double> sizes_ = sizes();  ///< of x
   FoundPlaces found_;
   Equilibria result_;

@@ -13,24 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "core/steady/bounded_state.hpp"
 #include "core/steady/search_region.hpp"
-#include "core/steady/stability.hpp"
 
 namespace qdot {
-
-struct SteadyState {
-  std::vector<double> y;       ///< (q, q'): angles in (-pi, pi], ignored coordinates at their steady rates
-  std::vector<double> errors;  ///< a proven bound for each component of y
-  Box enclosure;               ///< of the coordinates x that are not ignored
-  SteadyStability stability;
-  double residual{};  ///< largest |g_i| at y [SI]
-  /// Proven to be one simple zero. Otherwise a multiple zero,
-  /// or several (or none) too close to be told apart.
-  bool simple{};
-  /// At a kink of the forces, where they take all values between those of its sides (core/steady/kinks.hpp).
-  bool at_kink{};
-  Box sides;  ///< s_k of each kink: -1 or 1, or an enclosure where the place is at it
-};
 
 struct Equilibria {
   std::vector<SteadyState> states;  ///< ascending in the first coordinate, then the next

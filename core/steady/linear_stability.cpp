@@ -77,9 +77,25 @@ std::vector<Interval> symmetric_part(const std::vector<Interval>& a, std::size_t
   return result;
 }
 
-std::optional<Stability> by_potential(const Inertia& inertia, bool gyroscopic) {
+/// K of the coordinates that are not free, or of all where none would be left.
+std::vector<Interval> held_stiffness(const LinearizedForces& at) {
+  const auto is_free = [&](std::size_t i) { return std::ranges::find(at.free, i) != at.free.end(); };
+  if (at.free.empty() || at.free.size() == at.n) return at.stiffness;
+  std::vector<Interval> result;
+  for (std::size_t i = 0; i < at.n; ++i) {
+    for (std::size_t j = 0; j < at.n; ++j) {
+      if (!is_free(i) && !is_free(j)) result.push_back(at.stiffness[i * at.n + j]);
+    }
+  }
+  return result;
+}
+
+std::optional<Stability> by_potential(const LinearizedForces& at, bool gyroscopic) {
+  const std::vector<Interval> stiffness = held_stiffness(at);
+  const bool has_free = stiffness.size() != at.stiffness.size();
+  const Inertia inertia = inertia_of(stiffness, has_free ? at.n - at.free.size() : at.n);
   if (inertia.negative == 0 && inertia.undecided == 0) return Stability::stable;
-  const bool odd = inertia.negative % 2 == 1 && inertia.undecided == 0;
+  const bool odd = inertia.negative % 2 == 1 && inertia.undecided == 0 && !has_free;
   if (odd || (inertia.negative > 0 && !gyroscopic)) return Stability::unstable;
   return std::nullopt;
 }
@@ -144,7 +160,7 @@ SteadyStability linear_stability(const LinearizedForces& at, const NextTerms& ne
     result.eigenvalues = eigenvalues_of(exponents);
   }
   if (potential) {
-    if (const auto decided = by_potential(inertia_of(at.stiffness, at.n), gyroscopic)) {
+    if (const auto decided = by_potential(at, gyroscopic)) {
       result.stability = *decided;
       if (*decided == Stability::stable) {  // the energy stays: nothing grows or decays
         for (Eigenvalue& e : result.eigenvalues) e.s.real(0);

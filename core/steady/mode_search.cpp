@@ -4,15 +4,11 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/compile/tape_evaluator.hpp"
-#include "core/steady/inertia.hpp"
+#include "core/steady/mode_shapes.hpp"
 #include "core/steady/spectrum.hpp"
 
 namespace qdot {
 namespace {
-
-using Balls = std::vector<Ball>;
-using Shape = std::vector<ComplexBall>;
 
 /// A value of an eigenvalue problem, and what is proven of it.
 struct Bounded {
@@ -23,6 +19,12 @@ struct Bounded {
     return proven ? std::optional(ball.error()) : std::nullopt;
   }
 };
+
+ComplexBall disc_of(const Exponent& e) {
+  ComplexBall s = e.middle;
+  s.re.radius = s.im.radius = e.radius;
+  return s;
+}
 
 class ModeSearch {
  public:
@@ -57,17 +59,6 @@ class ModeSearch {
     for (Mode& mode : modes_) {
       if (mode.kind == ModeKind::rigid) mode.multiplicity = rigid;
     }
-  }
-
-  /// u of the kept coordinates.
-  [[nodiscard]] Shape displaced(const Shape& v) const {
-    if (at_.allowed.empty()) return v;
-    Shape u;
-    for (const std::vector<Ball>& row : at_.allowed) {
-      u.emplace_back();
-      for (std::size_t f = 0; f < v.size(); ++f) u.back() = u.back() + ComplexBall(row[f]) * v[f];
-    }
-    return u;
   }
 
   // Without gyroscopic and damping terms.
@@ -119,18 +110,19 @@ class ModeSearch {
     const Ball first = found.values[members[0]];
     (first.middle.high < 0 ? s.re : s.im) =
         modes[0].omega == 0 && modes[0].rate == 0 ? Ball(0) : sqrt(first.middle.high < 0 ? -first : first);
-    set_shapes(modes, shapes, s);
+    set_shapes(at_, modes, shapes, s);
     return modes;
   }
 
   [[nodiscard]] Mode mode_of_square(const Bounded& lambda, const Shape& shape) const {
     Mode mode;
-    if (lambda.ball.contains_zero() || std::abs(lambda.ball.value()) <= rounding_of_parameters(shape)) {
-      mode.kind = is_rigid(shape) ? ModeKind::rigid : ModeKind::neutral;
+    if (lambda.ball.contains_zero() || std::abs(lambda.ball.value()) <= rounding_of_parameters(at_, shape)) {
+      mode.kind = is_rigid(at_, shape) ? ModeKind::rigid : ModeKind::neutral;
       mode.lambda = 0.0;
-      mode.omega_error = mode.kind == ModeKind::rigid
-                             ? 0
-                             : std::sqrt(std::max(lambda.ball.magnitude(), rounding_of_parameters(shape)));
+      mode.omega_error =
+          mode.kind == ModeKind::rigid
+              ? 0
+              : std::sqrt(std::max(lambda.ball.magnitude(), rounding_of_parameters(at_, shape)));
       return mode;
     }
     mode.lambda = lambda.ball.value();
@@ -142,51 +134,17 @@ class ModeSearch {
     return mode;
   }
 
-  /// How far lambda moves when every parameter moves by half a unit in its last place.
-  [[nodiscard]] double rounding_of_parameters(const Shape& shape) const {
-    Balls constants = at_.constants;
-    for (Ball& c : constants) c.radius += 0x1p-53 * std::abs(c.middle.high);
-    const Balls k = evaluated(at_.statics.stiffness, constants, at_.place.x);
-    const Shape u = displaced(shape);
-    double moved = 0;
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      for (std::size_t j = 0; j < u.size(); ++j)
-        moved += magnitude(u[i]) * k[i * at_.place.x.size() + j].radius * magnitude(u[j]);
-    }
-    Ball inertia;
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-      for (std::size_t j = 0; j < shape.size(); ++j)
-        inertia = inertia + shape[i].re * at_.reduced.mass(i, j) * shape[j].re;
-    }
-    return moved / std::abs(inertia.middle.high);
-  }
-
-  /// No force appears at finite distances along the shape, which leaves no surface.
-  [[nodiscard]] bool is_rigid(const Shape& of_reduced) const {
-    const Shape shape = displaced(of_reduced);
-    double size = 0;
-    for (const ComplexBall& entry : shape) size = std::max(size, magnitude(entry.re));
-    for (const double distance : {1.0, -0.5}) {
-      Balls x = at_.place.x;
-      for (std::size_t i = 0; i < shape.size(); ++i) x[i] = x[i] + Ball(distance / size) * shape[i].re;
-      const Balls g = evaluated(at_.statics.forces, at_.constants, x);
-      if (!std::all_of(g.begin(), g.end(), [](const Ball& force) { return force.contains_zero(); }))
-        return false;
-    }
-    return true;
-  }
-
   // With them.
 
   void from_exponents() {
     std::size_t zeros = 0;  // eigenvalues that the kernel of K answers for
     for (const Shape& shape : kernel(at_.reduced.stiffness)) {
       std::vector<Mode> modes(1);
-      modes[0].kind = is_rigid(shape) ? ModeKind::rigid : ModeKind::neutral;
+      modes[0].kind = is_rigid(at_, shape) ? ModeKind::rigid : ModeKind::neutral;
       modes[0].omega_error = 0.0;
-      set_shapes(modes, {shape}, {});
+      set_shapes(at_, modes, {shape}, {});
       modes_.push_back(modes[0]);
-      zeros += is_undamped_along(shape) ? 2 : 1;
+      zeros += is_undamped_along(at_.reduced, shape) ? 2 : 1;
     }
     const Eigensystem<ComplexBall> vectors = exponents(at_.reduced);
     if (std::ranges::all_of(vectors.radii, [](double r) { return std::isfinite(r); })) {
@@ -196,23 +154,14 @@ class ModeSearch {
     }
   }
 
-  /// D v = 0, so that u = v t is a motion, too, and s = 0 counts twice.
-  [[nodiscard]] bool is_undamped_along(const Shape& v) const {
-    for (std::size_t i = 0; i < v.size(); ++i) {
-      ComplexBall sum;
-      for (std::size_t j = 0; j < v.size(); ++j) sum = sum + ComplexBall(at_.reduced.rates(i, j)) * v[j];
-      if (!sum.re.contains_zero() || !sum.im.contains_zero()) return at_.reduced.undamped();
-    }
-    return true;
-  }
-
   /// Eigenvalues with eigenvectors of their own, or groups that rounding makes one.
   void from_eigenvectors(const Eigensystem<ComplexBall>& found, std::size_t zeros) {
     for (std::size_t i = 0; i < found.values.size(); ++i) {
       const auto members =
           static_cast<std::size_t>(std::count(found.group.begin(), found.group.end(), found.group[i]));
       const bool near_axis = Ball(found.values[i].re.middle, found.radii[i]).contains_zero();
-      const bool on_axis = near_axis && at_.reduced.undamped() && (members == 1 || held_by_potential());
+      const bool on_axis =
+          near_axis && at_.reduced.undamped() && (members == 1 || held_by_potential(at_.reduced));
       add_exponent({found.values[i], found.radii[i], members, on_axis}, {shape_of(found, i)}, zeros);
     }
   }
@@ -225,42 +174,14 @@ class ModeSearch {
                     "Eigenvalues of the small motions coincide to within rounding, and no bound of any of "
                     "them could be proven.");
       }
-      e.undamped = e.undamped || (at_.reduced.undamped() && held_by_potential());
-      std::vector<Shape> shapes = kernel(dynamic_stiffness(e));
+      e.undamped = e.undamped || (at_.reduced.undamped() && held_by_potential(at_.reduced));
+      std::vector<Shape> shapes = kernel(dynamic_stiffness(at_.reduced, disc_of(e)));
       const bool found = !shapes.empty() && shapes.size() <= e.members;
       if (!found) shapes = {nearest_vector(vectors, e)};
       const std::size_t before = modes_.size();
       add_exponent(e, shapes, zeros);
       if (!found && modes_.size() > before) modes_.back().shape_error.clear();
     }
-  }
-
-  /// K is positive definite: without damping nothing can grow.
-  [[nodiscard]] bool held_by_potential() const {
-    const std::size_t n = at_.reduced.size();
-    std::vector<Interval> stiffness;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        const Ball& k = at_.reduced.stiffness(i, j);
-        stiffness.emplace_back(k.value() - k.error(), k.value() + k.error());
-      }
-    }
-    return inertia_of(stiffness, n).positive == n;
-  }
-
-  /// s^2 M + s D + K.
-  [[nodiscard]] SquareMatrix<ComplexBall> dynamic_stiffness(const Exponent& e) const {
-    ComplexBall s = e.middle;
-    s.re.radius = s.im.radius = e.radius;
-    const std::size_t n = at_.reduced.size();
-    SquareMatrix<ComplexBall> result(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        result(i, j) = s * s * ComplexBall(at_.reduced.mass(i, j)) +
-                       s * ComplexBall(at_.reduced.rates(i, j)) + ComplexBall(at_.reduced.stiffness(i, j));
-      }
-    }
-    return result;
   }
 
   [[nodiscard]] Shape nearest_vector(const Eigensystem<ComplexBall>& vectors, const Exponent& e) const {
@@ -303,59 +224,8 @@ class ModeSearch {
     const std::size_t place = shape_in_disc_ % shapes.size();
     shape_in_disc_ = e.members > 1 ? shape_in_disc_ + 1 : 0;
     std::vector<Mode> modes{mode};
-    set_shapes(modes, {shapes[place]}, e.middle);
+    set_shapes(at_, modes, {shapes[place]}, e.middle);
     modes_.push_back(modes[0]);
-  }
-
-  /// Shapes of modes with one s, with the ignored coordinates that move along: their momenta stay, so
-  /// M_cc u_c = -(M_cx + D_cx/s) u_x.
-  void set_shapes(std::vector<Mode>& modes, const std::vector<Shape>& shapes, const ComplexBall& s) const {
-    std::vector<Shape> all;
-    for (const Shape& of_reduced : shapes) {
-      const Shape shape = displaced(of_reduced);
-      Shape whole(at_.coordinates);
-      for (std::size_t i = 0; i < shape.size(); ++i) whole[at_.statics.reduction.kept[i]] = shape[i];
-      for (auto& [c, value] : companions(shape, s)) whole[c] = value;
-      all.push_back(std::move(whole));
-    }
-    all = echelon_form(std::move(all));
-    for (std::size_t k = 0; k < modes.size(); ++k) {
-      modes[k].shape.clear();
-      for (const ComplexBall& entry : all[k]) modes[k].shape.emplace_back(entry.re.value(), entry.im.value());
-      if (modes[k].multiplicity == 1) modes[k].shape_error = errors_of(all[k]);
-    }
-  }
-
-  /// None where the shape is not enclosed.
-  [[nodiscard]] static std::vector<double> errors_of(const Shape& shape) {
-    std::vector<double> errors;
-    for (const ComplexBall& entry : shape) {
-      errors.push_back(entry.re.error() + entry.im.error());
-      if (!std::isfinite(errors.back())) return {};
-    }
-    return errors;
-  }
-
-  [[nodiscard]] std::vector<std::pair<std::size_t, ComplexBall>> companions(const Shape& shape,
-                                                                            const ComplexBall& s) const {
-    const std::vector<std::size_t>& ignored = at_.statics.reduction.ignored;
-    std::vector<std::vector<ComplexBall>> rows;  // the augmented matrix (M_cc | right-hand side)
-    for (const std::size_t c : ignored) {
-      rows.emplace_back();
-      for (const std::size_t other : ignored) rows.back().emplace_back(at_.whole.mass(c, other));
-      ComplexBall sum;
-      for (std::size_t i = 0; i < shape.size(); ++i) {
-        const std::size_t k = at_.statics.reduction.kept[i];
-        sum = sum - at_.whole.mass(c, k) * shape[i];
-        const bool turning = magnitude(s) > 0 && !at_.whole.rates(c, k).is_zero();
-        if (turning) sum = sum - at_.whole.rates(c, k) * shape[i] / s;
-      }
-      rows.back().push_back(sum);
-    }
-    rows = echelon_form(std::move(rows));
-    std::vector<std::pair<std::size_t, ComplexBall>> result;
-    for (std::size_t k = 0; k < ignored.size(); ++k) result.emplace_back(ignored[k], rows[k].back());
-    return result;
   }
 
   const Linearization& at_;
@@ -365,13 +235,6 @@ class ModeSearch {
 };
 
 }  // namespace
-
-std::vector<Ball> evaluated(const CompiledFunction& function, const std::vector<Ball>& constants,
-                            const std::vector<Ball>& x) {
-  Balls out(function.outputs());
-  TapeEvaluator<Ball>(function, constants)(x, out);
-  return out;
-}
 
 std::vector<Mode> modes_of(const Linearization& linearization) { return ModeSearch(linearization).run(); }
 

@@ -1,5 +1,6 @@
 #include "core/steady/region_ends.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/compile/tape_evaluator.hpp"
@@ -9,17 +10,32 @@ namespace {
 
 constexpr std::size_t most_boxes_of_end = 5'000;
 
+/// The equations in the form that has values in the box; else the numerators as they are.
+BifurcationSystems::Nested finite_form(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                       const Box& box) {
+  std::vector<BifurcationSystems::Nested> forms{{systems.numerators, systems.slopes}};
+  forms.insert(forms.end(), systems.nested.begin(), systems.nested.end());
+  for (const BifurcationSystems::Nested& form : forms) {
+    Box values(form.values.outputs());
+    TapeEvaluator<Interval>(form.values, problem.constants)(box, values);
+    if (std::ranges::all_of(values, &Interval::is_finite)) return form;
+  }
+  return forms.front();
+}
+
 /// The zeros with the unknown number `fixed` at `end`, the others and p in `region`.
 Isolation zeros_at_end(const SteadyProblem& problem, const BifurcationSystems& systems, const Box& region,
                        std::size_t fixed, double end) {
-  TapeEvaluator<Interval> values(systems.numerators, problem.constants);
-  TapeEvaluator<Interval> slopes(systems.slopes, problem.constants);
   const std::size_t n = region.size() - 1;
   const auto whole = [=](std::span<const Interval> others) {
     Box all(others.begin(), others.end());
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(fixed), Interval(end));
     return all;
   };
+  Box there = region;
+  there[fixed] = end;
+  const BifurcationSystems::Nested form = finite_form(problem, systems, there);
+  TapeEvaluator<Interval> values(form.values, problem.constants), slopes(form.slopes, problem.constants);
   const SquareSystem system{n, [&](auto others, auto out) { values(whole(others), out); },
                             [&](auto others, auto out) {
                               Box all(n * (n + 1));

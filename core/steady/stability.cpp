@@ -25,7 +25,8 @@ LinearizedForces StabilityAnalysis::linearized(std::span<const Interval> x) {
           values(damping_),
           values(stiffness_),
           problem_.forces->symmetric,
-          problem_.forces->has_potential};
+          problem_.forces->has_potential,
+          problem_.forces->free};
 }
 
 StabilityAnalysis::Energy StabilityAnalysis::energy(std::span<const Interval> x) {

@@ -20,7 +20,7 @@ ROUND_OFF = 1e-12  # relative: what double precision leaves of an eigenvalue
 
 
 def symbols_of(*texts):
-    names = {"m", "M", "l", "g", "k", "l0", "r", "R", "Omega", "omega0", "gamma", "theta", "phi", "psi", "a", "b", "c", "F", "E"}
+    names = {"m", "M", "l", "g", "k", "l0", "r", "R", "Omega", "omega0", "gamma", "theta", "phi", "psi", "a", "b", "c", "F", "E", "A", "B", "D"}
     return {name: sympy.Symbol(name, real=True) for name in names}
 
 
@@ -58,6 +58,10 @@ CRITICAL = [
      "Omega", 1, 4, ["sqrt((2 - sqrt(2))*g/l)"]),
     (scene("atoms", "m kg 1; E J 1; l m 1; F N 1", "r m 1.1", bodies=[particle("m", "r", "0")],
            potential="4*E*((l/r)^12 - (l/r)^6) - F*r"), "F", 0.1, 30, ["504*E/(169*l)*(7/26)**(1/6)"]),
+    (scene("morse", "m kg 1; D J 2; a 1/m 1.5; F N 1", "x m 0.2", bodies=[particle("m", "x", "0")],
+           potential="D*(1 - exp(-a*x))^2 - F*x"), "F", 0.1, 3, ["D*a/2"]),
+    (scene("centrifugal", "m kg 1; A J*m^2 2; B J*m 3; F N 1", "r m 1", bodies=[particle("m", "r", "0")],
+           potential="A/r^2 - B/r - F*r"), "F", 0.01, 1, ["B**3/(27*A**2)"]),
     (lagrangian("sextic", "a - 1; b - 2", "x - 1", "x_dot^2/2 - a*x^2/2 - x^6/6 + b*x^4/4"), "a", 0.1, 5,
      ["b**2/4", "b**2/4"]),
 ]
@@ -226,6 +230,23 @@ class ClosedForms(Service):
                         self.assert_same(critical["exact"], by_hand)
                         off = abs(value(critical["exact"], found["request"]["parameters"]) - critical["value"])
                         self.assertLessEqual(off, critical["error"])
+
+    def test_a_search_reaches_infinity_where_exponentials_overflow_and_forces_are_small(self):
+        for name in ("morse", "centrifugal", "atoms"):
+            system, parameter, low, high, _ = next(case for case in CRITICAL if case[0]["name"] == name)
+            found = by_command({"system": system, "parameter": parameter, "from": low, "to": high})
+            self.assertTrue(found["complete"], found.get("reason"))
+        system, parameter, *_ = next(case for case in CRITICAL if case[0]["name"] == "centrifugal")
+        found = by_command({"system": system, "parameter": parameter, "from": -1, "to": 1})
+        self.assertEqual(found["reason"], "At F = 0 an equilibrium appears from or vanishes to r = -infinity. "
+                                          "At F = 0 an equilibrium appears from or vanishes to r = infinity.")
+
+    def test_places_that_exponentials_give(self):
+        bond = scene("bond", "m kg 1; D J 2; a 1/m 1.5; F N 1", "x m 0.3", bodies=[particle("m", "x", "0")],
+                     potential="D*exp(-a*x) + F*x")
+        found = self.modes(bond)
+        self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "log(D*a/F)/a")
+        self.assert_same(found["modes"][0]["exact"], "a*F/m")
 
     def test_angles_of_critical_points_lie_within_a_turn(self):
         """The search is given up at the singularity above; what it has seen elsewhere is the same point, turns away."""

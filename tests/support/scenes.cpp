@@ -43,4 +43,10 @@ std::shared_ptr<const Model> model_of(const std::string& name) {
   return model;
 }
 
+std::shared_ptr<const Model> model_written(const std::string& json) {
+  const api::SceneReading reading = api::read_scene(api::Json::parse(json));
+  if (!reading.errors.empty()) throw std::runtime_error(reading.errors[0].detail);
+  return build_model(reading.scene);
+}
+
 }  // namespace qdot::test

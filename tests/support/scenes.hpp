@@ -17,5 +17,7 @@ namespace qdot::test {
 /// The scene of either kind, freshly read, so that a test may change it.
 [[nodiscard]] Scene scene_of(const std::string& name);
 [[nodiscard]] std::shared_ptr<const Model> model_of(const std::string& name);
+/// Of a scene that a test writes out as JSON.
+[[nodiscard]] std::shared_ptr<const Model> model_written(const std::string& json);
 
 }  // namespace qdot::test

@@ -109,7 +109,10 @@ std::vector<std::string> members_read(const std::vector<CollectedColumn>& column
     const std::string first = column.pointer.substr(1, column.pointer.find('/', 1) - 1);
     // Escaped; or what an answer says about its other members.
     if (first.find('~') != std::string::npos || first == "units" || first == "reason") return {};
-    members.push_back(first);
+    // Of a trajectory, which is long, the numbers themselves; * is every element of an array.
+    const bool is_part = first == "trajectory" && column.pointer.size() > first.size() + 1 &&
+                         column.pointer.find('*') == std::string::npos;
+    members.push_back(is_part ? column.pointer : first);
     if (column.pointer.find("/exact") != std::string::npos) members.emplace_back("exact");
   }
   return members;

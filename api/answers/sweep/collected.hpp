@@ -23,7 +23,8 @@ struct CollectedColumn {
                                                                        const Json& answer_schema,
                                                                        const Place& place, Errors& errors);
 
-/// What of an answer `collected` looks at: its members by name, and formulas; empty: all of it.
+/// What of an answer `collected` looks at: its members by name, numbers of a trajectory by pointer, and
+/// formulas; empty: all of it.
 [[nodiscard]] std::vector<std::string> members_read(const std::vector<CollectedColumn>& columns);
 
 /// One value of one answer, or why there is none.

@@ -213,14 +213,15 @@ class TurningPointsAnswer {
   }
 
   void put_exact(const TurningPoints& found) {
-    const ExactTurningPoints exact =
-        exact_turning_points(dynamics(), system_.state.parameters, written_texts(request_.system), found);
+    const Json& constants = body_["constants"];  // the energy, then the momenta
+    auto name = constants.items().begin();
+    const ExactTurningPoints exact = exact_turning_points(dynamics(), system_.state.parameters,
+                                                          written_texts(request_.system), found, name.key());
     Json json = Json::object();
     if (exact.equation) json["equation"] = exact_json(*exact.equation);
     if (exact.maximum) json[coordinate().name + "_max"] = exact_json(*exact.maximum);
     if (exact.minimum) json[coordinate().name + "_min"] = exact_json(*exact.minimum);
-    const Json& constants = body_["constants"];  // the energy, then the momenta
-    auto name = constants.items().begin();
+    if (exact.period) json["period"] = exact_json(*exact.period);
     if (exact.energy) json[name.key()] = exact_json(*exact.energy);
     for (const std::optional<ClosedForm>& momentum : exact.momenta) {
       ++name;

@@ -62,6 +62,8 @@ class MixedExpansion {
   /// of the last expansion. Infinite where there is none.
   [[nodiscard]] double bound_defect(double t, std::span<const double> y, double h,
                                     std::span<const double> allowed);
+  /// As TaylorExpansion::bound_rounding, over the step that was bounded last.
+  void bound_rounding(std::span<double> rounding, double unit) { others_.bound_rounding(rounding, unit); }
 
  private:
   [[nodiscard]] Evaluation expand_in_doubles(double t, std::span<const double> y, unsigned order);

@@ -45,4 +45,12 @@ double TaylorExpansion::bound_defect(double h, std::span<const double> allowed, 
   return infinity;
 }
 
+void TaylorExpansion::bound_rounding(std::span<double> rounding, double unit) {
+  if (!rounding_) {
+    const auto row_of = [this](Slot slot) { return translation_->row_of(slot); };
+    rounding_ = std::make_unique<taylor::Rounding>(tape_, workspace_, *remainder_, row_of);
+  }
+  rounding_->bound(unit, rounding);
+}
+
 }  // namespace qdot

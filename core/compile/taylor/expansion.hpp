@@ -15,6 +15,7 @@
 #include "core/compile/compiled_function.hpp"
 #include "core/compile/taylor/kernels.hpp"
 #include "core/compile/taylor/remainder.hpp"
+#include "core/compile/taylor/rounding.hpp"
 
 namespace qdot {
 
@@ -45,6 +46,10 @@ class TaylorExpansion {
   /// infinite.
   double bound_defect(double h, std::span<const double> allowed, std::span<double> defect);
 
+  /// What rounding may do to each acceleration over the step whose defect was bounded last (rounding.hpp).
+  /// `unit`: of doubles, or of the double-doubles in which somebody else computes the same.
+  void bound_rounding(std::span<double> rounding, double unit = taylor::half_unit_of_doubles);
+
  private:
   const CompiledFunction& tape_;
   taylor::Kernels kernels_;
@@ -52,6 +57,7 @@ class TaylorExpansion {
   std::vector<double> accelerations_;
   std::unique_ptr<TaylorTranslation> translation_;
   std::unique_ptr<taylor::Remainder> remainder_;  ///< made when a bound is first asked for
+  std::unique_ptr<taylor::Rounding> rounding_;    ///< likewise
   unsigned order_{};                              ///< of the last expansion
 };
 

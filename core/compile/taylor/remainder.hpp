@@ -13,7 +13,8 @@
 // rho^m ||a|| max_j |b_j| g^j / (1-rho).  In the end r of an acceleration is the defect |p'' - a(t, p, p')|.
 // Where rows cannot tell (exp(-2500) = 0 and all its coefficients), the interval operation does.
 //
-// Rounding is left out, but for what it may hide: a function that has become 0 or constant by it.
+// Rounding is left out (rounding.hpp has it), but for what it may hide: a function that has become 0 or
+// constant by it.
 // Sources: Makino, Berz, Taylor models and other validated functional inclusion methods, Int. J. Pure Appl.
 // Math. 4 (2003) 379; Neher, Jackson, Nedialkov, On Taylor model based integration of ODEs, SIAM J. Numer.
 // Anal. 45 (2007) 236.
@@ -44,7 +45,14 @@ class Remainder {
   /// then what stands in `row` may be from it; roughly where that leaves no doubt of its sign.
   double distance(const double* row, double h, unsigned order, std::span<const double> missing_of_state);
 
+  /// Of M x = f over the step that was bounded last, x_1 standing in the row `first_unknown`: by how much
+  /// every solution may change where f does by `rho`.
+  using Index = std::uint32_t;
+  void bound_solution_of(Index first_unknown, std::span<const double> rho, std::span<double> error) const;
+
  private:
+  friend class Rounding;
+
   /// rough: products by norms. quick: by their terms. careful: ranges by interval operations too.
   enum class Effort { rough, quick, careful };
 
@@ -61,7 +69,6 @@ class Remainder {
     /// A_k; T_{N-k}, and T_0 once more. Not where norms will do.
     alignas(32) std::array<double, highest_order + 8> a{}, reversed_tails{};
   };
-  using Index = std::uint32_t;
   struct Factor {
     double factor{};
     Index x{}, y{};
@@ -110,9 +117,11 @@ class Remainder {
   void apply_arc(const Rule& rule);
   void apply_kink(const Rule& rule);
   void apply_solve(const Rule& rule);
-  bool bound_pair(const Rule& rule, std::span<const double> rho);
-  bool bound_triple(const Rule& rule, std::span<const double> rho);
-  void bound_unknowns(const Rule& rule, std::span<const double> rho);
+  /// By how much each unknown changes where the right-hand sides do by rho.
+  void bound_solution_of(const Rule& rule, std::span<const double> rho, std::span<double> error) const;
+  bool bound_pair(const Rule& rule, std::span<const double> rho, std::span<double> error) const;
+  bool bound_triple(const Rule& rule, std::span<const double> rho, std::span<double> error) const;
+  void bound_unknowns(const Rule& rule, std::span<const double> rho, std::span<double> error) const;
 
   /// sum_{i+j >= N} |a_i b_j| h^(i+j), and the same from N - 1 on.
   [[nodiscard]] double tail(const Row& a, const Row& b) const;

@@ -56,13 +56,33 @@ void Remainder::apply_solve(const Rule& rule) {
       rho[i] += std::abs(entry.factor) * (tail(m, x) + m.r * x.of_row.magnitude());
     }
   }
-  if (n == 2 && bound_pair(rule, rho)) return;
-  if (n == 3 && bound_triple(rule, rho)) return;
-  bound_unknowns(rule, rho);
+  std::array<double, largest_system> error{};
+  bound_solution_of(rule, rho, error);
+  for (std::size_t i = 0; i < n; ++i) conclude(rows_[rule.unknowns[i]], error[i]);
+}
+
+void Remainder::bound_solution_of(Index first_unknown, std::span<const double> rho,
+                                  std::span<double> error) const {
+  const auto is_it = [&](const Rule& rule) {
+    return rule.solve != nullptr && rule.unknowns.front() == first_unknown;
+  };
+  const auto rule = std::ranges::find_if(rules_, is_it);
+  if (rule == rules_.end())
+    std::ranges::fill(error, infinity);
+  else
+    bound_solution_of(*rule, rho, error);
+}
+
+void Remainder::bound_solution_of(const Rule& rule, std::span<const double> rho,
+                                  std::span<double> error) const {
+  const std::size_t n = rule.right.size();
+  if (n == 2 && bound_pair(rule, rho, error)) return;
+  if (n == 3 && bound_triple(rule, rho, error)) return;
+  bound_unknowns(rule, rho, error);
 }
 
 /// By Cramer's rule, where the determinant stays away from zero.
-bool Remainder::bound_pair(const Rule& rule, std::span<const double> rho) {
+bool Remainder::bound_pair(const Rule& rule, std::span<const double> rho, std::span<double> error) const {
   std::array<Range, 4> m;
   for (std::size_t at = 0; at < m.size(); ++at) {
     const double start = *rule.solve->start[at];
@@ -78,14 +98,14 @@ bool Remainder::bound_pair(const Rule& rule, std::span<const double> rho) {
   const auto bound = [&](const Range& of_first, const Range& of_second) {
     return (of_first.magnitude() * rho[0] + of_second.magnitude() * rho[1]) / determinant;
   };
-  conclude(rows_[rule.unknowns[0]], bound(m[3], m[1]));
-  conclude(rows_[rule.unknowns[1]], bound(m[2], m[0]));
+  error[0] = bound(m[3], m[1]);
+  error[1] = bound(m[2], m[0]);
   return true;
 }
 
 /// The same for three, whose entries are followed to u^3, u = s/h: what they have in common cancels in the
 /// determinant, as cos^2 + sin^2 does.
-bool Remainder::bound_triple(const Rule& rule, std::span<const double> rho) {
+bool Remainder::bound_triple(const Rule& rule, std::span<const double> rho, std::span<double> error) const {
   std::array<Cubic, 9> m, minor;
   for (std::size_t at = 0; at < m.size(); ++at) {
     m[at].c0 = *rule.solve->start[at];
@@ -112,14 +132,14 @@ bool Remainder::bound_triple(const Rule& rule, std::span<const double> rho) {
   for (std::size_t i = 0; i < 3; ++i) {
     double bound = 0;
     for (std::size_t j = 0; j < 3; ++j) bound += range_of(minor[3 * j + i]).magnitude() * rho[j];
-    conclude(rows_[rule.unknowns[i]], bound / determinant);
+    error[i] = bound / determinant;
   }
   return true;
 }
 
 /// An entry a u + b u^2 + ..., u = s/h, is a/2 + 3b/8 + (a + b) w/2 + (b/8)(2 w^2 - 1) + ... with |w| <= 1:
 /// over a long step M moves far, but all of its entries together.
-void Remainder::bound_unknowns(const Rule& rule, std::span<const double> rho) {
+void Remainder::bound_unknowns(const Rule& rule, std::span<const double> rho, std::span<double> error) const {
   constexpr std::size_t size = largest_system * largest_system;
   const std::size_t n = rule.right.size();
   std::array<double, size> middle, radius;  // n x n of each are used
@@ -137,9 +157,7 @@ void Remainder::bound_unknowns(const Rule& rule, std::span<const double> rho) {
     moving[n * n + at] = 0.125 * b;
     radius[at] = std::abs(entry.factor) * beyond_second(row);
   }
-  std::array<double, largest_system> error{};
   bound_solution(n, {middle, radius, std::span(moving).first(2 * n * n)}, rho, error);
-  for (std::size_t i = 0; i < n; ++i) conclude(rows_[rule.unknowns[i]], error[i]);
 }
 
 }  // namespace qdot::taylor

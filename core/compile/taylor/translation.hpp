@@ -30,6 +30,9 @@ class TaylorTranslation {
   [[nodiscard]] taylor::Program composition() const;
   /// Where the first output stands.
   [[nodiscard]] const double* output() { return row(tape_.outputs_.front()); }
+  [[nodiscard]] const double* row_of(Slot slot) const {
+    return rows_.data() + first_ + slot * taylor::stride;
+  }
   [[nodiscard]] bool is_of_state(const double* row) const;
   [[nodiscard]] double* variable(std::size_t i) { return row(tape_.parameters_ + 1 + i); }
 

@@ -113,6 +113,27 @@ TEST(JsonWriter, WritesOnlyTheMembersOfTheDocumentThatAreWanted) {
   EXPECT_EQ(std::move(writer).finish(), "{\"b\":{\"a\":2,\"c\":3}}\n");
 }
 
+TEST(JsonWriter, WritesOnlyTheNumbersOfATableThatAreWanted) {
+  const std::vector<double> t{0, 0.5, 1}, theta{0.1, 0.2, 0.3};
+  const std::vector<Column> table{{"t", t}, {"theta", theta}, {"theta_dot", theta}};
+  const auto written = [&](const std::vector<std::string>& wanted) {
+    JsonWriter writer(Layout::compact, &wanted);
+    writer.begin_object();
+    if (writer.wants("trajectory")) {
+      writer.key("trajectory");
+      writer.columns(table);
+    }
+    writer.end_object();
+    return std::move(writer).finish();
+  };
+  EXPECT_EQ(written({"/trajectory/theta/2", "units"}), "{\"trajectory\":{\"theta\":[null,null,0.3]}}\n");
+  EXPECT_EQ(written({"/trajectory/theta/0", "/trajectory/t/1", "/trajectory/theta/9"}),
+            "{\"trajectory\":{\"t\":[null,0.5,null],\"theta\":[0.1,null,null]}}\n");
+  EXPECT_EQ(written({"/trajectory/t"}), "{\"trajectory\":{\"t\":[0.0,0.5,1.0]}}\n");
+  EXPECT_EQ(written({"/trajectory/l/0"}), "{\"trajectory\":{}}\n");
+  EXPECT_EQ(written({"/accuracy/rtol", "/trajectory"}), "{}\n");
+}
+
 TEST(JsonWriter, PrettyKeepsArraysOfNumbersOnOneLine) {
   const Json json{
       {"t", {0.5, 1}}, {"empty", Json::object()}, {"modes", Json::array({{{"omega", 2.0}}, {{"f", 1}}})}};

@@ -45,5 +45,17 @@ TEST(OwnErrors, SayWhatTheSecondSampleShowsWithoutItsEnlargement) {
   EXPECT_NEAR(off[0], e * std::cosh(h * steps), 1e-3 * off[0]);
 }
 
+/// A motion at rest whose force is rounded by e: its speed may be e t, whatever the samples have reached.
+TEST(OwnErrors, CountWhatRoundingDoesToAForceThatIsZero) {
+  constexpr double e = 1e3, rest = 0;
+  const Originals originals{pulled_by(0), pulled_by(0)};
+  OwnErrors errors(originals, {{0, 0}, {0, 0}}, 0);
+  const std::vector<double> rows(2 * (order + 1), rest), defect(2), rounding{e};
+  for (int i = 0; i < 3; ++i)
+    errors.follow({.t = i * h, .h = h, .rows = rows, .order = order, .defect = defect, .rounding = rounding});
+  EXPECT_NEAR(errors.in_last_step(1), e * 3 * h, 1e-9 * e);
+  EXPECT_NEAR(errors.in_last_step(0), e * 9 * h * h / 2, 1e-9 * e);
+}
+
 }  // namespace
 }  // namespace qdot

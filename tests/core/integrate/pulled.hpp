@@ -35,7 +35,7 @@ void take_steps(const RightHandSide& system, std::vector<double> y, double h, in
   std::vector<double> c(2 * (order + 1));
   for (int i = 0; i < count; ++i) {
     ASSERT_EQ(system.expansion(i * h, y, order, c), Evaluation::ok);
-    follow(MotionPiece{.t = i * h, .h = h, .rows = c, .order = order, .defect = defect});
+    follow(MotionPiece{.t = i * h, .h = h, .rows = c, .order = order, .defect = defect, .rounding = {}});
     for (std::size_t j = 0; j < 2; ++j) {
       const auto row = std::span(c).subspan(j * (order + 1), order + 1);
       y[j] = 0;

@@ -67,6 +67,98 @@ TEST(Ladder, MeetsAWantedError) {
   }
 }
 
+/// Of a request to the whole motion, whatever the scene's conditions say.
+SimulationRequest whole_motion(const Model& model, const Values& given, double t_end) {
+  SimulationRequest request = test::request_for(model, given, test::instants(t_end, 200));
+  request.method = Method::taylor;
+  request.on_invalid = OnInvalid::go_on;
+  return request;
+}
+
+std::uint64_t work_at(const Dynamics& dynamics, SimulationRequest request, double rtol) {
+  request.tolerances = {rtol, rtol * 1e-3};
+  return simulate_with_error(dynamics, request, {}).evaluations;
+}
+
+TEST(Ladder, ACheckIsGivenUpOnceTheErrorWantedIsPassed) {
+  const auto model = test::model_of("rod_pendulum");
+  const Dynamics dynamics(model);
+  const SimulationRequest request = whole_motion(*model, {{"theta", 0.3}, {"phi", -0.2}}, 100);
+  const MeasuredSimulation m =
+      simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = 1e-3});
+  EXPECT_EQ(m.meets_request, true);
+  EXPECT_LT(m.tolerances.rtol, 1e-6);  // that of the first run, which does not meet it
+  const std::uint64_t first = work_at(dynamics, request, 1e-6);
+  EXPECT_LT(m.evaluations, work_at(dynamics, request, m.tolerances.rtol) + first * 3 / 4);
+}
+
+TEST(Ladder, AMotionWhoseCheckTakesDoubleDoublesIsNotChosenByAGuess) {
+  const auto model = test::model_of("rod_pendulum");
+  const Dynamics dynamics(model);
+  const SimulationRequest request = whole_motion(*model, {{"m", 1}, {"l", 1}, {"theta", 2}, {"phi", 2}}, 10);
+  const MeasuredSimulation m =
+      simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = 1e-6});
+  EXPECT_EQ(m.meets_request, true);
+  EXPECT_LT(m.tolerances.rtol, 1e-12);
+  EXPECT_EQ(m.evaluations, work_at(dynamics, request, 1e-9) + work_at(dynamics, request, m.tolerances.rtol));
+}
+
+TEST(Ladder, RowsAtEventsDoNotMakeACheckGiveUp) {
+  const auto model = test::model_of("rod_pendulum");
+  const Dynamics dynamics(model);
+  SimulationRequest request = whole_motion(*model, {{"theta", 0.3}, {"phi", -0.2}}, 100);
+  const AccuracyGoal goal{.kind = Kind::relative, .value = 1e-3};
+  const MeasuredSimulation without = simulate_with_error(dynamics, request, goal);
+  request.events = {"theta = 0"};
+  const MeasuredSimulation with = simulate_with_error(dynamics, request, goal);
+  EXPECT_GT(with.simulation.events.size(), 50U);
+  EXPECT_EQ(with.tolerances.rtol, without.tolerances.rtol);
+  EXPECT_EQ(with.max_abs_error, without.max_abs_error);
+}
+
+TEST(Ladder, WhatWasGivenUpIsTheBestFoundWhereNothingTighterIs) {
+  const auto model = test::model_of("rod_pendulum");
+  const Dynamics dynamics(model);
+  SimulationRequest request = whole_motion(*model, {{"theta", 0.3}, {"phi", -0.2}}, 100);
+  request.limits.max_steps = 1700;  // enough for 1e-6, and not for what comes next
+  const MeasuredSimulation m =
+      simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = 1e-3});
+  EXPECT_EQ(m.meets_request, false);
+  EXPECT_EQ(m.tolerances.rtol, 1e-6);
+}
+
+TEST(Ladder, ALooserRunIsMeasuredWhereRoundingHidesTheErrorOfATighterOne) {
+  const auto model = test::model_of("cart_pendulum");
+  const Dynamics dynamics(model);
+  SimulationRequest request = whole_motion(*model, {}, 20);
+  const MeasuredSimulation m =
+      simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = 1e-9});
+  EXPECT_EQ(m.meets_request, true);
+  EXPECT_GT(m.tolerances.rtol, 1e-11);
+  EXPECT_LT(m.evaluations, work_at(dynamics, request, 2e-12) / 2);
+  request.tolerances = {1e-15, 1e-18};
+  const Simulation best = simulate(dynamics, request);
+  for (std::size_t k = 0; k < 4; ++k) {
+    double error = 0;
+    for (std::size_t i = 0; i < best.rows; ++i)
+      error = std::max(error, std::abs(test::row(m.simulation, i)[k] - test::row(best, i)[k]));
+    EXPECT_LE(error, m.max_abs_error[k]);
+    EXPECT_GT(error, m.max_abs_error[k] / 10);
+  }
+}
+
+TEST(Ladder, RowsAtEventsAreOfTheMotionThatIsReturned) {
+  const auto model = test::model_of("cart_pendulum");
+  const Dynamics dynamics(model);
+  SimulationRequest request = whole_motion(*model, {}, 20);
+  request.events = {"theta = 0"};
+  const MeasuredSimulation m =
+      simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = 1e-9});
+  ASSERT_GT(m.event_errors.size(), 5U);
+  for (const auto& error : m.event_errors) EXPECT_LT(error.value(), 1e-8);
+  EXPECT_LT(m.event_errors.front().value(), m.event_errors.back().value() / 15);
+}
+
 TEST(Ladder, SaysThatTheWorkWasSpentBeforeTheErrorWasReached) {
   const auto model = test::model_of("spring_pendulum");
   SimulationRequest request = test::request_for(*model, oscillator, test::instants(50, 10));

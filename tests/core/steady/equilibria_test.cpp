@@ -205,6 +205,27 @@ TEST(AllEquilibria, CoordinatesThatNoForceDependsOnAreFree) {
   EXPECT_EQ(found.states[0].stability.stability, Stability::neutral);
 }
 
+/// x stands in no force, though it changes the inertia of y: no momentum belongs to it.
+Equilibria beside_a_drifting_coordinate(const std::string& potential) {
+  const auto model = test::model_written(
+      R"json({"name": "drift", "units": "none", "parameters": [{"name": "k", "default": "3"}],
+        "coordinates": [{"name": "x", "initial": "1/5"}, {"name": "y", "initial": "0"}],
+        "lagrangian": "(x_dot^2 + (1 + x^2)*y_dot^2)/2 - )json" +
+      potential + "\"}");
+  const Reals parameters = parameter_values(*model, {});
+  return equilibria(Dynamics(model), parameters, initial_state(*model, parameters, {}));
+}
+
+TEST(AllEquilibria, ACoordinateThatOnlyInertiaDependsOnLeavesTheOthersStable) {
+  const Equilibria well = beside_a_drifting_coordinate("k*y^2/2");
+  ASSERT_EQ(well.states.size(), 1U);
+  EXPECT_EQ(well.states[0].stability.stability, Stability::stable);
+  const Equilibria hill = beside_a_drifting_coordinate("k*y^3/3 + k*y^2/2");
+  ASSERT_EQ(hill.states.size(), 2U);
+  EXPECT_EQ(hill.states[0].stability.stability, Stability::unstable);
+  EXPECT_EQ(hill.states[1].stability.stability, Stability::stable);
+}
+
 TEST(AllEquilibria, FreeFallHasNoneAndSaysSo) {
   const Equilibria found = equilibria_of("spring_pendulum", {{"k", 0}});
   EXPECT_TRUE(found.states.empty());

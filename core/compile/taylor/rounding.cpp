@@ -1,0 +1,287 @@
+#include "core/compile/taylor/rounding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/compile/tape_evaluator.hpp"
+#include "core/numerics/ball.hpp"
+#include "core/numerics/linear_system.hpp"
+
+namespace qdot::taylor {
+namespace {
+
+constexpr double last_digits = 64;  ///< units: bounds add up what mostly goes to and fro
+constexpr double of_underflow = 0x1p-1074;
+
+double known_or_infinite(double x) { return std::isnan(x) ? infinity : x; }
+
+bool is_power_of_two(double x) {
+  int exponent{};
+  return std::abs(std::frexp(x, &exponent)) == 0.5;
+}
+
+/// e^e - 1: by what factor exp changes where its argument does by e.
+double growth(double e) { return e < 1 ? e * (1 + e) : evaluate(Function::exp, e); }
+
+/// |x| of a product or sum with its error, term by term.
+struct RunningSum {
+  double unit{};
+  double most{}, error{};
+  bool is_first{true};
+
+  void add(double size, double e) {
+    most += size;
+    error += e;
+    if (!is_first) error += unit * most;
+    is_first = false;
+  }
+};
+
+}  // namespace
+
+Rounding::Rounding(const CompiledFunction& tape, const Workspace& slots, const Remainder& remainder,
+                   const RowOf& row_of)
+    : tape_(tape),
+      slots_(slots),
+      remainder_(remainder),
+      rows_(tape.slots_, no_row),
+      varies_(tape.slots_),
+      is_power_of_two_(tape.slots_),
+      sizes_(tape.slots_) {
+  for (Slot slot = 0; slot < rows_.size(); ++slot) {
+    const auto found = remainder.indices_.find(row_of(slot));
+    if (found != remainder.indices_.end()) rows_[slot] = found->second;
+  }
+  for (std::size_t i = 0; i <= tape.variables_; ++i) varies_[tape.parameters_ + i] = true;
+  for (const Instruction& i : tape.body_) {
+    const std::size_t results = i.operation == Operation::solve         ? i.linear
+                                : i.operation == Operation::sine_cosine ? 2
+                                                                        : 1;
+    for (std::size_t k = 0; k < results; ++k) varies_[i.out + k] = true;
+  }
+  take_constants();
+}
+
+/// What depends on parameters alone, by balls that hold it.
+void Rounding::take_constants() {
+  const auto parameters = std::span(slots_).first(tape_.parameters_);
+  const TapeEvaluator<Ball> exact(tape_, std::vector<Ball>(parameters.begin(), parameters.end()));
+  for (Slot slot = 0; slot < rows_.size(); ++slot) {
+    if (varies_[slot]) continue;
+    is_power_of_two_[slot] = is_power_of_two(slots_[slot]);
+    const bool is_parameter = slot < tape_.parameters_;
+    const Ball off = is_parameter ? Ball(0.0) : exact.slots()[slot] - Ball(slots_[slot]);
+    sizes_[slot] = {std::abs(slots_[slot]), known_or_infinite(off.magnitude())};
+  }
+}
+
+void Rounding::take_variables() {
+  const auto time = static_cast<Slot>(tape_.parameters_);
+  sizes_[time] = {std::abs(slots_[time]) + remainder_.h_, 0};
+  for (Slot i = 0; i < tape_.variables_; ++i) {
+    const Slot slot = time + 1 + i;
+    double sum = 0;
+    if (rows_[slot] != no_row && measured(slot) == nullptr) {
+      const Remainder::Row& row = remainder_.rows_[rows_[slot]];
+      for (unsigned k = 0; k <= remainder_.order_; ++k) sum += remainder_.size(row, k);
+    }
+    sizes_[slot] = {most(slot, sum), 0};
+  }
+}
+
+void Rounding::take_unit(double unit) {
+  for (Slot slot = 0; slot < sizes_.size(); ++slot) {
+    if (!varies_[slot]) sizes_[slot].error *= unit / unit_;
+  }
+  unit_ = unit;
+}
+
+void Rounding::bound(double unit, std::span<double> accelerations) {
+  if (unit != unit_) take_unit(unit);
+  take_variables();
+  for (const Instruction& instruction : tape_.body_) apply(instruction);
+  for (std::size_t i = 0; i < accelerations.size(); ++i) {
+    const double beyond = sizes_[tape_.outputs_[i]].error - last_digits * unit_ * size_of_acceleration(i);
+    accelerations[i] = known_or_infinite(std::max(beyond, 0.0));
+  }
+}
+
+/// sum_k |c_k| h^k of its row, by that of the velocity.
+double Rounding::size_of_acceleration(std::size_t i) const {
+  const Remainder::Row& velocity = remainder_.rows_[remainder_.state_[remainder_.n_ + i]];
+  double sum = 0;
+  for (unsigned k = 1; k <= remainder_.order_; ++k) sum += k * remainder_.size(velocity, k);
+  return sum / remainder_.h_;
+}
+
+const Remainder::Row* Rounding::measured(Slot slot) const {
+  if (rows_[slot] == no_row) return nullptr;
+  const Remainder::Row& row = remainder_.rows_[rows_[slot]];
+  return row.is_factor || remainder_.effort_ == Remainder::Effort::careful ? &row : nullptr;
+}
+
+double Rounding::most(Slot slot, double otherwise) const {
+  const Remainder::Row* row = measured(slot);
+  return row == nullptr ? otherwise : row->t0 + row->r;
+}
+
+Range Rounding::values(Slot slot) const {
+  if (!varies_[slot]) return {slots_[slot], slots_[slot]};
+  const Remainder::Row* row = measured(slot);
+  return row == nullptr ? Range{-sizes_[slot].most, sizes_[slot].most} : row->of_value;
+}
+
+void Rounding::apply(const Instruction& instruction) {
+  const Slot* operand = tape_.operands_.data() + instruction.first;
+  Size& out = sizes_[instruction.out];
+  switch (instruction.operation) {
+    case Operation::sum_of_products:
+      out = sum(instruction, operand);
+      break;
+    case Operation::quotient:
+      out = quotient(operand[0], operand[1], instruction.out);
+      break;
+    case Operation::power:
+      out = power(instruction, operand);
+      break;
+    case Operation::square_root:
+      out = root(operand[0], instruction.out);
+      break;
+    case Operation::sine_cosine:
+      return apply_sine_cosine(instruction, operand[0]);
+    case Operation::call:
+      out = function(instruction, operand[0]);
+      break;
+    case Operation::solve:
+      return apply_solve(instruction, operand);
+  }
+  out.error += of_underflow;
+}
+
+Rounding::Size Rounding::sum(const Instruction& instruction, const Slot* operand) const {
+  RunningSum total{.unit = unit_};
+  for (unsigned k = 0; k < instruction.linear; ++k, operand += 2) {
+    const Size &c = sizes_[operand[0]], &x = sizes_[operand[1]];
+    const double size = c.most * x.most, once = is_power_of_two_[operand[0]] ? 0 : unit_;
+    total.add(size, c.most * x.error + c.error * (x.most + x.error) + once * size);
+  }
+  for (unsigned k = 0; k < instruction.products; ++k, operand += 3) {
+    const Size &c = sizes_[operand[0]], &x = sizes_[operand[1]], &y = sizes_[operand[2]];
+    const double xy = x.most * y.most, size = c.most * xy;
+    const double of_xy = x.most * y.error + (y.most + y.error) * x.error;
+    const double roundings = is_power_of_two_[operand[0]] ? unit_ : 2 * unit_;
+    total.add(size, c.most * of_xy + c.error * (xy + of_xy) + roundings * size);
+  }
+  return {most(instruction.out, total.most), total.error};
+}
+
+/// w = x/y by w y = x, whose terms are rounded.
+Rounding::Size Rounding::quotient(Slot x, Slot y, Slot out) const {
+  const double divisor = least(y) - sizes_[y].error;
+  if (!(divisor > 0)) return {most(out, infinity), infinity};
+  const double w = most(out, sizes_[x].most / divisor);
+  const double terms = w * sizes_[y].most;
+  return {w, (sizes_[x].error + w * sizes_[y].error + of_functions() * terms) / divisor};
+}
+
+/// d(x^p) = p x^p dx/x + x^p log x dp
+Rounding::Size Rounding::power(const Instruction& instruction, const Slot* operand) const {
+  const auto& [x, of_x] = sizes_[operand[0]];
+  const auto& [p, of_p] = sizes_[operand[1]];
+  const double w = most(instruction.out, infinity), base = least(operand[0]);
+  const double by_base = p * (of_x + of_functions() * x) / (base - of_x);
+  if (!(by_base >= 0)) return {w, infinity};
+  double relative = growth(by_base) + of_functions();
+  if (of_p > 0) {
+    const double log_of_least = std::abs(evaluate(Function::log, base));
+    relative += of_p * std::max(log_of_least, std::abs(evaluate(Function::log, x)));
+  }
+  return {w, w * relative};
+}
+
+Rounding::Size Rounding::root(Slot x, Slot out) const {
+  const double w = most(out, infinity);
+  return {w, (sizes_[x].error + of_functions() * w * w) / least(out)};
+}
+
+void Rounding::apply_sine_cosine(const Instruction& instruction, Slot x) {
+  Size &sin = sizes_[instruction.out], &cos = sizes_[instruction.out + 1];
+  const double at_most_one = 1;
+  sin.most = most(instruction.out, at_most_one);
+  cos.most = most(instruction.out + 1, at_most_one);
+  sin.error = cos.error = std::min(sizes_[x].error, 2.0) + of_functions() * (sin.most + cos.most);
+}
+
+Rounding::Size Rounding::function(const Instruction& instruction, Slot x) const {
+  const double e = sizes_[x].error, w = most(instruction.out, infinity);
+  const auto with_slope = [&](double slope, double rounding) -> Size {
+    return {w, known_or_infinite(slope * e) + rounding};
+  };
+  switch (instruction.function) {
+    case Function::exp:
+      return {w, w * (growth(e) + 2 * of_functions())};
+    case Function::log: {
+      const double base = least(x) - e;
+      return base > 0 ? with_slope(1 / base, of_functions() * (w + w * sizes_[x].most / base))
+                      : Size{w, infinity};
+    }
+    case Function::tan:
+      return with_slope(1 + w * w, 2 * of_functions() * w * (1 + w));
+    case Function::tanh:
+    case Function::atan:
+      return with_slope(1, 2 * of_functions() * (1 + w));
+    case Function::sinh:
+    case Function::cosh:
+      return {w, (1 + w) * growth(e) + 2 * of_functions() * (1 + w)};
+    case Function::asin:
+    case Function::acos: {
+      const double u = values(x).magnitude() + e, left = (1 - u) * (1 + u);
+      const double slope = left > 0 ? 1 / std::sqrt(left) : infinity;
+      return with_slope(slope, of_functions() * (w + 1 + slope * slope * slope));
+    }
+    case Function::abs:
+      return {most(instruction.out, sizes_[x].most), e};
+    case Function::sign:
+      return {1, least(x) > e ? 0.0 : 2.0};
+    case Function::sin:
+    case Function::cos:
+      break;  // a tape has them together
+  }
+  return {w, infinity};
+}
+
+/// M x = f: a change of f - M x by rho changes x as the remainder has it.
+void Rounding::apply_solve(const Instruction& instruction, const Slot* operand) {
+  const std::size_t n = instruction.linear;
+  if (n == 1) {
+    sizes_[instruction.out] = quotient(operand[1], operand[0], instruction.out);
+    return;
+  }
+  double of_determinant = 0;
+  if (instruction.has_determinant) {
+    const Slot determinant = *operand++;
+    of_determinant = sizes_[determinant].error / std::abs(slots_[determinant]);
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    const auto out = static_cast<Slot>(instruction.out + j);
+    sizes_[out].most = most(out, infinity);
+  }
+  std::array<double, largest_system> rho{}, error{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Size& f = sizes_[operand[n * n + i]];
+    rho[i] = f.error;
+    for (std::size_t j = 0; j < n; ++j) {
+      const Size& m = sizes_[operand[i * n + j]];
+      rho[i] +=
+          (m.error + static_cast<double>(n) * of_functions() * m.most) * sizes_[instruction.out + j].most;
+    }
+  }
+  remainder_.bound_solution_of(rows_[instruction.out], std::span(rho).first(n), std::span(error).first(n));
+  for (std::size_t j = 0; j < n; ++j) {
+    Size& x = sizes_[instruction.out + j];
+    x.error = known_or_infinite(error[j] + of_determinant * x.most);
+  }
+}
+
+}  // namespace qdot::taylor

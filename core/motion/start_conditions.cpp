@@ -1,0 +1,39 @@
+#include "core/motion/start_conditions.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+
+namespace qdot {
+namespace {
+
+bool holds(const Watch& watch, const RightHandSide& system, const MotionStart& start) {
+  const double value = watch.value(start.t, start.y);
+  if (value != 0) return !(value < 0);
+  const double h = 1e-9 * std::min(1.0, start.span);
+  std::vector<double> y = start.y, slope(y.size());
+  if (system.derivative(start.t, y, slope) != Evaluation::ok) return true;
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];
+  return !(watch.value(start.t + h, y) < 0);
+}
+
+}  // namespace
+
+void check_configuration(std::span<const Watch> watches, const MotionStart& start) {
+  for (const Watch& watch : watches) {
+    if (watch.kind != Watch::Kind::singularity) continue;
+    const double value = watch.value(start.t, start.y);
+    if (watch.direction == Crossing::falling ? value > 0 : value != 0) continue;
+    throw Error(ErrorCode::invalid_state, watch.message);
+  }
+}
+
+const Watch* failing_at_start(std::span<const Watch> watches, const RightHandSide& system,
+                              const MotionStart& start) {
+  for (const Watch& watch : watches) {
+    if (watch.kind == Watch::Kind::validity && !holds(watch, system, start)) return &watch;
+  }
+  return nullptr;
+}
+
+}  // namespace qdot

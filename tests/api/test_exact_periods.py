@@ -1,0 +1,87 @@
+"""Periods as formulas: those of textbooks, each held against quadrature by mpmath through the number beside it."""
+
+import pathlib
+import sys
+import unittest
+
+import mpmath
+import sympy
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import DOWN, G, lagrangian, particle, scene  # noqa: E402
+
+IN_THE_PLANE = [particle("m", "r*cos(phi)", "r*sin(phi)")]
+
+
+def on_a_line(name, parameters, start, potential):
+    return scene(name, parameters, f"x m {start}", bodies=[particle("m", "x", "0")], potential=potential)
+
+
+# Scene or name, and the period by the parameters and the constants of the motion: Landau and Lifshitz, Mechanics,
+# sections 11 (problem 2), 14 and 15 (problem 1); Huygens' cycloid; Goldstein, 3.7.
+PERIODS = [
+    ("cycloid_pendulum", "4*pi*sqrt(a/g)"),
+    ("kepler", "2*pi*mu*sqrt((m/(2*Abs(E)))**3)"),
+    (on_a_line("oscillator", "m kg 1; k N/m 3; l0 m 1", "0.3", "k*(x - l0)^2/2"), "2*pi*sqrt(m/k)"),
+    (on_a_line("morse", "m kg 1.3; D J 2; a 1/m 1.5", "0.2", "D*(exp(-2*a*x) - 2*exp(-a*x))"), "pi/a*sqrt(2*m/Abs(E))"),
+    (on_a_line("well", "m kg 1.3; U0 J 2; a 1/m 1.5", "0.2", "-U0/cosh(a*x)^2"), "pi/a*sqrt(2*m/Abs(E))"),
+    (on_a_line("tangent", "m kg 1.3; U0 J 2; a 1/m 1.5", "0.2", "U0*tan(a*x)^2"), "pi/a*sqrt(2*m/(E + U0))"),
+    (on_a_line("wedge", "m kg 1.3; F N 2", "0.2", "F*abs(x)"), "4*sqrt(2*m*E)/F"),
+    (on_a_line("centrifugal", "m kg 1.3; A J*m^2 2; k N/m 3", "0.4", "A/x^2 + k*x^2/2"), "pi*sqrt(m/k)"),
+    (on_a_line("attracted", "m kg 1.3; A J*m^2 2; B J*m 3", "1", "A/x^2 - B/x"), "pi*B*sqrt(m/(2*Abs(E)**3))"),
+    (scene("isotropic", "m kg 1.3; k N/m 3", "r m 1; phi rad 0 1.3", bodies=IN_THE_PLANE, potential="k*r^2/2"),
+     "pi*sqrt(m/k)"),
+    (scene("precessing", "m kg 1.3; k N*m^2 3; C J*m^2 0.1", "r m 1; phi rad 0 1.3", bodies=IN_THE_PLANE,
+           potential="-k/r + C/r^2"), "pi*k*sqrt(m/(2*Abs(E)**3))"),
+    (scene("cusps", f"m kg 1; a m 0.3; {G}", "u rad 1", gravity=DOWN,
+           bodies=[particle("m", "a*(u - sin(u))", "a*(1 + cos(u))")]), "4*pi*sqrt(a/g)"),
+    (lagrangian("poschl_teller", "A - 1; B - 2", "x - 0.6", "x_dot^2/2 - A/sin(x)^2 - B/cos(x)^2"), "pi/sqrt(2*h)"),
+    ("plane_pendulum", "4*sqrt(l/g)*ellipk(sin(1/2)^2)"),
+    ("physical_pendulum", "4*sqrt(2*l/(3*g))*ellipk(sin(1/2)^2)"),
+    ("orbiting_pendulum", "4*sqrt(l/r)/omega0*ellipk(l/(4*r))"),
+]
+NOT_ELEMENTARY = ["spherical_pendulum", "hanging_mass", "particle_in_cone", "bead_on_parabola", "free_spin_pendulum"]
+
+
+def value(text, numbers):
+    names = {name: mpmath.mpf(number) for name, number in numbers.items()}
+    functions = {"sqrt": mpmath.sqrt, "sin": mpmath.sin, "pi": mpmath.pi, "Abs": abs, "ellipk": mpmath.ellipk}
+    expression = sympy.sympify(text.replace("^", "**"), locals={n: sympy.Symbol(n, real=True) for n in names})
+    symbols = sorted(expression.free_symbols, key=str)
+    return sympy.lambdify(symbols, expression, [functions, "mpmath"])(*(names[s.name] for s in symbols))
+
+
+class ExactPeriods(Service):
+    def test_the_periods_of_textbooks(self):
+        for system, expected in PERIODS:
+            with self.subTest(system=system if isinstance(system, str) else system["name"]):
+                found = self.ask("turning_points", {"system": system})
+                form = found["exact"]["period"]
+                numbers = found["request"]["parameters"] | found["constants"]
+                for text in (form["text"], expected):
+                    number = value(text, numbers)
+                    self.assertLess(abs(number - found["period"]), found["error"]["period"] + 1e-13 * found["period"], text)
+
+    def test_they_are_as_short_as_printed(self):
+        for system, text in (("cycloid_pendulum", "4*pi*sqrt(a/g)"), ("plane_pendulum", "4*sqrt(l/g)*ellipk(sin(1/2)^2)")):
+            self.assertEqual(self.ask("turning_points", {"system": system})["exact"]["period"]["text"], text)
+        morse = next(system for system, _ in PERIODS if isinstance(system, dict) and system["name"] == "morse")
+        form = self.ask("turning_points", {"system": morse})["exact"]["period"]
+        self.assertEqual(form["text"], "pi*sqrt(-2*m/E)/a")
+        self.assertIn("E < 0", form["assumes"])
+
+    def test_a_start_in_decimals_leaves_formulas_by_the_constants(self):
+        found = self.ask("turning_points", {"system": "kepler"})
+        numbers = found["request"]["parameters"] | found["constants"]
+        for name in ("r_max", "r_min"):
+            self.assertAlmostEqual(float(value(found["exact"][name]["text"], numbers)), found[name], places=12)
+        self.assertNotIn("equation", found["exact"])
+
+    def test_none_is_claimed_where_it_is_no_such_integral(self):
+        for system in NOT_ELEMENTARY:
+            self.assertNotIn("period", self.ask("turning_points", {"system": system}).get("exact", {}), system)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,72 @@
+// What constraints in the velocities leave constant, with their names and values.
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/expr/print/print.hpp"
+#include "core/symmetry/found_quantities.hpp"
+#include "tests/support/scenes.hpp"
+
+namespace qdot::constrained_momenta_test {
+namespace {
+
+/// Beside ignorable coordinates and the energy.
+std::map<std::string, std::string> found_in(const std::string& json) {
+  const auto model = test::model_written(json);
+  const FoundQuantities found =
+      found_quantities(*model, model->lagrangian, {}, conserved_quantities(model->lagrangian, model->scene));
+  std::map<std::string, std::string> values;
+  for (const ConservedQuantity& one : found.quantities) values[one.name] = print(one.value, Form::text);
+  return values;
+}
+
+std::string edge(const std::string& potential) {
+  return R"json({"name": "knife", "units": "none", "parameters": [{"name": "k", "default": "1"}],
+    "coordinates": [{"name": "x", "initial": "0"}, {"name": "y", "initial": "0"}, {"name": "phi", "initial": "0.3"}],
+    "lagrangian": "(x_dot^2 + y_dot^2 + phi_dot^2)/2 - )json" +
+         potential + R"json(",
+    "constraints": [{"name": "edge", "expression": "x_dot*sin(phi) - y_dot*cos(phi)"}]})json";
+}
+
+TEST(ConstrainedMomenta, AKnifeKeepsItsSpeedAlongItsEdge) {
+  const auto found = found_in(edge("0"));
+  ASSERT_TRUE(found.contains("momentum_x_y"));
+  EXPECT_FALSE(found_in(edge("k*x")).contains("momentum_x_y"));
+  EXPECT_TRUE(found_in(edge("k*cos(phi)")).contains("momentum_x_y"));
+}
+
+/// A ball of radius 1 and moments I1, I2, I3 that rolls on a plane, turned by X, Y and Z.
+std::string ball(const std::string& moments) {
+  return R"json({"name": "ball", "units": "none", "parameters": [{"name": "m", "default": "1"}],
+    "coordinates": [{"name": "x", "initial": "0"}, {"name": "y", "initial": "0"}, {"name": "a", "initial": "0.3"},
+                    {"name": "b", "initial": "0.4"}, {"name": "c", "initial": "0.2"}],
+    "bodies": [{"kind": "rigid_body", "name": "ball", "mass": "m", "principal_moments": [)json" +
+         moments +
+         R"json(], "centre": ["x", "y", "1"], "orientation": {"sequence": "XYZ", "angles": ["a", "b", "c"]}}],
+    "constraints": [
+      {"name": "along", "expression": "x_dot - (b_dot*cos(a) - c_dot*sin(a)*cos(b))"},
+      {"name": "across", "expression": "y_dot + (a_dot + c_dot*sin(b))"}]
+})json";
+}
+
+TEST(ConstrainedMomenta, AHomogeneousBallThatRollsKeepsItsSpin) {
+  const auto found = found_in(ball(R"("2/5*m", "2/5*m", "2/5*m")"));
+  ASSERT_TRUE(found.contains("spin_z"));
+  EXPECT_EQ(found.at("spin_z"), "2/5*m*(b_dot*sin(a) + c_dot*cos(a)*cos(b))");
+  EXPECT_TRUE(found.contains("roll_y"));
+}
+
+TEST(ConstrainedMomenta, ChaplyginsBallKeepsAngularMomentumAboutTheContact) {
+  const auto found = found_in(ball(R"("1/5*m", "3/10*m", "2/5*m")"));
+  EXPECT_TRUE(found.contains("spin_z"));
+  EXPECT_TRUE(found.contains("roll_y"));
+  EXPECT_FALSE(found.contains("own_spin_z"));
+}
+
+TEST(ConstrainedMomenta, ABallWithTwoEqualMomentsHasNoOwnSpinWhereItRolls) {
+  EXPECT_FALSE(found_in(ball(R"("1/5*m", "1/5*m", "2/5*m")")).contains("own_spin_z"));
+}
+
+}  // namespace
+}  // namespace qdot::constrained_momenta_test
