@@ -124,8 +124,9 @@ std::span<const double> ExtendedStepper::rounded() {
     rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
     rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
     if (in_doubles_.empty()) continue;
-    const double of_acceleration = in_double_doubles_[i] + (share > small ? share * in_doubles_[i] : 0);
-    const double of_velocity = of_acceleration * last_step_;
+    const double most_of_share = 2 * order_ * others / last_step_;  // all that it moves the velocity by
+    const double of_share = share > small ? std::min(share * in_doubles_[i] * last_step_, most_of_share) : 0;
+    const double of_velocity = in_double_doubles_[i] * last_step_ + of_share;
     rounded_[n + i] += of_velocity;
     rounded_[i] += of_velocity * last_step_ / 2;
   }

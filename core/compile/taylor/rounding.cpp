@@ -24,6 +24,9 @@ bool is_power_of_two(double x) {
 /// e^e - 1: by what factor exp changes where its argument does by e.
 double growth(double e) { return e < 1 ? e * (1 + e) : evaluate(Function::exp, e); }
 
+/// How much larger the terms of a series are than its values; where these overflow there are no others.
+double spread(double most, double least) { return most / least > 1 ? most / least : 1; }
+
 /// |x| of a product or sum with its error, term by term.
 struct RunningSum {
   double unit{};
@@ -159,8 +162,15 @@ void Rounding::apply(const Instruction& instruction) {
   out.error += of_underflow;
 }
 
+double Rounding::relative(Slot slot) const {
+  const Size& size = sizes_[slot];
+  const double by_least = size.error == 0 ? 0 : size.error / (least(slot) - size.error);
+  return by_least >= 0 ? std::min(by_least, size.relative) : size.relative;
+}
+
 Rounding::Size Rounding::sum(const Instruction& instruction, const Slot* operand) const {
   RunningSum total{.unit = unit_};
+  const Slot* const first = operand;
   for (unsigned k = 0; k < instruction.linear; ++k, operand += 2) {
     const Size &c = sizes_[operand[0]], &x = sizes_[operand[1]];
     const double size = c.most * x.most, once = is_power_of_two_[operand[0]] ? 0 : unit_;
@@ -173,31 +183,51 @@ Rounding::Size Rounding::sum(const Instruction& instruction, const Slot* operand
     const double roundings = is_power_of_two_[operand[0]] ? unit_ : 2 * unit_;
     total.add(size, c.most * of_xy + c.error * (xy + of_xy) + roundings * size);
   }
-  return {most(instruction.out, total.most), total.error};
+  Size result{most(instruction.out, total.most), total.error};
+  if (instruction.linear + instruction.products == 1) {
+    const std::size_t factors = instruction.linear == 1 ? 2 : 3;
+    result.relative = static_cast<double>(factors) * unit_;
+    for (std::size_t k = 0; k < factors; ++k) {
+      const double of_factor = relative(first[k]);
+      result.relative += of_factor + result.relative * of_factor;
+    }
+  }
+  return result;
 }
 
 /// w = x/y by w y = x, whose terms are rounded.
 Rounding::Size Rounding::quotient(Slot x, Slot y, Slot out) const {
-  const double divisor = least(y) - sizes_[y].error;
+  const double of_divisor = relative(y), divisor = least(y) * (1 - of_divisor);
   if (!(divisor > 0)) return {most(out, infinity), infinity};
   const double w = most(out, sizes_[x].most / divisor);
-  const double terms = w * sizes_[y].most;
-  return {w, (sizes_[x].error + w * sizes_[y].error + of_functions() * terms) / divisor};
+  const double of_terms = of_functions() * spread(sizes_[y].most, divisor);
+  const double error = sizes_[x].error / divisor + w * (of_divisor / (1 - of_divisor) + of_terms);
+  const double apart = w + (sizes_[x].most + sizes_[x].error) / divisor;  // both are no larger
+  const double relatively = (relative(x) + of_divisor + 2 * of_functions()) / (1 - of_divisor);
+  return {w, error < apart ? error : apart, relatively};
 }
 
 /// d(x^p) = p x^p dx/x + x^p log x dp
 Rounding::Size Rounding::power(const Instruction& instruction, const Slot* operand) const {
-  const auto& [x, of_x] = sizes_[operand[0]];
-  const auto& [p, of_p] = sizes_[operand[1]];
+  const double x = sizes_[operand[0]].most, of_x = relative(operand[0]);
+  const double p = sizes_[operand[1]].most, of_p = sizes_[operand[1]].error;
   const double w = most(instruction.out, infinity), base = least(operand[0]);
-  const double by_base = p * (of_x + of_functions() * x) / (base - of_x);
+  const double by_base = p * (of_x + of_functions() * spread(x, base)) / (1 - of_x);
   if (!(by_base >= 0)) return {w, infinity};
   double relative = growth(by_base) + of_functions();
   if (of_p > 0) {
     const double log_of_least = std::abs(evaluate(Function::log, base));
     relative += of_p * std::max(log_of_least, std::abs(evaluate(Function::log, x)));
   }
-  return {w, w * relative};
+  return {w, w * relative, relative};
+}
+
+Rounding::Size Rounding::exponential(Slot x, Slot out) const {
+  const double w = most(out, infinity), of_value = growth(sizes_[x].error) + 2 * of_functions();
+  if (std::isfinite(of_value)) return {w, w * of_value, of_value};
+  const double largest = values(x).upper, of_x = relative(x);  // exp(-cosh(y)) of a large y is 0 all the same
+  if (!(largest < 0) || !(of_x < 1)) return {w, infinity};
+  return {w, w + evaluate(Function::exp, largest * (1 - of_x))};
 }
 
 Rounding::Size Rounding::root(Slot x, Slot out) const {
@@ -220,7 +250,7 @@ Rounding::Size Rounding::function(const Instruction& instruction, Slot x) const 
   };
   switch (instruction.function) {
     case Function::exp:
-      return {w, w * (growth(e) + 2 * of_functions())};
+      return exponential(x, instruction.out);
     case Function::log: {
       const double base = least(x) - e;
       return base > 0 ? with_slope(1 / base, of_functions() * (w + w * sizes_[x].most / base))
@@ -232,8 +262,9 @@ Rounding::Size Rounding::function(const Instruction& instruction, Slot x) const 
     case Function::atan:
       return with_slope(1, 2 * of_functions() * (1 + w));
     case Function::sinh:
-    case Function::cosh:
       return {w, (1 + w) * growth(e) + 2 * of_functions() * (1 + w)};
+    case Function::cosh:
+      return {w, w * (growth(e) + 2 * of_functions()), growth(e) + 2 * of_functions()};
     case Function::asin:
     case Function::acos: {
       const double u = values(x).magnitude() + e, left = (1 - u) * (1 + u);

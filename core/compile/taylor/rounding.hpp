@@ -17,6 +17,7 @@
 // Source: Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3 (running error analysis).
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,9 +42,11 @@ class Rounding {
   void bound(double unit, std::span<double> accelerations);
 
  private:
+  static constexpr double no_bound_known = std::numeric_limits<double>::infinity();
   struct Size {
-    double most{};   ///< of |w|
-    double error{};  ///< e
+    double most{};                    ///< of |w|
+    double error{};                   ///< e
+    double relative{no_bound_known};  ///< of e/|w|, where w may overflow and e with it
   };
 
   void take_constants();
@@ -56,12 +59,14 @@ class Rounding {
   [[nodiscard]] Size power(const Instruction& instruction, const Slot* operand) const;
   [[nodiscard]] Size root(Slot x, Slot out) const;
   [[nodiscard]] Size function(const Instruction& instruction, Slot x) const;
+  [[nodiscard]] Size exponential(Slot x, Slot out) const;
   void apply_sine_cosine(const Instruction& instruction, Slot x);
   void apply_solve(const Instruction& instruction, const Slot* operand);
 
   [[nodiscard]] const Remainder::Row* measured(Slot slot) const;
   [[nodiscard]] Range values(Slot slot) const;
   [[nodiscard]] double least(Slot slot) const { return values(slot).least_magnitude(); }
+  [[nodiscard]] double relative(Slot slot) const;
   /// sum_k |c_k| h^k of a result, or what it cannot exceed.
   [[nodiscard]] double most(Slot slot, double otherwise) const;
 
