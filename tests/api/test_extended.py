@@ -198,7 +198,8 @@ class Extended(Service):
         base = {"system": "forced_spring_pendulum", "initial": {"theta": 0, "theta_dot": 0}, "t_end": 8, "samples": 2}
         for force in ("0.8*exp(-((t-5)/0.3)^2)", "0.8*exp(-((t-5)/0.001)^2)", "0.8*exp(-((t-5)/1e-7)^2)",
                       "1e-9*exp(-((t-5)/0.001)^2)", "0.8*(tanh((t-5)/0.01)-tanh((t-6)/0.01))",
-                      "0.8*(1-tanh((t-5)/0.001)^2)", "0.8/cosh((t-5)/0.001)^2", "0.8*exp(-cosh((t-5)/0.001))"):
+                      "0.8*(1-tanh((t-5)/0.001)^2)", "0.8/cosh((t-5)/0.001)^2", "0.8*exp(-cosh((t-5)/0.001))",
+                      "0.8/(2+sinh((t-5)/0.001)^2)"):
             with self.subTest(force=force):
                 request = base | {"inputs": {"F": force}}
                 doubles = self.ask("simulate", request | {"max_error": 1e-12})

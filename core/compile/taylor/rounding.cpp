@@ -13,6 +13,8 @@ namespace {
 
 constexpr double last_digits = 64;  ///< units: bounds add up what mostly goes to and fro
 constexpr double of_underflow = 0x1p-1074;
+constexpr double large =
+    100;  ///< what such numbers are off may matter relatively alone: exp of them overflows
 
 double known_or_infinite(double x) { return std::isnan(x) ? infinity : x; }
 
@@ -184,15 +186,30 @@ Rounding::Size Rounding::sum(const Instruction& instruction, const Slot* operand
     total.add(size, c.most * of_xy + c.error * (xy + of_xy) + roundings * size);
   }
   Size result{most(instruction.out, total.most), total.error};
-  if (instruction.linear + instruction.products == 1) {
-    const std::size_t factors = instruction.linear == 1 ? 2 : 3;
-    result.relative = static_cast<double>(factors) * unit_;
-    for (std::size_t k = 0; k < factors; ++k) {
-      const double of_factor = relative(first[k]);
-      result.relative += of_factor + result.relative * of_factor;
-    }
-  }
+  if (!(total.most < large)) result.relative = relative_of_sum(instruction, first);
   return result;
+}
+
+/// Of terms that overflow: what they are off relatively, where all have one sign.
+double Rounding::relative_of_sum(const Instruction& instruction, const Slot* operand) const {
+  const unsigned terms = instruction.linear + instruction.products;
+  double largest = 0;
+  int sign = 0;
+  for (unsigned k = 0; k < terms; ++k) {
+    const unsigned factors = k < instruction.linear ? 2 : 3;
+    double of_term = 0;
+    int sign_of_term = 1;
+    for (unsigned j = 0; j < factors; ++j, ++operand) {
+      const double of_factor = relative(*operand) + unit_;
+      of_term += of_factor + of_term * of_factor;
+      const Range factor = values(*operand);
+      sign_of_term *= factor.lower > 0 ? 1 : factor.upper < 0 ? -1 : 0;
+    }
+    if (terms > 1 && (sign_of_term == 0 || sign_of_term == -sign)) return infinity;
+    sign = sign_of_term;
+    largest = std::max(largest, of_term);
+  }
+  return largest + terms * unit_ * (1 + largest);
 }
 
 /// w = x/y by w y = x, whose terms are rounded.
@@ -232,7 +249,10 @@ Rounding::Size Rounding::exponential(Slot x, Slot out) const {
 
 Rounding::Size Rounding::root(Slot x, Slot out) const {
   const double w = most(out, infinity);
-  return {w, (sizes_[x].error + of_functions() * w * w) / least(out)};
+  const double error = (sizes_[x].error + of_functions() * w * w) / least(out);
+  if (std::isfinite(error)) return {w, error};
+  const double relatively = relative(x) + of_functions();
+  return {w, w * relatively, relatively};
 }
 
 void Rounding::apply_sine_cosine(const Instruction& instruction, Slot x) {
@@ -261,8 +281,11 @@ Rounding::Size Rounding::function(const Instruction& instruction, Slot x) const 
     case Function::tanh:
     case Function::atan:
       return with_slope(1, 2 * of_functions() * (1 + w));
-    case Function::sinh:
-      return {w, (1 + w) * growth(e) + 2 * of_functions() * (1 + w)};
+    case Function::sinh: {
+      const double of_steep = growth(2 * e) + 2 * of_functions();  // |coth| < 2 where |x| > 1
+      const double error = (1 + w) * growth(e) + 2 * of_functions() * (1 + w);
+      return {w, error, least(x) - e > 1 ? of_steep : infinity};
+    }
     case Function::cosh:
       return {w, w * (growth(e) + 2 * of_functions()), growth(e) + 2 * of_functions()};
     case Function::asin:

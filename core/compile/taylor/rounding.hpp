@@ -55,6 +55,7 @@ class Rounding {
   void take_variables();
   void apply(const Instruction& instruction);
   [[nodiscard]] Size sum(const Instruction& instruction, const Slot* operand) const;
+  [[nodiscard]] double relative_of_sum(const Instruction& instruction, const Slot* operand) const;
   [[nodiscard]] Size quotient(Slot x, Slot y, Slot out) const;
   [[nodiscard]] Size power(const Instruction& instruction, const Slot* operand) const;
   [[nodiscard]] Size root(Slot x, Slot out) const;
