@@ -53,6 +53,7 @@ Rounding::Rounding(const CompiledFunction& tape, const Workspace& slots, const R
       rows_(tape.slots_, no_row),
       varies_(tape.slots_),
       is_power_of_two_(tape.slots_),
+      is_asked_relatively_(tape.slots_),
       sizes_(tape.slots_) {
   for (Slot slot = 0; slot < rows_.size(); ++slot) {
     const auto found = remainder.indices_.find(row_of(slot));
@@ -64,6 +65,8 @@ Rounding::Rounding(const CompiledFunction& tape, const Workspace& slots, const R
                                 : i.operation == Operation::sine_cosine ? 2
                                                                         : 1;
     for (std::size_t k = 0; k < results; ++k) varies_[i.out + k] = true;
+    const bool is_root = i.operation == Operation::square_root || i.operation == Operation::power;
+    if (is_root) is_asked_relatively_[tape.operands_[i.first]] = true;
   }
   take_constants();
 }
@@ -186,11 +189,12 @@ Rounding::Size Rounding::sum(const Instruction& instruction, const Slot* operand
     total.add(size, c.most * of_xy + c.error * (xy + of_xy) + roundings * size);
   }
   Size result{most(instruction.out, total.most), total.error};
-  if (!(total.most < large)) result.relative = relative_of_sum(instruction, first);
+  if (is_asked_relatively_[instruction.out] || !(total.most < large))
+    result.relative = relative_of_sum(instruction, first);
   return result;
 }
 
-/// Of terms that overflow: what they are off relatively, where all have one sign.
+/// What terms are off relatively, where all have one sign, as squares do.
 double Rounding::relative_of_sum(const Instruction& instruction, const Slot* operand) const {
   const unsigned terms = instruction.linear + instruction.products;
   double largest = 0;
@@ -202,8 +206,9 @@ double Rounding::relative_of_sum(const Instruction& instruction, const Slot* ope
     for (unsigned j = 0; j < factors; ++j, ++operand) {
       const double of_factor = relative(*operand) + unit_;
       of_term += of_factor + of_term * of_factor;
+      const bool is_of_square = j > 0 && factors == 3 && operand[j == 1 ? 1 : -1] == *operand;
       const Range factor = values(*operand);
-      sign_of_term *= factor.lower > 0 ? 1 : factor.upper < 0 ? -1 : 0;
+      sign_of_term *= is_of_square || factor.lower > 0 ? 1 : factor.upper < 0 ? -1 : 0;
     }
     if (terms > 1 && (sign_of_term == 0 || sign_of_term == -sign)) return infinity;
     sign = sign_of_term;
@@ -249,10 +254,9 @@ Rounding::Size Rounding::exponential(Slot x, Slot out) const {
 
 Rounding::Size Rounding::root(Slot x, Slot out) const {
   const double w = most(out, infinity);
-  const double error = (sizes_[x].error + of_functions() * w * w) / least(out);
-  if (std::isfinite(error)) return {w, error};
   const double relatively = relative(x) + of_functions();
-  return {w, w * relatively, relatively};
+  const double error = (sizes_[x].error + of_functions() * w * w) / least(out);
+  return {w, error < w * relatively ? error : w * relatively, relatively};
 }
 
 void Rounding::apply_sine_cosine(const Instruction& instruction, Slot x) {

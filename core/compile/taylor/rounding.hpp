@@ -80,7 +80,8 @@ class Rounding {
   static constexpr Remainder::Index no_row = ~Remainder::Index{};
   std::vector<Remainder::Index> rows_;  ///< of slots; no_row where it has none
   std::vector<bool> varies_;
-  std::vector<bool> is_power_of_two_;  ///< or -2: products with it are exact
+  std::vector<bool> is_power_of_two_;      ///< or -2: products with it are exact
+  std::vector<bool> is_asked_relatively_;  ///< by roots and powers, whose slope has no bound at 0
   std::vector<Size> sizes_;
   double unit_{half_unit_of_doubles};
 };
