@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/steady/characteristic_polynomial.hpp"
 #include "core/steady/critical_sentences.hpp"
 #include "core/steady/stability.hpp"
 
@@ -12,65 +13,45 @@ namespace {
 
 constexpr std::size_t most_coordinates_of_growth = 4;
 
-using IntervalPolynomial = std::vector<Interval>;  ///< coefficients by ascending powers
-using PolynomialRows = std::vector<std::vector<IntervalPolynomial>>;
+using Powers = PowerCoefficients<Interval>;
+using Rows = std::vector<std::vector<Interval>>;
 
-/// By expansion along the first row.
-IntervalPolynomial expanded_determinant(const PolynomialRows& rows) {
-  if (rows.size() == 1) return rows[0][0];
-  IntervalPolynomial sum;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    PolynomialRows minor(rows.begin() + 1, rows.end());
-    for (auto& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(k));
-    const IntervalPolynomial rest = expanded_determinant(minor);
-    const IntervalPolynomial& first = rows[0][k];
-    sum.resize(std::max(sum.size(), first.size() + rest.size() - 1), Interval(0));
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      for (std::size_t j = 0; j < rest.size(); ++j)
-        sum[i + j] = k % 2 == 0 ? sum[i + j] + first[i] * rest[j] : sum[i + j] - first[i] * rest[j];
-    }
-  }
-  return sum;
-}
-
-/// det (c_(n - 2 i + j)), i, j = 1 ... n - 1.
-PolynomialRows hurwitz_rows(const IntervalPolynomial& c) {
-  const std::size_t n = c.size() - 1;
-  PolynomialRows rows(n - 1);
-  for (std::size_t i = 1; i < n; ++i) {
-    for (std::size_t j = 1; j < n; ++j) {
-      const std::size_t k = 2 * i - j;  // wraps around where it is negative
-      rows[i - 1].push_back({k <= n ? c[n - k] : Interval(0)});
-    }
-  }
-  return rows;
-}
-
-/// Sylvester's, of b and its derivative: the discriminant but for the leading coefficient and a sign.
-PolynomialRows discriminant_rows(const IntervalPolynomial& b) {
+/// Sylvester's matrix of b and its derivative: its determinant is the discriminant but for the leading
+/// coefficient and a sign.
+Rows discriminant_matrix(const Powers& b) {
   const std::size_t n = b.size() - 1;
-  PolynomialRows rows(2 * n - 1, std::vector<IntervalPolynomial>(2 * n - 1, IntervalPolynomial{Interval(0)}));
+  Rows rows(2 * n - 1, std::vector<Interval>(2 * n - 1, Interval(0)));
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    for (std::size_t k = 0; k <= n; ++k) rows[i][i + k] = {b[n - k]};
+    for (std::size_t k = 0; k <= n; ++k) rows[i][i + k] = b[n - k];
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < n; ++k)
-      rows[n - 1 + i][i + k] = {Interval(static_cast<double>(n - k)) * b[n - k]};
+      rows[n - 1 + i][i + k] = Interval(static_cast<double>(n - k)) * b[n - k];
   }
   return rows;
 }
 
-/// An equilibrium that stays in x while the parameter moves.
+Interval determinant_of(const Rows& matrix) {
+  PolynomialRows<Interval> rows(matrix.size());
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    for (const Interval& entry : matrix[i]) rows[i].push_back({entry});
+  }
+  return expanded_determinant(rows, Interval(0))[0];
+}
+
+/// An equilibrium that stays in x while the parameter moves through a range.
 class StayingEquilibrium {
  public:
-  StayingEquilibrium(const Dynamics& dynamics, const SteadyProblem& problem, std::size_t index, Box x)
-      : dynamics_(dynamics), problem_(problem), index_(index), x_(std::move(x)) {}
-
-  [[nodiscard]] bool stays(const Interval& range) const {
-    Box forces(problem_.forces->forces.outputs());
-    TapeEvaluator<Interval>(problem_.forces->forces, at(range).constants)(x_, forces);
-    return std::ranges::all_of(forces, [](const Interval& g) { return is_zero(g); });
+  StayingEquilibrium(const Dynamics& dynamics, const SteadyProblem& problem, std::size_t index, Box x,
+                     const Interval& range)
+      : dynamics_(dynamics), problem_(problem), index_(index), x_(std::move(x)) {
+    stays_ = std::ranges::all_of(values(problem_.forces->forces, range), is_zero);
+    is_damped_ = !std::ranges::all_of(values(problem_.statics->damping, range), is_zero);
   }
+
+  [[nodiscard]] bool stays() const { return stays_; }
+  /// Somewhere in the range. Where the damping passes zero the condition for it does, too, and tells nothing.
+  [[nodiscard]] bool is_damped() const { return is_damped_; }
 
   [[nodiscard]] bool oscillates(double p) const {
     const SteadyStability found = StabilityAnalysis(dynamics_, at(p)).at(x_);
@@ -79,22 +60,19 @@ class StayingEquilibrium {
     });
   }
 
-  [[nodiscard]] bool is_damped(double p) const {
-    return !std::ranges::all_of(values(problem_.statics->damping, p), is_zero);
-  }
-
   /// Of the condition at p: -1, 1, or 0 where rounding hides it.
   [[nodiscard]] int sign(double p) const {
     const std::vector<Interval> m = values(problem_.statics->inertia, p),
                                 d = values(problem_.statics->damping, p),
                                 k = values(problem_.forces->stiffness, p);
     const std::size_t n = x_.size();
-    PolynomialRows rows(n);
+    PolynomialRows<Interval> rows(n);
     for (std::size_t i = 0; i < n * n; ++i) rows[i / n].push_back({k[i], d[i], m[i]});
-    const IntervalPolynomial c = expanded_determinant(rows);
-    IntervalPolynomial even;
+    const Powers c = expanded_determinant(rows, Interval(0));
+    Powers even;
     for (std::size_t i = 0; i < c.size(); i += 2) even.push_back(c[i]);
-    const Interval value = expanded_determinant(is_damped(p) ? hurwitz_rows(c) : discriminant_rows(even))[0];
+    const Interval value =
+        determinant_of(is_damped_ ? hurwitz_matrix(c, Interval(0)) : discriminant_matrix(even));
     return value.lower > 0 ? 1 : value.upper < 0 ? -1 : 0;
   }
 
@@ -107,7 +85,7 @@ class StayingEquilibrium {
     return here;
   }
 
-  [[nodiscard]] std::vector<Interval> values(const CompiledFunction& function, double p) const {
+  [[nodiscard]] std::vector<Interval> values(const CompiledFunction& function, const Interval& p) const {
     std::vector<Interval> result(function.outputs());
     TapeEvaluator<Interval>(function, at(p).constants)(x_, result);
     return result;
@@ -117,6 +95,7 @@ class StayingEquilibrium {
   const SteadyProblem& problem_;
   std::size_t index_;
   Box x_;
+  bool stays_{}, is_damped_{};
 };
 
 /// The part of `gap` that holds a change of sign; both ends have proven signs.
@@ -158,15 +137,14 @@ std::vector<KnownZero> missed_growth(const Dynamics& dynamics, const CriticalPro
       if (before == after || holds_one(gap, known) || branch.x[i] != branch.x[i + 1]) continue;
       Box x;
       for (const std::size_t j : kept) x.emplace_back(branch.x[i][j]);
-      const StayingEquilibrium equilibrium(dynamics, chart.problem, index, x);
-      if (!equilibrium.stays(gap) || !equilibrium.oscillates(before ? gap.lower : gap.upper)) continue;
+      const StayingEquilibrium equilibrium(dynamics, chart.problem, index, x, gap);
+      if (!equilibrium.stays() || !equilibrium.oscillates(before ? gap.lower : gap.upper)) continue;
       const auto change = change_of_sign(equilibrium, gap);
       if (!change) continue;
       Box place;
       for (const std::size_t j : chart.systems->unknowns) place.push_back(x[j]);
-      const bool damped = equilibrium.is_damped(gap.lower) || equilibrium.is_damped(gap.upper);
       result.push_back({{BifurcationSystem::Kind::growth, place, *change, false},
-                        damped ? BifurcationKind::hopf : BifurcationKind::flutter,
+                        equilibrium.is_damped() ? BifurcationKind::hopf : BifurcationKind::flutter,
                         growth_along_curve,
                         {}});
     }
