@@ -14,7 +14,11 @@
 // roundings of all its coefficients, and least magnitudes are those of the whole step (remainder.hpp). The
 // state is exact, and so are the parameters: whoever moves them answers for their rounding. Literals are not:
 // 0.86 is no double.
-// Source: Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3 (running error analysis).
+//
+// Where w overflows, or a root's argument nearly vanishes, e/|w| is bounded instead: by what factors,
+// quotients and sums of terms of one sign, such as squares, are off relatively. That is a bound at each place
+// of the step, but not of what rounded coefficients of a series add up to between them. Source: Higham,
+// Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3 (running error analysis).
 
 #include <functional>
 #include <limits>

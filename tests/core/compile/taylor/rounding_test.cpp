@@ -108,6 +108,15 @@ TEST(Rounding, OfAnOrdinaryForceIsOfItsLastDigits) {
   }
 }
 
+TEST(Rounding, OfWhatDividesByAnOverflowIsNone) {
+  for (const char* formula :
+       {"1/cosh(1e3*(t - 5))^2", "exp(-cosh(1e3*(t - 5)))", "1/(1 + exp(1e3*(5 - t)))^2",
+        "1/(2 + sinh(1e3*(t - 5))^2)", "exp(-sqrt(1 + (1e6*(t - 5))^2))"}) {
+    EXPECT_LT(RoundedStep(formula, 4.4, 0, 0.1).bound(), 1e-100) << formula;
+    EXPECT_LT(RoundedStep(formula, 4.58, 0, 0.127).bound(), 1e-100) << formula;  // the terms alone overflow
+  }
+}
+
 TEST(Rounding, OfADifferenceThatHasBecomeZeroIsThatOfItsTerms) {
   RoundedStep step("-(cosh(1e-20*q) - 1)*2e40/q", 0, 1, 0.5);
   EXPECT_GT(step.bound(), 1e23);
