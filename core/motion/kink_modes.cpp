@@ -176,6 +176,19 @@ std::vector<double> KinkModes::rates(const Sides& sides) {
   return result;
 }
 
+/// Those that are passed from one way to the other.
+std::optional<std::map<std::size_t, KinkModes::Ahead>> KinkModes::kinks_ahead(const Sides& before,
+                                                                              const Way& after) {
+  std::map<std::size_t, Ahead> ahead;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (before[k] == 0 || before[k] == after.sides[k]) continue;
+    if (!series(before)) return std::nullopt;
+    const double u = exact_argument(k, before);
+    ahead[k] = {u, several * (std::abs(u - (*series(before))[k][0]) + margin * after.size[k])};
+  }
+  return ahead;
+}
+
 /// One kink after the other, in order of time: where the motion changes its way at t + s, s < 0 before t, it
 /// is (f_old - f_new) s off at t, and the arguments of the others with it.
 KinkModes::Passage KinkModes::passage(const Sides& before, const Way& after, double t,
@@ -184,16 +197,9 @@ KinkModes::Passage KinkModes::passage(const Sides& before, const Way& after, dou
   y_.assign(y.begin(), y.end());
   series_.clear();
   Passage passage{.move = std::vector<double>(y.size()), .doubt = 0};
-  struct Ahead {
-    double u, explained;  ///< by rounding, and by a margin (kink_ends.cpp)
-  };
-  std::map<std::size_t, Ahead> ahead;  // those that are still to come
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    if (before[k] == 0 || before[k] == after.sides[k]) continue;
-    if (!series(before)) return passage;
-    const double u = exact_argument(k, before);
-    ahead[k] = {u, several * (std::abs(u - (*series(before))[k][0]) + margin * after.size[k])};
-  }
+  std::optional<std::map<std::size_t, Ahead>> met = kinks_ahead(before, after);
+  if (!met) return passage;
+  std::map<std::size_t, Ahead>& ahead = *met;
   std::vector<double> move(y.size());
   for (Sides now = before; !ahead.empty();) {
     const std::vector<std::vector<double>> old = *series(now);

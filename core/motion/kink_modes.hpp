@@ -67,6 +67,9 @@ class KinkModes {
 
  private:
   static constexpr unsigned order = 8;
+  struct Ahead {
+    double u, explained;  ///< by rounding, and by a margin (kink_ends.cpp)
+  };
 
   /// The motion with given sides, ready to be looked at.
   struct Mode;
@@ -86,6 +89,7 @@ class KinkModes {
   [[nodiscard]] std::vector<double> geometry(const Sides& sides, double t, std::span<const double> y);
   [[nodiscard]] Sides completed(Sides sides, double t, std::span<const double> y);
   [[nodiscard]] std::vector<double> rates(const Sides& sides);
+  std::optional<std::map<std::size_t, Ahead>> kinks_ahead(const Sides& before, const Way& after);
   [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides);
   void put_on(std::size_t kink, const Sides& sides, double t, std::vector<double>& y);
   [[nodiscard]] std::optional<Sides> only_way();
