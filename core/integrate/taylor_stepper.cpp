@@ -7,41 +7,21 @@
 #include <vector>
 
 #include "core/base/work.hpp"
+#include "core/integrate/bounded_steps.hpp"
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/series_at_four.hpp"
 #include "core/integrate/series_sums.hpp"
+#include "core/integrate/step_length.hpp"
 #include "core/integrate/taylor_orders.hpp"
-#include "core/numerics/constants.hpp"
-#include "core/numerics/rough_powers.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr int attempts = 60;            ///< at one step, each half as long
 constexpr double largest_defect = 1e3;  ///< of an unbounded step, at its end, in units of the tolerance
-/// Of a bounded step, times its length, in units of the tolerance. They are 1 to 100, as it happens: the
-/// worst step of a reference has to be better than a lucky one of the run that it measures.
-constexpr double allowed_defect = 100, allowed_of_reference = 10;
-/// Of the length wanted: most steps are then found short enough by the first and cheapest bound.
+/// Of the length wanted: most steps of a reference are then found short enough by the first and cheapest
+/// bound.
 constexpr double share_of_reference = 0.95;
-constexpr int most_bounds = 120;           ///< tried for one step
-constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
-constexpr double least_share = 0.5, grown_share = 1.03;
-constexpr double visible = 1000;  ///< a defect so many times the last coefficients hides something
-
-/// log2 of (w / |c|)^(1/k); infinite for c = 0. A step need not be known to more than some digits.
-double log2_of_root(double w, double c, unsigned k) {
-  if (c == 0) return infinity;
-  return (rough_log2(w) - rough_log2(std::abs(c))) / k;
-}
-
-double powered(double x, unsigned k) {
-  double result = 1;
-  for (; k > 0; k /= 2, x *= x) {
-    if (k % 2 == 1) result *= x;
-  }
-  return result;
-}
 
 class TaylorStepper final : public Stepper {
  public:
@@ -56,7 +36,8 @@ class TaylorStepper final : public Stepper {
         y_(request.y_start),
         carried_(y_.size()),
         coefficients_(y_.size() * (order_ + 1)),
-        next_(coefficients_.size()) {}
+        next_(coefficients_.size()),
+        bounds_(system, request, y_.size(), order_) {}
 
   std::optional<Ending> step() override {
     if (t_ != t_previous_) trouble_.reset();
@@ -65,11 +46,11 @@ class TaylorStepper final : public Stepper {
       if (const auto failed = expand(t_, y_, next_)) return failed;
     }
     weigh();
-    const double wanted = step_size();
+    const double wanted = step_length(next_, order_, weights_);
     const double share = request_.is_reference ? share_of_reference : 1;
     double h = std::min(share * wanted, request_.t_end - t_);
     for (int i = 0; i < attempts; ++i, h /= 2) {
-      const Bound bound = bounded(h);
+      const BoundedSteps::Bound bound = bounds_.find(t_, h, next_, weights_);
       h = bound.h;
       const double t = h == request_.t_end - t_ ? request_.t_end : t_ + h;
       if (!(t > t_)) break;
@@ -102,8 +83,8 @@ class TaylorStepper final : public Stepper {
 
   std::optional<MotionPiece> polynomials() const override {
     MotionPiece piece{t_previous_, t_ - t_previous_, coefficients_, order_, {}, {}};
-    if (last_is_bounded_) piece.defect = defect_;
-    if (last_is_bounded_) piece.rounding = rounding_;
+    if (last_is_bounded_) piece.defect = bounds_.defect();
+    if (last_is_bounded_) piece.rounding = bounds_.rounding();
     return piece;
   }
 
@@ -113,21 +94,13 @@ class TaylorStepper final : public Stepper {
   std::optional<Ending> trouble() const override { return trouble_; }
   bool bounded() const override { return bounded_; }
 
-  /// The bound of a whole step may be ten thousand times that of a part. Its rows are expanded again.
   void end_at(double t) override {
-    if (unseen_.empty() || !bounded_ || t == t_) return;
+    if (bounds_.unseen().empty() || !bounded_ || t == t_) return;
     if (expand(t_previous_, y_previous_, beyond_)) return;
-    const double h = t - t_previous_;
-    bound_closely(h);
-    if (!std::ranges::all_of(defect_, [](double d) { return std::isfinite(d); })) return;
-    next_ = coefficients_;
-    off_so_far_ = off_before_;
-    hidden_so_far_ = hidden_before_;
-    hides_ = find_hidden(h);
-    note_unseen(h);
+    bounds_.shorten(t - t_previous_, coefficients_);
   }
 
-  std::span<const double> unseen() const override { return unseen_; }
+  std::span<const double> unseen() const override { return bounds_.unseen(); }
   std::span<const double> accelerations() override {
     if (steps_ == 0) return {};
     const std::size_t n = y_.size() / 2;
@@ -188,119 +161,8 @@ class TaylorStepper final : public Stepper {
     }
   }
 
-  /// By the last two coefficients that are finite in all components.
-  [[nodiscard]] double step_size() const {
-    unsigned last = order_;
-    const auto is_finite = [&](unsigned k) {
-      for (std::size_t i = 0; i < y_.size(); ++i) {
-        if (!std::isfinite(coefficient(next_, i, k))) return false;
-      }
-      return true;
-    };
-    while (last > 1 && !is_finite(last)) --last;
-    double exponent = log2_of_step_by(last);
-    if (last > 2) exponent = std::min(exponent, log2_of_step_by(last - 1));
-    return std::isfinite(exponent) ? rough_exp2(exponent) : exponent;
-  }
-
-  /// log2 of the least over the components of (w / |c_k|)^(1/k). One root, of the largest |c_k| / w, where
-  /// that is a number.
-  [[nodiscard]] double log2_of_step_by(unsigned k) const {
-    double largest = 0;
-    for (std::size_t i = 0; i < y_.size(); ++i) {
-      largest = std::max(largest, std::abs(coefficient(next_, i, k)) / weights_[i]);
-    }
-    if (std::isfinite(largest)) return largest > 0 ? -rough_log2(largest) / k : infinity;
-    double least = infinity;
-    for (std::size_t i = 0; i < y_.size(); ++i) {
-      least = std::min(least, log2_of_root(weights_[i], coefficient(next_, i, k), k));
-    }
-    return least;
-  }
-
-  struct Bound {
-    double h{};
-    bool found{};
-  };
-
-  /// A step up to h whose defect is bounded by what is allowed; h itself where there is none. Where the last
-  /// one had to be a little shorter than wanted, this one is tried so.
-  Bound bounded(double h) {
-    if (!system_.defect) return {h, false};
-    const double allowed = request_.is_reference ? allowed_of_reference : allowed_defect;
-    for (std::size_t i = 0; i < y_.size(); ++i) allowed_[i] = allowed * weights_[i];
-    const auto excess = [&](double length) { return system_.defect(length, allowed_, defect_); };
-    double good = h * share_, bad = infinity;
-    share_ = std::min(1.0, grown_share * share_);
-    for (int i = 0; i < most_bounds; ++i) {
-      const double ratio = excess(good);
-      if (ratio <= 1) break;
-      bad = good;
-      good = std::max(good / 2, 0.93 * good * rough_exp2(-rough_log2(std::min(ratio, 1e300)) / order_));
-      if (good < least_of_wanted * h || t_ + good == t_) return {h, false};
-      share_ = std::max(least_share, good / h);
-    }
-    if (bad <= 4 * h && good <= h / 4) good = lengthened(good, bad);
-    if (request_.is_reference) look_closely(good);
-    if (request_.originals != nullptr && system_.rounding) {
-      rounding_.resize(y_.size() / 2);
-      system_.rounding(rounding_);
-    }
-    return {good, true};
-  }
-
-  /// Where the bound tells of something hidden it may be a rough one: then the closest is taken.
-  void look_closely(double h) {
-    hides_ = find_hidden(h);
-    if (hides_) bound_closely(h);
-  }
-
-  void bound_closely(double h) { (void)system_.defect(h, {}, defect_); }
-
-  /// After much shortening: between a length that does and one that does not.
-  double lengthened(double good, double bad) {
-    for (int i = 0; i < 2; ++i) {
-      const double middle = (good + bad) / 2;
-      (system_.defect(middle, allowed_, defect_) <= 1 ? good : bad) = middle;
-    }
-    (void)system_.defect(good, allowed_, defect_);
-    return good;
-  }
-
-  /// What the step of a reference may hide: what its last coefficients do not show. It moves on with the
-  /// velocities. What it may be off by anyway is much less, and only summed.
-  void note_unseen(double h) {
-    const std::size_t n = y_.size() / 2;
-    off_before_ = off_so_far_;
-    hidden_before_ = hidden_so_far_;
-    const bool hides = hides_ && find_hidden(h);  // by the closest bound
-    if (hides) hidden_so_far_.resize(y_.size());
-    for (std::size_t i = 0; i < hidden_so_far_.size(); ++i) hidden_so_far_[i] += hidden_[i];
-    for (std::size_t i = 0; i < n && !hidden_so_far_.empty(); ++i) {
-      hidden_so_far_[i] += h * hidden_so_far_[n + i];
-    }
-    unseen_.resize(y_.size());
-    for (std::size_t i = 0; i < unseen_.size(); ++i) {
-      off_so_far_[i] += h * defect_[i];
-      unseen_[i] = off_so_far_[i] + (hidden_so_far_.empty() ? 0 : hidden_so_far_[i]);
-    }
-  }
-
-  /// hidden_: what of the bound of each component its last coefficients do not show. Whether there is any.
-  bool find_hidden(double h) {
-    const double power = powered(h, order_ - 2);
-    bool hides = false;
-    for (std::size_t i = 0; i < y_.size(); ++i) {
-      const auto size = [&](unsigned k) { return std::abs(coefficient(next_, i, k)); };
-      const double last = power * std::max({size(order_ - 2), h * size(order_ - 1), h * h * size(order_)});
-      hidden_[i] = h * defect_[i] > visible * last ? h * defect_[i] : 0;
-      hides = hides || hidden_[i] > 0;
-    }
-    return hides;
-  }
-
   /// To time t, if the polynomial holds until there.
-  bool try_step(double t, const Bound& bound) {
+  bool try_step(double t, const BoundedSteps::Bound& bound) {
     const double h = t - t_;
     std::vector<double>& y = attempt_;
     y.resize(y_.size());
@@ -315,7 +177,7 @@ class TaylorStepper final : public Stepper {
     }
     if (expand(t, y, beyond_)) return false;
     if (!bound.found && !holds_until(h)) return false;
-    if (bound.found && request_.is_reference) note_unseen(h);
+    if (bound.found && request_.is_reference) bounds_.add_unseen(h, next_);
     last_is_bounded_ = bound.found;
     bounded_ = bounded_ && bound.found;
     last_step_ = h;
@@ -377,14 +239,9 @@ class TaylorStepper final : public Stepper {
   std::vector<double> rise_ = std::vector<double>(y_.size()), slope_ = rise_;
   std::vector<double> weights_ = rise_;
   std::vector<double> sums_;  ///< of four samples
-  std::vector<double> allowed_ = rise_, defect_ = rise_, hidden_ = rise_;
-  std::vector<double> rounding_;  ///< of accelerations
-  std::vector<double> hidden_so_far_, off_so_far_ = rise_, unseen_;
-  std::vector<double> hidden_before_, off_before_;  ///< the last step
-  std::vector<double> fastest_;                     ///< accelerations in the last step
+  BoundedSteps bounds_;
+  std::vector<double> fastest_;  ///< accelerations in the last step
   bool bounded_{true}, last_is_bounded_{false};
-  bool hides_{false};  ///< the step that was just bounded
-  double share_{1};    ///< of the length wanted, to begin with
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
 };

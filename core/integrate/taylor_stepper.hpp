@@ -15,15 +15,11 @@
 // Two things keep round-off down. The step is exactly the difference of the two times, h := (t + h) - t; and
 // what the sum y + dy rounds away is carried to the next step (Kahan).
 //
-// A step is accepted where RightHandSide::defect bounds its defect d_i over the whole step by
-//   h d_i <= 100 w_i
-// (a reference: 10 w_i, and steps of 0.95 h to begin with)
-// and is shortened until it does, on the same coefficients. Where h d_i exceeds 1000 times the last three
-// terms they do not show it: such steps of a reference add h d_i, in the unit of y_i, to Run::unseen, where
-// velocities carry it on to the coordinates. Where no bound is found within 120 tries, the equation is tested
-// at the step's end alone, and Run::bounded is false. With these factors none of 600 pulses of known effect
-// was missed. Source of the test: Enright, Hayes, Robust and reliable defect control for Runge-Kutta methods,
-// ACM TOMS 33 (2007) 1.
+// A step is accepted where its defect is bounded over its whole length (bounded_steps.hpp), and is shortened
+// until it is, on the same coefficients. Where no bound is found within 120 tries, the equation is tested at
+// the step's end alone, and Run::bounded is false. So none of 600 pulses of known effect was missed. Source
+// of the test: Enright, Hayes, Robust and reliable defect control for Runge-Kutta methods, ACM TOMS 33
+// (2007) 1.
 
 #include <memory>
 

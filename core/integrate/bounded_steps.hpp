@@ -1,0 +1,62 @@
+#pragma once
+// Steps whose polynomials are known to obey the equation over all their length: RightHandSide::defect bounds
+// the defect d_i of a step of length h, and the step is short enough where
+//
+//   h d_i <= 100 w_i        (a reference: 10 w_i)
+//
+// Where h d_i exceeds 1000 times the last three terms they do not show it: such steps of a reference add h
+// d_i to what may have gone unseen, in the unit of y_i, where velocities carry it on to the coordinates.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/integrate/run.hpp"
+
+namespace qdot {
+
+class BoundedSteps {
+ public:
+  /// n components, series of the given order.
+  BoundedSteps(const RightHandSide& system, const RunRequest& request, std::size_t n, unsigned order);
+
+  struct Bound {
+    double h{};
+    bool found{};
+  };
+
+  /// A step from t up to h whose defect is bounded by what is allowed; h itself where there is none.
+  /// `series`: what was expanded last; `weights`: w_i. Where the last step had to be a little shorter than
+  /// wanted, this one is tried so.
+  [[nodiscard]] Bound find(double t, double h, std::span<const double> series,
+                           std::span<const double> weights);
+
+  /// Adds what the step found last may hide to what has gone unseen.
+  void add_unseen(double h, std::span<const double> series);
+  /// The last step ended at h already: the bound of a whole step may be ten thousand times that of a part.
+  /// Its series has been expanded again.
+  void shorten(double h, std::span<const double> series);
+
+  [[nodiscard]] std::span<const double> defect() const { return defect_; }
+  [[nodiscard]] std::span<const double> rounding() const { return rounding_; }  ///< of accelerations
+  [[nodiscard]] std::span<const double> unseen() const { return unseen_; }
+
+ private:
+  [[nodiscard]] double excess(double h) { return system_.defect(h, allowed_, defect_); }
+  void bound_closely(double h) { (void)system_.defect(h, {}, defect_); }
+  [[nodiscard]] double lengthened(double good, double bad);
+  void look_closely(double h, std::span<const double> series);
+  bool find_hidden(double h, std::span<const double> series);
+
+  const RightHandSide& system_;
+  const RunRequest& request_;
+  unsigned order_;
+  std::vector<double> allowed_, defect_, hidden_;
+  std::vector<double> rounding_;
+  std::vector<double> hidden_so_far_, off_so_far_, unseen_;
+  std::vector<double> hidden_before_, off_before_;  ///< the last step
+  bool hides_{false};                               ///< the step that was just bounded
+  double share_{1};                                 ///< of the length wanted, to begin with
+};
+
+}  // namespace qdot

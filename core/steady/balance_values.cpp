@@ -1,0 +1,147 @@
+#include "core/steady/balance_values.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/compile/tape_evaluator.hpp"
+#include "core/numerics/root_isolation.hpp"
+#include "core/steady/quadratic_roots.hpp"
+#include "core/steady/search_region.hpp"
+
+namespace qdot {
+namespace {
+
+[[nodiscard]] bool is_at_kink(const BalanceProblem& problem) {
+  const SmoothForces& at_rest = problem.kinks->at_rest;
+  std::vector<Interval> variables = problem.near, u(at_rest.kinks());
+  variables.resize(variables.size() + u.size(), Interval(-1, 1));
+  TapeEvaluator<Interval>(at_rest.arguments, problem.constants)(variables, u);
+  return std::ranges::any_of(u, [](const Interval& argument) { return argument.contains(0.0); });
+}
+
+/// Of the constraints' slopes all determinants may vanish at the position.
+[[nodiscard]] bool are_dependent(const BalanceProblem& problem, std::span<const Interval> constants) {
+  if (!problem.position.on_surface) return false;
+  const CompiledFunction& determinants = problem.position.on_surface->determinants;
+  std::vector<Interval> d(determinants.outputs());
+  TapeEvaluator<Interval>(determinants, constants)(problem.x, d);
+  return std::ranges::all_of(d, [](const Interval& one) { return one.contains(0.0); });
+}
+
+/// Of a force that no u makes vanish.
+[[nodiscard]] Candidates out_of_balance(const BalanceProblem& problem, const SteadyPolynomial::Force& force) {
+  const std::vector<std::size_t>& kept = problem.reduction().kept;
+  const Scene& scene = problem.scene();
+  if (!problem.position.surface)
+    return {Obstacle::not_in_balance, {}, scene.coordinates[kept[force.equation]].name, 0};
+  const auto sets = sets_of_forces(*problem.position.surface);
+  if (force.equation >= sets.size())
+    return {Obstacle::off_surface, {}, scene.constraints[force.equation - sets.size()].name, 0};
+  std::string names;
+  for (const std::size_t k : sets[force.equation])
+    names += (names.empty() ? "" : ", ") + scene.coordinates[kept[k]].name;
+  return {Obstacle::not_in_balance, {}, "What acts along " + names, 0};
+}
+
+/// c0, c1, c2 of each force, one after the other.
+[[nodiscard]] std::vector<Interval> coefficients(const BalanceProblem& problem, std::span<const Interval> x) {
+  std::vector<Interval> c(problem.polynomial->coefficients.outputs());
+  TapeEvaluator<Interval>(problem.polynomial->coefficients, problem.constants)(x, c);
+  return c;
+}
+
+[[nodiscard]] Candidates roots(std::span<const Interval> c, std::span<const Interval> near) {
+  QuadraticRoots found = quadratic_roots(c, near);
+  using Outcome = QuadraticRoots::Outcome;
+  static const std::map<Outcome, Obstacle> obstacles{{Outcome::found, Obstacle::none},
+                                                     {Outcome::undefined, Obstacle::undefined},
+                                                     {Outcome::at_infinity, Obstacle::no_finite_value},
+                                                     {Outcome::not_real, Obstacle::no_real_value},
+                                                     {Outcome::negative_square, Obstacle::negative_square}};
+  return {obstacles.at(found.outcome), std::move(found.values), "", found.square};
+}
+
+/// Of force k along u: enclosed over [-L, L] and u's domain, or over a turn.
+[[nodiscard]] Isolation zeros_along(const BalanceProblem& problem, std::size_t k) {
+  const SteadyPolynomial& polynomial = *problem.polynomial;
+  TapeEvaluator<Interval> values(polynomial.values, problem.constants);
+  TapeEvaluator<Interval> derivatives(polynomial.derivatives, problem.constants);
+  std::vector<Interval> place = problem.x;
+  place.emplace_back();
+  std::vector<Interval> out(polynomial.forces.size());
+  const auto along = [&](TapeEvaluator<Interval>& function) {
+    return [&](std::span<const Interval> u, std::span<Interval> value) {
+      place.back() = u[0];
+      function(place, out);
+      value[0] = out[k];
+    };
+  };
+  const Interval turn{-3.2, 3.2};  // a turn and a little more
+  const Domain& domain = problem.domain;
+  Interval region{std::max(domain.lower, -largest_length), std::min(domain.upper, largest_length)};
+  if (polynomial.u_turns) region = intersection(turn, region);
+  return isolate_zeros({1, along(values), along(derivatives)}, {region});
+}
+
+/// A force that is no such polynomial: all its zeros along u.
+[[nodiscard]] Candidates searched(const BalanceProblem& problem, std::size_t k) {
+  const Isolation isolation = zeros_along(problem, k);
+  if (!isolation.complete || !isolation.undecided.empty()) return {Obstacle::not_decided, {}, "", 0};
+  Candidates found;
+  for (const IsolatedZero& zero : isolation.zeros) {
+    const Interval u = problem.polynomial->u_turns ? reduced_angle(zero.enclosure[0]) : zero.enclosure[0];
+    const auto is_same = [&](const Interval& other) { return !is_empty(intersection(other, u)); };
+    if (std::ranges::none_of(found.values, is_same)) found.values.push_back(u);
+  }
+  if (found.values.empty()) found.obstacle = Obstacle::none_in_domain;
+  return found;
+}
+
+[[nodiscard]] bool satisfies_others(const BalanceProblem& problem, const Interval& u, std::size_t chosen) {
+  std::vector<Interval> place = problem.near;
+  place.push_back(u);
+  std::vector<Interval> out(problem.polynomial->forces.size());
+  TapeEvaluator<Interval>(problem.polynomial->values, problem.constants)(place, out);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    if (k != chosen && !out[k].contains(0.0)) return false;
+  }
+  return true;
+}
+
+/// The zeros of one force that are zeros of all.
+[[nodiscard]] Candidates common_zeros(const BalanceProblem& problem, Candidates found, std::size_t chosen) {
+  std::erase_if(found.values, [&](const Interval& u) { return !satisfies_others(problem, u, chosen); });
+  const bool depend = std::ranges::any_of(found.values, [&](const Interval& u) {
+    std::vector<Interval> constants = problem.constants;
+    constants[problem.polynomial->place] = u;
+    return are_dependent(problem, constants);
+  });
+  if (depend) return {Obstacle::dependent, {}, "", 0};
+  if (found.values.empty() && found.obstacle == Obstacle::none) found.obstacle = Obstacle::no_common_value;
+  return found;
+}
+
+}  // namespace
+
+Candidates balancing_values(const BalanceProblem& problem) {
+  if (problem.kinks->move || is_at_kink(problem)) return {Obstacle::at_kink, {}, "", 0};
+  if (are_dependent(problem, problem.constants)) return {Obstacle::dependent, {}, "", 0};
+  const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
+  const std::vector<Interval> c = coefficients(problem, problem.x);
+  const std::vector<Interval> near = coefficients(problem, problem.near);
+  std::optional<std::size_t> chosen;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const bool is_constant = forces[k].degree && is_zero(c[3 * k + 1]) && is_zero(c[3 * k + 2]);
+    if (forces[k].depends && !is_constant) {
+      if (!chosen) chosen = k;
+    } else if (!near[3 * k].contains(0.0)) {
+      return out_of_balance(problem, forces[k]);
+    }
+  }
+  if (!chosen) return {Obstacle::does_not_matter, {}, "", 0};
+  Candidates found = forces[*chosen].degree ? roots({&c[3 * *chosen], 3}, {&near[3 * *chosen], 3})
+                                            : searched(problem, *chosen);
+  return common_zeros(problem, std::move(found), *chosen);
+}
+
+}  // namespace qdot
