@@ -1,4 +1,7 @@
-"""The page in Debian's Chromium: node's test runner drives it (tests/web/*.test.mjs), one file a test here."""
+"""The page in Debian's Chromium: node's test runner drives it (tests/web/*.test.mjs), one file a test here.
+
+`test_page.py Page.test_views` runs one.
+"""
 
 import os
 import pathlib
@@ -32,35 +35,14 @@ class Page(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stdout[-12000:] + run.stderr[-3000:])
         self.assertNotRegex(run.stdout, "(?m)^.? ?(tests 0|skipped [1-9]|todo [1-9])")
 
-    def test_views(self):
-        self.run_file("views.test.mjs")
-
-    def test_access(self):
-        self.run_file("access.test.mjs")
-
-    def test_docs(self):
-        self.run_file("docs.test.mjs")
-
-    def test_drawing(self):
-        self.run_file("drawing.test.mjs")
-
-    def test_links(self):
-        self.run_file("links.test.mjs")
-
-    def test_scene(self):
-        self.run_file("scene.test.mjs")
-
-    def test_study(self):
-        self.run_file("study.test.mjs")
-
-    def test_task(self):
-        self.run_file("task.test.mjs")
-
     def test_types(self):
         """The modules say what they take and give (JSDoc), and tsc holds them to it."""
         check = subprocess.run([MODULES / ".bin" / "tsc", "--project", HERE / "tsconfig.json"], capture_output=True, text=True, timeout=120, check=False)
         self.assertEqual(check.returncode, 0, check.stdout)
 
+
+for file in HERE.glob("*.test.mjs"):
+    setattr(Page, "test_" + file.name.removesuffix(".test.mjs"), lambda self, name=file.name: self.run_file(name))
 
 if __name__ == "__main__":
     unittest.main()
