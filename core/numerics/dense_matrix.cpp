@@ -1,9 +1,9 @@
 #include "core/numerics/dense_matrix.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "core/numerics/long_matrix.hpp"
 
 namespace qdot {
 
@@ -21,30 +21,30 @@ double determinant(const MatrixXd& a) { return a.determinant(); }
 MatrixXd pseudo_inverse(const MatrixXd& a) { return a.completeOrthogonalDecomposition().pseudoInverse(); }
 
 Eigen::Index rank(const MatrixXd& a, double threshold) {
-  Eigen::JacobiSVD<MatrixXd> decomposition(a);
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition(a);
   decomposition.setThreshold(threshold);
   return decomposition.rank();
 }
 
 Eigen::VectorXcd eigenvalues(const MatrixXd& a) {
-  return Eigen::EigenSolver<MatrixXd>(a, /*computeEigenvectors=*/false).eigenvalues();
+  return eigenvalues(LongMatrix(a.cast<long double>())).cast<std::complex<double>>();
 }
 
 VectorXd symmetric_eigenvalues(const MatrixXd& a) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
+  return symmetric_eigenvalues(LongMatrix(a.cast<long double>())).cast<double>();
 }
 
 EigenDecomposition eigen_decomposition(const MatrixXd& a) {
-  const Eigen::EigenSolver<MatrixXd> solver(a);
-  Eigen::MatrixXcd right = solver.eigenvectors(), left = right.partialPivLu().inverse();
-  return {solver.eigenvalues(), std::move(right), std::move(left)};
+  using Complex = std::complex<double>;
+  const LongEigenvectors found = eigenvectors(a.cast<long double>());
+  return {found.values.cast<Complex>(), found.columns.cast<Complex>(),
+          inverse(found.columns).cast<Complex>()};
 }
 
 std::optional<PrincipalAxes> principal_axes(const MatrixXd& k, const MatrixXd& m) {
-  if (Eigen::LLT<MatrixXd>(m).info() != Eigen::Success) return std::nullopt;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(k, m);
-  if (solver.info() != Eigen::Success) return std::nullopt;
-  return PrincipalAxes{solver.eigenvalues(), solver.eigenvectors()};
+  const auto found = principal_axes(LongMatrix(k.cast<long double>()), LongMatrix(m.cast<long double>()));
+  if (!found) return std::nullopt;
+  return PrincipalAxes{found->values.cast<double>(), found->vectors.cast<double>()};
 }
 
 }  // namespace qdot

@@ -1,6 +1,7 @@
 #pragma once
-// Solutions, eigenvalues and ranks of small dense matrices. Eigen's decompositions, compiled once: as
-// templates they would cost every file that uses them half a minute.
+// Solutions, eigenvalues and ranks of small dense matrices of doubles. Eigen's decompositions, compiled once:
+// as templates they would cost every file that uses them half a minute. Eigenvalues are found in 80 bits
+// (long_matrix.hpp).
 
 #include <Eigen/Core>
 #include <optional>
@@ -17,7 +18,7 @@ namespace qdot {
 /// The Moore-Penrose inverse: A^+ b is the shortest of the x that bring A x nearest to b.
 [[nodiscard]] Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);
 
-/// The number of singular values above `threshold` times the largest.
+/// The number of pivots above `threshold` times the largest, by QR with columns exchanged.
 [[nodiscard]] Eigen::Index rank(const Eigen::MatrixXd& a, double threshold);
 
 [[nodiscard]] Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a);

@@ -1,11 +1,11 @@
 #include "core/numerics/eigensystem.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/numerics/constants.hpp"
+#include "core/numerics/long_matrix.hpp"
 
 namespace qdot {
 namespace {
@@ -13,23 +13,6 @@ namespace {
 constexpr int most_refinements = 4;
 /// What a correction as small as this leaves is its square.
 constexpr double converged = 0x1p-50;
-
-template <class T>
-struct Extended;  // the number that Eigen works with
-template <>
-struct Extended<Ball> {
-  using Scalar = long double;
-  static Scalar from(const Ball& a) { return a.middle.extended(); }
-  static Ball to(const Scalar& a) { return {DoubleDouble::of(a), 0}; }
-};
-template <>
-struct Extended<ComplexBall> {
-  using Scalar = std::complex<long double>;
-  static Scalar from(const ComplexBall& a) { return {a.re.middle.extended(), a.im.middle.extended()}; }
-  static ComplexBall to(const Scalar& a) {
-    return {{DoubleDouble::of(a.real()), 0}, {DoubleDouble::of(a.imag()), 0}};
-  }
-};
 
 template <class T>
 SquareMatrix<T> operator*(const SquareMatrix<T>& a, const SquareMatrix<T>& b) {
@@ -51,24 +34,6 @@ SquareMatrix<T> middle_of(SquareMatrix<T> a) {
   return a;
 }
 
-template <class T>
-SquareMatrix<T> approximate_inverse(const SquareMatrix<T>& a) {
-  using E = Extended<T>;
-  const auto n = static_cast<Eigen::Index>(a.size());
-  Eigen::Matrix<typename E::Scalar, Eigen::Dynamic, Eigen::Dynamic> m(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j)
-      m(i, j) = E::from(a(static_cast<std::size_t>(i), static_cast<std::size_t>(j)));
-  }
-  m = m.fullPivLu().inverse().eval();
-  SquareMatrix<T> inverse(a.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j)
-      inverse(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = E::to(m(i, j));
-  }
-  return inverse;
-}
-
 /// W and the pencil seen from the eigenvectors, P = W A X, Q = W B X.
 template <class T>
 struct Diagonal {
@@ -78,7 +43,7 @@ struct Diagonal {
 
   Diagonal(const SquareMatrix<T>& a, const SquareMatrix<T>& b, const SquareMatrix<T>& x) : p(0), q(0) {
     const SquareMatrix<T> bx = b * x;
-    SquareMatrix<T> w = approximate_inverse(bx);
+    SquareMatrix<T> w = as_balls(inverse(middles(bx)));
     SquareMatrix<T> rest = w * bx;  // Newton's step for the inverse: W + (I - W B X) W
     for (std::size_t i = 0; i < x.size(); ++i) rest(i, i) = rest(i, i) - T(Ball(2));
     w = middle_of(rest * w);

@@ -1,44 +1,20 @@
 #include "core/numerics/eigenvalue_clusters.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
 #include "core/numerics/constants.hpp"
+#include "core/numerics/long_matrix.hpp"
 
 namespace qdot {
 namespace {
 
-using Complex = std::complex<long double>;
-using LongMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
+using Complex = LongComplex;
 using Matrix = SquareMatrix<ComplexBall>;
 
 std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
-
-LongMatrix extended(const Matrix& a) {
-  const auto n = static_cast<Eigen::Index>(a.size());
-  LongMatrix m(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const ComplexBall& entry = a(at(i), at(j));
-      m(i, j) = {entry.re.middle.extended(), entry.im.middle.extended()};
-    }
-  }
-  return m;
-}
-
-Matrix balls(const LongMatrix& m) {
-  Matrix a(at(m.rows()));
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    for (Eigen::Index j = 0; j < m.cols(); ++j) {
-      a(at(i), at(j)) = {{DoubleDouble::of(m(i, j).real()), 0}, {DoubleDouble::of(m(i, j).imag()), 0}};
-    }
-  }
-  return a;
-}
 
 Matrix product(const Matrix& a, const Matrix& b) {
   Matrix result(a.size());
@@ -50,26 +26,33 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return result;
 }
 
-/// A = Q T Q^H, T upper triangular with the eigenvalues on its diagonal.
-struct Schur {
-  LongMatrix t, q;
-
-  /// The eigenvalues number k and k + 1 of the diagonal change places.
-  void swap(Eigen::Index k) {
-    const Complex above = t(k, k + 1);
-    const Complex gap = t(k + 1, k + 1) - t(k, k);
-    const long double length = std::hypot(std::abs(above), std::abs(gap));
-    if (!(length > 0)) return;
-    // The eigenvector of the second in the plane of both becomes the first direction.
-    const Complex c = above / length, s = gap / length;
-    LongMatrix rotation(2, 2);
-    rotation << c, -std::conj(s), s, std::conj(c);
-    t.middleCols(k, 2) = (t.middleCols(k, 2) * rotation).eval();
-    t.middleRows(k, 2) = (rotation.adjoint() * t.middleRows(k, 2)).eval();
-    q.middleCols(k, 2) = (q.middleCols(k, 2) * rotation).eval();
-    t(k + 1, k) = 0;
+/// Columns k and k + 1 times (c, -s*; s, c*).
+void turn_columns(LongComplexMatrix& a, Eigen::Index k, const Complex& c, const Complex& s) {
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    const Complex first = a(i, k), second = a(i, k + 1);
+    a(i, k) = first * c + second * s;
+    a(i, k + 1) = second * std::conj(c) - first * std::conj(s);
   }
-};
+}
+
+/// The eigenvalues number k and k + 1 of the diagonal change places.
+void swap(LongSchur& schur, Eigen::Index k) {
+  LongComplexMatrix& t = schur.t;
+  const Complex above = t(k, k + 1);
+  const Complex gap = t(k + 1, k + 1) - t(k, k);
+  const long double length = std::hypot(std::abs(above), std::abs(gap));
+  if (!(length > 0)) return;
+  // The eigenvector of the second in the plane of both becomes the first direction.
+  const Complex c = above / length, s = gap / length;
+  turn_columns(t, k, c, s);
+  for (Eigen::Index j = 0; j < t.cols(); ++j) {
+    const Complex upper = t(k, j), lower = t(k + 1, j);
+    t(k, j) = std::conj(c) * upper + std::conj(s) * lower;
+    t(k + 1, j) = c * lower - s * upper;
+  }
+  turn_columns(schur.q, k, c, s);
+  t(k + 1, k) = 0;
+}
 
 /// Which cluster each eigenvalue belongs to: those nearer to each other than `distance` of their size hang
 /// together.
@@ -88,11 +71,11 @@ std::vector<std::size_t> clusters_of(const std::vector<Complex>& values, long do
 
 /// A basis in which the clusters are blocks of an upper triangular form, beside each other.
 struct Basis {
-  LongMatrix x;
+  LongComplexMatrix x;
   std::vector<std::size_t> cluster;  ///< of each column
 };
 
-Basis basis_of(Schur schur, long double distance) {
+Basis basis_of(LongSchur schur, long double distance) {
   const Eigen::Index n = schur.t.rows();
   std::vector<Complex> values;
   for (Eigen::Index i = 0; i < n; ++i) values.push_back(schur.t(i, i));
@@ -101,13 +84,13 @@ Basis basis_of(Schur schur, long double distance) {
     sorted = true;
     for (Eigen::Index k = 0; k + 1 < n; ++k) {
       if (cluster[at(k)] <= cluster[at(k + 1)]) continue;
-      schur.swap(k);
+      swap(schur, k);
       std::swap(cluster[at(k)], cluster[at(k + 1)]);
       sorted = false;
     }
   }
   // X = Q R with R unit upper triangular and T R = R (T without what links clusters), column by column.
-  LongMatrix r = LongMatrix::Identity(n, n);
+  LongComplexMatrix r = LongComplexMatrix::Identity(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
     for (Eigen::Index i = j - 1; i >= 0; --i) {
       if (cluster[at(i)] == cluster[at(j)]) continue;
@@ -129,9 +112,9 @@ struct Seen {
   std::vector<std::size_t> cluster;
 
   Seen(const Matrix& a, const Matrix& b, const Basis& basis) : cluster(basis.cluster) {
-    const Matrix x = balls(basis.x);
+    const Matrix x = as_balls(basis.x);
     const Matrix bx = product(b, x);
-    Matrix w = balls(extended(bx).fullPivLu().inverse());
+    Matrix w = as_balls(inverse(middles(bx)));
     const Matrix rest = product(w, bx);
     Matrix correction(w.size());  // Newton's step for the inverse: 2 W - (W B X) W
     for (std::size_t i = 0; i < w.size(); ++i) {
@@ -243,15 +226,14 @@ double uncertainty(const std::vector<EnclosedEigenvalue>& found) {
 }  // namespace
 
 std::vector<EnclosedEigenvalue> enclose_eigenvalues(const Matrix& a, const Matrix& b) {
-  const LongMatrix quotient = extended(b).fullPivLu().solve(extended(a));
+  const LongComplexMatrix matrix = quotient(middles(a), middles(b));
   const std::vector<EnclosedEigenvalue> nothing(a.size(), {{}, infinity, a.size()});
-  if (!quotient.allFinite()) return nothing;
-  const Eigen::ComplexSchur<LongMatrix> decomposition(quotient);
-  if (decomposition.info() != Eigen::Success) return nothing;
-  const Schur schur{decomposition.matrixT(), decomposition.matrixU()};
+  if (!matrix.allFinite()) return nothing;
+  const auto schur = schur_form(matrix);
+  if (!schur) return nothing;
   std::vector<EnclosedEigenvalue> best = nothing;
   for (const long double near : {0.0L, 1e-12L, 1e-9L, 1e-6L, 1e-4L, 1e-2L, 1e-1L}) {
-    std::vector<EnclosedEigenvalue> found = joined(Seen(a, b, basis_of(schur, near)));
+    std::vector<EnclosedEigenvalue> found = joined(Seen(a, b, basis_of(*schur, near)));
     if (uncertainty(found) < uncertainty(best)) best = std::move(found);
   }
   return best;

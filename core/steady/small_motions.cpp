@@ -1,28 +1,19 @@
 #include "core/steady/small_motions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/numerics/long_matrix.hpp"
 #include "core/numerics/same_bits.hpp"
 
 namespace qdot {
 namespace {
 
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using Vectors = std::vector<std::vector<ComplexBall>>;
 
 Eigen::Index row_of(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
-LongMatrix extended(const SquareMatrix<Ball>& a) {
-  LongMatrix m(row_of(a.size()), row_of(a.size()));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < a.size(); ++j) m(row_of(i), row_of(j)) = a(i, j).middle.extended();
-  }
-  return m;
-}
 
 bool is_symmetric(const SquareMatrix<Ball>& a, int sign) {
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -33,24 +24,25 @@ bool is_symmetric(const SquareMatrix<Ball>& a, int sign) {
   return true;
 }
 
-SquareMatrix<Ball> real_vectors(const LongMatrix& columns) {
-  SquareMatrix<Ball> result(static_cast<std::size_t>(columns.cols()));
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    for (std::size_t j = 0; j < result.size(); ++j)
-      result(i, j) = {DoubleDouble::of(columns(row_of(i), row_of(j))), 0};
-  }
-  return result;
+/// M^-1 K.
+LongMatrix divided_by_mass(const LongMatrix& k, const LongMatrix& m) {
+  if (auto result = quotient(k, m)) return *std::move(result);
+  throw Error(ErrorCode::not_applicable,
+              "The mass matrix has no inverse at the equilibrium: not every coordinate moves a mass there.");
 }
 
-/// M^-1 K.
-LongMatrix quotient(const LongMatrix& k, const LongMatrix& m) {
-  const Eigen::FullPivLU<LongMatrix> lu(m);
-  if (!lu.isInvertible()) {
-    throw Error(
-        ErrorCode::not_applicable,
-        "The mass matrix has no inverse at the equilibrium: not every coordinate moves a mass there.");
+/// Of symmetric matrices, in units that make the masses ones; no columns where M is not positive definite.
+LongMatrix symmetric_vectors(const LongMatrix& k, const LongMatrix& m) {
+  const LongVector scale = m.diagonal().cwiseSqrt().cwiseInverse();
+  LongMatrix scaled_stiffness = k, scaled_mass = m;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
+      scaled_stiffness(i, j) = scale[i] * k(i, j) * scale[j];
+      scaled_mass(i, j) = scale[i] * m(i, j) * scale[j];
+    }
   }
-  return lu.solve(k);
+  const auto axes = principal_axes(scaled_stiffness, scaled_mass);
+  return axes ? LongMatrix(scale.asDiagonal() * axes->vectors) : LongMatrix();
 }
 
 Eigensystem<Ball> none() { return {{}, {}, SquareMatrix<Ball>(0), {}, {}}; }
@@ -124,24 +116,16 @@ bool SmallMotions::undamped() const {
 }
 
 Eigensystem<Ball> squares(const SmallMotions& motions) {
-  const LongMatrix k = extended(motions.stiffness);
-  const LongMatrix m = extended(motions.mass);
+  const LongMatrix k = middles(motions.stiffness), m = middles(motions.mass);
   LongMatrix columns;
-  if (is_symmetric(motions.mass, 1) && is_symmetric(motions.stiffness, 1) && m.diagonal().minCoeff() > 0) {
-    const LongMatrix scale = m.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
-    const LongMatrix scaled_mass = scale * m * scale;
-    const LongMatrix scaled_stiffness = scale * k * scale;
-    if (Eigen::LLT<LongMatrix>(scaled_mass).info() == Eigen::Success)
-      columns =
-          scale *
-          Eigen::GeneralizedSelfAdjointEigenSolver<LongMatrix>(scaled_stiffness, scaled_mass).eigenvectors();
-  }
+  if (is_symmetric(motions.mass, 1) && is_symmetric(motions.stiffness, 1) && m.diagonal().minCoeff() > 0)
+    columns = symmetric_vectors(k, m);
   if (columns.size() == 0) {
-    const Eigen::EigenSolver<LongMatrix> solver(quotient(k, m));
-    if ((solver.eigenvalues().imag().array() != 0).any()) return none();
-    columns = solver.eigenvectors().real();
+    const LongEigenvectors found = eigenvectors(divided_by_mass(k, m));
+    if ((found.values.imag().array() != 0).any()) return none();
+    columns = found.columns.real();
   }
-  return enclose_eigensystem(motions.stiffness, motions.mass, real_vectors(columns));
+  return enclose_eigensystem(motions.stiffness, motions.mass, as_balls(columns));
 }
 
 StatePencil state_pencil(const SmallMotions& motions) {
@@ -161,23 +145,14 @@ StatePencil state_pencil(const SmallMotions& motions) {
 
 Eigensystem<ComplexBall> exponents(const SmallMotions& motions) {
   const std::size_t n = motions.size();
-  const LongMatrix m = extended(motions.mass);
+  const LongMatrix m = middles(motions.mass);
   LongMatrix state = LongMatrix::Zero(row_of(2 * n), row_of(2 * n));
   state.topRightCorner(row_of(n), row_of(n)).setIdentity();
-  state.bottomLeftCorner(row_of(n), row_of(n)) = -quotient(extended(motions.stiffness), m);
-  state.bottomRightCorner(row_of(n), row_of(n)) = -quotient(extended(motions.rates), m);
+  state.bottomLeftCorner(row_of(n), row_of(n)) = -divided_by_mass(middles(motions.stiffness), m);
+  state.bottomRightCorner(row_of(n), row_of(n)) = -divided_by_mass(middles(motions.rates), m);
   if (n == 1) return one_coordinate(motions.mass(0, 0), motions.rates(0, 0), motions.stiffness(0, 0));
   const auto [a, b] = state_pencil(motions);
-  SquareMatrix<ComplexBall> vectors(2 * n);
-  const Eigen::EigenSolver<LongMatrix> solver(state);
-  const auto columns = solver.eigenvectors();
-  for (std::size_t i = 0; i < 2 * n; ++i) {
-    for (std::size_t j = 0; j < 2 * n; ++j) {
-      const std::complex<long double> entry = columns(row_of(i), row_of(j));
-      vectors(i, j) = {{DoubleDouble::of(entry.real()), 0}, {DoubleDouble::of(entry.imag()), 0}};
-    }
-  }
-  return enclose_eigensystem(a, b, vectors);
+  return enclose_eigensystem(a, b, as_balls(eigenvectors(state).columns));
 }
 
 Vectors echelon_form(Vectors vectors) {

@@ -1,12 +1,12 @@
 #include "core/steady/state_eigensystem.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/numerics/eigenvalue_clusters.hpp"
+#include "core/numerics/long_matrix.hpp"
 #include "core/steady/small_motions.hpp"
 
 namespace qdot {
@@ -16,21 +16,7 @@ using StateMatrix = SquareMatrix<ComplexBall>;
 
 /// Columns near all eigenvectors, as far as they have directions of their own.
 StateMatrix near_eigenvectors(const StateMatrix& a) {
-  const auto size = static_cast<Eigen::Index>(a.size());
-  Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> middle(size, size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j)
-      middle(i, j) = a(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).re.middle.extended();
-  }
-  const auto columns = Eigen::EigenSolver<decltype(middle)>(middle).eigenvectors().eval();
-  StateMatrix vectors(a.size());
-  for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j) {
-      vectors(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = {
-          {DoubleDouble::of(columns(i, j).real()), 0}, {DoubleDouble::of(columns(i, j).imag()), 0}};
-    }
-  }
-  return vectors;
+  return as_balls(eigenvectors(middles(a).real()).columns);
 }
 
 /// Where some eigenvectors are nearly parallel: eigenvalues by clusters, eigenvectors from A - s.
