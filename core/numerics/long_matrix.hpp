@@ -7,7 +7,7 @@
 #include <complex>
 #include <optional>
 
-#include "core/numerics/eigensystem.hpp"
+#include "core/numerics/ball_matrix.hpp"
 
 namespace qdot {
 
