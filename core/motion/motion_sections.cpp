@@ -168,6 +168,12 @@ void MotionSections::finish(double t) {
   }
 }
 
+std::vector<double> MotionSections::slopes(double t, std::span<const double> y) const {
+  std::vector<double> result(y.size());
+  if (system().derivative(t, y, result) != Evaluation::ok) std::ranges::fill(result, 0);
+  return result;
+}
+
 std::vector<EventFunction> MotionSections::ends() const {
   return modes_ ? kink_ends(*modes_, way_, t_, request_.method, request_.tolerances)
                 : std::vector<EventFunction>{};

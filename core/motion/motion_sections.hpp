@@ -28,6 +28,8 @@ class MotionSections {
   void finish(double t);
 
   [[nodiscard]] const RightHandSide& system() const { return now_->system; }
+  /// y' by its equations; zeros where they have no value.
+  [[nodiscard]] std::vector<double> slopes(double t, std::span<const double> y) const;
   /// The same of the motions that the request stands for, where there are such.
   [[nodiscard]] const Originals& originals() const { return now_->originals; }
   [[nodiscard]] const std::vector<Watch>& watches() const { return now_->watches; }
