@@ -1,31 +1,17 @@
 #pragma once
 // All zeros of n equations in n unknowns in a box, by branch and bound with interval arithmetic: boxes in
 // which an equation cannot vanish are thrown away, the others contracted by Krawczyk's operator
-//     K(X) = c - Y F(c) + (I - Y J(X)) (X - c),   c in X, Y near J(c)^-1
-// or halved. K(X) inside X proves that X holds exactly one zero, and that K(X) holds it; no zero is lost. So
-// every zero of the region lies in what is returned, and each enclosure is a proven bound of its error.
-// Source: Neumaier, Interval Methods for Systems of Equations (1990), 5.1;
-// Moore, Kearfott, Cloud (2009), ch. 8.
+// (krawczyk.hpp) or halved. So every zero of the region lies in what is returned, and each enclosure is a
+// proven bound of its error. Source: Neumaier, Interval Methods for Systems of Equations (1990), 5.1; Moore,
+// Kearfott, Cloud (2009), ch. 8.
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "core/numerics/interval.hpp"
+#include "core/numerics/krawczyk.hpp"
 
 namespace qdot {
-
-using Box = std::vector<Interval>;
-
-/// F and its derivatives J_ij = dF_i/dx_j (n x n by rows), enclosed over a box.
-struct SquareSystem {
-  std::size_t dimension{};
-  std::function<void(std::span<const Interval> x, std::span<Interval> values)> values;
-  std::function<void(std::span<const Interval> x, std::span<Interval> jacobian)> jacobian;
-  /// What else shows that a box with such values holds no zero that is wanted; may be empty.
-  std::function<bool(std::span<const Interval> x, std::span<const Interval> values)> excluded{};
-};
 
 struct IsolatedZero {
   Box enclosure;

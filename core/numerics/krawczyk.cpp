@@ -1,0 +1,69 @@
+#include "core/numerics/krawczyk.hpp"
+
+#include <cmath>
+
+#include "core/numerics/dense_matrix.hpp"
+
+namespace qdot {
+namespace {
+
+Eigen::Index row_at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+/// J(c)^-1 rounded; no value where it is singular or not finite.
+std::optional<Eigen::MatrixXd> inverse_at(const SquareSystem& system, const Box& c) {
+  const Eigen::Index n = row_at(c.size());
+  Box jacobian(c.size() * c.size());
+  system.jacobian(c, jacobian);
+  Eigen::MatrixXd j(n, n);
+  for (std::size_t k = 0; k < jacobian.size(); ++k) j(row_at(k) / n, row_at(k) % n) = jacobian[k].middle();
+  if (!j.allFinite()) return std::nullopt;
+  Eigen::MatrixXd result = inverse(j);
+  if (!result.allFinite()) return std::nullopt;
+  return result;
+}
+
+}  // namespace
+
+Box values_over(const SquareSystem& system, const Box& x) {
+  Box result(x.size());
+  system.values(x, result);
+  return result;
+}
+
+Box krawczyk(const SquareSystem& system, const Box& box) {
+  const std::size_t n = box.size();
+  const Box c = middle(box);
+  const auto y = inverse_at(system, c);
+  if (!y) return box;
+  const Box f = values_over(system, c);
+  Box jacobian(n * n), result(n);
+  system.jacobian(box, jacobian);
+  const auto entry = [&](std::size_t i, std::size_t j) { return Interval((*y)(row_at(i), row_at(j))); };
+  for (std::size_t i = 0; i < n; ++i) {
+    result[i] = c[i];
+    for (std::size_t j = 0; j < n; ++j) result[i] = result[i] - entry(i, j) * f[j];
+    for (std::size_t j = 0; j < n; ++j) {
+      Interval slope(i == j ? 1.0 : 0.0);
+      for (std::size_t k = 0; k < n; ++k) slope = slope - entry(i, k) * jacobian[k * n + j];
+      result[i] = result[i] + slope * (box[j] - c[j]);
+    }
+  }
+  return result;
+}
+
+std::optional<Box> newton(const SquareSystem& system, Box c) {
+  for (int i = 0; i < 6; ++i) {
+    const auto y = inverse_at(system, c);
+    if (!y) return std::nullopt;
+    const Box f = values_over(system, c);
+    for (std::size_t r = 0; r < c.size(); ++r) {
+      double step = 0;
+      for (std::size_t k = 0; k < c.size(); ++k) step += (*y)(row_at(r), row_at(k)) * f[k].middle();
+      if (!std::isfinite(step)) return std::nullopt;
+      c[r] = Interval(c[r].middle() - step);
+    }
+  }
+  return c;
+}
+
+}  // namespace qdot
