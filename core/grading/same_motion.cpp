@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "core/expr/linear.hpp"
 #include "core/expr/zeroness.hpp"
 #include "core/grading/ball_system.hpp"
 #include "core/grading/equation_size.hpp"
 #include "core/grading/factored_equations.hpp"
+#include "core/grading/linear_equations.hpp"
 #include "core/grading/linear_in.hpp"
 #include "core/grading/other_solutions.hpp"
 #include "core/grading/proven_root.hpp"
@@ -18,7 +18,16 @@
 namespace qdot {
 namespace {
 
-constexpr int states_for_slopes = 12;
+/// Whether an equation says anything of the unknowns. One of positions or velocities alone that holds on the
+/// surface of constraints holds all the time, and so do its derivatives, which are put in its place.
+bool give_slope(const ExpectedSystem& system, Expression& residual) {
+  constexpr int most_derivatives = 2;
+  for (int k = 0; has_no_slope(residual, system.unknowns()); ++k) {
+    if (!system.has_constraints() || k == most_derivatives) return false;
+    residual = total_derivative(residual, system.symbols().rates());
+  }
+  return true;
+}
 
 class MotionComparison {
  public:
@@ -51,16 +60,12 @@ class MotionComparison {
                          : values_decide_ ? Decision::values
                                           : Decision::identity;
     for (std::size_t k = 0; k < residuals_.size(); ++k) {
-      if (give_slope(residuals_[k])) continue;
+      if (give_slope(system_, residuals_[k])) continue;
       verdict.equation = k;
       verdict.fault = MotionFault::holds_always;
       return verdict;
     }
-    if (coordinate) {
-      verdict.fault = fault_of_one(*coordinate);
-    } else {
-      verdict.fault = system_.has_constraints() ? fault_under_constraints() : fault_of_all();
-    }
+    verdict.fault = fault_of_linear(system_, right_, residuals_, coordinate, seed_ + 1);
     return verdict;
   }
 
@@ -115,7 +120,8 @@ class MotionComparison {
     } else {
       for (std::size_t i = accelerations_.size(); i < unknowns_.size() && all.size() < unknowns_.size(); ++i)
         all.push_back(right_equation(i));
-      const bool are_few = std::ranges::any_of(all, [&](const Expression& e) { return has_no_slope(e); });
+      const bool are_few =
+          std::ranges::any_of(all, [&](const Expression& e) { return has_no_slope(e, unknowns_); });
       if (all.size() != unknowns_.size() || are_few) return {};
     }
     const auto found = other_solutions_of_factors(system_, right_, all, seed_ + 5);
@@ -147,145 +153,6 @@ class MotionComparison {
     const auto linear = made_linear_in(residual, unknowns_);
     if (linear) residual = *linear;
     return linear.has_value();
-  }
-
-  /// dr/du of every equation at several states of the right motion.
-  template <class Use>
-  void at_states(Use use) {
-    std::vector<Expression> slopes;
-    for (const Expression& residual : residuals_) {
-      for (const Expression& a : unknowns_) slopes.push_back(differentiate(residual, a));
-    }
-    BallValues values(slopes);
-    SampledStates states(right_.symbols(), seed_ + 1);
-    for (int i = 0; i < states_for_slopes; ++i) {
-      State state = states.next();
-      if (!right_.set(state, values)) continue;
-      values.evaluate();
-      BallMatrix rows(residuals_.size());
-      for (std::size_t k = 0; k < slopes.size(); ++k)
-        rows[k / unknowns_.size()].push_back(values.of(slopes[k]));
-      use(rows);
-    }
-  }
-
-  [[nodiscard]] bool has_no_slope(const Expression& residual) const {
-    return std::ranges::all_of(unknowns_, [&](const Expression& a) {
-      const Expression slope = differentiate(residual, a);
-      return slope.is_zero() || zeroness(slope) == Zeroness::zero;
-    });
-  }
-
-  /// Whether an equation says anything of the unknowns. One of positions or velocities alone that holds on
-  /// the surface of constraints holds all the time, and so do its derivatives, which are put in its place.
-  [[nodiscard]] bool give_slope(Expression& residual) const {
-    constexpr int most_derivatives = 2;
-    for (int k = 0; has_no_slope(residual); ++k) {
-      if (!system_.has_constraints() || k == most_derivatives) return false;
-      residual = total_derivative(residual, system_.symbols().rates());
-    }
-    return true;
-  }
-
-  /// Whether the equation speaks of an acceleration.
-  [[nodiscard]] bool has_slope_in(const Expression& acceleration) const {
-    const Expression slope = differentiate(residuals_[0], acceleration);
-    return !slope.is_zero() && zeroness(slope) != Zeroness::zero;
-  }
-
-  /// Which of the right equations an equation is made of.
-  struct Parts {
-    bool has_own{};     ///< that of the coordinate that was asked for
-    bool has_motion{};  ///< that of any coordinate, and not of the constraints alone
-    bool is_clear{};    ///< everything could be seen
-  };
-
-  Parts parts_of(std::size_t equation, std::size_t coordinate) {
-    Parts parts{.is_clear = true};
-    int seen = 0;
-    at_states([&](const BallMatrix& rows) {
-      ++seen;
-      const auto c = qdot::solved(transposed(right_.matrix()), rows[equation]);
-      for (std::size_t i = 0; i < accelerations_.size(); ++i) {
-        const bool is_there = c && !(*c)[i].contains_zero();
-        parts.has_motion = parts.has_motion || is_there;
-        parts.has_own = parts.has_own || (is_there && i == coordinate);
-        parts.is_clear = parts.is_clear && c && (is_there || (*c)[i].magnitude() <= 1e-20);
-      }
-    });
-    parts.is_clear = parts.is_clear && seen >= states_for_slopes / 2;
-    return parts;
-  }
-
-  /// Of a massless coordinate the right equation itself has no acceleration.
-  [[nodiscard]] bool speaks_of(std::size_t coordinate) const {
-    return has_slope_in(accelerations_[coordinate]) || system_.matrix()[coordinate][coordinate].is_zero();
-  }
-
-  MotionFault fault_of_one(std::size_t coordinate) {
-    if (!system_.has_constraints() && !speaks_of(coordinate)) return MotionFault::other_coordinate;
-    const Parts parts = parts_of(0, coordinate);
-    if (parts.has_own && speaks_of(coordinate)) return MotionFault::none;
-    if (parts.has_motion && !speaks_of(coordinate)) return MotionFault::other_coordinate;
-    if (!parts.is_clear) return MotionFault::undecided;
-    return parts.has_motion ? MotionFault::other_coordinate : MotionFault::of_constraints;
-  }
-
-  /// Whether the equations and those of the constraints determine the accelerations and the multipliers that
-  /// they speak of.
-  MotionFault fault_under_constraints() {
-    const std::size_t n = accelerations_.size();
-    std::vector<std::size_t> spoken_of(n);
-    std::iota(spoken_of.begin(), spoken_of.end(), 0);
-    for (std::size_t j = n; j < unknowns_.size(); ++j) {
-      const auto speaks = [&](const Expression& residual) { return depends_on(residual, unknowns_[j]); };
-      if (std::ranges::any_of(residuals_, speaks)) spoken_of.push_back(j);
-    }
-    bool is_determined = false;
-    at_states([&](const BallMatrix& rows) {
-      BallMatrix all = rows;
-      const BallMatrix right = right_.matrix();
-      all.insert(all.end(), right.begin() + static_cast<std::ptrdiff_t>(n), right.end());
-      BallMatrix chosen;
-      for (const auto& row : all) {
-        chosen.emplace_back();
-        for (const std::size_t j : spoken_of) chosen.back().push_back(row[j]);
-      }
-      is_determined = is_determined || has_full_rank(chosen, spoken_of.size());
-    });
-    if (is_determined) return MotionFault::none;
-    bool is_clear = true, has_motion = false;
-    for (std::size_t k = 0; k < residuals_.size(); ++k) {
-      const Parts parts = parts_of(k, 0);
-      is_clear = is_clear && parts.is_clear;
-      has_motion = has_motion || parts.has_motion;
-    }
-    if (!is_clear) return MotionFault::undecided;
-    return has_motion ? MotionFault::undetermined : MotionFault::of_constraints;
-  }
-
-  MotionFault fault_of_all() {
-    bool is_determined = false;
-    int dependent = 0;
-    at_states([&](const BallMatrix& rows) {
-      is_determined = is_determined || qdot::solved(rows, std::vector<Ball>(rows.size()));
-      dependent += is_singular(rows) ? 1 : 0;
-    });
-    if (is_determined) return MotionFault::none;
-    return are_dependent() || dependent == states_for_slopes ? MotionFault::dependent
-                                                             : MotionFault::undecided;
-  }
-
-  /// Whether det dr/dq'' vanishes identically.
-  [[nodiscard]] bool are_dependent() const {
-    if (residuals_.size() > largest_written_system) return false;
-    Matrix slopes;
-    for (const Expression& residual : residuals_) {
-      slopes.emplace_back();
-      for (const Expression& a : accelerations_) slopes.back().push_back(differentiate(residual, a));
-    }
-    const Expression found = determinant(slopes);
-    return found.is_zero() || zeroness(found) == Zeroness::zero;
   }
 
   const ExpectedSystem& system_;

@@ -19,22 +19,10 @@
 #include <span>
 
 #include "core/grading/expected_system.hpp"
+#include "core/grading/linear_equations.hpp"
 #include "core/grading/vanishing.hpp"
 
 namespace qdot {
-
-enum class MotionFault {
-  none,
-  not_true,          ///< the right motion does not obey it; see the counterexample
-  holds_always,      ///< it says nothing of the accelerations, and every motion obeys it
-  of_constraints,    ///< it is a constraint, or follows from the constraints alone
-  other_coordinate,  ///< it is true, but says nothing of this coordinate's equation
-  other_solutions,   ///< it holds for other motions, too; see the counterexample
-  dependent,         ///< the equations follow from fewer of them
-  undetermined,      ///< with the constraints they leave accelerations or multipliers free
-  not_linear,        ///< in the accelerations, and what else it allows cannot be told
-  undecided          ///< too few states where everything has a value
-};
 
 struct MotionVerdict {
   MotionFault fault{MotionFault::undecided};
