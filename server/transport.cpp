@@ -1,39 +1,27 @@
 #include "server/transport.hpp"
 
-#include <fcntl.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
-#include <sys/epoll.h>
-#include <sys/eventfd.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cerrno>
-#include <cstring>
 #include <list>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "server/listener.hpp"
+#include "server/entrance.hpp"
+#include "server/poller.hpp"
 
 namespace qdot::server {
 namespace {
 
 using namespace std::chrono_literals;
 using State = Connection::State;
-using Id = std::uint64_t;
-
-constexpr Id wake_id = 0;
-constexpr Id tcp_id = 1;
-constexpr Id unix_id = 2;
-constexpr Id first_connection = 3;
 constexpr std::size_t overflow =
     128;  // connections beyond the bound that are still told that there is no room
 constexpr std::size_t reserved_files = 24;    // descriptors that are not connections
@@ -54,13 +42,6 @@ std::size_t possible_connections(std::size_t wanted) {
   return std::min(wanted, spare - reserved_files);
 }
 
-Descriptor spare_descriptor() { return Descriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC)); }
-
-Descriptor checked(int descriptor) {
-  if (descriptor < 0) throw std::runtime_error(std::strerror(errno));
-  return Descriptor(descriptor);
-}
-
 }  // namespace
 
 struct Transport::Impl {
@@ -68,36 +49,18 @@ struct Transport::Impl {
       : handler_(std::move(handler)),
         patience_(options.patience),
         most_connections_(possible_connections(options.connections)),
-        epoll_(checked(::epoll_create1(EPOLL_CLOEXEC))),
-        wake_(checked(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC))),
-        spare_(spare_descriptor()) {
+        entrance_(poller_, options.host, options.port, options.unix_socket) {
     posted_.reserve(most_connections_ + overflow);  // so that post() allocates nothing
     taken_.reserve(most_connections_ + overflow);
-    watch(wake_, wake_id, EPOLLIN);
-    if (options.port) {
-      tcp_ = listen_on(options.host, *options.port);
-      port_ = port_of(tcp_);
-      watch(tcp_, tcp_id, EPOLLIN);
-    }
-    if (!options.unix_socket.empty()) {
-      unix_ = listen_on_unix(options.unix_socket);
-      unix_path_ = options.unix_socket;
-      watch(unix_, unix_id, EPOLLIN);
-    }
   }
 
-  ~Impl() { close_listeners(); }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
-
   void run() {
-    poller_ = std::this_thread::get_id();
-    std::array<epoll_event, 256> events;
+    thread_ = std::this_thread::get_id();
     while (!finished()) {
-      const int count = ::epoll_wait(epoll_.get(), events.data(), events.size(), wait_milliseconds());
+      const auto events = poller_.wait(wait_milliseconds());
       now_ = Clock::now();
       take_answers();  // before anyone is let in, because whoever was answered can give way
-      for (int i = 0; i < count; ++i) handle(events[static_cast<std::size_t>(i)]);
+      for (const epoll_event& event : events) handle(event);
       take_answers();  // of the requests that were answered here
       if (stopping_) release_idle();
       sweep();
@@ -106,10 +69,10 @@ struct Transport::Impl {
 
   void stop() {
     stopping_ = true;
-    wake();
+    poller_.wake();
   }
 
-  int port_{0};
+  [[nodiscard]] int port() const { return entrance_.port(); }
   std::atomic<std::size_t> connection_count_{0};
   Budget unsent_{~std::size_t{0}};
 
@@ -129,33 +92,18 @@ struct Transport::Impl {
     Budget::Share unsent;
   };
 
-  void watch(const Descriptor& descriptor, Id id, std::uint32_t events) const {
-    epoll_event event{.events = events, .data = {.u64 = id}};
-    if (::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, descriptor.get(), &event) != 0)
-      throw std::runtime_error(std::strerror(errno));
-  }
-
-  void wake() const {
-    const std::uint64_t one = 1;
-    [[maybe_unused]] const auto written = ::write(wake_.get(), &one, sizeof one);
-  }
-
-  [[nodiscard]] bool finished() const { return stopping_ && !tcp_ && !unix_ && entries_.empty(); }
+  [[nodiscard]] bool finished() const { return stopping_ && !entrance_.is_open() && entries_.empty(); }
 
   [[nodiscard]] int wait_milliseconds() const {
-    if (entries_.empty() && !paused_) return -1;
+    if (entries_.empty() && !entrance_.is_paused()) return -1;
     return static_cast<int>((someone_leaves_ ? leaving_interval : sweep_interval) / 1ms);
   }
 
   void handle(const epoll_event& event) {
     const Id id = event.data.u64;
-    if (id == wake_id) {
-      std::uint64_t count = 0;
-      [[maybe_unused]] const auto size = ::read(wake_.get(), &count, sizeof count);
-    } else if (id == tcp_id) {
-      accept_all(tcp_);
-    } else if (id == unix_id) {
-      accept_all(unix_);
+    if (Entrance::is_of(id)) {
+      entrance_.accept_all(
+          id, [this](Descriptor socket) { admit(std::move(socket)); }, [this] { return drop_one_waiting(); });
     } else if (const auto entry = entries_.find(id); entry != entries_.end()) {
       entry->second.connection.note(event.events, now_);
       drive(entry);
@@ -164,22 +112,6 @@ struct Transport::Impl {
 
   // --- connections in -------------------------------------------------------------------------------------
 
-  void accept_all(const Descriptor& listener) {
-    for (int i = 0; i < 64; ++i) {
-      Descriptor socket(::accept4(listener.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-      if (socket) {
-        admit(std::move(socket));
-      } else if (errno == EMFILE || errno == ENFILE) {
-        if (!drop_one_waiting()) turn_away(listener);
-      } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-        return;
-      } else if (errno != EINTR && errno != ECONNABORTED) {
-        pause();
-        return;
-      }
-    }
-  }
-
   void admit(Descriptor socket) {
     const int yes = 1;
     ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
@@ -187,7 +119,7 @@ struct Transport::Impl {
     if (entries_.size() >= most_connections_ + overflow) return;
     try {
       const Id id = next_id_++;
-      watch(socket, id, EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET);
+      poller_.watch(socket, id, EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET);
       const auto entry =
           entries_.try_emplace(id, Entry{Connection(std::move(socket), patience_, bodies_, now_), {id}})
               .first;
@@ -207,29 +139,6 @@ struct Transport::Impl {
     entry->second.connection.close();
     settle(entry);
     return true;
-  }
-
-  /// There is no descriptor left. The spare one serves to tell the client.
-  void turn_away(const Descriptor& listener) {
-    spare_.reset();
-    if (const Descriptor socket(::accept4(listener.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-        socket)
-      Outgoing::out_of_memory().send(socket.get());
-    spare_ = spare_descriptor();
-  }
-
-  /// The system has no memory for another connection; the next sweep tries again.
-  void pause() {
-    paused_ = true;
-    for (const auto* listener : {&tcp_, &unix_}) {
-      if (*listener) ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, listener->get(), nullptr);
-    }
-  }
-
-  void resume() {
-    paused_ = false;
-    if (tcp_) watch(tcp_, tcp_id, EPOLLIN);
-    if (unix_) watch(unix_, unix_id, EPOLLIN);
   }
 
   // --- requests and answers -------------------------------------------------------------------------------
@@ -255,7 +164,7 @@ struct Transport::Impl {
       const bool done = outgoing.unsent() == 0 && outgoing.follow() == Follow::keep_alive;
       auto unsent = unsent_.count(outgoing.unsent());
       post({.id = id, .outgoing = std::move(outgoing), .unsent = std::move(unsent)});
-      if ((!done || *more || stopping_) && std::this_thread::get_id() != poller_) wake();
+      if ((!done || *more || stopping_) && std::this_thread::get_id() != thread_) poller_.wake();
     };
     std::shared_ptr<Exchange> exchange;
     try {
@@ -326,20 +235,14 @@ struct Transport::Impl {
       }
       settle(here);
     }
-    if (paused_) resume();
+    if (entrance_.is_paused()) entrance_.resume();
     next_sweep_ = now_ + (someone_leaves_ ? leaving_interval : sweep_interval);
-  }
-
-  void close_listeners() {
-    tcp_.reset();
-    if (unix_) ::unlink(unix_path_.c_str());
-    unix_.reset();
   }
 
   /// The server is about to end: only requests in flight keep their connections, and clients that still read,
   /// for as long as one slice of an answer may take.
   void release_idle() {
-    close_listeners();
+    entrance_.close();
     if (!last_moment_) last_moment_ = now_ + patience_.write;
     const bool late = now_ > *last_moment_;
     for (auto entry = entries_.begin(); entry != entries_.end();) {
@@ -355,17 +258,16 @@ struct Transport::Impl {
   Patience patience_;
   std::size_t most_connections_;
   Budget bodies_{all_bodies};
-  Descriptor epoll_, wake_, spare_, tcp_, unix_;
-  std::string unix_path_;
+  Poller poller_;
+  Entrance entrance_;
   Clock::time_point now_{Clock::now()};
   Clock::time_point next_sweep_{};
   std::optional<Clock::time_point>
       last_moment_;  // for answers that are still going out when the server is about to end
   Entries entries_;
   std::list<Id> waiting_;
-  Id next_id_{first_connection};
-  std::thread::id poller_;
-  bool paused_{false};
+  Id next_id_{Entrance::first_free};
+  std::thread::id thread_;  ///< that polls
   bool someone_leaves_{false};
   std::atomic<bool> stopping_{false};
   std::mutex mutex_;
@@ -376,7 +278,7 @@ struct Transport::Impl {
 Transport::Transport(const TransportOptions& options, Handler handler)
     : impl_(std::make_unique<Impl>(options, std::move(handler))) {}
 Transport::~Transport() = default;
-int Transport::port() const { return impl_->port_; }
+int Transport::port() const { return impl_->port(); }
 void Transport::run() { impl_->run(); }
 void Transport::stop() { impl_->stop(); }
 Transport::Gauges Transport::gauges() const {
