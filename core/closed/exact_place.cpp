@@ -157,10 +157,11 @@ bool ExactPlace::solve_quadratic(std::size_t k, const Polynomial& force) {
 bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
   const Expression& x = problem_->x[k];
   Graph& graph = x.graph();
-  const auto by_w = by_exponential(force, {&x, 1});
-  if (!by_w) return false;
-  const Expression slope = differentiate(by_w->argument, x);
-  const auto c = quadratic_in(to_expression(graph, by_w->e), by_w->w);
+  const auto found = by_exponential(force, {&x, 1});
+  if (!found) return false;
+  const ByExponential by_w = in_powers_apart(*found);
+  const Expression slope = differentiate(by_w.argument, x);
+  const auto c = quadratic_in(to_expression(graph, by_w.e), by_w.w);
   if (!c || depends_on(slope, problem_->x) ||
       std::ranges::any_of(*c, [&](const Expression& e) { return depends_on(e, problem_->x); }))
     return false;
@@ -168,9 +169,9 @@ bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
     const RationalFunction rate = rational_function((*c)[1] + Number(2) * (*c)[2] * w);
     return problem_->sign(rate.above) * problem_->sign(rate.below);
   };
-  const int near = sign_at(graph.call(Function::exp, by_w->argument));
+  const int near = sign_at(graph.call(Function::exp, by_w.argument));
   const Replacement origin{x, graph.number(0)};
-  const Expression offset = substitute(by_w->argument, {&origin, 1});
+  const Expression offset = substitute(by_w.argument, {&origin, 1});
   for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], problem_->sign)) {
     const RationalFunction w = rational_function(root);
     if (problem_->sign(w.above) * problem_->sign(w.below) <= 0 || near == 0 || sign_at(root) != near)

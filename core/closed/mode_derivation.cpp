@@ -43,6 +43,13 @@ double ModeDerivation::value(const LinearMode& mode) const {
   return values_.value(plain_expression(graph_, mode.lambda)).value;
 }
 
+/// With the momenta that the motion keeps.
+std::optional<ClosedForm> ModeDerivation::formula(const Expression& e) const {
+  auto form = closed_form(values_, e, relations_, motions_.momenta);
+  if (form) assume_signs(*form, values_, e, motions_.momenta);
+  return form;
+}
+
 bool ModeDerivation::oscillates(const LinearMode& mode) const {
   return values_.sign(plain_expression(graph_, mode.lambda)) > 0;
 }
@@ -52,7 +59,7 @@ Expression ModeDerivation::square(const LinearMode& mode) {
 }
 
 std::optional<ClosedForm> ModeDerivation::form(const LinearMode& mode) {
-  return closed_form(values_, square(mode), relations_);
+  return formula(square(mode));
 }
 
 ModeForms ModeDerivation::forms(const LinearMode& mode) {
@@ -60,7 +67,7 @@ ModeForms ModeDerivation::forms(const LinearMode& mode) {
   const Surd square = is_oscillation ? mode.lambda : -mode.lambda;
   ModeForms result{
       sqrt(plain_expression(graph_, square)), is_oscillation, {*form(mode), {}, {}, {}, {}, {}, {}}, {}};
-  result.form.rate = closed_form(values_, root(square), relations_);
+  result.form.rate = formula(root(square));
   if (is_oscillation) result.form.period = period(square);
   result.form.lambda = scaled_lambda(mode.lambda);
   const std::vector<Surd> shape = whole_shape(mode);
@@ -91,6 +98,8 @@ Expression ModeDerivation::root(const Surd& x) {
 /// The equations hold at other values of the parameters, too.
 bool ModeDerivation::is_true(const LinearMode& mode) const {
   Trial trial(values_, relations_);
+  for (const Expression& p : motions_.momenta)
+    trial.set({p}, {graph_.number(Number::real(values_.value(p).value))});
   trial.set(motions_.x, place_.x());
   for (const auto* vanishing : {&motions_.forces, &motions_.surface}) {
     for (const Expression& e : *vanishing) trial.vanishes({e});
@@ -125,7 +134,7 @@ std::vector<Expression> ModeDerivation::characteristic_terms(std::size_t i, std:
 
 std::optional<ClosedForm> ModeDerivation::period(const Surd& square) {
   const Surd inverse = Surd(rational_function(graph_.number(1))) / square;
-  return closed_form(values_, Number(2) * graph_.symbol("pi") * root(inverse), relations_);
+  return formula(Number(2) * graph_.symbol("pi") * root(inverse));
 }
 
 std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
@@ -133,7 +142,7 @@ std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
   const Expression time = graph_.adopt(values_.model().parsed.scales->time);
   const Expression square = substitute(pow(time, Number(2)), relations_.replacements);
   const Expression value = written(lambda * Surd(rational_function(square)));
-  return is_number(value) ? closed_form(values_, value, relations_) : std::nullopt;
+  return is_number(value) ? formula(value) : std::nullopt;
 }
 
 /// With the coordinates whose velocities follow, where no momentum holds them.
@@ -174,7 +183,7 @@ std::vector<Surd> ModeDerivation::scaled(std::vector<Surd> shape) const {
 std::vector<ClosedForm> ModeDerivation::closed_forms(const std::vector<Surd>& shape) {
   std::vector<ClosedForm> result;
   for (const Surd& component : shape) {
-    auto form = closed_form(values_, written(component), relations_);
+    auto form = formula(written(component));
     if (!form) return {};
     result.push_back(*std::move(form));
   }

@@ -35,6 +35,7 @@ class ModeDerivation {
   [[nodiscard]] ModeForms forms(const LinearMode& mode);
 
  private:
+  [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const;
   [[nodiscard]] bool oscillates(const LinearMode& mode) const;
   [[nodiscard]] bool is_true(const LinearMode& mode) const;
   [[nodiscard]] std::vector<Expression> characteristic_terms(std::size_t i, std::size_t j,

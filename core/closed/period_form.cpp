@@ -34,32 +34,53 @@ Expression half_angle(const Expression& m) {
   return m;
 }
 
+/// U = level - depth cos(turns x), or the same with its lowest place at pi/turns; depth > 0.
+struct CosineWell {
+  Expression level, depth;
+  int turns;
+};
+
+std::optional<CosineWell> cosine_well(const QuadratureProblem& problem, const ExactValues& values) {
+  Graph& graph = *values.graph();
+  const Expression& x = problem.x;
+  const Expression u = graph.symbol("w of x");
+  const Replacement cosine{cos(x), u};
+  const RationalFunction f = rational_function(problem.potential);
+  const Expression e = substitute(to_expression(graph, with_single_angles(graph, f.above)), {&cosine, 1});
+  if (depends_on(e, x) || depends_on(to_expression(graph, f.below), x)) return std::nullopt;
+  const auto c = univariate(graph, multiplied_out(e), u);
+  if (!c || c->size() < 2 || c->size() > 3) return std::nullopt;
+  const RationalFunction below = RationalFunction{f.below};
+  const auto part = [&](std::size_t k) { return to_expression(graph, (*c)[k] / below); };
+  const bool is_square = c->size() == 3;
+  if (is_square && !(*c)[1].is_zero()) return std::nullopt;
+  const Number half = Number::ratio(1, 2);
+  const Expression slope = is_square ? half * part(2) : part(1);
+  const Expression level = is_square ? part(0) + slope : part(0);
+  const int sign = values.sign(slope);
+  if (sign == 0) return std::nullopt;
+  return CosineWell{level, Number(sign) * slope, is_square ? 2 : 1};
+}
+
 /// factor K(m).
 struct PendulumPeriod {
   Expression factor, m;
 };
 
-/// The lowest point is at 0 or at pi.
-std::optional<PendulumPeriod> pendulum_period(const QuadratureProblem& problem, const ExactValues& values) {
+std::optional<PendulumPeriod> pendulum_period(const QuadratureProblem& problem, const ExactValues& values,
+                                              MotionKind motion) {
   Graph& graph = *values.graph();
-  const auto& [x, inertia, potential, energy] = problem;
-  if (depends_on(simplify(inertia), x)) return std::nullopt;
-  const Expression u = graph.symbol("w of x");
-  const Replacement cosine{cos(x), u};
-  const RationalFunction f = rational_function(potential);
-  const Expression e = substitute(to_expression(graph, with_single_angles(graph, f.above)), {&cosine, 1});
-  if (depends_on(e, x) || depends_on(to_expression(graph, f.below), x)) return std::nullopt;
-  const auto c = univariate(graph, multiplied_out(e), u);
-  if (!c || c->size() != 2) return std::nullopt;
-  const RationalFunction below = RationalFunction{f.below};
-  const Expression slope = to_expression(graph, (*c)[1] / below),
-                   level = to_expression(graph, (*c)[0] / below);
-  const int sign = values.sign(slope);
-  if (sign == 0) return std::nullopt;
-  const Expression depth = Number(sign) * slope;
-  const Expression m = (energy - level + depth) / (Number(2) * depth);
-  const Expression root = positive_root(graph, rational_function(inertia / depth), values.sign_of());
-  return PendulumPeriod{Number(4) * root, half_angle(simplify(m))};
+  if (depends_on(simplify(problem.inertia), problem.x)) return std::nullopt;
+  const auto well = cosine_well(problem, values);
+  if (!well) return std::nullopt;
+  const auto root = [&](const Expression& square) {
+    return positive_root(graph, rational_function(square), values.sign_of());
+  };
+  const Expression height = problem.energy - well->level + well->depth, twice = Number(2) * well->depth;
+  if (motion == MotionKind::rotation)
+    return PendulumPeriod{Number(2) * root(Number(2) * problem.inertia / height), simplify(twice / height)};
+  return PendulumPeriod{Number::ratio(4, well->turns) * root(problem.inertia / well->depth),
+                        half_angle(simplify(height / twice))};
 }
 
 /// K(m) to round-off, by the arithmetic-geometric mean.
@@ -74,8 +95,9 @@ double complete_elliptic_integral(double one_less_m) {
 }
 
 std::optional<ClosedForm> with_elliptic_integral(const QuadratureProblem& problem, const ExactValues& values,
-                                                 const Finding& found, const WrittenForm& written) {
-  const auto period = pendulum_period(problem, values);
+                                                 MotionKind motion, const Finding& found,
+                                                 const WrittenForm& written) {
+  const auto period = pendulum_period(problem, values, motion);
   if (!period) return std::nullopt;
   const auto& [factor, m] = *period;
   const Real one_less_m = values.value(m.graph().number(1) - m);
@@ -94,7 +116,8 @@ std::optional<ClosedForm> with_elliptic_integral(const QuadratureProblem& proble
 }  // namespace
 
 std::optional<ClosedForm> period_form(const QuadratureProblem& problem, const ExactValues& values,
-                                      const Finding& found, const WrittenForm& written) {
+                                      MotionKind motion, const Finding& found, const WrittenForm& written) {
+  if (motion == MotionKind::rotation) return with_elliptic_integral(problem, values, motion, found, written);
   std::optional<ClosedForm> best;
   for (const Expression& period : elementary_periods(problem, values)) {
     if (!agrees(values.value(period), *found.value, found.error)) continue;
@@ -105,7 +128,7 @@ std::optional<ClosedForm> period_form(const QuadratureProblem& problem, const Ex
       if (form && (!best || form->text.size() < best->text.size())) best = std::move(form);
     }
   }
-  return best ? best : with_elliptic_integral(problem, values, found, written);
+  return best ? best : with_elliptic_integral(problem, values, motion, found, written);
 }
 
 }  // namespace qdot

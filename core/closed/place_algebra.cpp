@@ -1,6 +1,7 @@
 #include "core/closed/place_algebra.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/expr/calculus.hpp"
 #include "core/expr/rational_function.hpp"
@@ -71,6 +72,21 @@ Expression with_logarithms_taken(const Expression& e) {
     if (function == Function::cosh) taken.emplace_back(Expression(graph, id), half * (up + down));
   }
   return taken.empty() ? e : substitute(e, taken);
+}
+
+ByExponential in_powers_apart(const ByExponential& f) {
+  if (f.e.empty()) return f;
+  const auto power = [&](const auto& term) { return exponent_of(term.first, f.w.id()); };
+  int lowest = power(*f.e.begin()), apart = 0;
+  for (const auto& term : f.e) lowest = std::min(lowest, power(term));
+  for (const auto& term : f.e) apart = std::gcd(apart, power(term) - lowest);
+  if (apart == 0) return f;
+  ByExponential result{{}, f.w, Number(apart) * f.argument};
+  for (const auto& term : f.e) {
+    const int reduced = (power(term) - lowest) / apart;
+    add(result.e, times(term.first, f.w.id(), reduced - power(term)), term.second);
+  }
+  return result;
 }
 
 Polynomial without_factor(const Polynomial& e, const Expression& u) {

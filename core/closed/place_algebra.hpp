@@ -5,6 +5,7 @@
 
 #include "core/expr/polynomial.hpp"
 #include "core/expr/surd.hpp"
+#include "core/steady/exponential_form.hpp"
 
 namespace qdot {
 
@@ -25,6 +26,10 @@ struct LinearIn {
 
 /// With exp(n log(u)) = u^n.
 [[nodiscard]] Expression with_logarithms_taken(const Expression& e);
+
+/// As a polynomial in w^n where the powers of w are n apart: in exp(2 a x) of 1/cosh(a x)^2. The lowest power
+/// is left out.
+[[nodiscard]] ByExponential in_powers_apart(const ByExponential& f);
 
 /// f^(1/n) where f is a product of what is positive.
 [[nodiscard]] std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
