@@ -44,6 +44,14 @@ ExactPlace ExactPlace::special(const PlaceProblem& problem) {
   return place;
 }
 
+std::vector<Expression> ExactPlace::undecided() const {
+  std::vector<Expression> found;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    if (!is_known(k)) found.push_back(x_[k]);
+  }
+  return found;
+}
+
 void ExactPlace::take_special_values() {
   Graph& graph = problem_->x.empty() ? problem_->forces[0].graph() : problem_->x[0].graph();
   const Expression pi = graph.symbol("pi");
@@ -186,6 +194,25 @@ bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
   return false;
 }
 
+/// tan(x) = tan(u): x is u, but for half turns.
+bool ExactPlace::solve_known_tangent(std::size_t k, const RationalFunction& tangent) {
+  const auto u = angle_of_tangent(problem_->x[k].graph(), tangent);
+  if (!u) return false;
+  constexpr double reach = 1e-6;
+  const Expression pi = u->graph().symbol("pi");
+  const auto sign_beside = [&](const Expression& e, double place) {
+    return problem_->sign(multiplied_out(e - u->graph().number(Number::real(place))));
+  };
+  for (const int half_turns : {0, 1, -1, 2, -2}) {
+    const Expression x = *u + Number(half_turns) * pi;
+    const double near = problem_->near[k].middle();
+    if (sign_beside(x, near - reach) <= 0 || sign_beside(x, near + reach) >= 0) continue;
+    settle(k, x);
+    return true;
+  }
+  return false;
+}
+
 /// The root of x^n = value near x_k.
 std::optional<Expression> ExactPlace::root(std::size_t k, int n, const RationalFunction& value) const {
   Graph& graph = problem_->x[k].graph();
@@ -234,6 +261,7 @@ bool ExactPlace::solve_tangent(std::size_t k, const Polynomial& force) {
     return false;
   const RationalFunction tangent = -in_lowest_terms(by_cosine->slope, by_sine->slope);
   if (depends_on(to_expression(graph, tangent), x)) return false;
+  if (solve_known_tangent(k, tangent)) return true;
   const double near = problem_->near[k].middle();
   const int half_turns = std::abs(near) > std::numbers::pi / 2 ? 1 : 0;
   const int sign = problem_->sign(tangent.below) * (half_turns == 0 ? 1 : -1);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/rational_function.hpp"
 #include "core/expr/surd.hpp"
 #include "core/numerics/interval.hpp"
 
@@ -40,6 +41,8 @@ class ExactPlace {
 
   /// x_k by the parameters.
   [[nodiscard]] const std::vector<Expression>& x() const { return x_; }
+  /// The coordinates that no force decides: any value does.
+  [[nodiscard]] std::vector<Expression> undecided() const;
   /// e at the place.
   [[nodiscard]] Expression at(const Expression& e) const;
 
@@ -70,6 +73,7 @@ class ExactPlace {
   [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
   [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force);
   [[nodiscard]] bool solve_tangent(std::size_t k, const Polynomial& force);
+  [[nodiscard]] bool solve_known_tangent(std::size_t k, const RationalFunction& tangent);
   [[nodiscard]] bool is_known(std::size_t k) const { return x_[k] != problem_->x[k]; }
 
   const PlaceProblem* problem_;

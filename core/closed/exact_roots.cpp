@@ -39,21 +39,6 @@ Expression with_whole_brackets(const Expression& e, const SignOf& sign) {
   return written_length(result) <= written_length(e) + 3 ? result : e;
 }
 
-/// a/b: by identities of angles, or in lowest terms.
-Expression quotient(const Expression& a, const Expression& b, const SignOf& sign) {
-  Graph& graph = a.graph();
-  const auto single = [&](const Expression& e) {
-    return to_expression(graph, with_single_angles(graph, multiplied_out(e)));
-  };
-  const Expression lowest = to_expression(graph, rational_function(a / b));
-  Expression best =
-      shorter(with_whole_brackets(simplify_quotient(a, b), sign), with_whole_brackets(lowest, sign));
-  if (const Expression sum = expand(lowest); std::holds_alternative<Sum>(sum.node()))
-    best = shorter(best, sum);
-  return shorter(best,
-                 with_whole_brackets(to_expression(graph, rational_function(single(a) / single(b))), sign));
-}
-
 Expression root_of(const Expression& square, const SignOf& sign) {
   return shorter(sqrt(square), positive_root(square.graph(), rational_function(square), sign));
 }
@@ -80,11 +65,25 @@ std::optional<Expression> in_squares(const Expression& e, const Expression& u) {
 
 }  // namespace
 
+Expression shortest_quotient(const Expression& a, const Expression& b, const SignOf& sign) {
+  Graph& graph = a.graph();
+  const auto single = [&](const Expression& e) {
+    return to_expression(graph, with_single_angles(graph, multiplied_out(e)));
+  };
+  const Expression lowest = to_expression(graph, rational_function(a / b));
+  Expression best =
+      shorter(with_whole_brackets(simplify_quotient(a, b), sign), with_whole_brackets(lowest, sign));
+  if (const Expression sum = expand(lowest); std::holds_alternative<Sum>(sum.node()))
+    best = shorter(best, sum);
+  return shorter(best,
+                 with_whole_brackets(to_expression(graph, rational_function(single(a) / single(b))), sign));
+}
+
 std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, const Expression& c2,
                                  const SignOf& sign) {
-  if (c2.is_zero()) return c1.is_zero() ? std::vector<Expression>{} : std::vector{quotient(-c0, c1, sign)};
+  if (c2.is_zero()) return c1.is_zero() ? std::vector<Expression>{} : std::vector{shortest_quotient(-c0, c1, sign)};
   if (c1.is_zero()) {
-    const Expression root = root_of(quotient(-c0, c2, sign), sign);
+    const Expression root = root_of(shortest_quotient(-c0, c2, sign), sign);
     return {root, -root};
   }
   const auto written = [&](const std::vector<Surd>& surds) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/closed/exact_roots.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/simplify.hpp"
@@ -13,6 +14,12 @@ bool is_number(const Expression& e) {
   const NodeId root = e.id();
   return std::ranges::none_of(reachable(e.graph(), {&root, 1}),
                               [&](NodeId id) { return std::holds_alternative<Symbol>(e.graph().node(id)); });
+}
+
+bool has_calls(const Expression& e) {
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}),
+                             [&](NodeId id) { return std::holds_alternative<Call>(e.graph().node(id)); });
 }
 
 /// Its first component that is not 0 is 1.
@@ -35,7 +42,9 @@ ModeDerivation::ModeDerivation(const LinearMotions& motions, const ExactPlace& p
       values_(values),
       relations_(relations),
       graph_(*motions.graph),
+      given_(place.undecided()),
       modes_(modes_at(motions, place, relations.replacements)) {
+  given_.insert(given_.end(), motions.momenta.begin(), motions.momenta.end());
   std::erase_if(modes_, [&](const LinearMode& mode) { return mode.lambda.is_zero() || !is_true(mode); });
 }
 
@@ -43,10 +52,9 @@ double ModeDerivation::value(const LinearMode& mode) const {
   return values_.value(plain_expression(graph_, mode.lambda)).value;
 }
 
-/// With the momenta that the motion keeps.
 std::optional<ClosedForm> ModeDerivation::formula(const Expression& e) const {
-  auto form = closed_form(values_, e, relations_, motions_.momenta);
-  if (form) assume_signs(*form, values_, e, motions_.momenta);
+  auto form = closed_form(values_, e, relations_, given_);
+  if (form) assume_signs(*form, values_, e, given_);
   return form;
 }
 
@@ -87,19 +95,47 @@ Expression ModeDerivation::root_of(const Polynomial& n) {
 Expression ModeDerivation::written(const Surd& x) {
   if (!x.is_rational()) return to_expression(graph_, x, root_of(x.n));
   const Expression plain = to_expression(graph_, x.p), joined = simplify(plain);
-  return written_length(joined) < written_length(plain) ? joined : plain;
+  const Expression& best = written_length(joined) < written_length(plain) ? joined : plain;
+  if (!has_calls(best)) return best;
+  const Expression by_angles = shortest_quotient(to_expression(graph_, x.p.above),
+                                                 to_expression(graph_, x.p.below), values_.sign_of());
+  return written_length(by_angles) < written_length(best) ? by_angles : best;
 }
 
 Expression ModeDerivation::root(const Surd& x) {
   if (x.is_rational()) return positive_root(graph_, x.p, values_.sign_of());
-  return positive_root(graph_, x, root_of(x.n), values_.sign_of());
+  const Expression nested = positive_root(graph_, x, root_of(x.n), values_.sign_of());
+  const auto sum = sum_of_roots(x);
+  return sum && written_length(*sum) < written_length(nested) ? *sum : nested;
+}
+
+/// sqrt(p + q sqrt(n)) = sqrt(a) +- sqrt(b) with a, b = (p +- s)/2, where p^2 - q^2 n = s^2: the slow and the
+/// fast precession of a sleeping top.
+std::optional<Expression> ModeDerivation::sum_of_roots(const Surd& x) {
+  const RationalFunction n{x.n};
+  const Surd s = square_root(x.p * x.p - x.q * x.q * n);
+  if (!s.is_rational()) return std::nullopt;
+  const RationalFunction half{{{Monomial{}, Number::ratio(1, 2)}}};
+  const auto sign = [&](const RationalFunction& f) {
+    return values_.sign(f.above) * values_.sign(f.below);
+  };
+  const int larger = sign(s.p);
+  const RationalFunction a = half * (larger < 0 ? x.p - s.p : x.p + s.p), b = x.p - a;
+  const Surd root_of_a = square_root(a), root_of_b = square_root(b);
+  if (larger == 0 || sign(b) <= 0 || !root_of_b.is_rational() || root_of_a.is_rational())
+    return std::nullopt;
+  const int front = sign(root_of_a.q), behind = sign(x.q) * sign(root_of_b.p);
+  if (front == 0 || behind == 0) return std::nullopt;
+  const Surd first = front < 0 ? -root_of_a : root_of_a;
+  const Surd sum = first + Surd(behind < 0 ? -root_of_b.p : root_of_b.p);
+  return to_expression(graph_, sum, root_of(sum.n));
 }
 
 /// The equations hold at other values of the parameters, too.
 bool ModeDerivation::is_true(const LinearMode& mode) const {
   Trial trial(values_, relations_);
-  for (const Expression& p : motions_.momenta)
-    trial.set({p}, {graph_.number(Number::real(values_.value(p).value))});
+  for (const Expression& e : given_)
+    trial.set({e}, {graph_.number(Number::real(values_.value(e).value))});
   trial.set(motions_.x, place_.x());
   for (const auto* vanishing : {&motions_.forces, &motions_.surface}) {
     for (const Expression& e : *vanishing) trial.vanishes({e});

@@ -34,32 +34,48 @@ Expression half_angle(const Expression& m) {
   return m;
 }
 
-/// U = level - depth cos(turns x), or the same with its lowest place at pi/turns; depth > 0.
+/// U = level - depth cos(turns x - x0), depth > 0.
 struct CosineWell {
   Expression level, depth;
   int turns;
 };
 
+/// Of a potential in cos(x) alone, or in its square.
+std::optional<CosineWell> well_of(const Univariate& c, const ExactValues& values) {
+  Graph& graph = *values.graph();
+  const auto part = [&](std::size_t k) { return to_expression(graph, c[k]); };
+  const bool is_square = c.size() == 3;
+  if (c.size() < 2 || c.size() > 3 || (is_square && !c[1].is_zero())) return std::nullopt;
+  const Expression slope = is_square ? Number::ratio(1, 2) * part(2) : part(1);
+  const int sign = values.sign(slope);
+  if (sign == 0) return std::nullopt;
+  return CosineWell{is_square ? part(0) + slope : part(0), Number(sign) * slope, is_square ? 2 : 1};
+}
+
+/// level + along cos(x) + across sin(x).
+CosineWell tilted_well(const Univariate& c, const Expression& across, const ExactValues& values) {
+  Graph& graph = *values.graph();
+  const auto part = [&](std::size_t k) { return c.size() > k ? to_expression(graph, c[k]) : graph.number(0); };
+  const Expression along = part(1);
+  const RationalFunction square = rational_function(simplify(along * along + across * across));
+  return {part(0), positive_root(graph, square, values.sign_of()), 1};
+}
+
 std::optional<CosineWell> cosine_well(const QuadratureProblem& problem, const ExactValues& values) {
   Graph& graph = *values.graph();
   const Expression& x = problem.x;
-  const Expression u = graph.symbol("w of x");
-  const Replacement cosine{cos(x), u};
+  const Expression c = graph.symbol("cosine of x"), s = graph.symbol("sine of x");
+  const std::vector<Replacement> symbols{{cos(x), c}, {sin(x), s}}, no_sine{{s, graph.number(0)}};
   const RationalFunction f = rational_function(problem.potential);
-  const Expression e = substitute(to_expression(graph, with_single_angles(graph, f.above)), {&cosine, 1});
-  if (depends_on(e, x) || depends_on(to_expression(graph, f.below), x)) return std::nullopt;
-  const auto c = univariate(graph, multiplied_out(e), u);
-  if (!c || c->size() < 2 || c->size() > 3) return std::nullopt;
-  const RationalFunction below = RationalFunction{f.below};
-  const auto part = [&](std::size_t k) { return to_expression(graph, (*c)[k] / below); };
-  const bool is_square = c->size() == 3;
-  if (is_square && !(*c)[1].is_zero()) return std::nullopt;
-  const Number half = Number::ratio(1, 2);
-  const Expression slope = is_square ? half * part(2) : part(1);
-  const Expression level = is_square ? part(0) + slope : part(0);
-  const int sign = values.sign(slope);
-  if (sign == 0) return std::nullopt;
-  return CosineWell{level, Number(sign) * slope, is_square ? 2 : 1};
+  const Expression e = substitute(to_expression(graph, with_single_angles(graph, f.above)), symbols);
+  const Expression below = to_expression(graph, f.below), across = differentiate(e, s) / below;
+  if (depends_on(e, x) || depends_on(below, x) || depends_on(across, c) || depends_on(across, s))
+    return std::nullopt;
+  auto by_cosine = univariate(graph, multiplied_out(substitute(e, no_sine)), c);
+  if (!by_cosine) return std::nullopt;
+  for (RationalFunction& k : *by_cosine) k = k / RationalFunction{f.below};
+  if (across.is_zero()) return well_of(*by_cosine, values);
+  return by_cosine->size() > 2 ? std::nullopt : std::optional(tilted_well(*by_cosine, across, values));
 }
 
 /// factor K(m).

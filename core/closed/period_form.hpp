@@ -1,7 +1,7 @@
 #pragma once
 // The formula of a period beside its number: elementary (elementary_period.hpp), or of a pendulum
 //
-//   A x'^2/2 - B cos(n x) = h,   n = 1 or 2,   d = h + B its height above the lowest place
+//   A x'^2/2 - B cos(n x - x0) = h,   n = 1 or 2,   d = h + B its height above the lowest place
 //   T = 4/n sqrt(A/B) K(d/(2 B))       where it swings,
 //   T = 2 sqrt(2 A/d) K(2 B/d)         for a turn of 2 pi where it goes over the top,
 //

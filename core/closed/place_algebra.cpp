@@ -22,6 +22,20 @@ std::optional<LinearIn> linear_in(Graph& graph, const Polynomial& e, const Expre
   return parts;
 }
 
+std::optional<Expression> angle_of_tangent(Graph& graph, const RationalFunction& f) {
+  if (f.above.size() != 1 || f.below.size() != 1) return std::nullopt;
+  const auto& [above, c] = *f.above.begin();
+  const auto& [below, d] = *f.below.begin();
+  for (const Atom& atom : above) {
+    const auto* call = std::get_if<Call>(&graph.node(atom.base));
+    if (call == nullptr || call->function != Function::sin) continue;
+    const Expression u(graph, call->argument);
+    const Monomial partner = times(times(above, atom.base, -1), cos(u).id(), 1);
+    if (partner == below && (c == d || c == -d)) return Number(c == d ? 1 : -1) * u;
+  }
+  return std::nullopt;
+}
+
 Expression with_roots_taken(const Expression& e, const SignOf& sign) {
   Graph& graph = e.graph();
   std::vector<Replacement> taken;

@@ -21,6 +21,9 @@ struct LinearIn {
 /// Without the factors u, which do not vanish.
 [[nodiscard]] Polynomial without_factor(const Polynomial& e, const Expression& u);
 
+/// u where f is tan(u), of one product over another.
+[[nodiscard]] std::optional<Expression> angle_of_tangent(Graph& graph, const RationalFunction& f);
+
 /// With roots of squares taken, sqrt(h^2) = h where h > 0.
 [[nodiscard]] Expression with_roots_taken(const Expression& e, const SignOf& sign);
 

@@ -48,7 +48,7 @@ class ModeByPlace {
  private:
   /// At other values of the parameters, too.
   [[nodiscard]] bool holds(const Expression& square, const Expression& lambda) const {
-    Trial trial(values_, {});
+    Trial trial(values_, none_);
     trial.set({x_}, {graph_.number(Number::real(values_.value(x_).value))});
     trial.set({p_}, {sqrt(square)});
     trial.vanishes(terms_of(force_));
@@ -57,7 +57,7 @@ class ModeByPlace {
   }
 
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const {
-    auto form = closed_form(values_, e, {}, {&x_, 1});
+    auto form = closed_form(values_, e, none_, {&x_, 1});
     if (form) assume_signs(*form, values_, e, {&x_, 1});
     return form;
   }
@@ -77,6 +77,7 @@ class ModeByPlace {
 
   const LinearMotions& motions_;
   const ExactValues& values_;
+  const Relations none_;
   Graph& graph_;
   Expression x_, p_, force_, stiffness_, inertia_;
 };
