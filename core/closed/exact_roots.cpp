@@ -10,6 +10,29 @@
 namespace qdot {
 namespace {
 
+struct WithRoot {
+  Expression rational, irrational;
+};
+
+/// e = u + v sqrt(n) with a number n.
+std::optional<WithRoot> with_root_of_number(Graph& graph, const Polynomial& e) {
+  const auto root_in = [&](const Monomial& monomial) {
+    return std::ranges::find_if(monomial, [&](const Atom& atom) {
+      return atom.q == 2 && std::holds_alternative<Literal>(graph.node(atom.base));
+    });
+  };
+  std::optional<NodeId> n;
+  Polynomial rational, irrational;
+  for (const auto& [monomial, coefficient] : e) {
+    const auto root = root_in(monomial);
+    const bool has_root = root != monomial.end() && (!n || root->base == *n);
+    if (has_root) n = root->base;
+    add(has_root ? irrational : rational, monomial, coefficient);
+  }
+  if (!n) return std::nullopt;
+  return WithRoot{to_expression(graph, rational), to_expression(graph, irrational)};
+}
+
 /// The one with fewer operations, or else fewer letters.
 Expression shorter(const Expression& a, const Expression& b) {
   const std::size_t of_a = written_length(a), of_b = written_length(b);
@@ -67,6 +90,11 @@ std::optional<Expression> in_squares(const Expression& e, const Expression& u) {
 
 Expression shortest_quotient(const Expression& a, const Expression& b, const SignOf& sign) {
   Graph& graph = a.graph();
+  if (const auto split = with_root_of_number(graph, multiplied_out(b))) {
+    const auto& [rational, irrational] = *split;
+    const Expression below = expand(rational * rational - irrational * irrational);
+    if (!below.is_zero()) return shortest_quotient(expand(a * (rational - irrational)), below, sign);
+  }
   const auto single = [&](const Expression& e) {
     return to_expression(graph, with_single_angles(graph, multiplied_out(e)));
   };

@@ -103,7 +103,12 @@ Expression ModeDerivation::written(const Surd& x) {
 }
 
 Expression ModeDerivation::root(const Surd& x) {
-  if (x.is_rational()) return positive_root(graph_, x.p, values_.sign_of());
+  if (x.is_rational()) {
+    const Expression plain = positive_root(graph_, x.p, values_.sign_of());
+    if (!has_calls(plain)) return plain;
+    const Expression by_angles = sqrt(written(x));
+    return written_length(by_angles) < written_length(plain) ? by_angles : plain;
+  }
   const Expression nested = positive_root(graph_, x, root_of(x.n), values_.sign_of());
   const auto sum = sum_of_roots(x);
   return sum && written_length(*sum) < written_length(nested) ? *sum : nested;

@@ -16,6 +16,23 @@ namespace {
 constexpr const char* elliptic_integral =
     "ellipk(m) = K(m) is the integral of 1/sqrt(1 - m*sin(u)^2) over u from 0 to pi/2";
 
+/// sqrt(4 x) as 2 sqrt(x).
+Expression with_squares_out(const Expression& e) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> taken;
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    if (power == nullptr || power->exponent.denominator() != Number(2)) continue;
+    const auto [coefficient, rest] = split_coefficient(Expression(graph, power->base));
+    const auto factor = coefficient.is_negative() ? std::nullopt : exact_root(coefficient);
+    if (!factor || *factor == Number(1)) continue;
+    const Number twice = power->exponent * Number(2);
+    taken.emplace_back(Expression(graph, id), pow(graph.number(*factor), twice) * pow(rest, power->exponent));
+  }
+  return substitute(e, taken);
+}
+
 /// (1 - cos(2 u))/2 as sin(u)^2.
 Expression half_angle(const Expression& m) {
   Graph& graph = m.graph();
@@ -71,7 +88,8 @@ std::optional<CosineWell> cosine_well(const QuadratureProblem& problem, const Ex
   const Expression below = to_expression(graph, f.below), across = differentiate(e, s) / below;
   if (depends_on(e, x) || depends_on(below, x) || depends_on(across, c) || depends_on(across, s))
     return std::nullopt;
-  auto by_cosine = univariate(graph, multiplied_out(substitute(e, no_sine)), c);
+  const Polynomial rest = multiplied_out(substitute(e, no_sine));
+  auto by_cosine = rest.empty() ? std::optional(Univariate{}) : univariate(graph, rest, c);
   if (!by_cosine) return std::nullopt;
   for (RationalFunction& k : *by_cosine) k = k / RationalFunction{f.below};
   if (across.is_zero()) return well_of(*by_cosine, values);
@@ -138,7 +156,8 @@ std::optional<ClosedForm> period_form(const QuadratureProblem& problem, const Ex
   for (const Expression& period : elementary_periods(problem, values)) {
     if (!agrees(values.value(period), *found.value, found.error)) continue;
     for (const Relations& relations : {values.relations(), Relations{}}) {
-      const Expression plain = substitute(period, relations.replacements), short_form = simplify(plain);
+      const Expression plain = with_squares_out(substitute(period, relations.replacements));
+      const Expression short_form = with_squares_out(simplify(plain));
       const bool is_shorter = written_length(short_form) < written_length(plain);
       auto form = written(is_shorter ? short_form : plain, relations);
       if (form && (!best || form->text.size() < best->text.size())) best = std::move(form);

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double rtol = 1e-5;
 constexpr double accuracy = 1e-3;  // of a point on the curve
-constexpr std::array start_sizes{0.3, 0.03};
+constexpr std::array start_sizes{0.3, 0.03, 2.0};
 constexpr std::array start_durations{2.0, 1.0, 4.0};
 constexpr int most_start_steps = 60, sure_start_steps = 15;
 constexpr Corrections corrections{.most = 6, .accuracy = accuracy};
@@ -169,7 +169,8 @@ GaitSearch search_gaits(SectionMap& map) {
   };
   for (const double duration : start_durations) {
     for (const double size : start_sizes) {
-      if (curves.empty() && !dies_away) try_starts(size, duration);
+      // Motions may recur without an impact on one curve, and with one on another.
+      if (result.candidates.empty() && !dies_away) try_starts(size, duration);
     }
   }
   using Outcome = GaitSearch::Outcome;

@@ -42,6 +42,7 @@ PERIODS = [
     ("physical_pendulum", "4*sqrt(2*l/(3*g))*ellipk(sin(1/2)^2)"),
     ("orbiting_pendulum", "4*sqrt(l/r)/omega0*ellipk(l/(4*r))"),
 ]
+TURNING = {"coordinates": [{"name": "x", "unit": "rad", "initial": "0.2", "initial_rate": "3"}]}
 # Over the top, one turn: Whittaker, Analytical Dynamics, section 44.
 TURNS = [
     ("plane_pendulum", {"theta": 0, "theta_dot": 7}, "2*sqrt(2*m*l**2/(E + m*g*l))*ellipk(2*m*g*l/(E + m*g*l))"),
@@ -49,9 +50,13 @@ TURNS = [
      "2*sqrt(2*m*l**2/3/(E + m*g*l/2))*ellipk(m*g*l/(E + m*g*l/2))"),
     (scene("hands", f"m kg 1.3; l m 0.4; {G}", "a rad 0 12", gravity=DOWN, bodies=[particle("m", "l*cos(a)", "l*sin(a)")]),
      {}, "2*sqrt(2*m*l**2/(E + m*g*l))*ellipk(2*m*g*l/(E + m*g*l))"),
-    (lagrangian("two_wells", "A - 1.5; B - 0.7", "x - 0.2 3", "A*x_dot^2/2 + B*cos(x)^2"), {},
+    (lagrangian("two_wells", "A - 1.5; B - 0.7", "x rad 0.2 3", "A*x_dot^2/2 + B*cos(x)^2") | TURNING, {},
      "2*sqrt(2*A/(h + B))*ellipk(B/(h + B))"),
 ]
+# Turned by any angle: a pendulum in a train that gains speed.
+TILTED = scene("tilted", f"m kg 1.3; l m 0.4; a m/s^2 3; {G}", "phi rad 0.3", gravity=DOWN,
+               bodies=[particle("m", "a*t^2/2 + l*sin(phi)", "-l*cos(phi)")])
+TILTED_PERIOD = "4*sqrt(l/sqrt(a**2 + g**2))*ellipk((1 + h/(m*l*sqrt(a**2 + g**2)))/2)"
 # A potential of twice the angle: a body in orbit, a dipole in a field that alternates.
 TWICE = lagrangian("swings_in_one_of_two", "A - 1.5; B - 0.7", "x - 0.6", "A*x_dot^2/2 + B*cos(x)^2")
 TWICE_PERIOD = "2*sqrt(A/(B/2))/sqrt(1)*ellipk((h + B)/B)"
@@ -97,6 +102,21 @@ class ExactPeriods(Service):
     def test_a_potential_of_twice_the_angle(self):
         self.assert_period(self.ask("turning_points", {"system": TWICE}), TWICE_PERIOD)
 
+    def test_a_potential_turned_by_an_angle(self):
+        self.assert_period(self.ask("turning_points", {"system": TILTED}), TILTED_PERIOD)
+        over = self.ask("turning_points", {"system": TILTED, "initial": {"phi_dot": 15}})
+        d = "(h + m*l*sqrt(a**2 + g**2))"
+        self.assert_period(over, f"2*l*sqrt(2*m/{d})*ellipk(2*m*l*sqrt(a**2 + g**2)/{d})")
+
+    def test_squares_are_taken_out_of_roots(self):
+        block = scene("block_on_a_wedge", f"M kg 3; m kg 1; al rad 0.5; k N/m 20; {G}", "X m; s m", gravity=DOWN,
+                      bodies=[particle("M", "X", "0"), particle("m", "X + s*cos(al)", "-s*sin(al)")],
+                      springs=[{"stiffness": "k", "length": "s"}])
+        found = self.ask("turning_points", {"system": block})
+        self.assertEqual(found["exact"]["period"]["text"], "2*pi*sqrt(m*(M + m*sin(al)^2)/(k*(M + m)))")
+        mode = self.ask("modes", {"system": block})["modes"][1]["exact"]
+        for form in (mode["text"], mode["omega"]["text"], mode["period"]["text"]):
+            self.assertIn("sin(al)^2", form)
     def test_they_are_as_short_as_printed(self):
         for system, text in (("cycloid_pendulum", "4*pi*sqrt(a/g)"), ("plane_pendulum", "4*sqrt(l/g)*ellipk(sin(1/2)^2)")):
             self.assertEqual(self.ask("turning_points", {"system": system})["exact"]["period"]["text"], text)

@@ -60,7 +60,7 @@ class SteadyForms(Service):
                 with self.subTest(system["name"]):
                     parameters = {p["name"]: f"{float(p['default'])*draw.uniform(0.8, 1.2):.3f}" for p in system["parameters"]}
                     parameters = {name: float(text) for name, text in parameters.items()}
-                    rate = round(draw.uniform(1.5, 4), 3)
+                    rate = round(draw.uniform(1.1, 1.4) if coordinate == "r" else draw.uniform(1.5, 4), 3)
                     found = self.ask("modes", {"system": system, "parameters": parameters, "initial": {"phi_dot": rate}})
                     mode = next(mode for mode in found["modes"] if mode["kind"] == "oscillation")
                     start = found["request"]["initial"]
