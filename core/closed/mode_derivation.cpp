@@ -125,14 +125,15 @@ std::optional<Expression> ModeDerivation::sum_of_roots(const Surd& x) {
     return values_.sign(f.above) * values_.sign(f.below);
   };
   const int larger = sign(s.p);
+  if (larger == 0) return std::nullopt;
   const RationalFunction a = half * (larger < 0 ? x.p - s.p : x.p + s.p), b = x.p - a;
-  const Surd root_of_a = square_root(a), root_of_b = square_root(b);
-  if (larger == 0 || sign(b) <= 0 || !root_of_b.is_rational() || root_of_a.is_rational())
-    return std::nullopt;
-  const int front = sign(root_of_a.q), behind = sign(x.q) * sign(root_of_b.p);
-  if (front == 0 || behind == 0) return std::nullopt;
-  const Surd first = front < 0 ? -root_of_a : root_of_a;
-  const Surd sum = first + Surd(behind < 0 ? -root_of_b.p : root_of_b.p);
+  if (sign(b) <= 0) return std::nullopt;
+  const Surd first = square_root(a), second = square_root(b);
+  if (first.is_rational() == second.is_rational()) return std::nullopt;
+  const auto front = [&](const Surd& root) { return sign(root.is_rational() ? root.p : root.q); };
+  const int of_first = front(first), of_second = front(second) * sign(x.q);
+  if (of_first == 0 || of_second == 0) return std::nullopt;
+  const Surd sum = (of_first < 0 ? -first : first) + (of_second < 0 ? -second : second);
   return to_expression(graph_, sum, root_of(sum.n));
 }
 

@@ -8,6 +8,7 @@
 // 1e3 (core/numerics/path_following.hpp). The candidates are the changes of sign of g along it. Gaits that no
 // such curve reaches are not found.
 
+#include <functional>
 #include <vector>
 
 #include "core/gait/shooting.hpp"
@@ -24,6 +25,9 @@ struct GaitSearch {
   } outcome{};
 };
 
-[[nodiscard]] GaitSearch search_gaits(SectionMap& map);
+/// Whether there is a gait near a candidate; the search goes on with other starts until there is one.
+using IsGait = std::function<bool(const Recurrence&)>;
+
+[[nodiscard]] GaitSearch search_gaits(SectionMap& map, const IsGait& is_gait);
 
 }  // namespace qdot

@@ -108,15 +108,6 @@ class ExactPeriods(Service):
         d = "(h + m*l*sqrt(a**2 + g**2))"
         self.assert_period(over, f"2*l*sqrt(2*m/{d})*ellipk(2*m*l*sqrt(a**2 + g**2)/{d})")
 
-    def test_squares_are_taken_out_of_roots(self):
-        block = scene("block_on_a_wedge", f"M kg 3; m kg 1; al rad 0.5; k N/m 20; {G}", "X m; s m", gravity=DOWN,
-                      bodies=[particle("M", "X", "0"), particle("m", "X + s*cos(al)", "-s*sin(al)")],
-                      springs=[{"stiffness": "k", "length": "s"}])
-        found = self.ask("turning_points", {"system": block})
-        self.assertEqual(found["exact"]["period"]["text"], "2*pi*sqrt(m*(M + m*sin(al)^2)/(k*(M + m)))")
-        mode = self.ask("modes", {"system": block})["modes"][1]["exact"]
-        for form in (mode["text"], mode["omega"]["text"], mode["period"]["text"]):
-            self.assertIn("sin(al)^2", form)
     def test_they_are_as_short_as_printed(self):
         for system, text in (("cycloid_pendulum", "4*pi*sqrt(a/g)"), ("plane_pendulum", "4*sqrt(l/g)*ellipk(sin(1/2)^2)")):
             self.assertEqual(self.ask("turning_points", {"system": system})["exact"]["period"]["text"], text)
