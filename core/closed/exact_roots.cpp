@@ -109,7 +109,8 @@ Expression shortest_quotient(const Expression& a, const Expression& b, const Sig
 
 std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, const Expression& c2,
                                  const SignOf& sign) {
-  if (c2.is_zero()) return c1.is_zero() ? std::vector<Expression>{} : std::vector{shortest_quotient(-c0, c1, sign)};
+  if (c2.is_zero())
+    return c1.is_zero() ? std::vector<Expression>{} : std::vector{shortest_quotient(-c0, c1, sign)};
   if (c1.is_zero()) {
     const Expression root = root_of(shortest_quotient(-c0, c2, sign), sign);
     return {root, -root};

@@ -66,9 +66,7 @@ Expression ModeDerivation::square(const LinearMode& mode) {
   return written(oscillates(mode) ? mode.lambda : -mode.lambda);
 }
 
-std::optional<ClosedForm> ModeDerivation::form(const LinearMode& mode) {
-  return formula(square(mode));
-}
+std::optional<ClosedForm> ModeDerivation::form(const LinearMode& mode) { return formula(square(mode)); }
 
 ModeForms ModeDerivation::forms(const LinearMode& mode) {
   const bool is_oscillation = oscillates(mode);
@@ -121,9 +119,7 @@ std::optional<Expression> ModeDerivation::sum_of_roots(const Surd& x) {
   const Surd s = square_root(x.p * x.p - x.q * x.q * n);
   if (!s.is_rational()) return std::nullopt;
   const RationalFunction half{{{Monomial{}, Number::ratio(1, 2)}}};
-  const auto sign = [&](const RationalFunction& f) {
-    return values_.sign(f.above) * values_.sign(f.below);
-  };
+  const auto sign = [&](const RationalFunction& f) { return values_.sign(f.above) * values_.sign(f.below); };
   const int larger = sign(s.p);
   if (larger == 0) return std::nullopt;
   const RationalFunction a = half * (larger < 0 ? x.p - s.p : x.p + s.p), b = x.p - a;
@@ -140,8 +136,7 @@ std::optional<Expression> ModeDerivation::sum_of_roots(const Surd& x) {
 /// The equations hold at other values of the parameters, too.
 bool ModeDerivation::is_true(const LinearMode& mode) const {
   Trial trial(values_, relations_);
-  for (const Expression& e : given_)
-    trial.set({e}, {graph_.number(Number::real(values_.value(e).value))});
+  for (const Expression& e : given_) trial.set({e}, {graph_.number(Number::real(values_.value(e).value))});
   trial.set(motions_.x, place_.x());
   for (const auto* vanishing : {&motions_.forces, &motions_.surface}) {
     for (const Expression& e : *vanishing) trial.vanishes({e});

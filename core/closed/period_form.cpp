@@ -72,7 +72,9 @@ std::optional<CosineWell> well_of(const Univariate& c, const ExactValues& values
 /// level + along cos(x) + across sin(x).
 CosineWell tilted_well(const Univariate& c, const Expression& across, const ExactValues& values) {
   Graph& graph = *values.graph();
-  const auto part = [&](std::size_t k) { return c.size() > k ? to_expression(graph, c[k]) : graph.number(0); };
+  const auto part = [&](std::size_t k) {
+    return c.size() > k ? to_expression(graph, c[k]) : graph.number(0);
+  };
   const Expression along = part(1);
   const RationalFunction square = rational_function(simplify(along * along + across * across));
   return {part(0), positive_root(graph, square, values.sign_of()), 1};

@@ -291,8 +291,8 @@ class SystemsDerivation {
              std::ranges::all_of(term.first, [](const Atom& a) { return a.q == 1 && a.p % 2 == 0; });
     };
     return std::ranges::all_of(terms, is_square) && std::ranges::any_of(terms, [&](const auto& term) {
-      return !depends_on(to_expression(graph_, term.first), x_);
-    });
+             return !depends_on(to_expression(graph_, term.first), x_);
+           });
   }
 
   /// Where both vanish, f does for every p. b is one product: of what cannot vanish, or a power of x beside a

@@ -183,9 +183,10 @@ class RegionSearch {
     std::string names;
     for (const std::size_t j : shift)
       names += (names.empty() ? "" : j == shift.back() ? " and " : ", ") + coordinate(j).name;
-    incomplete("Adding the same to " + names +
-               " changes no force, so equilibria are no isolated points: where there are some, there is a whole "
-               "family, which is not listed. 'modes' has the small motions about one of them.");
+    incomplete(
+        "Adding the same to " + names +
+        " changes no force, so equilibria are no isolated points: where there are some, there is a whole "
+        "family, which is not listed. 'modes' has the small motions about one of them.");
   }
 
   /// Some force has no zero, as one that depends on no coordinate.

@@ -45,9 +45,7 @@ bool is_shared(const SteadyProblem& problem, const std::vector<std::size_t>& col
 
 std::vector<std::size_t> shared_shift(const Scene& scene, const SteadyProblem& problem) {
   if (problem.forces->smooth.kinks() > 0) return {};
-  const auto unit = [&](std::size_t j) {
-    return scene.coordinates[problem.statics->reduction.kept[j]].unit;
-  };
+  const auto unit = [&](std::size_t j) { return scene.coordinates[problem.statics->reduction.kept[j]].unit; };
   const std::vector<std::size_t>& unknowns = problem.forces->unknowns;
   for (const std::size_t first : unknowns) {
     std::vector<std::size_t> alike;
