@@ -79,7 +79,8 @@ bool ExactPlace::solve_one() {
     for (const Expression& force : problem_->forces) {
       const Expression here = at(force);
       if (!depends_on(here, problem_->x[k])) continue;
-      if ((problem_->is_angle[k] && solve_angle(k, here)) || solve(k, here)) return true;
+      if ((problem_->is_angle[k] && solve_angle(k, here)) || solve(k, here) || solve_bracket(k, here))
+        return true;
     }
   }
   return false;
@@ -139,6 +140,23 @@ bool ExactPlace::solve(std::size_t k, const Expression& force) {
   powers_.push_back({x, n, power});
   x_[k] = *principal;
   return true;
+}
+
+/// A bracket that is known by its power, and then x by the bracket.
+bool ExactPlace::solve_bracket(std::size_t k, const Expression& force) {
+  Graph& graph = force.graph();
+  const Expression& x = problem_->x[k];
+  Polynomial e = numerator(force);
+  for (const Expression& factor : {x, sin(x), cos(x)}) e = without_factor(std::move(e), factor);
+  const auto bracket = bracket_in(graph, e, x, problem_->sign);
+  if (!bracket || depends_on(to_expression(graph, bracket->value), problem_->x)) return false;
+  const auto value = raised(graph, *bracket, Number(1), problem_->sign);
+  if (!value) return false;
+  brackets_.push_back(*bracket);
+  const Expression left = bracket->base - *value;
+  if ((problem_->is_angle[k] && solve_angle(k, left)) || solve(k, left)) return true;
+  brackets_.pop_back();
+  return false;
 }
 
 /// c0 + c1 x + c2 x^2 = 0: the root at which the slope c1 + 2 c2 x has the sign that it has at x_k.
@@ -304,7 +322,9 @@ Expression ExactPlace::with_powers_taken(const Expression& e) const {
 }
 
 Expression ExactPlace::at(const Expression& e) const {
-  const Expression there = with_logarithms_taken(with_special_angles(substitute(e, replacements_)));
+  Expression known = e;
+  for (const BracketPower& bracket : brackets_) known = with_bracket_taken(known, bracket, problem_->sign);
+  const Expression there = with_logarithms_taken(with_special_angles(substitute(known, replacements_)));
   Expression result = with_roots_taken(with_powers_taken(there), problem_->sign);
   if (solved_.empty()) return result;
   Graph& graph = e.graph();

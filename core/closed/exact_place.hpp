@@ -1,14 +1,15 @@
 #pragma once
 // An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine, a
 // cosine or a tangent that solves a linear equation; coordinates that solve one, l = l0 + m*g/k, or a
-// quadratic one, of which a power or an exponential solves one, r^6 = 2*s^6, exp(-a*x) = 1/2, or that are a
-// parameter. It is proven by putting
+// quadratic one, of which a power, an exponential or a length solves one, r^6 = 2*s^6, exp(-a*x) = 1/2,
+// sqrt(x^2 + l^2) = l0, or that are a parameter. It is proven by putting
 // it into the forces, which have to vanish identically.
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/closed/bracket.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/rational_function.hpp"
 #include "core/expr/surd.hpp"
@@ -67,6 +68,7 @@ class ExactPlace {
   [[nodiscard]] bool solve_one();
   [[nodiscard]] bool take_parameter();
   [[nodiscard]] bool solve(std::size_t k, const Expression& force);
+  [[nodiscard]] bool solve_bracket(std::size_t k, const Expression& force);
   [[nodiscard]] bool solve_quadratic(std::size_t k, const Polynomial& force);
   [[nodiscard]] bool solve_exponential(std::size_t k, const Expression& force);
   [[nodiscard]] std::optional<Expression> root(std::size_t k, int n, const RationalFunction& value) const;
@@ -81,6 +83,7 @@ class ExactPlace {
   std::vector<Replacement> replacements_;
   std::vector<Solved> solved_;
   std::vector<Powered> powers_;
+  std::vector<BracketPower> brackets_;
 };
 
 }  // namespace qdot
