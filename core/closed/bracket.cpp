@@ -19,6 +19,15 @@ std::optional<NodeId> fractional_base(Graph& graph, const Polynomial& e, const E
   return std::nullopt;
 }
 
+/// c where b is c times the bracket, and does not depend on x.
+std::optional<Expression> multiple(const Expression& b, const BracketPower& bracket) {
+  if (b == bracket.base) return b.graph().number(1);
+  if (!std::holds_alternative<Sum>(b.node()) || !depends_on(b, bracket.x)) return std::nullopt;
+  const RationalFunction c = in_lowest_terms(multiplied_out(b), multiplied_out(bracket.base));
+  const Expression factor = to_expression(b.graph(), c);
+  return depends_on(factor, bracket.x) ? std::nullopt : std::optional(factor);
+}
+
 }  // namespace
 
 std::optional<BracketPower> bracket_in(Graph& graph, const Polynomial& e, const Expression& x,
@@ -44,7 +53,7 @@ std::optional<BracketPower> bracket_in(Graph& graph, const Polynomial& e, const 
   const auto& [higher, second] = *parts.rbegin();
   const RationalFunction value = -in_lowest_terms(first, second);
   if (sign(value.above) * sign(value.below) <= 0) return std::nullopt;
-  return BracketPower{Expression(graph, *base), higher - lower, value};
+  return BracketPower{x, Expression(graph, *base), higher - lower, value};
 }
 
 std::optional<Expression> raised(Graph& graph, const BracketPower& bracket, const Number& exponent,
@@ -63,9 +72,10 @@ Expression with_bracket_taken(const Expression& e, const BracketPower& bracket, 
   const NodeId root = e.id();
   for (const NodeId id : reachable(graph, {&root, 1})) {
     const auto* power = std::get_if<Power>(&graph.node(id));
-    if (power == nullptr || power->base != bracket.base.id()) continue;
-    if (const auto value = raised(graph, bracket, power->exponent, sign))
-      taken.emplace_back(Expression(graph, id), *value);
+    if (power == nullptr) continue;
+    const auto factor = multiple(Expression(graph, power->base), bracket);
+    const auto value = factor ? raised(graph, bracket, power->exponent, sign) : std::nullopt;
+    if (value) taken.emplace_back(Expression(graph, id), pow(*factor, power->exponent) * *value);
   }
   return taken.empty() ? e : substitute(e, taken);
 }

@@ -11,9 +11,9 @@
 
 namespace qdot {
 
-/// base^power = value > 0.
+/// base^power = value > 0, of the unknown x.
 struct BracketPower {
-  Expression base;
+  Expression x, base;
   Number power;
   RationalFunction value;
 };
@@ -26,7 +26,7 @@ struct BracketPower {
 [[nodiscard]] std::optional<Expression> raised(Graph& graph, const BracketPower& bracket,
                                                const Number& exponent, const SignOf& sign);
 
-/// e with all powers of the bracket as `raised` gives them, those that it gives.
+/// e with all powers of the bracket, or of a multiple of it, as `raised` gives them, those that it gives.
 [[nodiscard]] Expression with_bracket_taken(const Expression& e, const BracketPower& bracket,
                                             const SignOf& sign);
 

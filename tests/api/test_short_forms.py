@@ -4,9 +4,14 @@ import pathlib
 import sys
 import unittest
 
+import mpmath
+
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
 from short_scene import DOWN, DOWN_3D, G, lagrangian, particle, scene  # noqa: E402
+
+mpmath.mp.dps = 30
+FUNCTIONS = {name: getattr(mpmath, name) for name in ("sqrt", "acos", "mpf")}
 
 ZEEMAN = scene("spring_in_a_magnetic_field", "m kg 1; k N/m 4; q C 1; B T 3", "x m 0.1; y m; z m",
                lagrangian="m/2*(x_dot^2 + y_dot^2 + z_dot^2) - k/2*(x^2 + y^2 + z^2) + q*B/2*(x*y_dot - y*x_dot)")
@@ -29,6 +34,24 @@ WELL = lagrangian("well_under_a_load", "V - 1; a - 1; F - 0.1", "x - 0.1", "x_do
 BLOCK = scene("block_on_a_wedge", f"M kg 3; m kg 1; al rad 0.5; k N/m 20; {G}", "X m; s m", gravity=DOWN,
               bodies=[particle("M", "X", "0"), particle("m", "X + s*cos(al)", "-s*sin(al)")],
               springs=[{"stiffness": "k", "length": "s"}])
+
+
+def beside(name, parameters, potential):
+    return scene(name, f"m kg 1; {parameters}", "x m 0.8", bodies=[particle("m", "x", "0")], potential=potential)
+
+
+# A spring draws a bead to a place beside its wire; a charge on the axis of a ring that repels it; a bead on a hoop with a
+# spring to its top (Goldstein; Irodov): the bracket's power is known there, and what it says of the place.
+WIRE = beside("bead_beside_its_wire", "k N/m 10; l m 0.5; r m 1", "k/2*(sqrt(x^2 + l^2) - r)^2")
+RING = beside("charge_on_the_axis_of_a_ring", "q N*m^2 2; c N/m 0.3; R m 0.5", "q/sqrt(x^2 + R^2) + c*x^2/2")
+HOOP = scene("bead_on_a_hoop_with_a_spring", f"m kg 1; k N/m 40; R m 0.5; l m 0.3; {G}", "th rad 0.5", gravity=DOWN,
+             bodies=[particle("m", "R*sin(th)", "-R*cos(th)")],
+             springs=[{"stiffness": "k", "between": [["R*sin(th)", "-R*cos(th)"], ["0", "R"]], "rest_length": "l"}])
+TRUSS = scene("truss", "k N/m 10; b m 1; h m 0.5; P N 0.1; m kg 1", "y m 0.5", bodies=[particle("m", "0", "y")],
+              potential="P*y + k*(sqrt(b^2 + y^2) - sqrt(b^2 + h^2))^2")
+PLACES = [(WIRE, "x", "sqrt(r**2 - l**2)", "k/m*(1 - l**2/r**2)"),
+          (RING, "x", "sqrt((q/c)**(2/3) - R**2)", "3*c/m*(1 - R**2*(c/q)**(2/3))"),
+          (HOOP, "th", "acos((k*l/(k*R - m*g))**2/2 - 1)", None)]
 
 
 class ShortForms(Service):
@@ -59,6 +82,29 @@ class ShortForms(Service):
     def test_a_load_on_a_well(self):
         found = self.ask("bifurcations", {"system": WELL, "parameter": "F", "from": 0.1, "to": 2})
         self.assertEqual([critical["exact"]["text"] for critical in found["critical"]], ["4/9*sqrt(3)*V*a"])
+
+    def test_a_place_that_a_lengths_power_solves(self):
+        for system, name, place, square in PLACES:
+            with self.subTest(system["name"]):
+                found = self.ask("modes", {"system": system})
+                numbers = {p["name"]: mpmath.mpf(p["default"]) for p in system["parameters"]}
+                state = found["equilibrium"]
+                for text in (place, state["exact"][name]["text"].replace("^", "**").replace("(2/3)", "(mpf(2)/3)")):
+                    value = eval(text.replace("(2/3)", "(mpf(2)/3)"), FUNCTIONS | numbers)  # noqa: S307
+                    self.assertLess(abs(value - state["state"][name]), state["error"][name] + 1e-15)
+                if square is None:
+                    continue
+                mode, = found["modes"]
+                value = eval(square.replace("(2/3)", "(mpf(2)/3)"), FUNCTIONS | numbers)  # noqa: S307
+                self.assertLess(abs(mpmath.sqrt(value) - mode["omega"]), mode["error"] + 1e-15)
+                self.assertIn("exact", mode)
+
+    def test_a_truss_snaps_through(self):
+        found = self.ask("bifurcations", {"system": TRUSS, "parameter": "P", "from": 0.1, "to": 2})
+        critical, = found["critical"]
+        known = 20*(mpmath.cbrt(mpmath.mpf("1.25")) - 1)**mpmath.mpf("1.5")
+        self.assertLess(abs(critical["value"] - known), critical["error"])
+        self.assertIn("(b^2 + h^2)^(1/3)", critical["exact"]["text"])
 
     def test_a_wedge_has_the_sine_of_its_angle(self):
         mode, = self.oscillations(BLOCK)
