@@ -3,10 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/closed/root_integral.hpp"
+#include "core/closed/elliptic_period.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
-#include "core/expr/trigonometry.hpp"
 #include "core/mechanics/notation.hpp"
 #include "core/numerics/constants.hpp"
 
@@ -33,92 +32,6 @@ Expression with_squares_out(const Expression& e) {
   return substitute(e, taken);
 }
 
-/// (1 - cos(2 u))/2 as sin(u)^2.
-Expression half_angle(const Expression& m) {
-  Graph& graph = m.graph();
-  const Polynomial terms = multiplied_out(m);
-  const Number half = Number::ratio(1, 2);
-  const auto constant = terms.find({});
-  if (terms.size() != 2 || constant == terms.end() || constant->second != half) return m;
-  for (const auto& [monomial, coefficient] : terms) {
-    if (monomial.size() != 1 || monomial[0].p != 1 || monomial[0].q != 1) continue;
-    const auto* call = std::get_if<Call>(&graph.node(monomial[0].base));
-    if (call == nullptr || call->function != Function::cos) continue;
-    const Expression u = half * Expression(graph, call->argument);
-    if (coefficient == -half) return pow(sin(u), Number(2));
-    if (coefficient == half) return pow(cos(u), Number(2));
-  }
-  return m;
-}
-
-/// U = level - depth cos(turns x - x0), depth > 0.
-struct CosineWell {
-  Expression level, depth;
-  int turns;
-};
-
-/// Of a potential in cos(x) alone, or in its square.
-std::optional<CosineWell> well_of(const Univariate& c, const ExactValues& values) {
-  Graph& graph = *values.graph();
-  const auto part = [&](std::size_t k) { return to_expression(graph, c[k]); };
-  const bool is_square = c.size() == 3;
-  if (c.size() < 2 || c.size() > 3 || (is_square && !c[1].is_zero())) return std::nullopt;
-  const Expression slope = is_square ? Number::ratio(1, 2) * part(2) : part(1);
-  const int sign = values.sign(slope);
-  if (sign == 0) return std::nullopt;
-  return CosineWell{is_square ? part(0) + slope : part(0), Number(sign) * slope, is_square ? 2 : 1};
-}
-
-/// level + along cos(x) + across sin(x).
-CosineWell tilted_well(const Univariate& c, const Expression& across, const ExactValues& values) {
-  Graph& graph = *values.graph();
-  const auto part = [&](std::size_t k) {
-    return c.size() > k ? to_expression(graph, c[k]) : graph.number(0);
-  };
-  const Expression along = part(1);
-  const RationalFunction square = rational_function(simplify(along * along + across * across));
-  return {part(0), positive_root(graph, square, values.sign_of()), 1};
-}
-
-std::optional<CosineWell> cosine_well(const QuadratureProblem& problem, const ExactValues& values) {
-  Graph& graph = *values.graph();
-  const Expression& x = problem.x;
-  const Expression c = graph.symbol("cosine of x"), s = graph.symbol("sine of x");
-  const std::vector<Replacement> symbols{{cos(x), c}, {sin(x), s}}, no_sine{{s, graph.number(0)}};
-  const RationalFunction f = rational_function(problem.potential);
-  const Expression e = substitute(to_expression(graph, with_single_angles(graph, f.above)), symbols);
-  const Expression below = to_expression(graph, f.below), across = differentiate(e, s) / below;
-  if (depends_on(e, x) || depends_on(below, x) || depends_on(across, c) || depends_on(across, s))
-    return std::nullopt;
-  const Polynomial rest = multiplied_out(substitute(e, no_sine));
-  auto by_cosine = rest.empty() ? std::optional(Univariate{}) : univariate(graph, rest, c);
-  if (!by_cosine) return std::nullopt;
-  for (RationalFunction& k : *by_cosine) k = k / RationalFunction{f.below};
-  if (across.is_zero()) return well_of(*by_cosine, values);
-  return by_cosine->size() > 2 ? std::nullopt : std::optional(tilted_well(*by_cosine, across, values));
-}
-
-/// factor K(m).
-struct PendulumPeriod {
-  Expression factor, m;
-};
-
-std::optional<PendulumPeriod> pendulum_period(const QuadratureProblem& problem, const ExactValues& values,
-                                              MotionKind motion) {
-  Graph& graph = *values.graph();
-  if (depends_on(simplify(problem.inertia), problem.x)) return std::nullopt;
-  const auto well = cosine_well(problem, values);
-  if (!well) return std::nullopt;
-  const auto root = [&](const Expression& square) {
-    return positive_root(graph, rational_function(square), values.sign_of());
-  };
-  const Expression height = problem.energy - well->level + well->depth, twice = Number(2) * well->depth;
-  if (motion == MotionKind::rotation)
-    return PendulumPeriod{Number(2) * root(Number(2) * problem.inertia / height), simplify(twice / height)};
-  return PendulumPeriod{Number::ratio(4, well->turns) * root(problem.inertia / well->depth),
-                        half_angle(simplify(height / twice))};
-}
-
 /// K(m) to round-off, by the arithmetic-geometric mean.
 double complete_elliptic_integral(double one_less_m) {
   double a = 1, b = std::sqrt(one_less_m);
@@ -130,23 +43,31 @@ double complete_elliptic_integral(double one_less_m) {
   return pi / (a + b);
 }
 
-std::optional<ClosedForm> with_elliptic_integral(const QuadratureProblem& problem, const ExactValues& values,
-                                                 MotionKind motion, const Finding& found,
-                                                 const WrittenForm& written) {
-  const auto period = pendulum_period(problem, values, motion);
-  if (!period) return std::nullopt;
-  const auto& [factor, m] = *period;
+std::optional<ClosedForm> with_elliptic_integral(const EllipticPeriod& period, const ExactValues& values,
+                                                 const Finding& found, const WrittenForm& written) {
+  const auto& [factor, m] = period;
   const Real one_less_m = values.value(m.graph().number(1) - m);
+  if (!(one_less_m.value > 0)) return std::nullopt;
   const double value = values.value(factor).value * complete_elliptic_integral(one_less_m.value);
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * value;
+  if (!agrees({value, 0, rounding}, *found.value, found.error)) return std::nullopt;
   auto form = written(factor * m, {});  // for what it assumes
-  if (!form || !agrees({value, 0, rounding}, *found.value, found.error)) return std::nullopt;
+  if (!form) return std::nullopt;
   const Notation notation = notation_of(values.model().scene);
   form->text = print(factor, Form::text, notation) + "*ellipk(" + print(m, Form::text, notation) + ")";
   form->latex =
       print(factor, Form::latex, notation) + " K\\left(" + print(m, Form::latex, notation) + "\\right)";
   form->assumes.emplace_back(elliptic_integral);
   return form;
+}
+
+std::optional<ClosedForm> with_elliptic_integral(const QuadratureProblem& problem, const ExactValues& values,
+                                                 MotionKind motion, const Finding& found,
+                                                 const WrittenForm& written) {
+  for (const EllipticPeriod& period : elliptic_periods(problem, values, motion)) {
+    if (auto form = with_elliptic_integral(period, values, found, written)) return form;
+  }
+  return std::nullopt;
 }
 
 }  // namespace

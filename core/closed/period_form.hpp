@@ -1,13 +1,6 @@
 #pragma once
-// The formula of a period beside its number: elementary (elementary_period.hpp), or of a pendulum
-//
-//   A x'^2/2 - B cos(n x - x0) = h,   n = 1 or 2,   d = h + B its height above the lowest place
-//   T = 4/n sqrt(A/B) K(d/(2 B))       where it swings,
-//   T = 2 sqrt(2 A/d) K(2 B/d)         for a turn of 2 pi where it goes over the top,
-//
-// with K(m) the integral of du/sqrt(1 - m sin(u)^2) from 0 to pi/2, written as `ellipk(m)`, as SciPy and
-// mpmath call it (Landau, Lifshitz, Mechanics, 3rd ed., section 11, problem 1; Whittaker, Analytical
-// Dynamics, 4th ed., section 44).
+// The formula of a period beside its number: elementary (elementary_period.hpp), or by the elliptic integral
+// K(m) (elliptic_period.hpp), written as `ellipk(m)`, as SciPy and mpmath call it.
 
 #include <functional>
 

@@ -60,6 +60,17 @@ TILTED_PERIOD = "4*sqrt(l/sqrt(a**2 + g**2))*ellipk((1 + h/(m*l*sqrt(a**2 + g**2
 # A potential of twice the angle: a body in orbit, a dipole in a field that alternates.
 TWICE = lagrangian("swings_in_one_of_two", "A - 1.5; B - 0.7", "x - 0.6", "A*x_dot^2/2 + B*cos(x)^2")
 TWICE_PERIOD = "2*sqrt(A/(B/2))/sqrt(1)*ellipk((h + B)/B)"
+# Duffing's oscillator: through the middle, in one of two wells and over the hump between them, where its spring
+# softens, and without a linear part; by h, or by the amplitude from which it is let go.
+QUARTIC = "x_dot^2*m/2 - a*x^2/2 - b*x^4/4"
+S = "sqrt(a**2 + 4*b*h)"
+DUFFING = [
+    ("m - 1.3; a - 2; b - 0.7", "0.4 1.1", f"4*sqrt(m/{S})*ellipk((1 - a/{S})/2)"),
+    ("m - 1.3; a - -2; b - 0.7", "1.2 0.3", f"2*sqrt(2*m/({S} - a))*ellipk(2*{S}/({S} - a))"),
+    ("m - 1.3; a - -2; b - 0.7", "1.2 3.1", f"4*sqrt(m/{S})*ellipk((1 - a/{S})/2)"),
+    ("m - 1.3; a - 2; b - -0.7", "0.4 0.5", f"4*sqrt(2*m/(a + {S}))*ellipk((a - {S})/(a + {S}))"),
+    ("m - 1.3; a - 2; b - 0.7", "1.5", "4*sqrt(m/(a + b*1.5**2))*ellipk(b*1.5**2/(2*(a + b*1.5**2)))"),
+]
 NOT_ELEMENTARY = ["spherical_pendulum", "hanging_mass", "particle_in_cone", "bead_on_parabola", "free_spin_pendulum"]
 
 
@@ -94,6 +105,14 @@ class ExactPeriods(Service):
             with self.subTest(system=system if isinstance(system, str) else system["name"]):
                 self.assertEqual(found["motion"], "rotation")
                 self.assert_period(found, expected)
+
+    def test_an_oscillator_with_a_cubic_force(self):
+        for parameters, start, expected in DUFFING:
+            with self.subTest(parameters, start=start):
+                found = self.ask("turning_points", {"system": lagrangian("duffing", parameters, f"x - {start}", QUARTIC)})
+                self.assert_period(found, expected)
+        quartic = lagrangian("quartic", "b - 0.7", "x - 0.4 1.1", "x_dot^2/2 - b*x^4/4")
+        self.assert_period(self.ask("turning_points", {"system": quartic}), "4*sqrt(1/sqrt(4*b*h))*ellipk(0.5)")
 
     def test_a_start_by_the_parameters_gives_the_period_of_a_turn_by_them(self):
         found = self.ask("turning_points", {"system": "plane_pendulum", "initial": {"theta": 0, "theta_dot": "3*sqrt(g/l)"}})
