@@ -131,6 +131,13 @@ class Families(Service):
         self.assertEqual((found["equilibria"], found["complete"]), ([], True))
         self.assertIn("vanish nowhere", found["reason"])
 
+    def test_a_shaft_with_damping_about_it_has_no_critical_rate_of_rest(self):
+        shaft = lagrangian("shaft", "k - 10; c - 0.2; w - 4", "x - 0.1; y - 0",
+                           "((x_dot - w*y)^2 + (y_dot + w*x)^2)/2 - k/2*(x^2 + y^2)",
+                           forces=[{"value": "-c*(x_dot - w*y)", "along": "x"}, {"value": "-c*(y_dot + w*x)", "along": "y"}])
+        found = self.ask("bifurcations", {"system": shaft, "parameter": "w", "from": 0.5, "to": 8})
+        self.assertEqual((found["critical"], found["complete"]), ([], True), found["reason"])
+
     def test_a_rail_that_turns_lets_its_carriage_go_far(self):
         rail = lagrangian("rail", "k - 10; l - 1; c - 0.5; w - 1", "x - 0.2",
                           "x_dot^2/2 + w^2*x^2/2 - k/2*(sqrt(x^2 + l^2) - c)^2")
