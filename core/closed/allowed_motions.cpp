@@ -93,7 +93,7 @@ std::optional<LinearMotions> motions_with_multipliers(const Model& model, const 
   const Lagrangian own = specialized(model, {}, vanishing_among(parameters));
   const Reduction reduction = derive_reduction(own);
   if (!reduction.ignored.empty() || !reduction.autonomous) return std::nullopt;
-  LinearMotions motions = linear_motions(reduction, model.scene, true);
+  LinearMotions motions = linear_motions(reduction, model.scene);
   for (std::size_t j = 0; j < own.constraints.size(); ++j) {
     const ConstraintEquation& constraint = own.constraints[j];
     if (!is_workless(constraint, own.symbols)) return std::nullopt;

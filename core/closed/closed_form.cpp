@@ -42,6 +42,14 @@ std::vector<std::string> assumptions(const ExactValues& values, const Expression
 
 }  // namespace
 
+void assume_signs(ClosedForm& form, const ExactValues& values, const Expression& e,
+                  std::span<const Expression> symbols) {
+  for (const Expression& symbol : symbols) {
+    if (depends_on(e, symbol))
+      form.assumes.push_back(print(symbol, Form::text) + (values.sign(symbol) < 0 ? " < 0" : " > 0"));
+  }
+}
+
 bool agrees(const Real& formula, double number, double error) {
   const double rounding = std::numeric_limits<double>::epsilon() * std::abs(number);
   return formula.is_finite() &&

@@ -19,6 +19,10 @@ struct ClosedForm {
 /// The longest formula that is shown, as written_length counts.
 inline constexpr std::size_t longest_closed_form = 90;
 
+/// Beside the parameters' signs, those of other symbols in e, which have values.
+void assume_signs(ClosedForm& form, const ExactValues& values, const Expression& e,
+                  std::span<const Expression> symbols);
+
 /// Whether the value of the formula and a number, known to within `error`, agree within both bounds.
 [[nodiscard]] bool agrees(const Real& formula, double number, double error);
 

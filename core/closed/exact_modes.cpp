@@ -9,6 +9,7 @@
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/allowed_motions.hpp"
 #include "core/closed/mode_derivation.hpp"
+#include "core/closed/steady_modes.hpp"
 #include "core/steady/surface_statics.hpp"
 
 namespace qdot {
@@ -111,35 +112,70 @@ std::vector<ModeForms> options_of(ModeDerivation& general, ModeDerivation* relat
 /// What does not depend on the numbers, as far as signs and relations go.
 struct Prepared {
   std::shared_ptr<Graph> graph;
-  std::vector<Expression> x, place;
+  std::vector<Expression> x, momenta, place;
   std::vector<ModeForms> options;
   std::vector<std::optional<ClosedForm>> state;
   ExactValues::Signs signs;  ///< of what the forms assume
 };
 
-Prepared prepared(const Model& model, const LinearMotions& all, const std::vector<Interval>& near,
-                  const Reals& parameters, const WrittenTexts& written) {
-  Prepared result{all.graph, all.x, {}, {}, {}, {}};
-  ExactValues values(model, all.graph, written, parameters);
-  const PlaceProblem problem = place_problem(all, values, near);
-  const auto place = ExactPlace::of(problem);
-  if (!place) return result;
+/// Where the system rests, or what it keeps while it moves steadily.
+struct SteadyPlace {
+  std::vector<Interval> x;
+  std::vector<Real> momenta;  ///< those that are not 0
+};
+
+SteadyPlace steady_place(const Modes& found, std::span<const std::size_t> kept) {
+  SteadyPlace place{those_of(enclosed_state(found), kept), {}};
+  std::ranges::copy_if(found.momenta, std::back_inserter(place.momenta),
+                       [](const Real& p) { return p != Real(0); });
+  return place;
+}
+
+void set_momenta(ExactValues& values, const std::vector<Expression>& symbols, const SteadyPlace& place) {
+  for (std::size_t c = 0; c < symbols.size(); ++c) values.set(symbols[c], place.momenta[c]);
+}
+
+/// The one coordinate's mode by its place, where that is shorter than by the momentum.
+void consider_by_place(const LinearMotions& motions, const ExactValues& values, Prepared& result) {
+  auto by_place = mode_by_place(motions, values);
+  if (!by_place) return;
+  const auto length = [](const ModeForms& option) { return option.form.square.text.size(); };
+  if (!result.options.empty() && length(result.options[0]) <= length(*by_place)) return;
+  result.options = {*std::move(by_place)};
+}
+
+/// At a place that has formulas.
+void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues& values, Prepared& result) {
+  const Model& model = values.model();
   const std::optional<LinearMotions> motions =
-      model.has_constraints() ? allowed_motions(all, *place, values) : all;
-  if (!motions) return result;
-  result.place = place->x();
+      model.has_constraints() ? allowed_motions(all, place, values) : all;
+  if (!motions) return;
+  result.place = place.x();
   const Relations written_ones = relevant(values.relations(), *motions);
   const Relations scaled = relevant(values.relations_by_scale(), *motions);
-  ModeDerivation general(*motions, *place, values, {});
+  ModeDerivation general(*motions, place, values, {});
   std::optional<ModeDerivation> related, by_scale;
-  if (!written_ones.replacements.empty()) related.emplace(*motions, *place, values, written_ones);
+  if (!written_ones.replacements.empty()) related.emplace(*motions, place, values, written_ones);
   if (scaled.replacements.size() > written_ones.replacements.size())
-    by_scale.emplace(*motions, *place, values, scaled);
+    by_scale.emplace(*motions, place, values, scaled);
   result.options =
       options_of(general, related ? &*related : nullptr, by_scale ? &*by_scale : nullptr, values);
+  for (std::size_t k = 0; k < all.moving.size(); ++k) {
+    auto& state = result.state[all.moving[k]];
+    state = closed_form(values, place.x()[k], {}, all.momenta);
+    if (state) assume_signs(*state, values, place.x()[k], all.momenta);
+  }
+}
+
+Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlace& near,
+                  const Reals& parameters, const WrittenTexts& written) {
+  Prepared result{all.graph, all.x, all.momenta, {}, {}, {}, {}};
   result.state.resize(model.scene.coordinates.size());
-  for (std::size_t k = 0; k < all.moving.size(); ++k)
-    result.state[all.moving[k]] = closed_form(values, place->x()[k], {});
+  ExactValues values(model, all.graph, written, parameters);
+  set_momenta(values, all.momenta, near);
+  const PlaceProblem problem = place_problem(all, values, near.x);
+  if (const auto place = ExactPlace::of(problem)) derive(all, *place, values, result);
+  consider_by_place(all, values, result);
   result.signs = values.asked();
   return result;
 }
@@ -159,6 +195,7 @@ Prepared within_budget(const Make& make) {
 /// is.
 std::string key_of(const Reals& parameters, const WrittenTexts& written, const Modes& found) {
   std::string key = "modes";
+  for (const Real& p : found.momenta) key += p == Real(0) ? '0' : p.value < 0 ? '-' : '+';
   for (const double p : parameters) key += p > 0 ? '+' : p < 0 ? '-' : '0';
   for (const auto& [name, text] : written) key += " " + name;
   for (std::size_t i = 0; i < found.y.size() / 2; ++i) {
@@ -169,14 +206,21 @@ std::string key_of(const Reals& parameters, const WrittenTexts& written, const M
   return key;
 }
 
-/// The forms are those of these numbers, near x.
-bool fits(const Prepared& forms, const std::vector<Interval>& near, const ExactValues& values) {
-  ExactValues here = values;
+bool is_empty(const Prepared& forms) { return forms.place.empty() && forms.options.empty(); }
+
+ExactValues values_near(const Prepared& forms, const SteadyPlace& near, ExactValues values) {
   for (std::size_t k = 0; k < forms.x.size(); ++k)
-    here.set(forms.x[k], Real(near[k].middle(), 0, near[k].width()));
+    values.set(forms.x[k], Real(near.x[k].middle(), 0, near.x[k].width()));
+  set_momenta(values, forms.momenta, near);
+  return values;
+}
+
+/// The forms are those of these numbers, near x.
+bool fits(const Prepared& forms, const SteadyPlace& near, const ExactValues& values) {
+  const ExactValues here = values_near(forms, near, values);
   if (!here.gives(forms.signs)) return false;
   for (std::size_t k = 0; k < forms.place.size(); ++k) {
-    const double number = near[k].middle();
+    const double number = near.x[k].middle();
     if (!(std::abs(here.value(forms.place[k]).value - number) <= 1e-9 * std::max(1.0, std::abs(number))))
       return false;
   }
@@ -190,16 +234,17 @@ ExactModes no_forms(const Modes& found) {
   return none;
 }
 
-ExactModes chosen(const Prepared& forms, const std::vector<Interval>& near, const ExactValues& values,
+ExactModes chosen(const Prepared& forms, const SteadyPlace& near, const ExactValues& values,
                   const Modes& found) {
   ExactModes result = no_forms(found);
-  if (forms.place.empty() || !fits(forms, near, values)) return result;
+  if (is_empty(forms) || !fits(forms, near, values)) return result;
+  const ExactValues here = values_near(forms, near, values);
   result.state = forms.state;
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
-    const ModeForms* option = of_mode(forms.options, found.modes[i], values);
+    const ModeForms* option = of_mode(forms.options, found.modes[i], here);
     if (option == nullptr) continue;
     result.modes[i] = option->form;
-    if (has_shape(*option, found.modes[i], values)) continue;
+    if (has_shape(*option, found.modes[i], here)) continue;
     result.modes[i]->shape.clear();
     result.modes[i]->scaled_shape.clear();
   }
@@ -228,7 +273,7 @@ ExactModes forms_within_constraints(const Dynamics& dynamics, const Reals& param
                                     const WrittenTexts& written, const Modes& found) {
   if (!rests(found) || !found.damping.empty() || found.modes.size() > most_coordinates)
     return no_forms(found);
-  const std::vector<Interval> near = enclosed_place(dynamics, parameters, found);
+  const SteadyPlace near{enclosed_place(dynamics, parameters, found), {}};
   const Prepared forms = within_budget([&] {
     const auto motions = motions_with_multipliers(dynamics.model(), parameters);
     return motions ? prepared(dynamics.model(), *motions, near, parameters, written) : Prepared{};
@@ -249,18 +294,19 @@ ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const 
   const auto statics = dynamics.statics(parameters);
   const std::vector<std::size_t>& kept = statics->reduction.kept;
   if (kept.size() > most_coordinates || !found.damping.empty()) return no_forms(found);
-  const std::vector<Interval> near = those_of(enclosed_state(found), kept);
+  const SteadyPlace near = steady_place(found, kept);
   const ExactValues values(dynamics.model(), parameters);
   const auto make = [&](const Statics& from) {
     return within_budget([&] {
-      const bool vanish = momenta_vanish(dynamics, from, parameters, found.y);
-      const LinearMotions motions = linear_motions(from.reduction, dynamics.model().scene, vanish);
+      std::vector<bool> vanishes;
+      for (const Real& p : found.momenta) vanishes.push_back(p == Real(0));
+      const LinearMotions motions = linear_motions(from.reduction, dynamics.model().scene, vanishes);
       return prepared(dynamics.model(), motions, near, parameters, written);
     });
   };
   if (!values.may_have_relations(written)) {
     const auto forms = dynamics.derived<Prepared>(key_of(parameters, written, found), parameters, make);
-    if (forms->place.empty() || fits(*forms, near, values)) return chosen(*forms, near, values, found);
+    if (is_empty(*forms) || fits(*forms, near, values)) return chosen(*forms, near, values, found);
   }
   return chosen(make(*statics), near, values, found);
 }

@@ -44,6 +44,14 @@ ExactPlace ExactPlace::special(const PlaceProblem& problem) {
   return place;
 }
 
+std::vector<Expression> ExactPlace::undecided() const {
+  std::vector<Expression> found;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    if (!is_known(k)) found.push_back(x_[k]);
+  }
+  return found;
+}
+
 void ExactPlace::take_special_values() {
   Graph& graph = problem_->x.empty() ? problem_->forces[0].graph() : problem_->x[0].graph();
   const Expression pi = graph.symbol("pi");
@@ -71,7 +79,8 @@ bool ExactPlace::solve_one() {
     for (const Expression& force : problem_->forces) {
       const Expression here = at(force);
       if (!depends_on(here, problem_->x[k])) continue;
-      if ((problem_->is_angle[k] && solve_angle(k, here)) || solve(k, here)) return true;
+      if ((problem_->is_angle[k] && solve_angle(k, here)) || solve(k, here) || solve_bracket(k, here))
+        return true;
     }
   }
   return false;
@@ -133,6 +142,23 @@ bool ExactPlace::solve(std::size_t k, const Expression& force) {
   return true;
 }
 
+/// A bracket that is known by its power, and then x by the bracket.
+bool ExactPlace::solve_bracket(std::size_t k, const Expression& force) {
+  Graph& graph = force.graph();
+  const Expression& x = problem_->x[k];
+  Polynomial e = numerator(force);
+  for (const Expression& factor : {x, sin(x), cos(x)}) e = without_factor(std::move(e), factor);
+  const auto bracket = bracket_in(graph, e, x, problem_->sign);
+  if (!bracket || depends_on(to_expression(graph, bracket->value), problem_->x)) return false;
+  const auto value = raised(graph, *bracket, Number(1), problem_->sign);
+  if (!value) return false;
+  brackets_.push_back(*bracket);
+  const Expression left = bracket->base - *value;
+  if ((problem_->is_angle[k] && solve_angle(k, left)) || solve(k, left)) return true;
+  brackets_.pop_back();
+  return false;
+}
+
 /// c0 + c1 x + c2 x^2 = 0: the root at which the slope c1 + 2 c2 x has the sign that it has at x_k.
 bool ExactPlace::solve_quadratic(std::size_t k, const Polynomial& force) {
   const Expression& x = problem_->x[k];
@@ -157,10 +183,11 @@ bool ExactPlace::solve_quadratic(std::size_t k, const Polynomial& force) {
 bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
   const Expression& x = problem_->x[k];
   Graph& graph = x.graph();
-  const auto by_w = by_exponential(force, {&x, 1});
-  if (!by_w) return false;
-  const Expression slope = differentiate(by_w->argument, x);
-  const auto c = quadratic_in(to_expression(graph, by_w->e), by_w->w);
+  const auto found = by_exponential(force, {&x, 1});
+  if (!found) return false;
+  const ByExponential by_w = in_powers_apart(*found);
+  const Expression slope = differentiate(by_w.argument, x);
+  const auto c = quadratic_in(to_expression(graph, by_w.e), by_w.w);
   if (!c || depends_on(slope, problem_->x) ||
       std::ranges::any_of(*c, [&](const Expression& e) { return depends_on(e, problem_->x); }))
     return false;
@@ -168,9 +195,9 @@ bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
     const RationalFunction rate = rational_function((*c)[1] + Number(2) * (*c)[2] * w);
     return problem_->sign(rate.above) * problem_->sign(rate.below);
   };
-  const int near = sign_at(graph.call(Function::exp, by_w->argument));
+  const int near = sign_at(graph.call(Function::exp, by_w.argument));
   const Replacement origin{x, graph.number(0)};
-  const Expression offset = substitute(by_w->argument, {&origin, 1});
+  const Expression offset = substitute(by_w.argument, {&origin, 1});
   for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], problem_->sign)) {
     const RationalFunction w = rational_function(root);
     if (problem_->sign(w.above) * problem_->sign(w.below) <= 0 || near == 0 || sign_at(root) != near)
@@ -180,6 +207,25 @@ bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
     const Expression logarithm =
         turned ? -graph.call(Function::log, inverse) : graph.call(Function::log, root);
     settle(k, (logarithm - offset) / slope);
+    return true;
+  }
+  return false;
+}
+
+/// tan(x) = tan(u): x is u, but for half turns.
+bool ExactPlace::solve_known_tangent(std::size_t k, const RationalFunction& tangent) {
+  const auto u = angle_of_tangent(problem_->x[k].graph(), tangent);
+  if (!u) return false;
+  constexpr double reach = 1e-6;
+  const Expression pi = u->graph().symbol("pi");
+  const auto sign_beside = [&](const Expression& e, double place) {
+    return problem_->sign(multiplied_out(e - u->graph().number(Number::real(place))));
+  };
+  for (const int half_turns : {0, 1, -1, 2, -2}) {
+    const Expression x = *u + Number(half_turns) * pi;
+    const double near = problem_->near[k].middle();
+    if (sign_beside(x, near - reach) <= 0 || sign_beside(x, near + reach) >= 0) continue;
+    settle(k, x);
     return true;
   }
   return false;
@@ -233,6 +279,7 @@ bool ExactPlace::solve_tangent(std::size_t k, const Polynomial& force) {
     return false;
   const RationalFunction tangent = -in_lowest_terms(by_cosine->slope, by_sine->slope);
   if (depends_on(to_expression(graph, tangent), x)) return false;
+  if (solve_known_tangent(k, tangent)) return true;
   const double near = problem_->near[k].middle();
   const int half_turns = std::abs(near) > std::numbers::pi / 2 ? 1 : 0;
   const int sign = problem_->sign(tangent.below) * (half_turns == 0 ? 1 : -1);
@@ -275,7 +322,9 @@ Expression ExactPlace::with_powers_taken(const Expression& e) const {
 }
 
 Expression ExactPlace::at(const Expression& e) const {
-  const Expression there = with_logarithms_taken(with_special_angles(substitute(e, replacements_)));
+  Expression known = e;
+  for (const BracketPower& bracket : brackets_) known = with_bracket_taken(known, bracket, problem_->sign);
+  const Expression there = with_logarithms_taken(with_special_angles(substitute(known, replacements_)));
   Expression result = with_roots_taken(with_powers_taken(there), problem_->sign);
   if (solved_.empty()) return result;
   Graph& graph = e.graph();

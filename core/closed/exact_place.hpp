@@ -1,15 +1,17 @@
 #pragma once
 // An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine, a
 // cosine or a tangent that solves a linear equation; coordinates that solve one, l = l0 + m*g/k, or a
-// quadratic one, of which a power or an exponential solves one, r^6 = 2*s^6, exp(-a*x) = 1/2, or that are a
-// parameter. It is proven by putting
+// quadratic one, of which a power, an exponential or a length solves one, r^6 = 2*s^6, exp(-a*x) = 1/2,
+// sqrt(x^2 + l^2) = l0, or that are a parameter. It is proven by putting
 // it into the forces, which have to vanish identically.
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/closed/bracket.hpp"
 #include "core/expr/calculus.hpp"
+#include "core/expr/rational_function.hpp"
 #include "core/expr/surd.hpp"
 #include "core/numerics/interval.hpp"
 
@@ -40,6 +42,8 @@ class ExactPlace {
 
   /// x_k by the parameters.
   [[nodiscard]] const std::vector<Expression>& x() const { return x_; }
+  /// The coordinates that no force decides: any value does.
+  [[nodiscard]] std::vector<Expression> undecided() const;
   /// e at the place.
   [[nodiscard]] Expression at(const Expression& e) const;
 
@@ -64,12 +68,14 @@ class ExactPlace {
   [[nodiscard]] bool solve_one();
   [[nodiscard]] bool take_parameter();
   [[nodiscard]] bool solve(std::size_t k, const Expression& force);
+  [[nodiscard]] bool solve_bracket(std::size_t k, const Expression& force);
   [[nodiscard]] bool solve_quadratic(std::size_t k, const Polynomial& force);
   [[nodiscard]] bool solve_exponential(std::size_t k, const Expression& force);
   [[nodiscard]] std::optional<Expression> root(std::size_t k, int n, const RationalFunction& value) const;
   [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
   [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force);
   [[nodiscard]] bool solve_tangent(std::size_t k, const Polynomial& force);
+  [[nodiscard]] bool solve_known_tangent(std::size_t k, const RationalFunction& tangent);
   [[nodiscard]] bool is_known(std::size_t k) const { return x_[k] != problem_->x[k]; }
 
   const PlaceProblem* problem_;
@@ -77,6 +83,7 @@ class ExactPlace {
   std::vector<Replacement> replacements_;
   std::vector<Solved> solved_;
   std::vector<Powered> powers_;
+  std::vector<BracketPower> brackets_;
 };
 
 }  // namespace qdot

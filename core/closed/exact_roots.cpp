@@ -10,6 +10,29 @@
 namespace qdot {
 namespace {
 
+struct WithRoot {
+  Expression rational, irrational;
+};
+
+/// e = u + v sqrt(n) with a number n.
+std::optional<WithRoot> with_root_of_number(Graph& graph, const Polynomial& e) {
+  const auto root_in = [&](const Monomial& monomial) {
+    return std::ranges::find_if(monomial, [&](const Atom& atom) {
+      return atom.q == 2 && std::holds_alternative<Literal>(graph.node(atom.base));
+    });
+  };
+  std::optional<NodeId> n;
+  Polynomial rational, irrational;
+  for (const auto& [monomial, coefficient] : e) {
+    const auto root = root_in(monomial);
+    const bool has_root = root != monomial.end() && (!n || root->base == *n);
+    if (has_root) n = root->base;
+    add(has_root ? irrational : rational, monomial, coefficient);
+  }
+  if (!n) return std::nullopt;
+  return WithRoot{to_expression(graph, rational), to_expression(graph, irrational)};
+}
+
 /// The one with fewer operations, or else fewer letters.
 Expression shorter(const Expression& a, const Expression& b) {
   const std::size_t of_a = written_length(a), of_b = written_length(b);
@@ -39,21 +62,6 @@ Expression with_whole_brackets(const Expression& e, const SignOf& sign) {
   return written_length(result) <= written_length(e) + 3 ? result : e;
 }
 
-/// a/b: by identities of angles, or in lowest terms.
-Expression quotient(const Expression& a, const Expression& b, const SignOf& sign) {
-  Graph& graph = a.graph();
-  const auto single = [&](const Expression& e) {
-    return to_expression(graph, with_single_angles(graph, multiplied_out(e)));
-  };
-  const Expression lowest = to_expression(graph, rational_function(a / b));
-  Expression best =
-      shorter(with_whole_brackets(simplify_quotient(a, b), sign), with_whole_brackets(lowest, sign));
-  if (const Expression sum = expand(lowest); std::holds_alternative<Sum>(sum.node()))
-    best = shorter(best, sum);
-  return shorter(best,
-                 with_whole_brackets(to_expression(graph, rational_function(single(a) / single(b))), sign));
-}
-
 Expression root_of(const Expression& square, const SignOf& sign) {
   return shorter(sqrt(square), positive_root(square.graph(), rational_function(square), sign));
 }
@@ -80,11 +88,31 @@ std::optional<Expression> in_squares(const Expression& e, const Expression& u) {
 
 }  // namespace
 
+Expression shortest_quotient(const Expression& a, const Expression& b, const SignOf& sign) {
+  Graph& graph = a.graph();
+  if (const auto split = with_root_of_number(graph, multiplied_out(b))) {
+    const auto& [rational, irrational] = *split;
+    const Expression below = expand(rational * rational - irrational * irrational);
+    if (!below.is_zero()) return shortest_quotient(expand(a * (rational - irrational)), below, sign);
+  }
+  const auto single = [&](const Expression& e) {
+    return to_expression(graph, with_single_angles(graph, multiplied_out(e)));
+  };
+  const Expression lowest = to_expression(graph, rational_function(a / b));
+  Expression best =
+      shorter(with_whole_brackets(simplify_quotient(a, b), sign), with_whole_brackets(lowest, sign));
+  if (const Expression sum = expand(lowest); std::holds_alternative<Sum>(sum.node()))
+    best = shorter(best, sum);
+  return shorter(best,
+                 with_whole_brackets(to_expression(graph, rational_function(single(a) / single(b))), sign));
+}
+
 std::vector<Expression> roots_of(const Expression& c0, const Expression& c1, const Expression& c2,
                                  const SignOf& sign) {
-  if (c2.is_zero()) return c1.is_zero() ? std::vector<Expression>{} : std::vector{quotient(-c0, c1, sign)};
+  if (c2.is_zero())
+    return c1.is_zero() ? std::vector<Expression>{} : std::vector{shortest_quotient(-c0, c1, sign)};
   if (c1.is_zero()) {
-    const Expression root = root_of(quotient(-c0, c2, sign), sign);
+    const Expression root = root_of(shortest_quotient(-c0, c2, sign), sign);
     return {root, -root};
   }
   const auto written = [&](const std::vector<Surd>& surds) {

@@ -5,6 +5,9 @@
 
 namespace qdot {
 
+/// a/b: by identities of angles, or in lowest terms.
+[[nodiscard]] Expression shortest_quotient(const Expression& a, const Expression& b, const SignOf& sign);
+
 /// All u with c0 + c1 u + c2 u^2 = 0, both signs of roots among them; c1 or c2 may be zero.
 [[nodiscard]] std::vector<Expression> roots_of(const Expression& c0, const Expression& c1,
                                                const Expression& c2, const SignOf& sign);

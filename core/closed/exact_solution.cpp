@@ -158,7 +158,7 @@ class CriticalForm {
  public:
   CriticalForm(const Dynamics& dynamics, const Statics& statics, const Reals& parameters, std::size_t index,
                const WrittenTexts& written, const CriticalValue& critical)
-      : motions_(linear_motions(statics.reduction, dynamics.model().scene, true)),
+      : motions_(linear_motions(statics.reduction, dynamics.model().scene)),
         values_(dynamics.model(), motions_.graph, written, parameters, index),
         p_(values_.symbols()[index]),
         critical_(critical) {

@@ -39,10 +39,11 @@ class TurningForms {
 
   /// By h and the momenta, or with the initial state put in where that is shorter. After forms().
   [[nodiscard]] std::optional<ClosedForm> period() const {
-    if (!found_.period.value || found_.motion != MotionKind::libration) return std::nullopt;
+    const bool returns = found_.motion == MotionKind::libration || found_.motion == MotionKind::rotation;
+    if (!found_.period.value || !returns) return std::nullopt;
     const auto form_of = [&](const QuadratureProblem& problem, const std::vector<std::string>& started) {
       return period_form(
-          problem, values_, found_.period,
+          problem, values_, *found_.motion, found_.period,
           [&](const Expression& e, const Relations& relations) { return formula(e, relations, started); });
     };
     std::optional<ClosedForm> best;
@@ -149,10 +150,7 @@ class TurningForms {
     symbols.insert(symbols.end(), allowed.begin(), allowed.end());
     auto form = closed_form(values_, e, relations, symbols);
     if (!form) return form;
-    for (const Expression& c : constants_) {
-      if (depends_on(e, c))
-        form->assumes.push_back(print(c, Form::text) + (values_.sign(c) < 0 ? " < 0" : " > 0"));
-    }
+    assume_signs(*form, values_, e, constants_);
     form->assumes.insert(form->assumes.end(), started.begin(), started.end());
     return form;
   }

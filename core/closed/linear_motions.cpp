@@ -17,7 +17,8 @@ Matrix derivatives(const Reduction& reduction, const std::vector<Expression>& ro
 
 }  // namespace
 
-LinearMotions linear_motions(const Reduction& reduction, const Scene& scene, bool momenta_vanish) {
+LinearMotions linear_motions(const Reduction& reduction, const Scene& scene,
+                             const std::vector<bool>& vanishes) {
   LinearMotions result;
   result.graph = std::make_shared<Graph>(*reduction.graph);
   Graph& graph = *result.graph;
@@ -28,9 +29,14 @@ LinearMotions linear_motions(const Reduction& reduction, const Scene& scene, boo
        {&own.x, &own.x_dot, &own.x_ddot, &own.constants, &own.ignored_rates, &own.equations}) {
     for (Expression& e : *symbols) e = graph.adopt(e);
   }
-  if (momenta_vanish) {
-    for (std::size_t i = own.constants.size() - own.ignored.size(); i < own.constants.size(); ++i)
-      zeros.emplace_back(own.constants[i], graph.number(0));
+  for (std::size_t c = 0; c < own.ignored.size(); ++c) {
+    const Expression& p = own.constants[own.constants.size() - own.ignored.size() + c];
+    if (vanishes.empty() || vanishes[c])
+      zeros.emplace_back(p, graph.number(0));
+    else
+      result.momenta.push_back(p);
+  }
+  if (!zeros.empty()) {
     for (Expression& e : own.equations) e = substitute(e, zeros);
     for (Expression& e : own.ignored_rates) e = substitute(e, zeros);
   }

@@ -20,14 +20,15 @@ struct LinearMotions {
   std::vector<Expression> surface;     ///< what constraints keep at 0
   std::vector<std::size_t> moving;     ///< the coordinates u, by number
   std::vector<std::size_t> following;  ///< those whose rates follow from u: ignored, or dependent
+  std::vector<Expression> momenta;     ///< of the ignored coordinates, those that are not 0
   Matrix mass, stiffness, damping;     ///< D, with gyroscopic terms
   Matrix following_rates;              ///< dq_c'/du_j' at rest
   Matrix following_slopes;             ///< dq_c'/du_j
 };
 
-/// `momenta_vanish`: of the ignored coordinates.
+/// `vanishes`: whether its momentum is 0, for each ignored coordinate; those of all are where it is empty.
 [[nodiscard]] LinearMotions linear_motions(const Reduction& reduction, const Scene& scene,
-                                           bool momenta_vanish);
+                                           const std::vector<bool>& vanishes = {});
 
 /// Whether the momenta of the ignored coordinates vanish in the state y = (q, q').
 [[nodiscard]] bool momenta_vanish(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/closed/exact_roots.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/simplify.hpp"
@@ -13,6 +14,12 @@ bool is_number(const Expression& e) {
   const NodeId root = e.id();
   return std::ranges::none_of(reachable(e.graph(), {&root, 1}),
                               [&](NodeId id) { return std::holds_alternative<Symbol>(e.graph().node(id)); });
+}
+
+bool has_calls(const Expression& e) {
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}),
+                             [&](NodeId id) { return std::holds_alternative<Call>(e.graph().node(id)); });
 }
 
 /// Its first component that is not 0 is 1.
@@ -35,12 +42,20 @@ ModeDerivation::ModeDerivation(const LinearMotions& motions, const ExactPlace& p
       values_(values),
       relations_(relations),
       graph_(*motions.graph),
+      given_(place.undecided()),
       modes_(modes_at(motions, place, relations.replacements)) {
+  given_.insert(given_.end(), motions.momenta.begin(), motions.momenta.end());
   std::erase_if(modes_, [&](const LinearMode& mode) { return mode.lambda.is_zero() || !is_true(mode); });
 }
 
 double ModeDerivation::value(const LinearMode& mode) const {
   return values_.value(plain_expression(graph_, mode.lambda)).value;
+}
+
+std::optional<ClosedForm> ModeDerivation::formula(const Expression& e) const {
+  auto form = closed_form(values_, e, relations_, given_);
+  if (form) assume_signs(*form, values_, e, given_);
+  return form;
 }
 
 bool ModeDerivation::oscillates(const LinearMode& mode) const {
@@ -51,16 +66,14 @@ Expression ModeDerivation::square(const LinearMode& mode) {
   return written(oscillates(mode) ? mode.lambda : -mode.lambda);
 }
 
-std::optional<ClosedForm> ModeDerivation::form(const LinearMode& mode) {
-  return closed_form(values_, square(mode), relations_);
-}
+std::optional<ClosedForm> ModeDerivation::form(const LinearMode& mode) { return formula(square(mode)); }
 
 ModeForms ModeDerivation::forms(const LinearMode& mode) {
   const bool is_oscillation = oscillates(mode);
   const Surd square = is_oscillation ? mode.lambda : -mode.lambda;
   ModeForms result{
       sqrt(plain_expression(graph_, square)), is_oscillation, {*form(mode), {}, {}, {}, {}, {}, {}}, {}};
-  result.form.rate = closed_form(values_, root(square), relations_);
+  result.form.rate = formula(root(square));
   if (is_oscillation) result.form.period = period(square);
   result.form.lambda = scaled_lambda(mode.lambda);
   const std::vector<Surd> shape = whole_shape(mode);
@@ -80,17 +93,50 @@ Expression ModeDerivation::root_of(const Polynomial& n) {
 Expression ModeDerivation::written(const Surd& x) {
   if (!x.is_rational()) return to_expression(graph_, x, root_of(x.n));
   const Expression plain = to_expression(graph_, x.p), joined = simplify(plain);
-  return written_length(joined) < written_length(plain) ? joined : plain;
+  const Expression& best = written_length(joined) < written_length(plain) ? joined : plain;
+  if (!has_calls(best)) return best;
+  const Expression by_angles = shortest_quotient(to_expression(graph_, x.p.above),
+                                                 to_expression(graph_, x.p.below), values_.sign_of());
+  return written_length(by_angles) < written_length(best) ? by_angles : best;
 }
 
 Expression ModeDerivation::root(const Surd& x) {
-  if (x.is_rational()) return positive_root(graph_, x.p, values_.sign_of());
-  return positive_root(graph_, x, root_of(x.n), values_.sign_of());
+  if (x.is_rational()) {
+    const Expression plain = positive_root(graph_, x.p, values_.sign_of());
+    if (!has_calls(plain)) return plain;
+    const Expression by_angles = sqrt(written(x));
+    return written_length(by_angles) < written_length(plain) ? by_angles : plain;
+  }
+  const Expression nested = positive_root(graph_, x, root_of(x.n), values_.sign_of());
+  const auto sum = sum_of_roots(x);
+  return sum && written_length(*sum) < written_length(nested) ? *sum : nested;
+}
+
+/// sqrt(p + q sqrt(n)) = sqrt(a) +- sqrt(b) with a, b = (p +- s)/2, where p^2 - q^2 n = s^2: the slow and the
+/// fast precession of a sleeping top.
+std::optional<Expression> ModeDerivation::sum_of_roots(const Surd& x) {
+  const RationalFunction n{x.n};
+  const Surd s = square_root(x.p * x.p - x.q * x.q * n);
+  if (!s.is_rational()) return std::nullopt;
+  const RationalFunction half{{{Monomial{}, Number::ratio(1, 2)}}};
+  const auto sign = [&](const RationalFunction& f) { return values_.sign(f.above) * values_.sign(f.below); };
+  const int larger = sign(s.p);
+  if (larger == 0) return std::nullopt;
+  const RationalFunction a = half * (larger < 0 ? x.p - s.p : x.p + s.p), b = x.p - a;
+  if (sign(b) <= 0) return std::nullopt;
+  const Surd first = square_root(a), second = square_root(b);
+  if (first.is_rational() == second.is_rational()) return std::nullopt;
+  const auto front = [&](const Surd& root) { return sign(root.is_rational() ? root.p : root.q); };
+  const int of_first = front(first), of_second = front(second) * sign(x.q);
+  if (of_first == 0 || of_second == 0) return std::nullopt;
+  const Surd sum = (of_first < 0 ? -first : first) + (of_second < 0 ? -second : second);
+  return to_expression(graph_, sum, root_of(sum.n));
 }
 
 /// The equations hold at other values of the parameters, too.
 bool ModeDerivation::is_true(const LinearMode& mode) const {
   Trial trial(values_, relations_);
+  for (const Expression& e : given_) trial.set({e}, {graph_.number(Number::real(values_.value(e).value))});
   trial.set(motions_.x, place_.x());
   for (const auto* vanishing : {&motions_.forces, &motions_.surface}) {
     for (const Expression& e : *vanishing) trial.vanishes({e});
@@ -125,7 +171,7 @@ std::vector<Expression> ModeDerivation::characteristic_terms(std::size_t i, std:
 
 std::optional<ClosedForm> ModeDerivation::period(const Surd& square) {
   const Surd inverse = Surd(rational_function(graph_.number(1))) / square;
-  return closed_form(values_, Number(2) * graph_.symbol("pi") * root(inverse), relations_);
+  return formula(Number(2) * graph_.symbol("pi") * root(inverse));
 }
 
 std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
@@ -133,7 +179,7 @@ std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
   const Expression time = graph_.adopt(values_.model().parsed.scales->time);
   const Expression square = substitute(pow(time, Number(2)), relations_.replacements);
   const Expression value = written(lambda * Surd(rational_function(square)));
-  return is_number(value) ? closed_form(values_, value, relations_) : std::nullopt;
+  return is_number(value) ? formula(value) : std::nullopt;
 }
 
 /// With the coordinates whose velocities follow, where no momentum holds them.
@@ -174,7 +220,7 @@ std::vector<Surd> ModeDerivation::scaled(std::vector<Surd> shape) const {
 std::vector<ClosedForm> ModeDerivation::closed_forms(const std::vector<Surd>& shape) {
   std::vector<ClosedForm> result;
   for (const Surd& component : shape) {
-    auto form = closed_form(values_, written(component), relations_);
+    auto form = formula(written(component));
     if (!form) return {};
     result.push_back(*std::move(form));
   }

@@ -35,6 +35,7 @@ class ModeDerivation {
   [[nodiscard]] ModeForms forms(const LinearMode& mode);
 
  private:
+  [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const;
   [[nodiscard]] bool oscillates(const LinearMode& mode) const;
   [[nodiscard]] bool is_true(const LinearMode& mode) const;
   [[nodiscard]] std::vector<Expression> characteristic_terms(std::size_t i, std::size_t j,
@@ -42,6 +43,7 @@ class ModeDerivation {
   [[nodiscard]] Expression root_of(const Polynomial& n);
   [[nodiscard]] Expression written(const Surd& x);
   [[nodiscard]] Expression root(const Surd& x);
+  [[nodiscard]] std::optional<Expression> sum_of_roots(const Surd& x);
   [[nodiscard]] std::optional<ClosedForm> period(const Surd& square);
   [[nodiscard]] std::optional<ClosedForm> scaled_lambda(const Surd& lambda);
   [[nodiscard]] std::vector<Surd> whole_shape(const LinearMode& mode) const;
@@ -53,6 +55,7 @@ class ModeDerivation {
   const ExactValues& values_;
   Relations relations_;
   Graph& graph_;
+  std::vector<Expression> given_;  ///< beside the parameters: momenta, and coordinates that no force decides
   std::vector<LinearMode> modes_;
   std::vector<std::pair<Polynomial, Expression>> roots_;  ///< n and forms of sqrt(n)
 };

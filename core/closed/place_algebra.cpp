@@ -1,6 +1,7 @@
 #include "core/closed/place_algebra.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/expr/calculus.hpp"
 #include "core/expr/rational_function.hpp"
@@ -19,6 +20,20 @@ std::optional<LinearIn> linear_in(Graph& graph, const Polynomial& e, const Expre
   }
   if (parts.slope.empty()) return std::nullopt;
   return parts;
+}
+
+std::optional<Expression> angle_of_tangent(Graph& graph, const RationalFunction& f) {
+  if (f.above.size() != 1 || f.below.size() != 1) return std::nullopt;
+  const auto& [above, c] = *f.above.begin();
+  const auto& [below, d] = *f.below.begin();
+  for (const Atom& atom : above) {
+    const auto* call = std::get_if<Call>(&graph.node(atom.base));
+    if (call == nullptr || call->function != Function::sin) continue;
+    const Expression u(graph, call->argument);
+    const Monomial partner = times(times(above, atom.base, -1), cos(u).id(), 1);
+    if (partner == below && (c == d || c == -d)) return Number(c == d ? 1 : -1) * u;
+  }
+  return std::nullopt;
 }
 
 Expression with_roots_taken(const Expression& e, const SignOf& sign) {
@@ -71,6 +86,21 @@ Expression with_logarithms_taken(const Expression& e) {
     if (function == Function::cosh) taken.emplace_back(Expression(graph, id), half * (up + down));
   }
   return taken.empty() ? e : substitute(e, taken);
+}
+
+ByExponential in_powers_apart(const ByExponential& f) {
+  if (f.e.empty()) return f;
+  const auto power = [&](const auto& term) { return exponent_of(term.first, f.w.id()); };
+  int lowest = power(*f.e.begin()), apart = 0;
+  for (const auto& term : f.e) lowest = std::min(lowest, power(term));
+  for (const auto& term : f.e) apart = std::gcd(apart, power(term) - lowest);
+  if (apart == 0) return f;
+  ByExponential result{{}, f.w, Number(apart) * f.argument};
+  for (const auto& term : f.e) {
+    const int reduced = (power(term) - lowest) / apart;
+    add(result.e, times(term.first, f.w.id(), reduced - power(term)), term.second);
+  }
+  return result;
 }
 
 Polynomial without_factor(const Polynomial& e, const Expression& u) {

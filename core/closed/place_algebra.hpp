@@ -5,6 +5,7 @@
 
 #include "core/expr/polynomial.hpp"
 #include "core/expr/surd.hpp"
+#include "core/steady/exponential_form.hpp"
 
 namespace qdot {
 
@@ -20,11 +21,18 @@ struct LinearIn {
 /// Without the factors u, which do not vanish.
 [[nodiscard]] Polynomial without_factor(const Polynomial& e, const Expression& u);
 
+/// u where f is tan(u), of one product over another.
+[[nodiscard]] std::optional<Expression> angle_of_tangent(Graph& graph, const RationalFunction& f);
+
 /// With roots of squares taken, sqrt(h^2) = h where h > 0.
 [[nodiscard]] Expression with_roots_taken(const Expression& e, const SignOf& sign);
 
 /// With exp(n log(u)) = u^n.
 [[nodiscard]] Expression with_logarithms_taken(const Expression& e);
+
+/// As a polynomial in w^n where the powers of w are n apart: in exp(2 a x) of 1/cosh(a x)^2. The lowest power
+/// is left out.
+[[nodiscard]] ByExponential in_powers_apart(const ByExponential& f);
 
 /// f^(1/n) where f is a product of what is positive.
 [[nodiscard]] std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,

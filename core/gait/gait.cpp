@@ -159,14 +159,14 @@ void name_kinds(std::vector<Gait>& gaits) {
 std::string reason(GaitSearch::Outcome outcome, const ParsedImpact& impact) {
   switch (outcome) {
     case GaitSearch::Outcome::found:
-      return "There are motions that repeat, but in none of them the next " + impact.event +
+      return "Motions that repeat were found, but in none of them the next " + impact.event +
              " is the one that closes the stride.";
     case GaitSearch::Outcome::nothing_recurs:
       return "No motion that repeats was found from the starts that are tried.";
     case GaitSearch::Outcome::dies_away:
       return "Nothing gives back what the impact takes: all motions that were tried shrink towards rest.";
     case GaitSearch::Outcome::no_impact:
-      return "There are motions that repeat after a given time, but none of them meets " + impact.event +
+      return "Motions that repeat after a given time were found, but none of them meets " + impact.event +
              " then.";
   }
   return {};
@@ -233,17 +233,18 @@ GaitStability stability(const Multipliers& multipliers) {
 Gaits periodic_gaits(const Dynamics& dynamics, std::span<const double> parameters) {
   SectionMap map(dynamics);
   map.set_parameters(parameters);
-  const GaitSearch search = search_gaits(map);
   Gaits result;
-  for (const Recurrence& candidate : search.candidates) {
+  const GaitSearch search = search_gaits(map, [&](const Recurrence& candidate) {
     auto gait = gait_near(map, dynamics, parameters, candidate);
     const auto is_same = [&](const Gait& known) {
       return std::abs(known.step_time.value - gait->step_time.value) < same_place * known.step_time.value &&
              std::abs(known.pre_impact[0].value - gait->pre_impact[0].value) <
                  same_place * std::abs(known.pre_impact[0].value);
     };
-    if (gait && std::ranges::none_of(result.gaits, is_same)) result.gaits.push_back(std::move(*gait));
-  }
+    const bool is_one = gait.has_value();
+    if (is_one && std::ranges::none_of(result.gaits, is_same)) result.gaits.push_back(std::move(*gait));
+    return is_one;
+  });
   name_kinds(result.gaits);
   if (result.gaits.empty()) result.reason = reason(search.outcome, dynamics.model().parsed.impacts.front());
   return result;

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double rtol = 1e-5;
 constexpr double accuracy = 1e-3;  // of a point on the curve
-constexpr std::array start_sizes{0.3, 0.03};
+constexpr std::array start_sizes{0.3, 0.03, 2.0};
 constexpr std::array start_durations{2.0, 1.0, 4.0};
 constexpr int most_start_steps = 60, sure_start_steps = 15;
 constexpr Corrections corrections{.most = 6, .accuracy = accuracy};
@@ -150,11 +150,11 @@ CurveOfPoints followed(RecurrenceCurve& curve, const Recurrence& from, std::vect
 
 }  // namespace
 
-GaitSearch search_gaits(SectionMap& map) {
+GaitSearch search_gaits(SectionMap& map, const IsGait& is_gait) {
   RecurrenceCurve curve(map);
   const Index k = map.size();
   std::vector<CurveOfPoints> curves;
-  bool dies_away = false;
+  bool dies_away = false, is_found = false;
   GaitSearch result;
   const auto try_starts = [&](double size, double duration) {
     for (unsigned signs = 0; signs < 1u << std::min<Index>(k, 4); ++signs) {
@@ -162,14 +162,19 @@ GaitSearch search_gaits(SectionMap& map) {
       if (!map.counts(map.state(at.u))) continue;
       const Settled on_curve = search_settled(curve, at);
       dies_away = dies_away || on_curve.dies_away;
-      const auto is_known = [&](const CurveOfPoints& known) { return is_on(known, *on_curve.at); };
+      const auto is_known = [&](const CurveOfPoints& other) { return is_on(other, *on_curve.at); };
       if (!on_curve.at || std::ranges::any_of(curves, is_known)) continue;
+      const std::size_t known = result.candidates.size();
       curves.push_back(followed(curve, *on_curve.at, result.candidates));
+      for (std::size_t i = known; i < result.candidates.size(); ++i)
+        is_found = is_gait(result.candidates[i]) || is_found;
     }
   };
   for (const double duration : start_durations) {
     for (const double size : start_sizes) {
-      if (curves.empty() && !dies_away) try_starts(size, duration);
+      // Motions may recur without an impact on one curve, and with one on another; where one start leads to
+      // such a curve, another that shrinks to nothing tells little.
+      if (!is_found && !(dies_away && curves.empty())) try_starts(size, duration);
     }
   }
   using Outcome = GaitSearch::Outcome;

@@ -3,11 +3,12 @@
 //
 // One equation fewer, section(y(T)) = u for a given T, has a curve of solutions (u, T). It is found by
 // Newton's method from the starts u = r (+-1, ..., +-1), all in the scene's units, with r = 0.3 at T = 2, or
-// if that fails r = 0.03, then at T = 1 and 4 (starts that the event's condition excludes are left out), and
-// followed from each new solution by its arclength in (u/|u|, log T) over 0.1 <= T <= 6 and 1e-6 <= |u| <=
-// 1e3 (core/numerics/path_following.hpp). The candidates are the changes of sign of g along it. Gaits that no
-// such curve reaches are not found.
+// if no gait is found then r = 0.03 and 2, then at T = 1 and 4 (starts that the event's condition excludes
+// are left out), and followed from each new solution by its arclength in (u/|u|, log T) over 0.1 <= T <= 6
+// and 1e-6 <= |u| <= 1e3 (core/numerics/path_following.hpp). The candidates are the changes of sign of g
+// along it. Gaits that no such curve reaches are not found.
 
+#include <functional>
 #include <vector>
 
 #include "core/gait/shooting.hpp"
@@ -24,6 +25,9 @@ struct GaitSearch {
   } outcome{};
 };
 
-[[nodiscard]] GaitSearch search_gaits(SectionMap& map);
+/// Whether there is a gait near a candidate; the search goes on with other starts until there is one.
+using IsGait = std::function<bool(const Recurrence&)>;
+
+[[nodiscard]] GaitSearch search_gaits(SectionMap& map, const IsGait& is_gait);
 
 }  // namespace qdot

@@ -21,10 +21,31 @@ Expression distance_of(const std::vector<Position>& between, const std::string& 
   return sqrt(square);
 }
 
+/// u where e = u^2, of a product of even powers.
+std::optional<Expression> root_of_square(const Expression& e) {
+  Graph& graph = e.graph();
+  const auto [coefficient, rest] = split_coefficient(e);
+  const auto number = exact_root(coefficient);
+  if (!number) return std::nullopt;
+  Expression root = graph.number(*number);
+  const auto* product = std::get_if<Product>(&rest.node());
+  for (const NodeId id : product == nullptr ? std::vector<NodeId>{rest.id()} : product->factors) {
+    const auto [base, exponent] = split_power(Expression(graph, id));
+    const Number half = exponent * Number::ratio(1, 2);
+    if (!half.is_integer()) return std::nullopt;
+    root = root * pow(base, half);
+  }
+  return root;
+}
+
+/// |u| on a line or a circle, where a root of u^2 would hide that it has a kink.
 Expression size_of(const Vector& v) {
   std::vector<Expression> squares;
   for (const Expression& component : v) squares.push_back(component * component);
-  return sqrt(simplify(v.front().graph().sum(squares)));
+  Graph& graph = v.front().graph();
+  const Expression square = simplify(graph.sum(squares));
+  const auto u = square.is_zero() ? std::nullopt : root_of_square(square);
+  return u ? graph.call(Function::abs, *u) : sqrt(square);
 }
 
 /// What the damper works along: a point, or one quantity.

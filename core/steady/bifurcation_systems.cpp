@@ -282,13 +282,26 @@ class SystemsDerivation {
     return simplify(numerator_of(b * differentiate(a, x_[0]) - a * differentiate(b, x_[0]), all_x_));
   }
 
+  /// l^2 + x^2 with a term that knows nothing of x: parameters that are 0 are not in it.
+  [[nodiscard]] bool is_sum_of_squares(const Expression& e) {
+    if (!std::holds_alternative<Sum>(e.node())) return false;
+    const Polynomial terms = multiplied_out(e);
+    const auto is_square = [](const auto& term) {
+      return !term.second.is_negative() &&
+             std::ranges::all_of(term.first, [](const Atom& a) { return a.q == 1 && a.p % 2 == 0; });
+    };
+    return std::ranges::all_of(terms, is_square) && std::ranges::any_of(terms, [&](const auto& term) {
+             return !depends_on(to_expression(graph_, term.first), x_);
+           });
+  }
+
   /// Where both vanish, f does for every p. b is one product: of what cannot vanish, or a power of x beside a
   /// polynomial a that has a term without x.
   [[nodiscard]] bool have_no_common_zero(const Polynomial& a, const Polynomial& b) {
     if (b.size() != 1) return false;
     const auto is_positive = [&](const Expression& e) {
       const auto* call = std::get_if<Call>(&e.node());
-      return !depends_on(e, x_) ||
+      return !depends_on(e, x_) || is_sum_of_squares(e) ||
              (call != nullptr && (call->function == Function::exp || call->function == Function::cosh));
     };
     const auto all_are = [&](const Monomial& monomial, const auto& wanted) {

@@ -72,6 +72,29 @@ bool joins_cluster(std::vector<CriticalZero>& zeros, const CriticalZero& zero, c
   return false;
 }
 
+/// Whether for each part of the parameter's range some function has no zero, wherever x is: such as a
+/// determinant of linear forces, in which x does not stand.
+bool has_none_for_any_parameter(TapeEvaluator<Interval>& values, Box region) {
+  constexpr std::size_t most_parts = 1000, parts_that_tell = 31;
+  Box all(region.size());
+  std::vector<Interval> parts{region.back()};
+  bool helps = false;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k == most_parts || (k == parts_that_tell && !helps)) return false;
+    const Interval part = parts[k];
+    region.back() = part;
+    values(region, all);
+    const bool excludes = std::ranges::any_of(all, [](const Interval& v) { return !v.contains(0.0); });
+    helps = helps || excludes;
+    if (excludes) continue;
+    const double middle = part.middle();
+    if (!(part.lower < middle && middle < part.upper)) return false;
+    parts.emplace_back(part.lower, middle);
+    parts.emplace_back(middle, part.upper);
+  }
+  return true;
+}
+
 Isolation isolated(const Model& model, const SteadyProblem& problem, std::span<const std::size_t> unknowns,
                    const BifurcationSystem& system, const Interval& range,
                    const std::function<bool(std::span<const Interval>)>& known) {
@@ -79,6 +102,7 @@ Isolation isolated(const Model& model, const SteadyProblem& problem, std::span<c
   TapeEvaluator<Interval> jacobian(system.jacobian, problem.constants);
   Box region = search_region(model, problem, unknowns);
   region.push_back(range);
+  if (has_none_for_any_parameter(values, region)) return {};
   std::vector<double> scales(region.size(), 1.0);
   scales.back() = std::max(std::abs(range.lower), std::abs(range.upper));
   const SquareSystem square{region.size(), [&](auto x, auto out) { values(x, out); },

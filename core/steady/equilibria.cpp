@@ -8,6 +8,7 @@
 #include "core/steady/force_system.hpp"
 #include "core/steady/kink_stability.hpp"
 #include "core/steady/region_sentences.hpp"
+#include "core/steady/shared_shift.hpp"
 
 namespace qdot {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 /// Some hundred do for most scenes; past this number the answer says that it is not complete.
 constexpr std::size_t most_boxes(std::size_t unknowns) { return unknowns < 3 ? 20'000 : 60'000; }
 constexpr std::size_t most_boxes_of_middle = 2'000;
+constexpr const char* nothing_rests = "The forces vanish nowhere in the region that was searched.";
 constexpr std::size_t most_kinks = 5;  ///< each multiplies the work by three
 
 /// No value where the enclosure reaches across an end of the domain.
@@ -86,6 +88,7 @@ class RegionSearch {
       result_.states.push_back(states_.at({given_place(), {}, {}, true}));
       return;
     }
+    if (const auto shift = shared_shift(scene(), problem_); !shift.empty()) return family(shift);
     if (forces().charts.empty()) search();
     for (const Chart& chart : forces().charts) {
       system_.use(chart, sizes_);
@@ -93,7 +96,7 @@ class RegionSearch {
     }
     for (const FoundPlace& place : found_.places()) add_within_domain(place);
     if (result_.states.empty() && result_.complete) {
-      result_.reason = "The forces vanish nowhere in the region that was searched.";
+      result_.reason = nothing_rests;
     }
     std::sort(result_.states.begin(), result_.states.end(),
               [](const auto& a, const auto& b) { return a.y < b.y; });
@@ -176,7 +179,30 @@ class RegionSearch {
     found_.add(std::move(place));
   }
 
+  void family(const std::vector<std::size_t>& shift) {
+    std::string names;
+    for (const std::size_t j : shift)
+      names += (names.empty() ? "" : j == shift.back() ? " and " : ", ") + coordinate(j).name;
+    incomplete(
+        "Adding the same to " + names +
+        " changes no force, so equilibria are no isolated points: where there are some, there is a whole "
+        "family, which is not listed. 'modes' has the small motions about one of them.");
+  }
+
+  /// Some force has no zero, as one that depends on no coordinate.
+  [[nodiscard]] bool never_rests() const {
+    Box x = given_place(), values(forces().rest.size());
+    const Box region = search_region(dynamics_.model(), problem_);
+    for (std::size_t k = 0; k < region.size(); ++k) x[forces().unknowns[k]] = region[k];
+    TapeEvaluator<Interval>(forces().forces, problem_.constants)(x, values);
+    return std::ranges::any_of(forces().equations, [&](std::size_t i) { return !values[i].contains(0.0); });
+  }
+
   void mismatch() {
+    if (never_rests()) {
+      result_.reason = nothing_rests;
+      return;
+    }
     incomplete(forces().unknowns.size() < forces().equations.size()
                    ? "More forces have to vanish than there are coordinates that they depend on: in general "
                      "no position does it."

@@ -92,6 +92,7 @@ class Analysis {
     const auto momenta = dynamics_.columns(momentum_columns(dynamics_.model(), reduction().ignored));
     const Balls p = evaluated(*momenta, constants_, y);
     constants_.insert(constants_.end(), p.begin(), p.end());
+    for (const Ball& momentum : p) result_.momenta.emplace_back(momentum.value(), 0, momentum.error());
   }
 
   [[nodiscard]] std::vector<bool> vanishing_momenta() const {

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numerics/real.hpp"
 #include "core/steady/equilibrium.hpp"
 #include "core/steady/mode.hpp"
 
@@ -28,6 +29,7 @@ enum class Stability { stable, unstable, neutral };
 struct Modes {
   std::vector<double> y;                       ///< (q, q') of the equilibrium or steady motion
   std::vector<std::optional<double>> y_error;  ///< none where the place is not isolated
+  std::vector<Real> momenta;                   ///< of the ignorable coordinates, which the small motions keep
   Stability stability{};
   std::string undecided;  ///< why it is neutral, a sentence
   std::vector<double> mass, stiffness;

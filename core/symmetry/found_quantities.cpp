@@ -70,6 +70,7 @@ class Wording {
   /// None where it says nothing about the motion.
   std::optional<Kept> quantity(const Symmetry& symmetry) const {
     PointChange change = symmetry.change;
+    if (changes_nothing(change)) return std::nullopt;  // a constraint, written once more
     const auto motion = motion_in_space(places_, lagrangian_.symbols, change, leading(symmetry));
     if (motion && motion->reversed) change = opposite(change);
     const Expression value = on_constraints(noether_quantity(lagrangian_, change));
@@ -84,6 +85,10 @@ class Wording {
   }
 
  private:
+  [[nodiscard]] static bool changes_nothing(const PointChange& change) {
+    return change.time.is_zero() && std::ranges::all_of(change.shift, &Expression::is_zero);
+  }
+
   /// As the constraints allow to write it, where that is shorter.
   [[nodiscard]] Expression on_constraints(const Expression& value) const {
     if (search_.on_constraints.empty()) return value;

@@ -47,8 +47,13 @@ std::vector<bool> new_ones(const Lagrangian& lagrangian, const std::vector<Expre
   return std::vector<bool>(quantities.size(), true);
 }
 
-std::vector<Expression> ignorable_momenta(const Lagrangian& lagrangian) {
+/// Momenta of ignorable coordinates, and what constraints keep at 0.
+std::vector<Expression> known_constants(const Lagrangian& lagrangian) {
   std::vector<Expression> p;
+  for (const ConstraintEquation& constraint : lagrangian.constraints) {
+    if (constraint.position) p.push_back(*constraint.position);
+    p.push_back(constraint.rate);
+  }
   for (const std::size_t i : ignorable_coordinates(lagrangian))
     p.push_back(differentiate(lagrangian.lagrangian, lagrangian.symbols.coordinates.rate[i]));
   return p;
@@ -57,7 +62,7 @@ std::vector<Expression> ignorable_momenta(const Lagrangian& lagrangian) {
 }  // namespace
 
 std::vector<ConservedQuantity> listed_quantities(const std::vector<Kept>& all, const Lagrangian& lagrangian) {
-  std::vector<Expression> values = ignorable_momenta(lagrangian);
+  std::vector<Expression> values = known_constants(lagrangian);
   std::vector<const Kept*> measured;
   for (const Kept& one : all) {
     if (one.kind == KindOfChange::linear) values.push_back(one.quantity.value);

@@ -15,6 +15,11 @@ Modular residue_of_digits(const Decimal& decimal) {
   return result * power(ten, static_cast<std::uint64_t>(decimal.exponent));
 }
 
+Modular residue_of_small(std::int64_t whole) {
+  const Modular size(static_cast<std::uint64_t>(whole < 0 ? -whole : whole));
+  return whole < 0 ? -size : size;
+}
+
 Modular residue_of_whole(const Number& whole) {
   const auto decimal = whole.decimal();
   const Modular size = decimal ? residue_of_digits(*decimal) : Modular();
@@ -24,6 +29,10 @@ Modular residue_of_whole(const Number& whole) {
 }  // namespace
 
 std::optional<Modular> Modular::of(const Number& number) {
+  if (const auto small = number.small()) {
+    const Modular above = residue_of_small(small->numerator);
+    return small->denominator == 1 ? above : above * inverse(residue_of_small(small->denominator));
+  }
   const Modular below = residue_of_whole(number.denominator());
   if (below.is_zero()) return std::nullopt;
   return residue_of_whole(number.numerator()) * inverse(below);

@@ -1,6 +1,7 @@
 """Quadratic drag |v| v in the plane and in space where the speed is zero: at the start, or on the way."""
 
 import copy
+import json
 import math
 import pathlib
 import sys
@@ -122,6 +123,29 @@ class DragFromRest(Service):
                 "bodies": [{"kind": "particle", "mass": "1", "position": ["x", 0]}],
                 "forces": [{"value": "sqrt(x)", "along": "x"}]}
         self.refused("simulate", {"system": dome, "t_end": 1})
+
+
+class DragAlongALine(Service):
+    """Its size is |v|, whose kink the motion is told of, and not a root of v^2."""
+
+    def test_of_a_line_and_of_a_circle(self):
+        pendulum = {"name": "pendulum", "parameters": parameters(m=("kg", "1"), l=("m", "0.8"), c=("kg/m", "0.2"),
+                                                                 d=("kg*m^2", "0.1"), g=("m/s^2", "9.81")),
+                    "coordinates": coordinates(theta=("rad", "1", "0")), "gravity": [0, "-g"],
+                    "points": [{"name": "bob", "components": ["l*sin(theta)", "-l*cos(theta)"]}],
+                    "bodies": [{"kind": "particle", "mass": "m", "position": "bob"}]}
+        for damper, force in (({"coefficient": "c", "point": "bob"}, "0.2*0.8^3"), ({"coefficient": "d", "angle": "theta"}, "0.1")):
+            scene = pendulum | {"dampers": [damper | {"law": "quadratic"}]}
+            self.assertNotIn("sqrt", json.dumps(self.ask("equations", {"system": scene})["accelerations"]))
+            factor = eval(force.replace("^", "**"))/0.8**2  # noqa: S307
+            run = solve_ivp(lambda t, y: (y[1], -9.81/0.8*math.sin(y[0]) - factor*abs(y[1])*y[1]), (0, 3), (1, 0),
+                            "DOP853", rtol=1e-12, atol=1e-13)
+            answer = self.ask("simulate", {"system": scene, "t_end": 3, "samples": 4})
+            self.assertTrue(answer["accuracy"]["bounded"])
+            for name, truth in zip(("theta", "theta_dot"), run.y[:, -1]):
+                error = answer["accuracy"]["max_abs_error"][name]
+                self.assertLess(error, 1e-6)
+                self.assertLessEqual(abs(answer["trajectory"][name][-1] - truth), error + 1e-10)
 
 
 if __name__ == "__main__":

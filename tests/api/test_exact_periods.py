@@ -42,6 +42,35 @@ PERIODS = [
     ("physical_pendulum", "4*sqrt(2*l/(3*g))*ellipk(sin(1/2)^2)"),
     ("orbiting_pendulum", "4*sqrt(l/r)/omega0*ellipk(l/(4*r))"),
 ]
+TURNING = {"coordinates": [{"name": "x", "unit": "rad", "initial": "0.2", "initial_rate": "3"}]}
+# Over the top, one turn: Whittaker, Analytical Dynamics, section 44.
+TURNS = [
+    ("plane_pendulum", {"theta": 0, "theta_dot": 7}, "2*sqrt(2*m*l**2/(E + m*g*l))*ellipk(2*m*g*l/(E + m*g*l))"),
+    ("physical_pendulum", {"theta": 0.5, "theta_dot": -9},
+     "2*sqrt(2*m*l**2/3/(E + m*g*l/2))*ellipk(m*g*l/(E + m*g*l/2))"),
+    (scene("hands", f"m kg 1.3; l m 0.4; {G}", "a rad 0 12", gravity=DOWN, bodies=[particle("m", "l*cos(a)", "l*sin(a)")]),
+     {}, "2*sqrt(2*m*l**2/(E + m*g*l))*ellipk(2*m*g*l/(E + m*g*l))"),
+    (lagrangian("two_wells", "A - 1.5; B - 0.7", "x rad 0.2 3", "A*x_dot^2/2 + B*cos(x)^2") | TURNING, {},
+     "2*sqrt(2*A/(h + B))*ellipk(B/(h + B))"),
+]
+# Turned by any angle: a pendulum in a train that gains speed.
+TILTED = scene("tilted", f"m kg 1.3; l m 0.4; a m/s^2 3; {G}", "phi rad 0.3", gravity=DOWN,
+               bodies=[particle("m", "a*t^2/2 + l*sin(phi)", "-l*cos(phi)")])
+TILTED_PERIOD = "4*sqrt(l/sqrt(a**2 + g**2))*ellipk((1 + h/(m*l*sqrt(a**2 + g**2)))/2)"
+# A potential of twice the angle: a body in orbit, a dipole in a field that alternates.
+TWICE = lagrangian("swings_in_one_of_two", "A - 1.5; B - 0.7", "x - 0.6", "A*x_dot^2/2 + B*cos(x)^2")
+TWICE_PERIOD = "2*sqrt(A/(B/2))/sqrt(1)*ellipk((h + B)/B)"
+# Duffing's oscillator: through the middle, in one of two wells and over the hump between them, where its spring
+# softens, and without a linear part; by h, or by the amplitude from which it is let go.
+QUARTIC = "x_dot^2*m/2 - a*x^2/2 - b*x^4/4"
+S = "sqrt(a**2 + 4*b*h)"
+DUFFING = [
+    ("m - 1.3; a - 2; b - 0.7", "0.4 1.1", f"4*sqrt(m/{S})*ellipk((1 - a/{S})/2)"),
+    ("m - 1.3; a - -2; b - 0.7", "1.2 0.3", f"2*sqrt(2*m/({S} - a))*ellipk(2*{S}/({S} - a))"),
+    ("m - 1.3; a - -2; b - 0.7", "1.2 3.1", f"4*sqrt(m/{S})*ellipk((1 - a/{S})/2)"),
+    ("m - 1.3; a - 2; b - -0.7", "0.4 0.5", f"4*sqrt(2*m/(a + {S}))*ellipk((a - {S})/(a + {S}))"),
+    ("m - 1.3; a - 2; b - 0.7", "1.5", "4*sqrt(m/(a + b*1.5**2))*ellipk(b*1.5**2/(2*(a + b*1.5**2)))"),
+]
 NOT_ELEMENTARY = ["spherical_pendulum", "hanging_mass", "particle_in_cone", "bead_on_parabola", "free_spin_pendulum"]
 
 
@@ -63,6 +92,40 @@ class ExactPeriods(Service):
                 for text in (form["text"], expected):
                     number = value(text, numbers)
                     self.assertLess(abs(number - found["period"]), found["error"]["period"] + 1e-13 * found["period"], text)
+
+    def assert_period(self, found, *formulas):
+        numbers = found["request"]["parameters"] | found["constants"]
+        for text in (found["exact"]["period"]["text"], *formulas):
+            self.assertLess(abs(value(text, numbers) - found["period"]), found["error"]["period"] + 1e-13 * found["period"],
+                            text)
+
+    def test_what_goes_over_the_top_has_the_period_of_its_turns(self):
+        for system, start, expected in TURNS:
+            found = self.ask("turning_points", {"system": system, "initial": start})
+            with self.subTest(system=system if isinstance(system, str) else system["name"]):
+                self.assertEqual(found["motion"], "rotation")
+                self.assert_period(found, expected)
+
+    def test_an_oscillator_with_a_cubic_force(self):
+        for parameters, start, expected in DUFFING:
+            with self.subTest(parameters, start=start):
+                found = self.ask("turning_points", {"system": lagrangian("duffing", parameters, f"x - {start}", QUARTIC)})
+                self.assert_period(found, expected)
+        quartic = lagrangian("quartic", "b - 0.7", "x - 0.4 1.1", "x_dot^2/2 - b*x^4/4")
+        self.assert_period(self.ask("turning_points", {"system": quartic}), "4*sqrt(1/sqrt(4*b*h))*ellipk(0.5)")
+
+    def test_a_start_by_the_parameters_gives_the_period_of_a_turn_by_them(self):
+        found = self.ask("turning_points", {"system": "plane_pendulum", "initial": {"theta": 0, "theta_dot": "3*sqrt(g/l)"}})
+        self.assertEqual(found["exact"]["period"]["text"], "4/3*sqrt(l/g)*ellipk(4/9)")
+
+    def test_a_potential_of_twice_the_angle(self):
+        self.assert_period(self.ask("turning_points", {"system": TWICE}), TWICE_PERIOD)
+
+    def test_a_potential_turned_by_an_angle(self):
+        self.assert_period(self.ask("turning_points", {"system": TILTED}), TILTED_PERIOD)
+        over = self.ask("turning_points", {"system": TILTED, "initial": {"phi_dot": 15}})
+        d = "(h + m*l*sqrt(a**2 + g**2))"
+        self.assert_period(over, f"2*l*sqrt(2*m/{d})*ellipk(2*m*l*sqrt(a**2 + g**2)/{d})")
 
     def test_they_are_as_short_as_printed(self):
         for system, text in (("cycloid_pendulum", "4*pi*sqrt(a/g)"), ("plane_pendulum", "4*sqrt(l/g)*ellipk(sin(1/2)^2)")):

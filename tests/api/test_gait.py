@@ -2,11 +2,13 @@
 
 import math
 import pathlib
+import random
 import sys
 import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, reference_cases  # noqa: E402
+from short_scene import G, particle, scene  # noqa: E402
 
 STATE = 1e-12  # contract of this version; the reference asks 1e-9
 PRE_IMPACT = 1e-10  # the swing foot's rate just before the strike
@@ -97,6 +99,39 @@ class GaitAnswers(Service):
         got = self.get("gait", {"system": "compass_walker", "gamma": 0.02, "gait": "short"})
         self.assertEqual((posted.status, got.status), (200, 200))
         self.assertEqual(got.data, posted.data)
+
+
+class RimlessWheel(Service):
+    """Spokes roll down a slope (McGeer, Passive Dynamic Walking, 1990): w^2 = 4 g/l sin(alpha) sin(gamma)
+    cot(2 alpha)^2 just after an impact, where that takes the wheel over its next spoke."""
+
+    scene = scene("rimless_wheel", f"m kg 1; l m 1; alpha rad 0.39; gamma rad 0.08; {G}", "theta rad 0 0.9",
+                  gravity=["g*sin(gamma)", "-g*cos(gamma)"], bodies=[particle("m", "l*sin(theta)", "l*cos(theta)")],
+                  events=[{"name": "strike", "expression": "alpha - theta", "direction": "falling"}],
+                  impact={"event": "strike", "map": {"theta": "-alpha", "theta_dot": "theta_dot*cos(2*alpha)"}})
+
+    def rates(self, alpha, gamma, l):
+        """Squares of the rate with which it rolls, and of the least that takes it over."""
+        steady = 4*9.81/l*math.sin(alpha)*math.sin(gamma)/math.tan(2*alpha)**2
+        return steady, 2*9.81/l*(1 - math.cos(gamma - alpha)) if gamma < alpha else 0
+
+    def test_rolls_with_the_known_rate(self):
+        draw = random.Random(3)
+        rolled = 0
+        for _ in range(20):
+            alpha, gamma, l = (round(draw.uniform(*ends), 3) for ends in ((0.2, 0.6), (0.01, 0.3), (0.3, 2)))
+            found = self.ask("gait", {"system": self.scene, "parameters": {"alpha": alpha, "gamma": gamma, "l": l}})
+            steady, least = self.rates(alpha, gamma, l)
+            if abs(steady - least) < 0.1*least:
+                continue  # it stands on a spoke for long
+            with self.subTest(alpha=alpha, gamma=gamma, l=l):
+                self.assertEqual(len(found["gaits"]), int(steady > least))
+                for gait in found["gaits"]:
+                    rate, error = gait["state"]["theta_dot"], gait["error"]["state"]["theta_dot"]
+                    self.assertLess(abs(rate - math.sqrt(steady)), error + 1e-15*rate)
+                    self.assertAlmostEqual(gait["multipliers"][0]["re"], math.cos(2*alpha)**2, 11)
+                    rolled += 1
+        self.assertGreater(rolled, 8)
 
 
 if __name__ == "__main__":

@@ -165,5 +165,17 @@ class Momenta(unittest.TestCase):
         self.assertGreater(sum(len(one) for one in found), 60)
 
 
+class MovingWire(unittest.TestCase):
+    def test_a_constraint_is_no_conserved_quantity(self):
+        wire = scene("moving_wire", "m kg 1; a m/s 0.5; g m/s^2 9.81", "x m 1; y m 0.5 a", gravity=["0", "-g"],
+                     bodies=[{"kind": "particle", "mass": "m", "position": ["x", "y"]}],
+                     constraints=[{"name": "wire", "expression": "y - x/2 - a*t"}])
+        [found] = asked([{"equations": {"system": wire}}])
+        self.assertIn("1/2*m*(x_dot^2 + y_dot^2) + 2*m*a*x_dot + m*g*y", [one["value"] for one in found["conserved"]])
+        for one in found["conserved"]:
+            self.assertIn("_dot", one["value"])
+            self.assertNotIn("The small change ,", one["why"])
+
+
 if __name__ == "__main__":
     sys.exit(unittest.main())

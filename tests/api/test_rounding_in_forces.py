@@ -72,5 +72,26 @@ class RoundingInForces(Service):
         self.assertTrue(answer["accuracy"]["reason"])
 
 
+class FastCharges(Service):
+    """-sqrt(1 - v^2) in the plane, whose accelerations are solved for with a determinant that is known where a step
+    begins: of a charge in a magnetic field, which turns at the rate B sqrt(1 - v^2), and of one that flies straight on."""
+
+    def test_turns_at_a_known_rate(self):
+        for B in ("1", "0", "2.7"):
+            charge = lagrangian("fast_charge", f"B - {B}", "x - 0 0.5; y - 0 0.3",
+                                "-sqrt(1 - x_dot^2 - y_dot^2) + B/2*(x*y_dot - y*x_dot)")
+            rate = mpf(B)*mpmath.sqrt(1 - mpf("0.5")**2 - mpf("0.3")**2)
+            start = mpmath.mpc("0.5", "0.3")
+            for goal in ({}, {"accuracy": "accurate"}, {"max_error": 1e-10}, {"method": "adams"}):
+                with self.subTest(B=B, goal=goal):
+                    answer = self.ask("simulate", {"system": charge, "t_end": 3, "samples": 4, **goal})
+                    v = start*mpmath.expj(-3*rate)
+                    z = 3*start if rate == 0 else (start - v)/(mpmath.mpc(0, 1)*rate)
+                    for name, truth in zip(("x", "y", "x_dot", "y_dot"), (z.real, z.imag, v.real, v.imag)):
+                        stated = answer["accuracy"]["max_abs_error"][name]
+                        self.assertLessEqual(abs(mpf(answer["trajectory"][name][-1]) - truth), stated)
+                        self.assertLess(stated, 1e-6)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -12,6 +12,7 @@ import mpmath as mp
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
 
 mp.mp.dps = 40
 EXACT = mp.mpf(10) ** -30
@@ -112,6 +113,38 @@ class StaticsOfSeveral(Service):
         self.assertFalse(found["complete"])
         origin = [e for e in found["equilibria"] if abs(e["state"]["x"]) + abs(e["state"]["y"]) < 1e-9]
         self.assertEqual([e["stability"] for e in origin], ["unstable"])
+
+
+class Families(Service):
+    def test_what_may_be_shifted_is_a_family(self):
+        ring = "x_dot^2/2 + y_dot^2/2 + z_dot^2/2 - {0}(x - y) - {0}(y - z) - {0}(z - x)"
+        for potential in ("exp", "cosh"):
+            found = self.ask("equilibria", {"system": lagrangian("ring", "", "x - 0.1; y - 0; z - 0.3",
+                                                                 ring.format(potential))})
+            self.assertEqual((found["equilibria"], found["complete"]), ([], False))
+            self.assertIn("Adding the same to x, y and z changes no force", found["reason"])
+
+    def test_a_force_that_is_never_zero(self):
+        drag = lagrangian("fall", "g - 9.81", "x - 0; y - 0", "x_dot^2/2 + y_dot^2/2 - g*y",
+                          dissipation="x_dot^2/2 + y_dot^2/2")
+        found = self.ask("equilibria", {"system": drag})
+        self.assertEqual((found["equilibria"], found["complete"]), ([], True))
+        self.assertIn("vanish nowhere", found["reason"])
+
+    def test_a_shaft_with_damping_about_it_has_no_critical_rate_of_rest(self):
+        shaft = lagrangian("shaft", "k - 10; c - 0.2; w - 4", "x - 0.1; y - 0",
+                           "((x_dot - w*y)^2 + (y_dot + w*x)^2)/2 - k/2*(x^2 + y^2)",
+                           forces=[{"value": "-c*(x_dot - w*y)", "along": "x"}, {"value": "-c*(y_dot + w*x)", "along": "y"}])
+        found = self.ask("bifurcations", {"system": shaft, "parameter": "w", "from": 0.5, "to": 8})
+        self.assertEqual((found["critical"], found["complete"]), ([], True), found["reason"])
+
+    def test_a_rail_that_turns_lets_its_carriage_go_far(self):
+        rail = lagrangian("rail", "k - 10; l - 1; c - 0.5; w - 1", "x - 0.2",
+                          "x_dot^2/2 + w^2*x^2/2 - k/2*(sqrt(x^2 + l^2) - c)^2")
+        found = self.ask("bifurcations", {"system": rail, "parameter": "w", "from": 0.1, "to": 5})
+        self.assertEqual([critical["kind"] for critical in found["critical"]], ["pitchfork"])
+        self.assertNotIn("given up", found["reason"])  # all that is missing comes from infinity
+        self.assertIn("x = infinity", found["reason"])
 
 
 if __name__ == "__main__":

@@ -129,13 +129,18 @@ const Remainder::Row* Rounding::measured(Slot slot) const {
   return row.is_factor || remainder_.effort_ == Remainder::Effort::careful ? &row : nullptr;
 }
 
+bool Rounding::is_at_start_alone(Slot slot) const {
+  return rows_[slot] == no_row && slot > tape_.parameters_ + tape_.variables_;
+}
+
 double Rounding::most(Slot slot, double otherwise) const {
+  if (is_at_start_alone(slot)) return std::abs(slots_[slot]);
   const Remainder::Row* row = measured(slot);
   return row == nullptr ? otherwise : row->t0 + row->r;
 }
 
 Range Rounding::values(Slot slot) const {
-  if (!varies_[slot]) return {slots_[slot], slots_[slot]};
+  if (!varies_[slot] || is_at_start_alone(slot)) return {slots_[slot], slots_[slot]};
   const Remainder::Row* row = measured(slot);
   return row == nullptr ? Range{-sizes_[slot].most, sizes_[slot].most} : row->of_value;
 }

@@ -70,6 +70,8 @@ class Rounding {
 
   [[nodiscard]] const Remainder::Row* measured(Slot slot) const;
   [[nodiscard]] Range values(Slot slot) const;
+  /// What has no row is computed where the step begins, as the determinant of a mass matrix is.
+  [[nodiscard]] bool is_at_start_alone(Slot slot) const;
   [[nodiscard]] double least(Slot slot) const { return values(slot).least_magnitude(); }
   [[nodiscard]] double relative(Slot slot) const;
   /// sum_k |c_k| h^k of a result, or what it cannot exceed.

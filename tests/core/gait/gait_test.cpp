@@ -77,7 +77,7 @@ TEST(Gait, HasTheMultipliersOfTheSectionMapsDifferences) {
         parameters({{"m", random.real(0, 0.4)}, {"gamma", random.real(0.002, 0.05)}, {"g", 1}});
     SectionMap map(walker());
     map.set_parameters(given);
-    for (const Recurrence& candidate : search_gaits(map).candidates) {
+    for (const Recurrence& candidate : search_gaits(map, [](const Recurrence&) { return true; }).candidates) {
       const auto gait = polished(map, candidate);
       if (!gait) continue;
       Eigen::MatrixXd differences(map.size(), map.size());

@@ -1,0 +1,93 @@
+#include "core/closed/steady_modes.hpp"
+
+#include "core/closed/exact_roots.hpp"
+#include "core/closed/place_algebra.hpp"
+#include "core/closed/trial.hpp"
+#include "core/expr/rational_function.hpp"
+
+namespace qdot {
+namespace {
+
+/// e = slope p^2 + rest, over what does not depend on p.
+struct InSquares {
+  Expression slope, rest, below;
+};
+
+std::optional<InSquares> in_squares_of(const Expression& e, const Expression& p) {
+  Graph& graph = e.graph();
+  const RationalFunction f = rational_function(e);
+  const Expression below = to_expression(graph, f.below);
+  const auto parts = linear_in(graph, f.above, p, p, 2);
+  if (!parts || depends_on(below, p)) return std::nullopt;
+  return InSquares{to_expression(graph, parts->slope), to_expression(graph, parts->rest), below};
+}
+
+class ModeByPlace {
+ public:
+  ModeByPlace(const LinearMotions& motions, const ExactValues& values)
+      : motions_(motions),
+        values_(values),
+        graph_(*motions.graph),
+        x_(motions.x[0]),
+        p_(motions.momenta[0]),
+        force_(motions.forces[0]),
+        stiffness_(motions.stiffness[0][0]),
+        inertia_(motions.mass[0][0]) {}
+
+  [[nodiscard]] std::optional<ModeForms> forms() const {
+    const auto force = in_squares_of(force_, p_), stiffness = in_squares_of(stiffness_, p_);
+    if (!force || !stiffness || depends_on(inertia_, p_)) return std::nullopt;
+    const Expression above = stiffness->slope * force->rest - stiffness->rest * force->slope;
+    const Expression below = stiffness->below * force->slope * inertia_;
+    const std::vector<Expression> roots = roots_of(above, below, graph_.number(0), values_.sign_of());
+    if (roots.empty() || !holds(-force->rest / force->slope, roots[0])) return std::nullopt;
+    const int sign = values_.sign(roots[0]);
+    return sign == 0 ? std::nullopt : written(Number(sign) * roots[0], sign > 0);
+  }
+
+ private:
+  /// At other values of the parameters, too.
+  [[nodiscard]] bool holds(const Expression& square, const Expression& lambda) const {
+    Trial trial(values_, none_);
+    trial.set({x_}, {graph_.number(Number::real(values_.value(x_).value))});
+    trial.set({p_}, {sqrt(square)});
+    trial.vanishes(terms_of(force_));
+    trial.vanishes({stiffness_, -(inertia_ * lambda)});
+    return trial.passes();
+  }
+
+  [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const {
+    auto form = closed_form(values_, e, none_, {&x_, 1});
+    if (form) assume_signs(*form, values_, e, {&x_, 1});
+    return form;
+  }
+
+  [[nodiscard]] std::optional<ModeForms> written(const Expression& square, bool oscillates) const {
+    auto form = formula(square);
+    if (!form) return std::nullopt;
+    const auto root = [&](const Expression& e) {
+      return positive_root(graph_, rational_function(e), values_.sign_of());
+    };
+    ModeForms result{sqrt(square), oscillates, {*std::move(form), {}, {}, {}, {}, {}, {}}, {}};
+    result.form.rate = formula(root(square));
+    if (oscillates)
+      result.form.period = formula(Number(2) * graph_.symbol("pi") * root(graph_.number(1) / square));
+    return result;
+  }
+
+  const LinearMotions& motions_;
+  const ExactValues& values_;
+  const Relations none_;
+  Graph& graph_;
+  Expression x_, p_, force_, stiffness_, inertia_;
+};
+
+}  // namespace
+
+std::optional<ModeForms> mode_by_place(const LinearMotions& motions, const ExactValues& values) {
+  if (motions.x.size() != 1 || motions.momenta.size() != 1 || !motions.damping[0][0].is_zero())
+    return std::nullopt;
+  return ModeByPlace(motions, values).forms();
+}
+
+}  // namespace qdot
