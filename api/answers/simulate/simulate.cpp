@@ -3,11 +3,12 @@
 
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/simulate/extended.hpp"
+#include "api/answers/simulate/motion_diagnostics.hpp"
 #include "api/answers/simulate/request.hpp"
+#include "api/answers/simulate/stated_motion.hpp"
 #include "api/answers/simulate/terms.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/units_of.hpp"
-#include "core/motion/column_errors.hpp"
 
 namespace qdot::api {
 namespace {
@@ -77,6 +78,10 @@ class SimulationAnswer {
     }
   }
 
+  [[nodiscard]] StatedMotion stated() const {
+    return {request_, dynamics(), system_.state.parameters, measured_, grid_, columns_, table_, digits()};
+  }
+
   [[nodiscard]] const char* status() const { return result_.stop ? "stopped" : "complete"; }
 
   /// The trajectory row by row, as CSV or NDJSON; headers say how the motion ended.
@@ -88,7 +93,7 @@ class SimulationAnswer {
                       .body = csv ? to_csv(table_, digits()) : to_ndjson(table_, digits())};
     if (result_.stop) response.headers["X-Qdot-Stop"] = result_.stop->reason;
     if (!measured_.max_abs_error.empty()) {
-      std::string errors = to_text(stated_errors());
+      std::string errors = to_text(stated_errors(stated()));
       errors.pop_back();
       response.headers["X-Qdot-Max-Abs-Error"] = errors;
     }
@@ -108,10 +113,12 @@ class SimulationAnswer {
     }
     writer.member("units", with_units_of(scene(), Json{{"units", units_}})["units"]);
     if (writer.wants("events")) write_events(writer);
-    if (!result_.stays.empty()) writer.member("sticking", sticking_json(), digits());
-    if (scene().has_impacts() && request_.impacts) writer.member("strides", strides_json(), digits());
-    if (writer.wants("accuracy")) writer.member("accuracy", accuracy_json());
-    if (writer.wants("diagnostics")) writer.member("diagnostics", with_units_of(scene(), diagnostics_json()));
+    if (!result_.stays.empty()) writer.member("sticking", sticking_json(result_), digits());
+    if (scene().has_impacts() && request_.impacts)
+      writer.member("strides", strides_json(scene(), result_), digits());
+    if (writer.wants("accuracy")) writer.member("accuracy", accuracy_json(stated()));
+    if (writer.wants("diagnostics"))
+      writer.member("diagnostics", with_units_of(scene(), diagnostics_json(result_, measured_.evaluations)));
     writer.end_object();
     return {
         .status = 200, .content_type = "application/json", .headers = {}, .body = std::move(writer).finish()};
@@ -152,140 +159,6 @@ class SimulationAnswer {
       writer.value(json, digits());
     }
     writer.end_array();
-  }
-
-  [[nodiscard]] Json sticking_json() const {
-    Json array = Json::array();
-    for (const StayRecord& stay : result_.stays) {
-      array.push_back({{"where", stay.kink + " = 0"}, {"from", stay.from}, {"to", stay.to}});
-    }
-    return array;
-  }
-
-  [[nodiscard]] Json strides_json() const {
-    Json array = Json::array();
-    for (const SectionRecord& stride : result_.sections) {
-      array.push_back({{"t", stride.t},
-                       {"step_time", stride.duration},
-                       {"pre_impact", state_json(scene(), stride.before)},
-                       {"state", state_json(scene(), stride.after)}});
-    }
-    return array;
-  }
-
-  [[nodiscard]] Json accuracy_json() const {
-    Json json{{"method", record_of(result_.method).name}};
-    if (request_.h) {
-      json["h"] = *request_.h;
-      json["symplectic"] = result_.symplectic;
-    } else {
-      json["rtol"] = measured_.tolerances.rtol;
-      json["atol"] = measured_.tolerances.atol;
-    }
-    json["max_abs_error"] = nullptr;
-    json["horizon"] = nullptr;
-    std::string reason = measured_.reason;
-    if (measured_.max_abs_error.empty()) {
-      if (!request_.verify) reason = "The error was not measured, as 'verify' is false.";
-    } else {
-      json["max_abs_error"] = stated_errors();
-      if (measured_.horizon) json["horizon"] = *measured_.horizon;
-      if (!measured_.at_impacts.empty()) json["at_impacts"] = measured_.at_impacts;
-      json["verified_by"] = record_of(measured_.verified_by).name;
-      json["bounded"] = measured_.bounded;
-      if (!measured_.bounded && reason.empty()) reason = why_not_bounded();
-    }
-    if (measured_.meets_request) {
-      const bool rounded_away =
-          *measured_.meets_request && request_.max_error && !within(*request_.max_error, max_abs_errors());
-      json["meets_request"] = *measured_.meets_request && !rounded_away;
-      if (rounded_away) reason = "The digits asked for round more away than the error wanted.";
-    }
-    const std::string& doubt = measured_.events_in_doubt;
-    if (!doubt.empty()) reason += (reason.empty() ? "" : " ") + doubt;
-    if (!reason.empty()) json["reason"] = reason;
-    return json;
-  }
-
-  [[nodiscard]] const char* why_not_bounded() const {
-    if (result_.method != Method::taylor) {
-      return "The error was measured with a second computation, but the steps of this method have no bound of "
-             "what may happen between the places that they look at.";
-    }
-    return "The error was measured with a second computation, but for some steps no bound was found of what "
-           "may happen between the places that they look at.";
-  }
-
-  [[nodiscard]] static bool within(double wanted, const Json& errors) {
-    return std::all_of(errors.begin(), errors.end(),
-                       [&](const Json& e) { return e.get<double>() <= wanted; });
-  }
-
-  /// What `digits` rounds away is an error of the answer too.
-  [[nodiscard]] Json with_rounding(double error, const Column& column) const {
-    double lost = 0;
-    for (std::size_t i = 0; digits() != shortest_digits && i < column.values.size(); ++i) {
-      lost = std::max(lost, std::abs(rounded(column.values[i], digits()) - column.values[i]));
-    }
-    return stated_bound(error + lost, shortest_digits);
-  }
-
-  /// Of coordinates and velocities, in which an error is wanted.
-  [[nodiscard]] Json max_abs_errors() const {
-    Json json = Json::object();
-    for (std::size_t k = 0; k < measured_.max_abs_error.size(); ++k) {
-      json[table_[1 + k].name] = with_rounding(measured_.max_abs_error[k], table_[1 + k]);
-    }
-    return json;
-  }
-
-  /// The same and what these errors make of the other columns.
-  [[nodiscard]] Json stated_errors() const {
-    Json json = max_abs_errors();
-    const RowsWithErrors rows{.t = grid_, .states = result_.states, .errors = measured_.max_abs_error};
-    const auto others = std::span(table_).subspan(1 + measured_.max_abs_error.size());
-    std::vector<std::span<const double>> values;
-    for (const Column& column : others) values.push_back(column.values);
-    const std::vector<double> errors =
-        column_errors(dynamics(), columns_, system_.state.parameters, rows, values);
-    for (std::size_t k = 0; k < errors.size(); ++k) {
-      if (std::isfinite(errors[k])) json[others[k].name] = with_rounding(errors[k], others[k]);
-    }
-    return json;
-  }
-
-  [[nodiscard]] Json diagnostics_json() const {
-    Json conserved = Json::array();
-    for (const ConservedRecord& record : result_.conserved) {
-      Json entry{{"name", record.name},
-                 {"unit", record.unit},
-                 {"initial", record.initial},
-                 {"max_abs_drift", record.max_abs_drift}};
-      if (record.max_rel_drift) {
-        entry["max_rel_drift"] = *record.max_rel_drift;
-      } else {
-        entry["max_rel_drift"] = nullptr;
-        entry["reason"] = "The initial value is 0.";
-      }
-      conserved.push_back(std::move(entry));
-    }
-    Json json{{"conserved", std::move(conserved)}};
-    if (!result_.constraints.empty()) json["constraints"] = constraints_json();
-    json["steps"] = result_.steps;
-    json["rhs_evaluations"] = result_.evaluations;
-    json["total_evaluations"] = measured_.evaluations;
-    return json;
-  }
-
-  [[nodiscard]] Json constraints_json() const {
-    Json array = Json::array();
-    for (const ConstraintRecord& record : result_.constraints) {
-      Json entry{{"name", record.name}};
-      if (record.max_abs_value) entry["max_abs_value"] = *record.max_abs_value;
-      entry["max_abs_rate"] = record.max_abs_rate;
-      array.push_back(std::move(entry));
-    }
-    return array;
   }
 
   const SimulateRequest& request_;
