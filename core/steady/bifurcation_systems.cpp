@@ -1,17 +1,15 @@
 #include "core/steady/bifurcation_systems.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/linear.hpp"
-#include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/steady/exponential_form.hpp"
 #include "core/steady/factors.hpp"
-#include "core/steady/growing_oscillations.hpp"
+#include "core/steady/fold_condition.hpp"
+#include "core/steady/growth_condition.hpp"
 #include "core/steady/linear_unknowns.hpp"
 #include "core/steady/numerator.hpp"
 #include "core/steady/search_region.hpp"
@@ -46,16 +44,21 @@ class SystemsDerivation {
       numerators.push_back(simplify(numerator_of(g, all_x_)));
     }
     leave_out_linear(numerators);
-    if (forces_.charts.empty()) find_growth();
+    if (forces_.charts.empty()) {
+      growth_ = derive_growth_condition(reduction_, forces_, graph_, all_x_, by_those_left_);
+      result_.growth_is_collision = growth_.is_collision;
+      result_.growth_is_unknown = growth_.is_unknown;
+    }
     for (const Expression& numerator : numerators) factors_.push_back(factors_of(numerator));
-    if (result_.depends || (growth_ && depends_on(*growth_, p_))) {
+    if (result_.depends || (growth_.condition && depends_on(*growth_.condition, p_))) {
       combine({}, 0, factors_.size());
       for (std::size_t i = 0; i < factors_.size(); ++i) add_meetings(i);
     }
     std::vector<Expression> slopes;
     for (const Expression& e : vanishing_) slopes.push_back(differentiate(e, p_));
     std::vector<Expression> square;
-    if (!result_.growth.empty() && square_ && knows_all(*square_)) square.push_back(*square_);
+    if (!result_.growth.empty() && growth_.square && knows_all(*growth_.square))
+      square.push_back(*growth_.square);
     result_.square = compiled(square);
     result_.vanishing = compiled(vanishing_);
     result_.vanishing_slopes = compiled(slopes);
@@ -84,67 +87,14 @@ class SystemsDerivation {
       by_those_left_.emplace_back(all_x_[forces_.unknowns[k]], left.values[k]);
   }
 
-  /// de_i/dv_j at rest, where the unknowns are what is left of them.
-  [[nodiscard]] Matrix slopes_at_rest(const std::vector<Expression>& e,
-                                      const std::vector<Expression>& variables) const {
-    Matrix result;
-    for (const Expression& row : e) {
-      result.emplace_back();
-      for (const Expression& v : variables)
-        result.back().push_back(
-            simplify(substitute(substitute(differentiate(row, v), at_rest_), by_those_left_)));
-    }
-    return result;
-  }
-
-  void find_growth() try {
-    std::vector<Expression> equations, x_dot, x_ddot, g;
-    for (std::size_t i = 0; i < reduction_.x.size(); ++i) {
-      equations.push_back(graph_.adopt(reduction_.equations[i]));
-      x_dot.push_back(graph_.adopt(reduction_.x_dot[i]));
-      x_ddot.push_back(graph_.adopt(reduction_.x_ddot[i]));
-      g.push_back(graph_.adopt(forces_.rest[i]));
-      for (const Expression& rate : {x_dot.back(), x_ddot.back()})
-        at_rest_.emplace_back(rate, graph_.number(0));
-    }
-    if (equations.size() > largest_written_system) {
-      result_.growth_is_unknown = !forces_.symmetric || !rest_without_rates(equations, x_dot);
-      return;
-    }
-    const Matrix rates = slopes_at_rest(equations, x_dot);
-    const auto vanishes = [](const std::vector<Expression>& row) {
-      return std::ranges::all_of(row, &Expression::is_zero);
-    };
-    if (forces_.symmetric && std::ranges::all_of(rates, vanishes)) return;
-    const auto found =
-        growing_oscillations(slopes_at_rest(equations, x_ddot), rates, slopes_at_rest(g, all_x_));
-    if (!found) return;
-    growth_ = simplify(numerator_of(simplify(found->condition), all_x_));
-    result_.growth_is_collision = found->is_collision;
-    if (found->square) square_ = simplify(*found->square);
-  } catch (const Error& error) {  // the algebra grows too large
-    if (error.code() != ErrorCode::too_large) throw;
-    growth_.reset();
-    result_.growth_is_unknown = true;
-  }
-
-  /// No equation has a term that is linear in a velocity, as its derivatives at rest show without algebra.
-  [[nodiscard]] bool rest_without_rates(const std::vector<Expression>& equations,
-                                        const std::vector<Expression>& x_dot) const {
-    return std::ranges::all_of(equations, [&](const Expression& e) {
-      return std::ranges::all_of(
-          x_dot, [&](const Expression& v) { return substitute(differentiate(e, v), at_rest_).is_zero(); });
-    });
-  }
-
   /// Of a family of equilibria. What one of its factors is itself is 0.
   void add_growth(std::vector<Expression> f) {
-    if (!growth_) return;
+    if (!growth_.condition) return;
     std::vector<Replacement> zeros;
     for (const Expression& fi : f) {
       if (std::ranges::find(x_, fi) != x_.end()) zeros.emplace_back(fi, graph_.number(0));
     }
-    const Expression condition = simplify(substitute(*growth_, zeros));
+    const Expression condition = simplify(substitute(*growth_.condition, zeros));
     if (condition.is_zero() || !knows_all(condition)) return;
     for (const Factor& factor : factors_along(condition, p_)) {
       // Frequencies with a repeated factor pass each other.
@@ -170,17 +120,12 @@ class SystemsDerivation {
     }
     result_.slopes = compiled(slopes);
     for (const Exponential w : {Exponential::rising, Exponential::falling}) add_nested(numerators, w);
-    if (x_.size() > 1) return add_mirrors(numerators);
+    if (x_.size() > 1) result_.mirrors = mirrors_of(numerators, x_);
     if (x_.size() != 1 || numerators.size() != 1) return;
     const Expression second = simplify(differentiate(slopes[0], x_[0]));
     result_.higher =
         compiled({second, simplify(differentiate(slopes[0], p_)), simplify(differentiate(second, x_[0]))});
-    std::vector<Expression> centres;
-    for (const Expression& centre : candidates(numerators[0])) {
-      const std::vector<Replacement> reflection{{x_[0], Number(2) * centre - x_[0]}};
-      const bool odd = simplify(substitute(numerators[0], reflection) + numerators[0]).is_zero();
-      if (odd && std::ranges::find(centres, centre) == centres.end()) centres.push_back(centre);
-    }
+    std::vector<Expression> centres = centres_of_reflection(numerators[0], factors_[0], variables_);
     if (forces_.turns[result_.unknowns[0]]) {  // half a turn on, the reflection is the same
       const std::vector<Expression> found = centres;
       for (const Expression& centre : found) centres.push_back(centre + graph_.symbol("pi"));
@@ -196,50 +141,6 @@ class SystemsDerivation {
       for (const Expression& v : variables_) slopes.push_back(simplify(differentiate(e, v)));
     }
     result_.nested.push_back({compiled(nested), compiled(slopes)});
-  }
-
-  /// 0, where a factor that is linear in x vanishes, and the middle of the roots of a polynomial in x.
-  std::vector<Expression> candidates(const Expression& numerator) {
-    std::vector<Expression> found{graph_.number(0)};
-    for (const Expression& f : factors_[0]) add_zero_of(f, found);
-    constexpr int highest_degree = 8;
-    Expression derivative = numerator;
-    for (int k = 0; k < highest_degree && !add_zero_of(derivative, found); ++k)
-      derivative = simplify(differentiate(derivative, x_[0]));
-    return found;
-  }
-
-  /// Where f vanishes, if it is linear in x and that is the same for every p.
-  bool add_zero_of(const Expression& f, std::vector<Expression>& found) {
-    const Expression slope = simplify(differentiate(f, x_[0]));
-    if (slope.is_zero()) return true;
-    if (depends_on(slope, x_)) return false;
-    const std::vector<Replacement> origin{{x_[0], graph_.number(0)}};
-    const Expression centre = simplify(Number(-1) * substitute(f, origin) / slope);
-    if (!depends_on(centre, variables_)) found.push_back(centre);
-    return true;
-  }
-
-  void add_mirrors(const std::vector<Expression>& numerators) {
-    constexpr std::size_t most = 3;
-    if (x_.size() > most) return;
-    for (std::size_t set = 1; set < (std::size_t{1} << x_.size()); ++set) {
-      std::vector<Replacement> reflection;
-      BifurcationSystems::Mirror mirror;
-      for (std::size_t j = 0; j < x_.size(); ++j) {
-        if ((set >> j & 1U) == 0) continue;
-        reflection.emplace_back(x_[j], -x_[j]);
-        mirror.turned.push_back(j);
-      }
-      bool same = true;
-      for (std::size_t i = 0; same && i < numerators.size(); ++i) {
-        const Expression image = substitute(numerators[i], reflection);
-        const bool even = simplify(image - numerators[i]).is_zero();
-        if (even) mirror.even.push_back(i);
-        same = even || simplify(image + numerators[i]).is_zero();
-      }
-      if (same) result_.mirrors.push_back(std::move(mirror));
-    }
   }
 
   /// Those that depend on x; what depends on p alone is kept apart.
@@ -264,58 +165,10 @@ class SystemsDerivation {
     return result;
   }
 
-  /// df/dx of one unknown that is no angle, where f = a + p^n b: b a' - a b' = b df/dx - b' f, which knows
-  /// nothing of p, so that a search far out, where forces are small, does not depend on how small p is.
-  Expression without_parameter(const std::vector<Expression>& f, const Expression& slope) {
+  /// df/dx, or what stands for it of one unknown that is no angle.
+  Expression fold_of(const std::vector<Expression>& f, const Expression& slope) {
     if (f.size() != 1 || forces_.turns[result_.unknowns[0]] || !depends_on(slope, p_)) return slope;
-    std::map<int, Polynomial> parts;
-    for (const auto& [monomial, coefficient] : multiplied_out(f[0])) {
-      const int power = exponent_of(monomial, p_.id());
-      const Monomial rest = times(monomial, p_.id(), -power);
-      if (depends_on(to_expression(graph_, rest), p_)) return slope;
-      qdot::add(parts[power], rest, coefficient);
-    }
-    if (parts.size() != 2 || parts.begin()->first != 0) return slope;
-    const Polynomial &first = parts.begin()->second, &last = parts.rbegin()->second;
-    if (!have_no_common_zero(first, last)) return slope;
-    const Expression a = to_expression(graph_, first), b = to_expression(graph_, last);
-    return simplify(numerator_of(b * differentiate(a, x_[0]) - a * differentiate(b, x_[0]), all_x_));
-  }
-
-  /// l^2 + x^2 with a term that knows nothing of x: parameters that are 0 are not in it.
-  [[nodiscard]] bool is_sum_of_squares(const Expression& e) {
-    if (!std::holds_alternative<Sum>(e.node())) return false;
-    const Polynomial terms = multiplied_out(e);
-    const auto is_square = [](const auto& term) {
-      return !term.second.is_negative() &&
-             std::ranges::all_of(term.first, [](const Atom& a) { return a.q == 1 && a.p % 2 == 0; });
-    };
-    return std::ranges::all_of(terms, is_square) && std::ranges::any_of(terms, [&](const auto& term) {
-             return !depends_on(to_expression(graph_, term.first), x_);
-           });
-  }
-
-  /// Where both vanish, f does for every p. b is one product: of what cannot vanish, or a power of x beside a
-  /// polynomial a that has a term without x.
-  [[nodiscard]] bool have_no_common_zero(const Polynomial& a, const Polynomial& b) {
-    if (b.size() != 1) return false;
-    const auto is_positive = [&](const Expression& e) {
-      const auto* call = std::get_if<Call>(&e.node());
-      return !depends_on(e, x_) || is_sum_of_squares(e) ||
-             (call != nullptr && (call->function == Function::exp || call->function == Function::cosh));
-    };
-    const auto all_are = [&](const Monomial& monomial, const auto& wanted) {
-      return std::ranges::all_of(monomial,
-                                 [&](const Atom& atom) { return wanted(Expression(graph_, atom.base)); });
-    };
-    const Monomial& product = b.begin()->first;
-    if (all_are(product, is_positive)) return true;
-    const auto is_power = [&](const Expression& e) { return e == x_[0] || is_positive(e); };
-    const auto is_symbolic = [&](const Expression& e) { return e == x_[0] || !depends_on(e, x_); };
-    const auto knows_nothing_of_x = [&](const Expression& e) { return !depends_on(e, x_); };
-    return all_are(product, is_power) &&
-           std::ranges::all_of(a, [&](const auto& term) { return all_are(term.first, is_symbolic); }) &&
-           std::ranges::any_of(a, [&](const auto& term) { return all_are(term.first, knows_nothing_of_x); });
+    return fold_without_parameter(f[0], x_[0], p_, all_x_).value_or(slope);
   }
 
   void add_fold(std::vector<Expression> f) {
@@ -324,7 +177,7 @@ class SystemsDerivation {
       jacobian.emplace_back();
       for (const Expression& x : x_) jacobian.back().push_back(differentiate(fi, x));
     }
-    const Expression all = without_parameter(f, simplify(determinant(jacobian)));
+    const Expression all = fold_of(f, simplify(determinant(jacobian)));
     if (all.is_zero()) return;
     const std::vector<Factor> factors = factors_along(all, p_);
     Expression constant = graph_.number(1);  // it may be zero for some parameters
@@ -395,8 +248,8 @@ class SystemsDerivation {
   Expression p_;
   std::vector<std::vector<Expression>> factors_;  ///< of each force
   std::vector<Expression> vanishing_;
-  std::vector<Replacement> at_rest_, by_those_left_;
-  std::optional<Expression> growth_, square_;
+  std::vector<Replacement> by_those_left_;
+  GrowthCondition growth_;
   BifurcationSystems result_;
 };
 

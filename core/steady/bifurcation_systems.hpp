@@ -13,6 +13,7 @@
 
 #include <vector>
 
+#include "core/steady/reflections.hpp"
 #include "core/steady/steady_forces.hpp"
 
 namespace qdot {
@@ -54,12 +55,7 @@ struct BifurcationSystems {
   /// Centres of reflections that turn N into -N, whatever p: functions without variables that matter. Of one
   /// unknown.
   CompiledFunction centres;
-  /// Of several unknowns.
-  struct Mirror {
-    std::vector<std::size_t> turned;  ///< unknowns whose signs change together without changing what vanishes
-    std::vector<std::size_t> even;    ///< numerators that stay the same; the others change their signs
-  };
-  std::vector<Mirror> mirrors;
+  std::vector<Mirror> mirrors;  ///< of several unknowns
 };
 
 /// `place`: which of the reduction's constants p is. Throws Error(not_applicable) for too many systems.

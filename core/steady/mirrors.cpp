@@ -10,7 +10,7 @@ namespace {
 
 /// The derivatives of the even forces along the unknowns that keep their signs have a determinant other
 /// than 0 everywhere in the enclosure; at most two of each.
-bool is_regular_along(const BifurcationSystems::Mirror& mirror, const SteadyProblem& problem,
+bool is_regular_along(const Mirror& mirror, const SteadyProblem& problem,
                       const BifurcationSystems& systems, const CriticalZero& here) {
   const std::size_t n = here.x.size();
   std::vector<std::size_t> kept_signs;
@@ -33,7 +33,7 @@ bool is_regular_along(const BifurcationSystems::Mirror& mirror, const SteadyProb
 }  // namespace
 
 bool is_on_mirror(const SteadyProblem& problem, const BifurcationSystems& systems, const CriticalZero& here) {
-  return std::ranges::any_of(systems.mirrors, [&](const BifurcationSystems::Mirror& mirror) {
+  return std::ranges::any_of(systems.mirrors, [&](const Mirror& mirror) {
     const bool on_it = std::ranges::all_of(mirror.turned, [&](std::size_t j) {
       const bool turns = problem.forces->turns[systems.unknowns[j]];
       return here.x[j].contains(0.0) || (turns && here.x[j].contains(std::numbers::pi));

@@ -1,0 +1,74 @@
+#include "core/steady/reflections.hpp"
+
+#include <algorithm>
+
+#include "core/expr/calculus.hpp"
+#include "core/expr/simplify.hpp"
+
+namespace qdot {
+namespace {
+
+/// Where f vanishes, if it is linear in x, the first of the variables, and that is the same for every p.
+/// False where it is not linear.
+bool add_zero_of(const Expression& f, std::span<const Expression> variables, std::vector<Expression>& found) {
+  const Expression& x = variables[0];
+  const Expression slope = simplify(differentiate(f, x));
+  if (slope.is_zero()) return true;
+  if (depends_on(slope, x)) return false;
+  const std::vector<Replacement> origin{{x, x.graph().number(0)}};
+  const Expression centre = simplify(Number(-1) * substitute(f, origin) / slope);
+  if (!depends_on(centre, variables)) found.push_back(centre);
+  return true;
+}
+
+/// 0, where a factor that is linear in x vanishes, and the middle of the roots of a polynomial in x.
+std::vector<Expression> candidates(const Expression& numerator, std::span<const Expression> factors,
+                                   std::span<const Expression> variables) {
+  std::vector<Expression> found{numerator.graph().number(0)};
+  for (const Expression& f : factors) add_zero_of(f, variables, found);
+  constexpr int highest_degree = 8;
+  Expression derivative = numerator;
+  for (int k = 0; k < highest_degree && !add_zero_of(derivative, variables, found); ++k)
+    derivative = simplify(differentiate(derivative, variables[0]));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Expression> centres_of_reflection(const Expression& numerator,
+                                              std::span<const Expression> factors,
+                                              std::span<const Expression> variables) {
+  const Expression& x = variables[0];
+  std::vector<Expression> centres;
+  for (const Expression& centre : candidates(numerator, factors, variables)) {
+    const std::vector<Replacement> reflection{{x, Number(2) * centre - x}};
+    const bool odd = simplify(substitute(numerator, reflection) + numerator).is_zero();
+    if (odd && std::ranges::find(centres, centre) == centres.end()) centres.push_back(centre);
+  }
+  return centres;
+}
+
+std::vector<Mirror> mirrors_of(std::span<const Expression> numerators, std::span<const Expression> x) {
+  constexpr std::size_t most = 3;
+  std::vector<Mirror> mirrors;
+  for (std::size_t set = 1; x.size() <= most && set < (std::size_t{1} << x.size()); ++set) {
+    std::vector<Replacement> reflection;
+    Mirror mirror;
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      if ((set >> j & 1U) == 0) continue;
+      reflection.emplace_back(x[j], -x[j]);
+      mirror.turned.push_back(j);
+    }
+    bool same = true;
+    for (std::size_t i = 0; same && i < numerators.size(); ++i) {
+      const Expression image = substitute(numerators[i], reflection);
+      const bool even = simplify(image - numerators[i]).is_zero();
+      if (even) mirror.even.push_back(i);
+      same = even || simplify(image + numerators[i]).is_zero();
+    }
+    if (same) mirrors.push_back(std::move(mirror));
+  }
+  return mirrors;
+}
+
+}  // namespace qdot
