@@ -109,9 +109,12 @@ void ExtendedStepper::interpolate(const DoubleDouble& t, std::span<DoubleDouble>
 }
 
 MotionPiece ExtendedStepper::polynomials() {
-  rows_.resize(coefficients_.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = coefficients_[i].high;
-  return {t_previous_.high, last_step_, rows_, order_, {}, {}};
+  const unsigned order = std::min(order_, system_.highest_in_doubles);
+  rows_.clear();
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    for (const DoubleDouble& x : row(coefficients_, i).first(order + 1)) rows_.push_back(x.high);
+  }
+  return {t_previous_.high, last_step_, rows_, order, {}, {}};
 }
 
 std::span<const double> ExtendedStepper::rounded() {
