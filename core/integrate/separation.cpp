@@ -55,6 +55,8 @@ void Separation::follow(const MotionPiece& step, std::span<const double> terms) 
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   project(step.t);
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
+  const bool are_together = std::ranges::all_of(e_, [](double e) { return e == 0; });
+  if (scale_ == Scale::enlarged && are_together) return;  // series would differ by last digits alone
   place_beside();
   take_rise(step);
   for (std::size_t i = 0; i < e_.size(); ++i) move_to(i, e_[i] + rise_[i] / factor_);
