@@ -281,8 +281,10 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   const std::size_t n = request.y_start.size();
   std::vector<double> passed(n), terms(n);
   std::optional<Separation> separation;
+  const bool is_full = system.first_in_doubles > request.order;
   if (system.in_doubles.expansion)
-    separation.emplace(system.in_doubles, std::vector<double>(n), Separation::Scale::enlarged);
+    separation.emplace(system.in_doubles, std::vector<double>(n),
+                       is_full ? Separation::Scale::by_largest : Separation::Scale::enlarged);
   const auto sample = [&] {
     for (std::size_t k = 0; k < n; ++k) passed[k] = std::max(passed[k], std::abs(stepper.y()[k].high));
     for (; run.rows < grid.size() && !is_before(stepper.t(), grid[run.rows]); ++run.rows) {

@@ -54,8 +54,16 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
   const auto expansion = std::make_shared<TaylorExpansion>(accelerations, rounded(request.parameters));
   system.hidden = hidden_of(expansion);
   if (!request.follow_rounding) return;
-  system.rounding = [expansion](std::span<double> of_doubles, std::span<double> of_double_doubles) {
+  const auto length = std::make_shared<double>();
+  system.hidden = [hidden = system.hidden, length](double t, std::span<const double> y, double h,
+                                                   std::span<const double> allowed) {
+    *length = h;
+    return hidden(t, y, h, allowed);
+  };
+  system.rounding = [expansion, length, defect = std::vector<double>(request.y_start.size())](
+                        std::span<double> of_doubles, std::span<double> of_double_doubles) mutable {
     std::ranges::fill(of_doubles, 0.0);
+    expansion->bound_defect(*length, {}, defect);  // the closest ranges that there are
     expansion->bound_rounding(of_double_doubles, taylor::half_unit_of_double_doubles);
   };
   system.in_doubles = in_doubles(accelerations, request.parameters);

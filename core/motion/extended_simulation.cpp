@@ -140,8 +140,8 @@ class ExtendedLadder {
           difference = std::max(difference, std::abs((y - other).high));
         }
         const double in_forces = first.apart[i * width + k];
-        error[k] = std::max(error[k], caution * difference + common_round_off * of_rows[k] + by_instant[k] +
-                                          safety_of_differences * in_forces);
+        error[k] = std::max(error[k],
+                            caution * difference + common_round_off * of_rows[k] + by_instant[k] + in_forces);
         is_lost = is_lost || difference > 1e-3 * scale[k];
       }
       lost_ = lost_ || is_lost;

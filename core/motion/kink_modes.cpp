@@ -372,8 +372,7 @@ void KinkModes::put_on(std::size_t kink, const Sides& sides, double t, std::vect
     const std::span<double> q(y.data(), n), v(y.data() + n, n);
     double size = std::abs(of_kink[1] * t);
     for (std::size_t k = 0; k < 2 * n; ++k) size += std::abs(of_kink[2 + k] * y[k]);
-    const double u =
-        std::abs(of_kink[0]) > round_off * size ? exact_argument(kink, sides, t, y) : of_kink[0];
+    const double u = std::abs(of_kink[0]) > round_off * size ? exact_argument(kink, sides, t, y) : of_kink[0];
     if (norm(by_v) > 0) {
       move_by(u, by_v, v);
     } else if (norm(by_q) > 0) {

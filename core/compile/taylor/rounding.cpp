@@ -289,9 +289,14 @@ Rounding::Size Rounding::function(const Instruction& instruction, Slot x) const 
     }
     case Function::tan:
       return with_slope(1 + w * w, 2 * of_functions() * w * (1 + w));
-    case Function::tanh:
-    case Function::atan:
-      return with_slope(1, 2 * of_functions() * (1 + w));
+    case Function::tanh: {
+      const double cosh = evaluate(Function::cosh, std::max(0.0, least(x) - e));
+      return with_slope(1 / (cosh * cosh), 2 * of_functions() * (1 + w));
+    }
+    case Function::atan: {
+      const double nearest = std::max(0.0, least(x) - e);
+      return with_slope(1 / (1 + nearest * nearest), 2 * of_functions() * (1 + w));
+    }
     case Function::sinh: {
       const double of_steep = growth(2 * e) + 2 * of_functions();  // |coth| < 2 where |x| > 1
       const double error = (1 + w) * growth(e) + 2 * of_functions() * (1 + w);
