@@ -24,7 +24,8 @@ def square(u, large, level):
 
 class RoundedInstants(Service):
     def motion(self, scene, initial, **more):
-        return strict_json(self.post("simulate", {"system": scene, "initial": initial, "t_end": 1, "samples": 2, **more}).data)
+        request = {"system": scene, "initial": initial, "t_end": 1, "samples": 2, **more}
+        return strict_json(self.post("simulate", request).data)
 
     def judge(self, value, error, truth, where):
         if error is not None:
@@ -49,6 +50,15 @@ class RoundedInstants(Service):
                         told += event["error"] is not None
                         self.judge(event["t"], event["error"], true, (u, large, goal, event))
         self.assertGreater(told, 24)
+
+    def test_an_event_that_is_all_rounding_is_told_to_be(self):
+        oscillation = lagrangian("oscillation", "", "x - 1 0", "x_dot^2/2 - x^2/2")
+        for large, is_told in (("1e4", False), ("4.56e9", True), ("2.07e8", True)):
+            for goal in [*GOALS, {"max_error": 1e-13}, {"method": "gauss", "h": 0.01}]:
+                answer = self.motion(oscillation, {"x": 1, "x_dot": 0}, events=[square("x", large, "0.25") + "=0"], **goal)
+                self.assertIs("rounded by as much as it changes" in answer["accuracy"].get("reason", ""), is_told, (large, goal))
+        answer = self.motion(oscillation, {"x": 0.3, "x_dot": 0}, t_end=2*3.141592653589793, events=["x=0.3"])
+        self.assertNotIn("rounded by", answer["accuracy"].get("reason", ""))
 
     def test_a_bounce_is_as_uncertain_as_its_distance_is_rounded(self):
         """At y = 1/4 from y = 1 - t; then y = t - 1/2."""
