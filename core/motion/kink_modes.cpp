@@ -274,7 +274,9 @@ void KinkModes::refine(const Change& change, std::vector<double>& move) {
     }
   }
   series_.erase(change.after);
-  if (std::ranges::all_of(better, [](double x) { return std::isfinite(x); })) move = std::move(better);
+  const bool is_near = std::abs(s - change.s) <= std::abs(change.s);
+  if (is_near && std::ranges::all_of(better, [](double x) { return std::isfinite(x); }))
+    move = std::move(better);
 }
 
 /// All combinations for the active kinks.
