@@ -119,6 +119,13 @@ void ApartAlong::add(const Run& done) {
   for (std::size_t i = 0; i < width; ++i) reached_[i] = std::max(reached_[i], now_.reached[i]);
 }
 
+std::vector<double> ApartAlong::at_end() const {
+  std::vector<double> apart;
+  for (std::size_t i = 0; i < now_.by_truncation.size(); ++i)
+    apart.push_back(std::abs(now_.by_truncation[i]) + std::abs(now_.by_rounding[i]) / OwnErrors::enlarged);
+  return apart;
+}
+
 void ApartAlong::pass(SectionEnd end) {
   if (!is_wanted_) return;
   end.reached = reached_;

@@ -46,6 +46,8 @@ class ApartAlong {
     std::vector<double> all, by_rounding;
   };
   [[nodiscard]] Rows take_rows() { return std::move(rows_); }
+  /// Of each component, where the last run ended; empty where it is not wanted.
+  [[nodiscard]] std::vector<double> at_end() const;
 
  private:
   bool is_wanted_;

@@ -48,6 +48,7 @@ class Simulator {
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
     result_.unseen = unseen_.take_rows();
+    result_.apart_at_end = apart_.at_end();
     auto [apart, by_rounding] = apart_.take_rows();
     result_.apart = std::move(apart);
     result_.apart_by_rounding = std::move(by_rounding);
