@@ -192,6 +192,11 @@ double Watch::rounding(double t, std::span<const double> y) const {
   return values.upper - values.lower;
 }
 
+double Watch::own_rounding(double t, std::span<const double> y) const {
+  const Interval values = enclosure(t, std::vector<Interval>(y.begin(), y.end()));
+  return values.upper - values.lower;
+}
+
 EventFunction Watch::event() const {
   return {value, series, direction, kind != Kind::event, kind == Kind::impact, condition};
 }

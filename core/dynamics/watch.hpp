@@ -38,6 +38,8 @@ struct Watch {
 
   /// How far values at a state that was rounded may be from each other, by their enclosure.
   [[nodiscard]] double rounding(double t, std::span<const double> y) const;
+  /// How far the value at a state may be rounded itself.
+  [[nodiscard]] double own_rounding(double t, std::span<const double> y) const;
   [[nodiscard]] EventFunction event() const;
 };
 

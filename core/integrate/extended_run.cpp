@@ -109,9 +109,12 @@ void ExtendedStepper::interpolate(const DoubleDouble& t, std::span<DoubleDouble>
 }
 
 MotionPiece ExtendedStepper::polynomials() {
-  rows_.resize(coefficients_.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = coefficients_[i].high;
-  return {t_previous_.high, last_step_, rows_, order_, {}, {}};
+  const unsigned order = std::min(order_, system_.highest_in_doubles);
+  rows_.clear();
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    for (const DoubleDouble& x : row(coefficients_, i).first(order + 1)) rows_.push_back(x.high);
+  }
+  return {t_previous_.high, last_step_, rows_, order, {}, {}};
 }
 
 std::span<const double> ExtendedStepper::rounded() {
@@ -278,8 +281,10 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   const std::size_t n = request.y_start.size();
   std::vector<double> passed(n), terms(n);
   std::optional<Separation> separation;
+  const bool is_full = system.first_in_doubles > request.order;
   if (system.in_doubles.expansion)
-    separation.emplace(system.in_doubles, std::vector<double>(n), Separation::Scale::enlarged);
+    separation.emplace(system.in_doubles, std::vector<double>(n),
+                       is_full ? Separation::Scale::by_largest : Separation::Scale::enlarged);
   const auto sample = [&] {
     for (std::size_t k = 0; k < n; ++k) passed[k] = std::max(passed[k], std::abs(stepper.y()[k].high));
     for (; run.rows < grid.size() && !is_before(stepper.t(), grid[run.rows]); ++run.rows) {

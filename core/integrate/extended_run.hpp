@@ -41,6 +41,7 @@ struct ExtendedSystem {
   /// The equations in doubles, where it is wanted what the motion makes of the rounding of those
   /// coefficients.
   RightHandSide in_doubles{};
+  unsigned highest_in_doubles{~0U};  ///< order of their series
   /// The defect of the equation at the end of a step that rounding explains, relative to y'.
   double round_off{1e-28};
 };

@@ -55,6 +55,8 @@ void Separation::follow(const MotionPiece& step, std::span<const double> terms) 
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   project(step.t);
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
+  const bool are_together = std::ranges::all_of(e_, [](double e) { return e == 0; });
+  if (scale_ != Scale::as_it_is && are_together) return;  // series would differ by last digits alone
   place_beside();
   take_rise(step);
   for (std::size_t i = 0; i < e_.size(); ++i) move_to(i, e_[i] + rise_[i] / factor_);
@@ -88,12 +90,24 @@ void Separation::place_beside() {
     for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = beside(y_[i], e_[i]);
     return;
   }
-  double part = 0;
-  for (std::size_t i = 0; i < e_.size(); ++i) {
-    if (e_[i] != 0) part = std::max(part, std::abs(e_[i]) / size_[i]);
-  }
+  const double part = part_of_size();
   factor_ = part > 0 && std::isfinite(part) ? std::max(1.0, enlarged / part) : 1;
   for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = y_[i] - factor_ * e_[i];
+}
+
+/// The largest part that e is of what components have reached.
+double Separation::part_of_size() const {
+  const std::size_t n = e_.size() / 2;
+  double part = 0;
+  for (std::size_t begin = 0; begin < e_.size(); begin += n) {
+    const auto sizes = std::span(size_).subspan(begin, n);
+    const double largest = *std::ranges::max_element(sizes);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double size = scale_ == Scale::by_largest ? largest : sizes[i];
+      if (e_[begin + i] != 0) part = std::max(part, std::abs(e_[begin + i]) / size);
+    }
+  }
+  return part;
 }
 
 /// By series of the order that does, as the step before tells, or else of the step's own.

@@ -26,8 +26,9 @@ class Separation {
  public:
   /// What series in doubles differ by.
   enum class Scale {
-    as_it_is,  ///< e, and the last digits that are rounded otherwise
-    enlarged   ///< e times so much that these do not count
+    as_it_is,   ///< e, and the last digits that are rounded otherwise
+    enlarged,   ///< e times so much that these do not count
+    by_largest  ///< likewise, as the largest coordinates and velocities are, for e far below all last digits
   };
   /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
@@ -48,6 +49,7 @@ class Separation {
  private:
   void project(double t);
   void place_beside();
+  [[nodiscard]] double part_of_size() const;
   void take_rise(const MotionPiece& step);
   [[nodiscard]] unsigned rise(const MotionPiece& step, unsigned order);
   void move_to(std::size_t i, double e);

@@ -15,6 +15,8 @@ constexpr double looked_at =
     1e-6;  ///< of the largest component: e is looked at so large, or as it is if larger
 constexpr double farthest_to_event = 0.1;  ///< as far as the other may go until it meets the event
 constexpr int looks = 3;                   ///< at where that is
+constexpr double longer = 10;              ///< times a time in which a rounded g tells no slope
+constexpr double last_places = 16;         ///< of an instant, which rounding of the motion counts
 
 std::vector<double> along(const std::vector<double>& y, double factor, std::span<const double> direction) {
   std::vector<double> result = y;
@@ -62,6 +64,20 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
   return std::ranges::all_of(result, [](double x) { return std::isfinite(x); }) ? result : end.reached;
 }
 
+double rounding_of_instant(const SectionEnd& end) {
+  if (end.rounding == 0) return 0;
+  const double shortest = short_time(end);
+  for (double tau = shortest; tau < farthest_to_event / looked_at * shortest; tau *= longer) {
+    const auto g_after = [&](double later) {
+      return end.g(end.t + later, along(end.before, later, end.slopes_before));
+    };
+    const double slope = (std::abs(g_after(tau) - g_after(-tau)) - 2 * end.rounding) / (2 * tau);
+    const double off = end.rounding / slope;
+    if (slope > 0 && off < tau) return off > last_places * time_round_off(end.t) ? off : 0;
+  }
+  return farthest_to_event / looked_at * shortest;
+}
+
 std::vector<double> rates_of_instant(const SectionEnd& end) {
   const double tau = short_time(end);
   const std::vector<double> here = state_after(end, end.before);
@@ -103,6 +119,13 @@ void ApartAlong::add(const Run& done) {
   for (std::size_t i = 0; i < width; ++i) reached_[i] = std::max(reached_[i], now_.reached[i]);
 }
 
+std::vector<double> ApartAlong::at_end() const {
+  std::vector<double> apart;
+  for (std::size_t i = 0; i < now_.by_truncation.size(); ++i)
+    apart.push_back(std::abs(now_.by_truncation[i]) + std::abs(now_.by_rounding[i]) / OwnErrors::enlarged);
+  return apart;
+}
+
 void ApartAlong::pass(SectionEnd end) {
   if (!is_wanted_) return;
   end.reached = reached_;
@@ -111,8 +134,11 @@ void ApartAlong::pass(SectionEnd end) {
   RandomBits random(std::bit_cast<std::uint64_t>(end.t));
   const double late = OwnErrors::enlarged * (time_round_off(end.t) + end.doubt) * (random.fraction() - 0.5);
   const std::vector<double> rates = rates_of_instant(end);
+  const double in_common = rounding_of_instant(end);
   for (std::size_t i = 0; i < rates.size(); ++i) {
-    if (std::isfinite(rates[i])) now_.by_rounding[i] += late * rates[i];
+    if (!std::isfinite(rates[i])) continue;
+    now_.by_rounding[i] += late * rates[i];
+    now_.by_truncation[i] += in_common * rates[i];
   }
 }
 

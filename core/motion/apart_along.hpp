@@ -23,6 +23,9 @@ namespace qdot {
 /// e after it; as large as the motion where it only grazes.
 [[nodiscard]] std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e);
 
+/// By how many seconds all computations may take the event too late, or too early, as g is rounded in all.
+[[nodiscard]] double rounding_of_instant(const SectionEnd& end);
+
 /// What of e_+ there is for each second that the event is taken too late: Dmap f_- - f_+.
 [[nodiscard]] std::vector<double> rates_of_instant(const SectionEnd& end);
 
@@ -43,6 +46,8 @@ class ApartAlong {
     std::vector<double> all, by_rounding;
   };
   [[nodiscard]] Rows take_rows() { return std::move(rows_); }
+  /// Of each component, where the last run ended; empty where it is not wanted.
+  [[nodiscard]] std::vector<double> at_end() const;
 
  private:
   bool is_wanted_;

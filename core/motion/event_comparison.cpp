@@ -110,10 +110,12 @@ double EventComparison::accumulation_error(std::span<const double> of_state) {
 std::optional<double> EventComparison::of_stop() {
   if (!motion_.simulation.stop || rows() == 0) return std::nullopt;
   const Stop& stop = *motion_.simulation.stop;
-  const std::vector<double> of_state = some_rows_after(motion_.grid.t[rows() - 1]);
+  std::vector<double> of_state = some_rows_after(motion_.grid.t[rows() - 1]);
   std::optional<double> error;
   for (const Simulation& other : others_) {
     if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
+    for (std::size_t k = 0; k < other.apart_at_end.size() && k < of_state.size(); ++k)
+      of_state[k] = std::max(of_state[k], safety_of_differences * other.apart_at_end[k]);
     error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
   }
   const auto least = stop.reason == impacts_accumulate ? std::optional(accumulation_error(of_state))

@@ -15,6 +15,7 @@ constexpr double rounding_of_values = 8 * std::numeric_limits<double>::epsilon()
 constexpr double tried_first = 1.05, tried_next = 1.5;  ///< of what is tried
 constexpr double shortest_time = 1e-300;
 constexpr double share = 1e-4;          ///< of that time, for slopes along the motion
+constexpr double next_share = 10;       ///< times that, where values are rounded by as much as they change
 constexpr double farthest_share = 0.1;  ///< of the time in which the motion goes through a component
 
 }  // namespace
@@ -73,20 +74,27 @@ std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<co
 }
 
 /// Where g is enclosed too widely: the smaller root of
-///   |g'| tau - |g''| tau^2/2 = |g| + sum_k |dg/dy_k| e_k,
-/// with g' and g'' along the motion. An estimate.
+///   |g'| tau - |g''| tau^2/2 = |g| + sum_k |dg/dy_k| e_k + r,
+/// with g' and g'' along the motion, and r what values of g are rounded by, of which slopes over a short time
+/// may be all. An estimate.
 std::optional<double> EventErrors::by_slopes(const Watch& watch, const Place& place, double own_time,
                                              double doubt) {
-  const double tau = share * own_time;
-  const auto g_after = [&](double length) {
-    return watch.value(place.t + length, state_after(length, place));
-  };
-  const double before = g_after(-tau), now = watch.value(place.t, place.y), after = g_after(tau);
-  const double slope = std::abs(after - before) / (2 * tau);
-  const double curvature = std::abs(after - 2 * now + before) / (tau * tau);
-  const double discriminant = slope * slope - 2 * curvature * doubt;
-  if (!(slope > 0) || !(discriminant >= 0)) return std::nullopt;
-  return 2 * doubt / (slope + std::sqrt(discriminant)) + time_round_off(place.t);
+  for (double part = share; part <= farthest_share; part *= next_share) {
+    const double tau = part * own_time;
+    double rounding = 0;
+    const auto g_after = [&](double length) {
+      const std::vector<double> y = state_after(length, place);
+      rounding = std::max(rounding, watch.own_rounding(place.t + length, y));
+      return watch.value(place.t + length, y);
+    };
+    const double before = g_after(-tau), now = g_after(0), after = g_after(tau);
+    const double slope = (std::abs(after - before) - 2 * rounding) / (2 * tau);
+    const double curvature = (std::abs(after - 2 * now + before) + 4 * rounding) / (tau * tau);
+    const double all = doubt + rounding, discriminant = slope * slope - 2 * curvature * all;
+    if (slope > 0 && discriminant >= 0)
+      return 2 * all / (slope + std::sqrt(discriminant)) + time_round_off(place.t);
+  }
+  return std::nullopt;
 }
 
 /// By the midpoint rule: right up to tau^2.

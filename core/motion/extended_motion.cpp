@@ -31,10 +31,8 @@ RightHandSide in_doubles(const CompiledFunction& accelerations, std::span<const 
 }
 
 /// By series in doubles, whose remainder is bounded beyond their digits.
-decltype(ExtendedSystem::hidden) hidden_of(const CompiledFunction& accelerations,
-                                           std::span<const DoubleDouble> exact_parameters) {
+decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<TaylorExpansion>& expansion) {
   constexpr unsigned order = TaylorExpansion::highest_order;
-  const auto expansion = std::make_shared<TaylorExpansion>(accelerations, rounded(exact_parameters));
   return [expansion, t_expanded = 0.0, place = std::vector<double>(), c = std::vector<double>(),
           defect = std::vector<double>()](double t, std::span<const double> y, double h,
                                           std::span<const double> allowed) mutable {
@@ -48,6 +46,28 @@ decltype(ExtendedSystem::hidden) hidden_of(const CompiledFunction& accelerations
     }
     return expansion->bound_defect(h, allowed, defect);
   };
+}
+
+/// All computations in double-doubles have the rounding inside of their forces in common.
+void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
+                  const ExtendedMotionRequest& request) {
+  const auto expansion = std::make_shared<TaylorExpansion>(accelerations, rounded(request.parameters));
+  system.hidden = hidden_of(expansion);
+  if (!request.follow_rounding) return;
+  const auto length = std::make_shared<double>();
+  system.hidden = [hidden = system.hidden, length](double t, std::span<const double> y, double h,
+                                                   std::span<const double> allowed) {
+    *length = h;
+    return hidden(t, y, h, allowed);
+  };
+  system.rounding = [expansion, length, defect = std::vector<double>(request.y_start.size())](
+                        std::span<double> of_doubles, std::span<double> of_double_doubles) mutable {
+    std::ranges::fill(of_doubles, 0.0);
+    expansion->bound_defect(*length, {}, defect);  // the closest ranges that there are
+    expansion->bound_rounding(of_double_doubles, taylor::half_unit_of_double_doubles);
+  };
+  system.in_doubles = in_doubles(accelerations, request.parameters);
+  system.highest_in_doubles = TaylorExpansion::highest_order;
 }
 
 /// By the series in doubles that the expansion has taken anyway.
@@ -84,7 +104,7 @@ ExtendedSystem extended_system(const CompiledFunction& accelerations, const Exte
   };
   if (request.form == Form::full) {
     use(std::make_shared<ExtendedExpansion>(accelerations, request.parameters));
-    if (request.look_for_hidden) system.hidden = hidden_of(accelerations, request.parameters);
+    if (request.look_for_hidden) look_between(system, accelerations, request);
   } else {
     const auto mixed = std::make_shared<MixedExpansion>(accelerations, request.parameters);
     use(mixed);

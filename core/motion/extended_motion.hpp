@@ -24,6 +24,7 @@ struct ExtendedMotionRequest {
   double rtol{};                ///< of a step; 0: round-off of the form. Absolutely, a thousandth of it
   unsigned taylor_order{};      ///< 0: by the tolerance
   bool look_for_hidden{false};  ///< bound what lies between the places that are looked at
+  bool follow_rounding{false};  ///< and what rounding inside of forces makes of the motion
   Limits limits;
 };
 

@@ -89,6 +89,7 @@ class ExtendedLadder {
     first.rtol = rtol;
     const unsigned order = extended_order(rtol, highest_bounded_order);
     first.taylor_order = order;
+    first.follow_rounding = true;
     result_.run = run(first);
     if (result_.run.ending != Ending::reached_end) return;
     std::vector<ExtendedRun> others;
@@ -138,7 +139,9 @@ class ExtendedLadder {
           other_rows[j].push_back(other.high);
           difference = std::max(difference, std::abs((y - other).high));
         }
-        error[k] = std::max(error[k], caution * difference + common_round_off * of_rows[k] + by_instant[k]);
+        const double in_forces = first.apart[i * width + k];
+        error[k] = std::max(error[k],
+                            caution * difference + common_round_off * of_rows[k] + by_instant[k] + in_forces);
         is_lost = is_lost || difference > 1e-3 * scale[k];
       }
       lost_ = lost_ || is_lost;

@@ -17,6 +17,7 @@ constexpr double same_rates = 1e-9;  ///< of two ways that are one
 constexpr double full_side = 1 + 1e-12;
 constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
 constexpr double several = 4;
+constexpr int refinements = 4;  ///< of where a kink was passed, each much closer than the one before
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
 constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
 
@@ -36,6 +37,15 @@ double dot(std::span<const double> a, std::span<const double> b) {
 double zero_beside(double c0, double c1, double c2) {
   if (std::abs(4 * c0 * c2) > hardly * c1 * c1) return std::sqrt(std::abs(c0 / c2)) / hardly;
   return -2 * c0 / (c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1));
+}
+
+/// Of series of `count` terms each.
+std::vector<double> sums_at(double s, std::span<const double> rows, std::size_t count) {
+  std::vector<double> sums(rows.size() / count);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    for (std::size_t k = count; k-- > 0;) sums[i] = sums[i] * s + rows[i * count + k];
+  }
+  return sums;
 }
 
 /// y -= u gradient / |gradient|^2; one component of it exactly.
@@ -161,12 +171,12 @@ void KinkModes::settle(const Way& way, double t, std::vector<double>& y) {
   for (const std::size_t k : way.begins) put_on(k, way.sides, t, y);
 }
 
-/// u at (t, y) beyond the rounding of doubles, which all computations of a motion have in common.
-double KinkModes::exact_argument(std::size_t kink, const Sides& sides) {
+/// u beyond the rounding of doubles, which all computations of a motion have in common.
+double KinkModes::exact_argument(std::size_t kink, const Sides& sides, double t, std::span<const double> y) {
   const Mode& with = *mode(sides);
   const std::vector<DoubleDouble> constants(with.parameters.begin(), with.parameters.end());
   ExtendedFunction u(*with.motion->arguments[kink], constants);
-  return u(t_, std::vector<DoubleDouble>(y_.begin(), y_.end())).front().value();
+  return u(t, std::vector<DoubleDouble>(y.begin(), y.end())).front().value();
 }
 
 /// y' of the motion that was looked at last.
@@ -183,10 +193,18 @@ std::optional<std::map<std::size_t, KinkModes::Ahead>> KinkModes::kinks_ahead(co
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (before[k] == 0 || before[k] == after.sides[k]) continue;
     if (!series(before)) return std::nullopt;
-    const double u = exact_argument(k, before);
+    const double u = exact_argument(k, before, t_, y_);
     ahead[k] = {u, several * (std::abs(u - (*series(before))[k][0]) + margin * after.size[k])};
   }
   return ahead;
+}
+
+/// Whether an argument vanishes altogether, as that of ||x| - x| does where x > 0: it has any side there, and
+/// no instant.
+bool KinkModes::vanishes(std::size_t kink, const Sides& sides) {
+  const std::size_t row = 2 + y_.size();
+  const std::vector<double> places = geometry(sides, t_, y_);
+  return norm(std::span(places).subspan(kink * row + 1, row - 1)) == 0;
 }
 
 /// One kink after the other, in order of time: where the motion changes its way at t + s, s < 0 before t, it
@@ -196,10 +214,11 @@ KinkModes::Passage KinkModes::passage(const Sides& before, const Way& after, dou
   t_ = t;
   y_.assign(y.begin(), y.end());
   series_.clear();
-  Passage passage{.move = std::vector<double>(y.size()), .doubt = 0};
+  Passage passage{.move = std::vector<double>(y.size())};
   std::optional<std::map<std::size_t, Ahead>> met = kinks_ahead(before, after);
   if (!met) return passage;
   std::map<std::size_t, Ahead>& ahead = *met;
+  const bool is_one = ahead.size() == 1;
   std::vector<double> move(y.size());
   for (Sides now = before; !ahead.empty();) {
     const std::vector<std::vector<double>> old = *series(now);
@@ -210,6 +229,12 @@ KinkModes::Passage KinkModes::passage(const Sides& before, const Way& after, dou
     const auto first = std::ranges::min_element(ahead, {}, zero_of);
     const std::size_t kink = first->first;
     const double s = zero_of(*first);
+    if (vanishes(kink, now)) {
+      now[kink] = after.sides[kink];
+      ahead.erase(first);
+      if (!series(now)) return passage;
+      continue;
+    }
     passage.doubt = std::max(passage.doubt, of_state * after.size[kink] / std::abs(old[kink][1]));
     if (!(std::abs(s) <= farthest)) passage.doubt = std::max(passage.doubt, std::abs(s));
     if (!(std::abs(s) <= farthest || std::abs(first->second.u) <= first->second.explained)) return passage;
@@ -220,9 +245,38 @@ KinkModes::Passage KinkModes::passage(const Sides& before, const Way& after, dou
     for (auto& [k, other] : ahead) other.u += s * (old[k][1] - (*series(now))[k][1]);
     const std::vector<double> next = rates(now);
     for (std::size_t i = 0; i < y.size(); ++i) move[i] += s * (rate[i] - next[i]);
+    passage.early = std::max(passage.early, std::abs(s));
+    if (is_one && std::abs(s) > resolution_) refine({before, now, kink, s}, move);
   }
   passage.move = std::move(move);
   return passage;
+}
+
+/// Where s is long, linear terms are not all. The argument has no more rounding at t + s than at t.
+void KinkModes::refine(const Change& change, std::vector<double>& move) {
+  const std::vector<double> old = mode(change.before)->rows;
+  const std::vector<double> u = (*series(change.before))[change.kink];
+  Mode& with = *mode(change.after);
+  const std::size_t n = y_.size() / 2;
+  std::vector<double> better = move;
+  double s = change.s;
+  for (int i = 0; i < refinements; ++i) {
+    const std::vector<double> there = sums_at(s, old, order + 1);
+    s -= exact_argument(change.kink, change.before, t_ + s, there) / (u[1] + 2 * s * u[2]);
+    std::vector<double> from = y_;
+    for (std::size_t k = 0; k < from.size(); ++k) from[k] += better[k];
+    if (with.expansion.expand(t_, from, order, with.rows) != Evaluation::ok) return;
+    const std::vector<double> wanted = sums_at(s, old, order + 1), reached = sums_at(s, with.rows, order + 1);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double of_velocity = wanted[n + k] - reached[n + k];
+      better[n + k] += of_velocity;
+      better[k] += wanted[k] - reached[k] - s * of_velocity;
+    }
+  }
+  series_.erase(change.after);
+  const bool is_near = std::abs(s - change.s) <= std::abs(change.s);
+  if (is_near && std::ranges::all_of(better, [](double x) { return std::isfinite(x); }))
+    move = std::move(better);
 }
 
 /// All combinations for the active kinks.
@@ -310,7 +364,7 @@ bool KinkModes::is_same_motion(const Sides& one, const Sides& other) {
   return true;
 }
 
-/// u = 0, and where no velocity stands in u, u' = 0.
+/// u = 0, without what is rounded inside of it, and where no velocity stands in u, u' = 0.
 void KinkModes::put_on(std::size_t kink, const Sides& sides, double t, std::vector<double>& y) {
   const std::size_t n = y.size() / 2, row = 2 + 2 * n;
   for (int i = 0; i < 2; ++i) {
@@ -318,10 +372,13 @@ void KinkModes::put_on(std::size_t kink, const Sides& sides, double t, std::vect
     const std::span<const double> of_kink(places.data() + kink * row, row);
     const auto by_q = of_kink.subspan(2, n), by_v = of_kink.subspan(2 + n, n);
     const std::span<double> q(y.data(), n), v(y.data() + n, n);
+    double size = std::abs(of_kink[1] * t);
+    for (std::size_t k = 0; k < 2 * n; ++k) size += std::abs(of_kink[2 + k] * y[k]);
+    const double u = std::abs(of_kink[0]) > round_off * size ? exact_argument(kink, sides, t, y) : of_kink[0];
     if (norm(by_v) > 0) {
-      move_by(of_kink[0], by_v, v);
+      move_by(u, by_v, v);
     } else if (norm(by_q) > 0) {
-      move_by(of_kink[0], by_q, q);
+      move_by(u, by_q, q);
       move_by(of_kink[1] + dot(by_q, v), by_q, v);
     }
   }

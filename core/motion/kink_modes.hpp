@@ -54,6 +54,7 @@ class KinkModes {
   struct Passage {
     std::vector<double> move;  ///< what y is off by for that
     double doubt{};            ///< by how many seconds an instant may be elsewhere
+    double early{};            ///< and by how many it was: rows so near to it are on the wrong side
   };
   /// Nothing is moved where an instant is farther than `farthest` [s] and not for rounding, or hardly
   /// crossed.
@@ -90,7 +91,16 @@ class KinkModes {
   [[nodiscard]] Sides completed(Sides sides, double t, std::span<const double> y);
   [[nodiscard]] std::vector<double> rates(const Sides& sides);
   std::optional<std::map<std::size_t, Ahead>> kinks_ahead(const Sides& before, const Way& after);
-  [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides);
+  [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides, double t,
+                                      std::span<const double> y);
+  [[nodiscard]] bool vanishes(std::size_t kink, const Sides& sides);
+  /// At t + s the motion has passed a kink to another way.
+  struct Change {
+    Sides before, after;
+    std::size_t kink;
+    double s;
+  };
+  void refine(const Change& change, std::vector<double>& move);
   void put_on(std::size_t kink, const Sides& sides, double t, std::vector<double>& y);
   [[nodiscard]] std::optional<Sides> only_way();
   [[nodiscard]] bool is_same_motion(const Sides& one, const Sides& other);

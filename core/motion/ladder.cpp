@@ -5,6 +5,7 @@
 
 #include "core/motion/error_growth.hpp"
 #include "core/motion/motion_comparison.hpp"
+#include "core/motion/rounded_events.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
 
@@ -129,8 +130,8 @@ class Ladder {
   void measure() {
     contradicts_ = false;
     doubt_ = 0;
-    result_.events_in_doubt.clear();
     event_rows_.emplace(grid_.t, result_.simulation);
+    result_.events_in_doubt = event_lost_in_rounding(motion());
     expected_excess_.reset();
     const bool is_near = motion().is_near_round_off();
     std::optional<Simulation> sharper;
@@ -227,7 +228,7 @@ class Ladder {
       result_.reason = reason;
       return false;
     }
-    result_.events_in_doubt = differing_events(motion(), other);
+    if (result_.events_in_doubt.empty()) result_.events_in_doubt = differing_events(motion(), other);
     if (result_.simulation.stop && ended_well(other.ending) && !other.stop) {
       result_.reason =
           "The second computation went on beyond the end of this one: that it stops here is no more "

@@ -76,7 +76,7 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
   note_size(y);
   const Sides before = way_.sides;
   const double begun = t_;
-  doubt_of_instant_ = 0;
+  doubt_of_instant_ = moved_instant_ = 0;
   const bool is_alone = std::ranges::count(met_, true) == std::ranges::count(met, true);
   if (go_on(t, y)) {
     if (is_alone) take_back(before, begun, t, y);
@@ -93,6 +93,7 @@ void MotionSections::take_back(const Sides& before, double begun, double t, std:
   const double farthest = std::max(resolution_, short_part * (t - begun));
   const KinkModes::Passage passage = modes_->passage(before, way_, t, y, farthest);
   doubt_of_instant_ = passage.doubt;
+  moved_instant_ = passage.early;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += passage.move[i];
 }
 

@@ -43,6 +43,8 @@ class MotionSections {
   [[nodiscard]] double resolution() const { return resolution_; }
   /// By how many seconds rounding may have moved the instant that was passed last.
   [[nodiscard]] double doubt_of_instant() const { return doubt_of_instant_; }
+  /// By how many it has moved it, which is taken back in the state there.
+  [[nodiscard]] double moved_instant() const { return moved_instant_; }
 
   /// Functions of the state in the section; they may contain q''.
   struct Columns {
@@ -80,7 +82,7 @@ class MotionSections {
   std::vector<Section*> history_;
   KinkModes::Way way_;
   double t_{};  ///< when the section began
-  double doubt_of_instant_{};
+  double doubt_of_instant_{}, moved_instant_{};
   std::vector<double> largest_;               ///< |y_i| where sections have begun
   std::vector<bool> met_;                     ///< at that instant
   std::set<Sides> tried_;                     ///< at that instant

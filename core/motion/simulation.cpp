@@ -48,6 +48,7 @@ class Simulator {
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
     result_.unseen = unseen_.take_rows();
+    result_.apart_at_end = apart_.at_end();
     auto [apart, by_rounding] = apart_.take_rows();
     result_.apart = std::move(apart);
     result_.apart_by_rounding = std::move(by_rounding);
@@ -105,6 +106,8 @@ class Simulator {
     if (!is_determined_) return;
     finish(end);
     end.doubt = sections_.doubt_of_instant();
+    end.moved = sections_.moved_instant();
+    unseen_.doubt_side(end, request_.grid);
     apart_.pass(std::move(end));
   }
 
@@ -207,6 +210,7 @@ class Simulator {
                   "The state after an impact, as its map says, does not obey the constraints.");
     const std::size_t first = passed.all.front().impact;
     SectionEnd end = now_ending(impacts_.watches()[first].value);
+    end.rounding = impacts_.watches()[first].own_rounding(result_.t, result_.y);
     end.map = [this, t = end.t, all = passed.all](const std::vector<double>& y) {
       return impacts_.repeat(t, y, all);
     };

@@ -53,8 +53,9 @@ struct Simulation {
   bool symplectic{false};
   std::uint64_t steps{};
   std::uint64_t evaluations{};
-  bool bounded{true};          ///< as Run::bounded, of all sections
-  std::vector<double> unseen;  ///< as Run::unseen, rows x 2n; empty where there is nothing
+  bool bounded{true};                ///< as Run::bounded, of all sections
+  std::vector<double> apart_at_end;  ///< of a reference: how far each component may be where it ended
+  std::vector<double> unseen;        ///< as Run::unseen, rows x 2n; empty where there is nothing
   /// As Run::accelerations, rows x n, of a reference; not a number where there is no bound.
   std::vector<double> accelerations;
   /// As in Run, rows x 2n, of a reference that stands for another motion.

@@ -1,6 +1,8 @@
 #include "core/motion/unseen_along.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/numerics/root.hpp"
 
@@ -25,6 +27,27 @@ void UnseenAlong::doubt_instant(const SectionEnd& impact) {
     unseen_[i] += late * std::abs(impact.after[n + i] - impact.before[n + i]);
     unseen_[n + i] += late * (std::abs(impact.slopes_before[n + i]) + std::abs(impact.slopes_after[n + i]));
   }
+}
+
+void UnseenAlong::doubt_side(const SectionEnd& kink, std::span<const double> grid) {
+  const std::size_t n = kink.before.size() / 2;
+  std::vector<double> off(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    off[n + i] = kink.moved * std::abs(kink.slopes_after[n + i] - kink.slopes_before[n + i]);
+    off[i] = kink.moved * off[n + i];
+  }
+  const auto first = std::ranges::lower_bound(grid, kink.t - kink.moved);
+  for (auto t = first; t != grid.end() && *t <= kink.t + kink.moved; ++t)
+    doubted_.push_back({static_cast<std::size_t>(t - grid.begin()), off});
+}
+
+std::vector<double> UnseenAlong::take_rows() {
+  for (const auto& [row, off] : doubted_) {
+    if (row >= count_) continue;
+    rows_.resize(count_ * off.size());
+    for (std::size_t k = 0; k < off.size(); ++k) rows_[row * off.size() + k] += off[k];
+  }
+  return std::move(rows_);
 }
 
 }  // namespace qdot

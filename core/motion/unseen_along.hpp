@@ -1,7 +1,7 @@
 #pragma once
 // What sections of a motion may hide stays in doubt in those after them.
 
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "core/integrate/run.hpp"
@@ -16,12 +16,21 @@ class UnseenAlong {
   /// An impact may have been a round-off of t earlier or later, alike in all computations of this motion.
   void doubt_instant(const SectionEnd& impact);
 
+  /// Rows so near to a kink that was not met at its instant are on the wrong side of it.
+  void doubt_side(const SectionEnd& kink, std::span<const double> grid);
+
   /// As Run::unseen, of all runs; empty where nothing is hidden.
-  [[nodiscard]] std::vector<double> take_rows() { return std::move(rows_); }
+  [[nodiscard]] std::vector<double> take_rows();
 
  private:
+  struct DoubtedRow {
+    std::size_t row;
+    std::vector<double> off;  ///< how far it may be
+  };
+
   std::size_t count_{};  ///< of rows
   std::vector<double> unseen_, rows_;
+  std::vector<DoubtedRow> doubted_;
 };
 
 }  // namespace qdot

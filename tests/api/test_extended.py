@@ -212,6 +212,24 @@ class Extended(Service):
                 self.assertTrue(answer["accuracy"]["bounded"])
                 self.assertNotIn("reason", answer["accuracy"])
 
+    def test_rounding_inside_a_force_is_in_the_error(self):
+        """x'' = exp(-t^2) with the square written out: all computations in double-doubles have its rounding in common."""
+        rng = random.Random(20241126)
+        for _ in range(20):
+            b = f"{rng.uniform(1, 9):.3f}e{rng.randint(1, 2)}"
+            t_end = decimal(rng, 1, 3)
+            system = json.dumps({"name": "pushed", "units": "none", "coordinates": [{"name": "x"}], "lagrangian": "x_dot^2/2",
+                                 "forces": [{"name": "f", "value": f"exp(-({b} + t)^2 + {b}^2 + 2*{b}*t)", "along": "x"}]})
+            body = f'{{"system": {system}, "initial": {{"x": 0, "x_dot": 0}}, "t_end": {t_end}, "samples": 2, "precision": "extended"}}'
+            with self.subTest(body=body):
+                answer = self.extended(body)
+                t = mpf(answer["trajectory"]["t"][-1])
+                speed = mpmath.sqrt(mpmath.pi)/2*mpmath.erf(t)
+                for name, truth in (("x", t*speed + (mpmath.exp(-t*t) - 1)/2), ("x_dot", speed)):
+                    stated = mpf(answer["accuracy"]["max_abs_error"][name])
+                    self.assertLessEqual(abs(mpf(answer["trajectory"][name][-1]) - truth), stated)
+                    self.assertLess(stated, mpf("1e-27")*mpf(b)**2)
+
     def test_a_get_asks_the_same(self):
         fields = {"system": "spring_pendulum", "t_end": 1, "samples": 3, "precision": "extended", "digits": 28}
         by_get = json.loads(self.get("simulate", fields).data, parse_float=str)

@@ -66,6 +66,18 @@ class RoundingInForces(Service):
                         truth = mpmath.cos(mpf("1.5")), -mpmath.sin(mpf("1.5"))
                         self.judge(answer, truth, allowed=mpf(a) ** 2)
 
+    def test_a_stop_before_the_next_row_counts_what_was_rounded_up_to_it(self):
+        """An oscillation from rest: x = cos t, down to a wall; the force is -x, as far as it is not rounded."""
+        for b in ("3.1e4", "7.7e5", "2.9e6", "1.3e7"):
+            for force in (f"-((x + {b})^2 - {b}^2 - x^2)/(2*{b})", f"-((x + {b})^3 - {b}^3 - 3*{b}*x^2 - x^3)/(3*{b}^2)"):
+                for wall in ("0.999", "0.99", "0.9"):
+                    scene = forced(force)
+                    scene["valid_while"] = [{"name": "room", "expression": f"x - {wall}", "reason": "hit", "message": "hit"}]
+                    request = {"system": scene, "initial": {"x": 1, "x_dot": 0}, "t_end": 40, "samples": 2}
+                    stop = strict_json(self.post("simulate", request).data)["stop"]
+                    if stop.get("error") is not None:
+                        self.assertLessEqual(abs(mpf(stop["t"]) - mpmath.acos(mpf(wall))), mpf(stop["error"]), request)
+
     def test_a_wanted_error_is_not_met_where_rounding_leaves_nothing_of_the_force(self):
         answer = self.ask(VANISHING[0], "a - 1e-20; b - 1e20", 1, 3, {"max_error": 1e-6})
         self.assertFalse(answer["accuracy"]["meets_request"])

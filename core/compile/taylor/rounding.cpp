@@ -54,7 +54,8 @@ Rounding::Rounding(const CompiledFunction& tape, const Workspace& slots, const R
       varies_(tape.slots_),
       is_power_of_two_(tape.slots_),
       is_asked_relatively_(tape.slots_),
-      sizes_(tape.slots_) {
+      sizes_(tape.slots_),
+      in_doubles_(tape.slots_) {
   for (Slot slot = 0; slot < rows_.size(); ++slot) {
     const auto found = remainder.indices_.find(row_of(slot));
     if (found != remainder.indices_.end()) rows_[slot] = found->second;
@@ -81,6 +82,7 @@ void Rounding::take_constants() {
     const bool is_parameter = slot < tape_.parameters_;
     const Ball off = is_parameter ? Ball(0.0) : exact.slots()[slot] - Ball(slots_[slot]);
     sizes_[slot] = {std::abs(slots_[slot]), known_or_infinite(off.magnitude())};
+    in_doubles_[slot] = sizes_[slot].error;
   }
 }
 
@@ -98,11 +100,16 @@ void Rounding::take_variables() {
   }
 }
 
+/// A constant that happens to be near to a double need not be as near to a double-double.
 void Rounding::take_unit(double unit) {
-  for (Slot slot = 0; slot < sizes_.size(); ++slot) {
-    if (!varies_[slot]) sizes_[slot].error *= unit / unit_;
-  }
   unit_ = unit;
+  for (Slot slot = 0; slot < sizes_.size(); ++slot) {
+    if (varies_[slot]) continue;
+    const double in_doubles = in_doubles_[slot];
+    const bool is_other = unit != half_unit_of_doubles && in_doubles > 0;
+    const double scaled = in_doubles * (unit / half_unit_of_doubles);
+    sizes_[slot].error = is_other ? std::max(scaled, unit * sizes_[slot].most) : in_doubles;
+  }
 }
 
 void Rounding::bound(double unit, std::span<double> accelerations) {
@@ -287,9 +294,14 @@ Rounding::Size Rounding::function(const Instruction& instruction, Slot x) const 
     }
     case Function::tan:
       return with_slope(1 + w * w, 2 * of_functions() * w * (1 + w));
-    case Function::tanh:
-    case Function::atan:
-      return with_slope(1, 2 * of_functions() * (1 + w));
+    case Function::tanh: {
+      const double cosh = evaluate(Function::cosh, std::max(0.0, least(x) - e));
+      return with_slope(1 / (cosh * cosh), 2 * of_functions() * (1 + w));
+    }
+    case Function::atan: {
+      const double nearest = std::max(0.0, least(x) - e);
+      return with_slope(1 / (1 + nearest * nearest), 2 * of_functions() * (1 + w));
+    }
     case Function::sinh: {
       const double of_steep = growth(2 * e) + 2 * of_functions();  // |coth| < 2 where |x| > 1
       const double error = (1 + w) * growth(e) + 2 * of_functions() * (1 + w);

@@ -89,6 +89,7 @@ class Rounding {
   std::vector<bool> is_power_of_two_;      ///< or -2: products with it are exact
   std::vector<bool> is_asked_relatively_;  ///< by roots and powers, whose slope has no bound at 0
   std::vector<Size> sizes_;
+  std::vector<double> in_doubles_;  ///< of constants: their errors there
   double unit_{half_unit_of_doubles};
 };
 
