@@ -10,8 +10,8 @@ namespace {
 
 /// The derivatives of the even forces along the unknowns that keep their signs have a determinant other
 /// than 0 everywhere in the enclosure; at most two of each.
-bool is_regular_along(const Mirror& mirror, const SteadyProblem& problem,
-                      const BifurcationSystems& systems, const CriticalZero& here) {
+bool is_regular_along(const Mirror& mirror, const SteadyProblem& problem, const BifurcationSystems& systems,
+                      const CriticalZero& here) {
   const std::size_t n = here.x.size();
   std::vector<std::size_t> kept_signs;
   for (std::size_t j = 0; j < n; ++j) {
