@@ -25,8 +25,7 @@ std::optional<InSquares> in_squares_of(const Expression& e, const Expression& p)
 class ModeByPlace {
  public:
   ModeByPlace(const LinearMotions& motions, const ExactValues& values)
-      : motions_(motions),
-        values_(values),
+      : values_(values),
         graph_(*motions.graph),
         x_(motions.x[0]),
         p_(motions.momenta[0]),
@@ -75,7 +74,6 @@ class ModeByPlace {
     return result;
   }
 
-  const LinearMotions& motions_;
   const ExactValues& values_;
   const Relations none_;
   Graph& graph_;
