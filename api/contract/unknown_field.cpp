@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "api/contract/synonyms.hpp"
+#include "api/contract/system_choice.hpp"
 #include "api/json/suggest.hpp"
 
 namespace qdot::api {

@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/equations_of_motion.hpp"
 
 namespace qdot {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "api/answers/bounds.hpp"
 #include "api/answers/motion_fields.hpp"
+#include "api/answers/simulate/extended_number.hpp"
 #include "api/contract/text_checks.hpp"
 #include "core/integrate/run.hpp"
 
