@@ -32,7 +32,7 @@ class ImpactsAlong {
   }
 
   /// What is left of the motion, if its impacts accumulate: after the last of `sections`, which ended by
-  /// `passed` at slopes y'.
+  /// `passed`.
   [[nodiscard]] std::optional<RestOfImpacts> rest(std::span<const SectionRecord> sections,
                                                   const InstantImpacts::Passed& passed);
 

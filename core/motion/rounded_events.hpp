@@ -8,7 +8,8 @@
 
 namespace qdot {
 
-/// Of the first such event a sentence; empty: there is none.
+/// Of the first such event a sentence; empty where none is seen. Each is judged at one row, that of at most
+/// 16 at which its function is largest: a hint beside the errors of the instants, which do not rest on it.
 [[nodiscard]] std::string event_lost_in_rounding(const ComputedMotion& motion);
 
 }  // namespace qdot
