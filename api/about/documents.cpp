@@ -127,11 +127,4 @@ Response answer_page(const Page& page) {
   return {.content_type = std::string(page.content_type) + "; charset=utf-8", .body = std::string(page.text)};
 }
 
-void restrict_page(Response& response) {
-  if (!response.content_type.starts_with("text/html")) return;
-  response.headers["Content-Security-Policy"] =
-      "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; base-uri 'none'; "
-      "form-action 'none'; frame-ancestors 'none'";
-}
-
 }  // namespace qdot::api

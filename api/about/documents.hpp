@@ -21,7 +21,4 @@ namespace qdot::api {
 
 [[nodiscard]] Response answer_page(const Page& page);
 
-/// A page fetches nothing from elsewhere, is shown in no frame, and runs no program but its own.
-void restrict_page(Response& response);
-
 }  // namespace qdot::api

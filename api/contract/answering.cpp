@@ -65,17 +65,6 @@ void add_query(const std::vector<std::pair<std::string, std::string>>& query, Su
 
 }  // namespace
 
-Layout take_layout(Target& target) {
-  Layout layout = Layout::compact;
-  std::erase_if(target.query, [&](const auto& parameter) {
-    const auto& [name, value] = parameter;
-    if (name != "pretty") return false;
-    layout = value == "false" || value == "0" ? Layout::compact : Layout::pretty;
-    return true;
-  });
-  return layout;
-}
-
 Response json_response(const Json& body, Layout layout) {
   return {.status = 200, .content_type = "application/json", .body = to_text(body, layout)};
 }

@@ -14,9 +14,6 @@
 
 namespace qdot::api {
 
-/// Takes `pretty` out of the query, because every address knows it. "?pretty" and "?pretty=true" ask for it.
-[[nodiscard]] Layout take_layout(Target& target);
-
 [[nodiscard]] Response json_response(const Json& body, Layout layout);
 
 /// The submission in a call: the query of a GET, or the body of a POST. The query of a POST may only have
