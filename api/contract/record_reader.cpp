@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "api/contract/names.hpp"
+#include "api/contract/one_of.hpp"
 #include "api/contract/unknown_field.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
@@ -75,7 +76,7 @@ class RecordReader {
         reading.defaulted.push_back(field.name);
       }
     }
-    for (const OneOf& one_of : set.one_of) check(one_of, object, place);
+    for (const OneOf& one_of : set.one_of) check_ways(one_of, object, place, errors_);
     return reading;
   }
 
@@ -258,45 +259,6 @@ class RecordReader {
       return read_value(NumberKind{symbol.unit, symbol.domain}, name, value, place, errors_);
     }
     return std::nullopt;
-  }
-
-  /// A default holds only where the object does not say the same thing in another way.
-  [[nodiscard]] static bool another_way_is_given(const FieldSet& set, const std::string& name,
-                                                 const Json& object) {
-    const auto has = [](const std::vector<std::string>& way, const std::string& field) {
-      return std::ranges::find(way, field) != way.end();
-    };
-    return std::ranges::any_of(set.one_of, [&](const OneOf& one_of) {
-      const bool concerned =
-          std::ranges::any_of(one_of.ways, [&](const auto& way) { return has(way, name); });
-      return concerned && std::ranges::any_of(one_of.ways, [&](const auto& way) {
-               return !has(way, name) &&
-                      std::ranges::any_of(way, [&](const auto& f) { return object.contains(f); });
-             });
-    });
-  }
-
-  /// Every field that is given beside one of an earlier way is refused.
-  void check(const OneOf& one_of, const Json& object, const Place& place) {
-    std::string first;
-    std::vector<std::string> openings;
-    bool taken = false;
-    for (const std::vector<std::string>& way : one_of.ways) {
-      openings.push_back("'" + way.front() + "'");
-      taken = taken || object.contains(way.front());
-      std::string given;
-      for (const std::string& field : way) {
-        if (!object.contains(field)) continue;
-        if (given.empty()) given = field;
-        if (first.empty()) continue;
-        refuse(place.below(field), "exclusive",
-               "'" + first + "' and '" + field + "' cannot be given together; give one of them.");
-      }
-      if (first.empty()) first = given;
-    }
-    if (one_of.need == Need::required && !taken) {
-      refuse(place, "missing", "One of " + enumerated(openings) + " is missing.");
-    }
   }
 
   const Json& whole_;

@@ -11,6 +11,7 @@
 #include "core/symmetry/constrained_changes.hpp"
 #include "core/symmetry/listed_quantities.hpp"
 #include "core/symmetry/motion_in_space.hpp"
+#include "core/symmetry/symmetry_shape.hpp"
 
 namespace qdot {
 namespace {
@@ -77,7 +78,7 @@ class Wording {
     const Symbols::Varying& q = lagrangian_.symbols.coordinates;
     if (!depends_on(value, q.rate) && !depends_on(value, q.value)) return std::nullopt;
     const Words words = motion ? in_space(*motion) : in_coordinates(symmetry, change);
-    const auto [kind, spread] = kind_of(symmetry);
+    const auto [kind, spread] = kind_of(search_, symmetry);
     const bool turns_bodies = motion && kind != KindOfChange::in_time && kind != KindOfChange::linear;
     return Kept{{words.name, unit(value), value, sentence(words, change)},
                 turns_bodies ? KindOfChange::in_space : kind,
@@ -104,12 +105,6 @@ class Wording {
     return names;
   }
   [[nodiscard]] const std::string& coordinate(std::size_t i) const { return scene_.coordinates[i].name; }
-
-  /// That of the last elementary change, which all others are measured by.
-  [[nodiscard]] static Expression leading(const Symmetry& symmetry) {
-    return *std::find_if(symmetry.coefficients.rbegin(), symmetry.coefficients.rend(),
-                         [](const Expression& e) { return !e.is_zero(); });
-  }
 
   [[nodiscard]] std::string unit(const Expression& value) const {
     return to_text(dimension_of(value, dimensions_).dimension.value_or(Dimension{}));
@@ -186,36 +181,23 @@ class Wording {
     if (!change.time.is_zero()) changes.push_back("dt = " + written(change.time));
     if (names.size() > most_names) suffix.clear();
     Words words{"symmetry" + suffix, "The small change " + listed(changes), ""};
-    if (const auto turned = only_turn(symmetry)) return of_turn(*turned, symmetry);
-    if (is_only(symmetry, ChangeKind::along)) {
+    if (const auto turned = only_turn(search_, symmetry)) return of_turn(*turned, symmetry);
+    if (is_only(search_, symmetry, ChangeKind::along)) {
       words.name = "momentum" + suffix;
       words.doing += ", which the constraints allow,";
     } else if (!change.time.is_zero()) {
       words.name = "h" + suffix;
-    } else if (is_only(symmetry, ChangeKind::shift)) {
+    } else if (is_only(search_, symmetry, ChangeKind::shift)) {
       words.name = "momentum" + suffix;
       if (names.size() > 1 && is_equal(change.shift)) words.doing = "Adding the same to " + listed(names);
-    } else if (is_only(symmetry, ChangeKind::boost)) {
+    } else if (is_only(search_, symmetry, ChangeKind::boost)) {
       words.name = "boost" + suffix;
-    } else if (is_turning(symmetry)) {
-      const bool is_screw = moves_along(symmetry);
+    } else if (is_turning(search_, symmetry)) {
+      const bool is_screw = moves_along(search_, symmetry);
       words.name = (is_screw ? "screw" : "angular_momentum") + suffix;
       words.doing = (is_screw ? "The screw motion " : "The rotation ") + listed(changes);
     }
     return words;
-  }
-
-  /// Where one body turns about one axis, beside shifts.
-  [[nodiscard]] std::optional<std::size_t> only_turn(const Symmetry& symmetry) const {
-    std::optional<std::size_t> turn;
-    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
-      const ChangeKind here = search_.changes[k].kind;
-      if (symmetry.coefficients[k].is_zero() || here == ChangeKind::gauge || here == ChangeKind::shift)
-        continue;
-      if (turn || (here != ChangeKind::turn && here != ChangeKind::own_turn)) return std::nullopt;
-      turn = k;
-    }
-    return turn;
   }
 
   [[nodiscard]] Words of_turn(std::size_t turn, const Symmetry& symmetry) const {
@@ -241,75 +223,11 @@ class Wording {
     return words;
   }
 
-  [[nodiscard]] bool is_only(const Symmetry& symmetry, ChangeKind kind) const {
-    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
-      const ChangeKind here = search_.changes[k].kind;
-      if (!symmetry.coefficients[k].is_zero() && here != ChangeKind::gauge && here != kind) return false;
-    }
-    return true;
-  }
-
   [[nodiscard]] static bool is_equal(const std::vector<Expression>& shifts) {
     std::vector<Expression> nonzero;
     std::ranges::copy_if(shifts, std::back_inserter(nonzero),
                          [](const Expression& e) { return !e.is_zero(); });
     return std::ranges::all_of(nonzero, [&](const Expression& e) { return e == nonzero[0]; });
-  }
-
-  /// Shifts a coordinate that no rotation changes.
-  [[nodiscard]] bool moves_along(const Symmetry& symmetry) const {
-    std::vector<bool> turns(scene_.coordinates.size());
-    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
-      const ElementaryChange& change = search_.changes[k];
-      if (!symmetry.coefficients[k].is_zero() && change.kind == ChangeKind::linear) turns[change.i] = true;
-    }
-    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
-      const ElementaryChange& change = search_.changes[k];
-      if (!symmetry.coefficients[k].is_zero() && change.kind == ChangeKind::shift && !turns[change.i])
-        return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] std::pair<KindOfChange, std::size_t> kind_of(const Symmetry& symmetry) const {
-    if (!symmetry.change.time.is_zero()) return {KindOfChange::in_time, 0};
-    std::vector<std::size_t> partners(scene_.coordinates.size());
-    std::size_t spread = 0;
-    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
-      const ElementaryChange& change = search_.changes[k];
-      if (change.kind != ChangeKind::linear || symmetry.coefficients[k].is_zero()) continue;
-      ++partners[change.i];
-      spread += change.i > change.j ? change.i - change.j : change.j - change.i;
-    }
-    if (only_turn(symmetry)) return {KindOfChange::in_space, 0};
-    const auto is_constrained = [&](std::size_t k) {
-      const ChangeKind kind = search_.changes[k].kind;
-      const bool is_affine = kind < ChangeKind::along || kind > ChangeKind::own_turn;
-      return !is_affine && !symmetry.coefficients[k].is_zero();
-    };
-    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
-      if (is_constrained(k)) return {KindOfChange::mixed, 0};
-    }
-    const auto most = std::ranges::max(partners);
-    return {most == 0   ? KindOfChange::linear
-            : most == 1 ? KindOfChange::rotation
-                        : KindOfChange::mixed,
-            spread};
-  }
-
-  /// A_ij = -A_ji, beside shifts.
-  [[nodiscard]] bool is_turning(const Symmetry& symmetry) const {
-    std::map<std::pair<std::size_t, std::size_t>, Expression> linear;
-    for (std::size_t k = 0; k < symmetry.coefficients.size(); ++k) {
-      const ElementaryChange& change = search_.changes[k];
-      if (symmetry.coefficients[k].is_zero()) continue;
-      if (change.kind == ChangeKind::boost) return false;
-      if (change.kind == ChangeKind::linear) linear[{change.i, change.j}] = symmetry.coefficients[k];
-    }
-    return std::ranges::all_of(linear, [&](const auto& entry) {
-      const auto other = linear.find({entry.first.second, entry.first.first});
-      return other != linear.end() && (entry.second + other->second).is_zero();
-    });
   }
 
   const Scene& scene_;
