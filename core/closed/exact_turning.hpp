@@ -8,22 +8,18 @@
 // only, formulas are written with h and p_c themselves.
 
 #include "core/closed/closed_form.hpp"
+#include "core/closed/exact_extrema.hpp"
 #include "core/dynamics/dynamics.hpp"
 #include "core/turning/turning_points.hpp"
 
 namespace qdot {
 
-struct ExactExtremum {
-  ClosedForm value;
-  std::optional<ClosedForm> cosine, sine;
-};
-
 struct ExactTurningPoints {
-  std::optional<ClosedForm> equation;  ///< "left = 0"
-  std::optional<ExactExtremum> maximum, minimum;
-  std::optional<ClosedForm> energy;                ///< h
-  std::vector<std::optional<ClosedForm>> momenta;  ///< of the ignored coordinates, in order
-  std::optional<ClosedForm> period;
+  std::optional<ClosedForm> equation{};  ///< "left = 0"
+  std::optional<ExactExtremum> maximum{}, minimum{};
+  std::optional<ClosedForm> energy{};                ///< h
+  std::vector<std::optional<ClosedForm>> momenta{};  ///< of the ignored coordinates, in order
+  std::optional<ClosedForm> period{};
 };
 
 /// Of turning points by the energy integral. `energy_name`: what h is called.

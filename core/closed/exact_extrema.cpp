@@ -1,0 +1,112 @@
+#include "core/closed/exact_extrema.hpp"
+
+#include "core/closed/exact_roots.hpp"
+#include "core/closed/trial.hpp"
+#include "core/expr/simplify.hpp"
+#include "core/expr/special_angles.hpp"
+#include "core/expr/trigonometry.hpp"
+
+namespace qdot {
+
+void ExactExtrema::consider(const Expression& left, const Relations& relations) {
+  for (const Function function : {Function::cos, Function::sin}) {
+    const Expression unknown = is_angle_ ? equation_.graph->call(function, equation_.x) : equation_.x;
+    for (const Expression& root : roots_in(unknown, left)) {
+      consider(equation_.found.maximum, function, root, left, relations, maximum);
+      consider(equation_.found.minimum, function, root, left, relations, minimum);
+    }
+    if (!is_angle_) return;
+  }
+}
+
+void ExactExtrema::consider(const Finding& extremum, Function function, const Expression& root,
+                            const Expression& left, const Relations& relations,
+                            std::optional<ExactExtremum>& best) const {
+  if (!extremum.value) return;
+  auto found = is_angle_ ? angle(function, root, extremum, relations) : number(root, extremum, relations);
+  if (found && is_root(found->first, left, relations) &&
+      (!best || found->second.value.text.size() < best->value.text.size()))
+    best = std::move(found->second);
+}
+
+std::vector<Expression> ExactExtrema::roots_in(const Expression& unknown, const Expression& left) const {
+  const Polynomial above = with_single_angles(*equation_.graph, rational_function(left).above);
+  const Expression u = equation_.graph->symbol("cosine or sine");
+  Expression e = to_expression(*equation_.graph, above);
+  if (unknown == sin(equation_.x)) {
+    const Polynomial sines = without_cosine_squares(*equation_.graph, above, equation_.x);
+    e = to_expression(*equation_.graph, sines);
+  }
+  const Replacement replacement{unknown, u};
+  e = substitute(e, {&replacement, 1});
+  if (is_angle_ && depends_on(e, equation_.x)) return {};
+  if (!is_angle_) return qdot::roots_in(e, u, equation_.values);
+  const auto c = quadratic_in(e, u);
+  return c ? roots_of((*c)[0], (*c)[1], (*c)[2], equation_.values.sign_of()) : std::vector<Expression>{};
+}
+
+ExactExtrema::Found ExactExtrema::number(const Expression& root, const Finding& extremum,
+                                         const Relations& relations) const {
+  if (!agrees(equation_.values.value(root), *extremum.value, extremum.error)) return std::nullopt;
+  auto form = equation_.formula(root, relations, equation_.assumed);
+  if (!form) return std::nullopt;
+  return {{root, {*std::move(form), std::nullopt, std::nullopt}}};
+}
+
+ExactExtrema::Found ExactExtrema::angle(Function function, const Expression& root, const Finding& extremum,
+                                        const Relations& relations) const {
+  const Expression pi = equation_.graph->symbol("pi");
+  const Expression inverse =
+      equation_.graph->call(function == Function::cos ? Function::acos : Function::asin, root);
+  std::vector<Expression> principal{inverse};
+  if (const auto* call = std::get_if<Call>(&root.node()); call != nullptr && call->function == function)
+    principal.insert(principal.begin(),
+                     Expression(*equation_.graph, call->argument));  // where the motion began
+  if (root.number() != nullptr || written_length(root) < 8) add_known(function, root, principal);
+  for (const Expression& value : principal) {
+    const Expression other = function == Function::cos ? -value : pi - value;
+    for (const Expression& x : {value, other, other + Number(2) * pi, other - Number(2) * pi}) {
+      if (!agrees(equation_.values.value(x), *extremum.value, extremum.error)) continue;
+      auto form = equation_.formula(x, relations, equation_.assumed);
+      auto of_function = equation_.formula(root, relations, equation_.assumed);
+      if (!form || !of_function) continue;
+      ExactExtremum result{*std::move(form), std::nullopt, std::nullopt};
+      (function == Function::cos ? result.cosine : result.sine) = std::move(of_function);
+      return {{x, std::move(result)}};
+    }
+  }
+  return std::nullopt;
+}
+
+void ExactExtrema::add_known(Function function, const Expression& value,
+                             std::vector<Expression>& principal) const {
+  const Expression pi = equation_.graph->symbol("pi");
+  for (const Number& r :
+       {Number(0), Number::ratio(1, 6), Number::ratio(1, 4), Number::ratio(1, 3), Number::ratio(1, 2),
+        Number::ratio(2, 3), Number::ratio(3, 4), Number::ratio(5, 6), Number(1), Number::ratio(-1, 6),
+        Number::ratio(-1, 4), Number::ratio(-1, 3), Number::ratio(-1, 2)}) {
+    const Expression angle = r * pi;
+    const Expression known = with_special_angles(equation_.graph->call(function, angle));
+    if (rational_function(known - value).is_zero()) {
+      principal.insert(principal.begin(), angle);
+      return;
+    }
+  }
+}
+
+bool ExactExtrema::is_root(const Expression& x, const Expression& left, const Relations& relations) const {
+  Trial trial(equation_.values, relations);
+  std::vector<Expression> numbers;
+  for (const Expression& p : equation_.constants)
+    numbers.push_back(equation_.graph->number(Number::real(equation_.values.value(p).value)));
+  // Some place in reach, so that there are turning points.
+  const Replacement there{equation_.x,
+                          equation_.graph->number(Number::real(equation_.values.value(x).value))};
+  numbers.back() = substitute(equation_.potential, {&there, 1});
+  trial.set(equation_.constants, numbers);
+  trial.set({equation_.x}, {x});
+  trial.vanishes(terms_of(left));
+  return trial.passes();
+}
+
+}  // namespace qdot

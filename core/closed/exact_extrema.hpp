@@ -1,0 +1,53 @@
+#pragma once
+// Turning points as roots of a linear or quadratic polynomial of the coordinate, of its cosine or of its
+// sine.
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/closed/closed_form.hpp"
+#include "core/closed/turning_equation.hpp"
+
+namespace qdot {
+
+struct ExactExtremum {
+  ClosedForm value;
+  std::optional<ClosedForm> cosine, sine;
+};
+
+/// The shortest formulas of all equations that are considered, each held against the number that was found
+/// and against other values of the parameters.
+class ExactExtrema {
+ public:
+  /// Keeps the reference.
+  explicit ExactExtrema(const TurningEquation& equation)
+      : equation_(equation),
+        is_angle_(equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad") {}
+
+  /// The extrema that are roots of `left`, where their formulas are shorter.
+  void consider(const Expression& left, const Relations& relations);
+
+  std::optional<ExactExtremum> maximum, minimum;
+
+ private:
+  using Found = std::optional<std::pair<Expression, ExactExtremum>>;
+
+  void consider(const Finding& extremum, Function function, const Expression& root, const Expression& left,
+                const Relations& relations, std::optional<ExactExtremum>& best) const;
+  /// Values of the unknown, a cosine say, where `left` is a quadratic polynomial of it.
+  [[nodiscard]] std::vector<Expression> roots_in(const Expression& unknown, const Expression& left) const;
+  [[nodiscard]] Found number(const Expression& root, const Finding& extremum,
+                             const Relations& relations) const;
+  [[nodiscard]] Found angle(Function function, const Expression& root, const Finding& extremum,
+                            const Relations& relations) const;
+  /// Before acos(1/2): pi/3.
+  void add_known(Function function, const Expression& value, std::vector<Expression>& principal) const;
+  /// At other values of the parameters, too.
+  [[nodiscard]] bool is_root(const Expression& x, const Expression& left, const Relations& relations) const;
+
+  const TurningEquation& equation_;
+  bool is_angle_;
+};
+
+}  // namespace qdot
