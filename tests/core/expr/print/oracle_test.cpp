@@ -99,7 +99,7 @@ TEST(PrintOracle, SympyEvaluatesItsFormToTheSameNumber) {
         << "        print(form, 'is', value, 'not', expected)\n        wrong += 1\n"
         << "sys.exit(1 if wrong else 0)\n";
   }
-  EXPECT_EQ(std::system(("/usr/bin/python3 -B " + script).c_str()), 0);
+  EXPECT_EQ(std::system(("/usr/bin/python3 -I -B " + script).c_str()), 0);
 }
 
 TEST(PrintOracle, TheCCompilerEvaluatesItsFormToTheSameNumber) {
