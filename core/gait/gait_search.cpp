@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/gait/strides_that_settle.hpp"
 #include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/path_following.hpp"
 #include "core/numerics/same_bits.hpp"
@@ -19,6 +20,7 @@ constexpr double rtol = 1e-5;
 constexpr double accuracy = 1e-3;  // of a point on the curve
 constexpr std::array start_sizes{0.3, 0.03, 2.0};
 constexpr std::array start_durations{2.0, 1.0, 4.0};
+constexpr std::array hastes{3.0, 10.0};  // where no gait is found otherwise
 constexpr int most_start_steps = 60, sure_start_steps = 15;
 constexpr Corrections corrections{.most = 6, .accuracy = accuracy};
 constexpr Advances advances{
@@ -150,11 +152,12 @@ CurveOfPoints followed(RecurrenceCurve& curve, const Recurrence& from, std::vect
 
 }  // namespace
 
-GaitSearch search_gaits(SectionMap& map, const IsGait& is_gait) {
+GaitSearch search_gaits(SectionMap& map, const IgnoredByGait& gait_near) {
   RecurrenceCurve curve(map);
   const Index k = map.size();
   std::vector<CurveOfPoints> curves;
-  bool dies_away = false, is_found = false;
+  std::vector<Recurrence> gaits;
+  bool dies_away = false;
   GaitSearch result;
   const auto try_starts = [&](double size, double duration) {
     for (unsigned signs = 0; signs < 1u << std::min<Index>(k, 4); ++signs) {
@@ -167,16 +170,24 @@ GaitSearch search_gaits(SectionMap& map, const IsGait& is_gait) {
       const std::size_t known = result.candidates.size();
       curves.push_back(followed(curve, *on_curve.at, result.candidates));
       for (std::size_t i = known; i < result.candidates.size(); ++i)
-        is_found = is_gait(result.candidates[i]) || is_found;
+        if (gait_near(result.candidates[i]) == 0) gaits.push_back(result.candidates[i]);
     }
   };
+  const auto settle = [&](double haste) {
+    if (const auto gait = where_strides_settle(map, haste, gaits, gait_near)) gaits.push_back(*gait);
+  };
+  try_starts(start_sizes[0], start_durations[0]);
+  settle(1);
   for (const double duration : start_durations) {
     for (const double size : start_sizes) {
+      const bool is_first = size == start_sizes[0] && duration == start_durations[0];
       // Motions may recur without an impact on one curve, and with one on another; where one start leads to
       // such a curve, another that shrinks to nothing tells little.
-      if (!is_found && !(dies_away && curves.empty())) try_starts(size, duration);
+      if (!is_first && gaits.empty() && !(dies_away && curves.empty())) try_starts(size, duration);
     }
   }
+  for (const double haste : hastes)
+    if (gaits.empty()) settle(haste);
   using Outcome = GaitSearch::Outcome;
   result.outcome = !result.candidates.empty() ? Outcome::found
                    : !curves.empty()          ? Outcome::no_impact
