@@ -10,11 +10,9 @@
 // found with three or ten times its velocities (core/gait/strides_that_settle.hpp). Gaits that neither reach
 // are not found.
 
-#include <functional>
-#include <optional>
 #include <vector>
 
-#include "core/gait/shooting.hpp"
+#include "core/gait/strides_that_settle.hpp"
 
 namespace qdot {
 
@@ -27,10 +25,6 @@ struct GaitSearch {
     no_impact        ///< motions that recur were followed, but g(y(T)) = 0 for none of them
   } outcome{};
 };
-
-/// How many crossings the gait near a candidate ignores (Stride), if there is one. The search goes on with
-/// other starts until there is one that ignores none, or that attracts the scene's own motion.
-using IgnoredByGait = std::function<std::optional<int>(const Recurrence&)>;
 
 [[nodiscard]] GaitSearch search_gaits(SectionMap& map, const IgnoredByGait& gait_near);
 

@@ -3,9 +3,17 @@
 // starts, or from that with other velocities. No curve needs to lead there (core/gait/gait_search.hpp), nor
 // need the stride be short: a wheel that all but stops on a spoke rolls on like any other.
 
-#include "core/gait/gait_search.hpp"
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/gait/shooting.hpp"
 
 namespace qdot {
+
+/// How many crossings the gait near a candidate ignores (Stride), if there is one. The search goes on with
+/// other starts until there is one that ignores none, or that attracts the scene's own motion.
+using IgnoredByGait = std::function<std::optional<int>(const Recurrence&)>;
 
 /// Follows impact after impact from the scene's start, its velocities `haste` times as large. Places at which
 /// strides hardly change any more are shown to `gait_near`, unless they are near one of `known`; returns the

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double shortest_step = 1e-7;  ///< for a slope, relative
 constexpr double rounding_of_values = 8 * std::numeric_limits<double>::epsilon();
-/// Of a component's largest magnitude: one that has not gone farther yet may be rounding, as of a ball that is
-/// hit and hits the next one in the same instant.
+/// Of a component's largest magnitude: one that has not gone farther yet may be rounding, as of a ball that
+/// is hit and hits the next one in the same instant.
 constexpr double rounding_of_scale = 1e-3;
 constexpr double tried_first = 1.05, tried_next = 1.5;  ///< of what is tried
 constexpr double shortest_time = 1e-300;
