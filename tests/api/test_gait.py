@@ -130,8 +130,24 @@ class RimlessWheel(Service):
                     rate, error = gait["state"]["theta_dot"], gait["error"]["state"]["theta_dot"]
                     self.assertLess(abs(rate - math.sqrt(steady)), error + 1e-15*rate)
                     self.assertAlmostEqual(gait["multipliers"][0]["re"], math.cos(2*alpha)**2, 11)
+                    self.assertEqual((gait["exact"]["of"], gait["exact"]["text"]),
+                                     ("theta_dot^2", "4*g*sin(alpha)*sin(gamma)*cos(2*alpha)^2/(l*sin(2*alpha)^2)"))
+                    self.assertEqual(gait["exact"]["multiplier"]["text"], "cos(2*alpha)^2")
                     rolled += 1
         self.assertGreater(rolled, 8)
+
+    def test_a_walker_with_massless_feet_keeps_the_wheels_rate_by_its_angle(self):
+        """Garcia, Chatterjee, Ruina and Coleman (1998), as a wheel's whose spokes stand at the angle of its stride."""
+        found = self.ask("gait", {"system": "compass_walker", "parameters": {"m": 0}})
+        self.assertEqual(len(found["gaits"]), 2)
+        for gait in found["gaits"]:
+            self.assertEqual(gait["exact"]["text"], "4*g*sin(theta)*sin(gamma)*cos(2*theta)^2/(l*sin(2*theta)^2)")
+            self.assertIn("m = 0", gait["exact"]["assumes"])
+            given, theta = found["request"]["parameters"], gait["state"]["theta"]
+            square = 4*given["g"]/given["l"]*math.sin(theta)*math.sin(given["gamma"])/math.tan(2*theta)**2
+            self.assertAlmostEqual(gait["state"]["theta_dot"]**2, square, 12)
+        for gait in self.ask("gait", {"system": "compass_walker", "parameters": {"m": 0.1}})["gaits"]:
+            self.assertNotIn("exact", gait)
 
 
 class WhereStridesSettle(Service):
@@ -189,6 +205,8 @@ class WhereStridesSettle(Service):
                     self.near(gait["state"]["th_dot"], math.sqrt(steady), gait["error"]["state"]["th_dot"])
                     self.near(gait["multipliers"][0]["re"], left**2, gait["error"]["multipliers"][0])
                     self.assertLess(abs(gait["pre_impact"]["th"] - al), gait["error"]["pre_impact"]["th"])
+                    names = {"m": m, "l": l, "I": inertia, "al": al, "ga": ga, "g": 9.81, "sin": math.sin, "cos": math.cos}
+                    self.near(eval(gait["exact"]["text"].replace("^", "**"), names), steady, 1e-12*steady)
                     rolled += 1
         self.assertGreater(rolled, 10)
 
