@@ -182,7 +182,7 @@ std::string reason(GaitSearch::Outcome outcome, const ParsedImpact& impact) {
     case GaitSearch::Outcome::nothing_recurs:
       return "No motion that repeats was found from the starts that are tried.";
     case GaitSearch::Outcome::dies_away:
-      return "Nothing gives back what the impact takes: all motions that were tried shrink towards rest.";
+      return "All motions that were tried shrink towards rest: nothing gives back what is lost.";
     case GaitSearch::Outcome::no_impact:
       return "Motions that repeat after a given time were found, but none of them meets " + impact.event +
              " then.";
