@@ -150,50 +150,69 @@ CurveOfPoints followed(RecurrenceCurve& curve, const Recurrence& from, std::vect
   return points;
 }
 
+class SearchForGaits {
+ public:
+  SearchForGaits(SectionMap& map, const IgnoredByGait& gait_near)
+      : map_(map), gait_near_(gait_near), curve_(map) {}
+
+  GaitSearch run() {
+    try_starts(start_sizes[0], start_durations[0]);
+    settle(1);
+    for (const double duration : start_durations) {
+      for (const double size : start_sizes) {
+        const bool is_first = size == start_sizes[0] && duration == start_durations[0];
+        // Motions may recur without an impact on one curve, and with one on another; where one start leads to
+        // such a curve, another that shrinks to nothing tells little.
+        if (!is_first && gaits_.empty() && !(dies_away_ && curves_.empty())) try_starts(size, duration);
+      }
+    }
+    for (const double haste : hastes)
+      if (gaits_.empty()) settle(haste);
+    result_.outcome = outcome();
+    return std::move(result_);
+  }
+
+ private:
+  void try_starts(double size, double duration) {
+    const Index k = map_.size();
+    for (unsigned signs = 0; signs < 1u << std::min<Index>(k, 4); ++signs) {
+      const Recurrence at = start(k, size, duration, signs);
+      if (!map_.counts(map_.state(at.u))) continue;
+      const Settled on_curve = search_settled(curve_, at);
+      dies_away_ = dies_away_ || on_curve.dies_away;
+      const auto is_known = [&](const CurveOfPoints& other) { return is_on(other, *on_curve.at); };
+      if (!on_curve.at || std::ranges::any_of(curves_, is_known)) continue;
+      const std::size_t known = result_.candidates.size();
+      curves_.push_back(followed(curve_, *on_curve.at, result_.candidates));
+      for (std::size_t i = known; i < result_.candidates.size(); ++i)
+        if (gait_near_(result_.candidates[i]) == 0) gaits_.push_back(result_.candidates[i]);
+    }
+  }
+
+  void settle(double haste) {
+    if (const auto gait = where_strides_settle(map_, haste, gaits_, gait_near_)) gaits_.push_back(*gait);
+  }
+
+  [[nodiscard]] GaitSearch::Outcome outcome() const {
+    using Outcome = GaitSearch::Outcome;
+    if (!result_.candidates.empty()) return Outcome::found;
+    if (!curves_.empty()) return Outcome::no_impact;
+    return dies_away_ ? Outcome::dies_away : Outcome::nothing_recurs;
+  }
+
+  SectionMap& map_;
+  const IgnoredByGait& gait_near_;
+  RecurrenceCurve curve_;
+  std::vector<CurveOfPoints> curves_;
+  std::vector<Recurrence> gaits_;  ///< those that end the search
+  bool dies_away_{};
+  GaitSearch result_;
+};
+
 }  // namespace
 
 GaitSearch search_gaits(SectionMap& map, const IgnoredByGait& gait_near) {
-  RecurrenceCurve curve(map);
-  const Index k = map.size();
-  std::vector<CurveOfPoints> curves;
-  std::vector<Recurrence> gaits;
-  bool dies_away = false;
-  GaitSearch result;
-  const auto try_starts = [&](double size, double duration) {
-    for (unsigned signs = 0; signs < 1u << std::min<Index>(k, 4); ++signs) {
-      const Recurrence at = start(k, size, duration, signs);
-      if (!map.counts(map.state(at.u))) continue;
-      const Settled on_curve = search_settled(curve, at);
-      dies_away = dies_away || on_curve.dies_away;
-      const auto is_known = [&](const CurveOfPoints& other) { return is_on(other, *on_curve.at); };
-      if (!on_curve.at || std::ranges::any_of(curves, is_known)) continue;
-      const std::size_t known = result.candidates.size();
-      curves.push_back(followed(curve, *on_curve.at, result.candidates));
-      for (std::size_t i = known; i < result.candidates.size(); ++i)
-        if (gait_near(result.candidates[i]) == 0) gaits.push_back(result.candidates[i]);
-    }
-  };
-  const auto settle = [&](double haste) {
-    if (const auto gait = where_strides_settle(map, haste, gaits, gait_near)) gaits.push_back(*gait);
-  };
-  try_starts(start_sizes[0], start_durations[0]);
-  settle(1);
-  for (const double duration : start_durations) {
-    for (const double size : start_sizes) {
-      const bool is_first = size == start_sizes[0] && duration == start_durations[0];
-      // Motions may recur without an impact on one curve, and with one on another; where one start leads to
-      // such a curve, another that shrinks to nothing tells little.
-      if (!is_first && gaits.empty() && !(dies_away && curves.empty())) try_starts(size, duration);
-    }
-  }
-  for (const double haste : hastes)
-    if (gaits.empty()) settle(haste);
-  using Outcome = GaitSearch::Outcome;
-  result.outcome = !result.candidates.empty() ? Outcome::found
-                   : !curves.empty()          ? Outcome::no_impact
-                   : dies_away                ? Outcome::dies_away
-                                              : Outcome::nothing_recurs;
-  return result;
+  return SearchForGaits(map, gait_near).run();
 }
 
 }  // namespace qdot

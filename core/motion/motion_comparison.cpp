@@ -16,7 +16,7 @@
 namespace qdot {
 namespace {
 
-constexpr double part = 0.1;     ///< of its own time, in which no difference changes its sign twice
+constexpr double part = 0.1;  ///< of its own time, in which no difference changes its sign twice
 constexpr double only_rounding = 1e-9;
 constexpr double useful = 1e-3;  ///< horizon: of a column's largest magnitude
 
