@@ -129,16 +129,14 @@ void Graph::forget_brackets() { brackets_.reset(); }
 
 Expression Graph::intern(Node node) {
   const std::size_t hash = hash_of(node);
-  const auto [first, last] = index_.equal_range(hash);
-  for (auto it = first; it != last; ++it) {
-    if (nodes_[it->second] == node) return {*this, it->second};
-  }
+  const NodeId known = index_.find(hash, [&](NodeId id) { return nodes_[id] == node; });
+  if (known != NodeIndex::none) return {*this, known};
   spend_work();
   if (nodes_.size() >= max_nodes) throw Error(ErrorCode::too_large, "the expressions grow too large");
   const auto id = static_cast<NodeId>(nodes_.size());
   lengths_.push_back(length_of(node, nodes_, lengths_));
   nodes_.push_back(std::move(node));
-  index_.emplace(hash, id);
+  index_.add(hash, id);
   return {*this, id};
 }
 

@@ -20,6 +20,7 @@
 
 #include "core/expr/length.hpp"
 #include "core/expr/node.hpp"
+#include "core/expr/node_index.hpp"
 
 namespace qdot {
 
@@ -100,7 +101,7 @@ class Graph {
 
   std::deque<Node> nodes_;  // a deque: references to nodes stay good while nodes are added
   std::vector<Length> lengths_;
-  std::unordered_multimap<std::size_t, NodeId> index_;
+  NodeIndex index_;
   std::unordered_map<NodeId, NodeId> simplified_;
   std::unique_ptr<BracketMemory> brackets_;
 };

@@ -43,8 +43,10 @@ VectorXd state_error(const PolishedGait& gait) {
     return m - flow.rate * (flow.surface_slope.transpose() * m) / speed;
   };
   const VectorXd between = along_surface(flow.state - gait.coarser.state);
+  const double late = std::abs(flow.surface / speed) + epsilon * gait.at.duration;
+  const VectorXd carried = flow.derivative.cwiseAbs() * gait.at.u.cwiseAbs() + flow.state.cwiseAbs();
   return along_surface(flow.derivative).cwiseAbs() * gait.error.head(gait.at.u.size()) +
-         safety * between.cwiseAbs() + epsilon * flow.state.cwiseAbs();
+         safety * between.cwiseAbs() + late * flow.rate.cwiseAbs() + epsilon * carried;
 }
 
 /// |d(dP/du)/du| along the error of u; none known counts as infinite.
@@ -118,17 +120,18 @@ std::optional<Uncertain> step_length(const Dynamics& dynamics, std::span<const d
   return Uncertain{by->norm(), error};
 }
 
-/// The gait at `near`, if there is one whose first impact is its own.
+/// The gait at `near`, if there is one whose first impact is its own and that ignores no more crossings.
 std::optional<Gait> gait_near(SectionMap& map, const Dynamics& dynamics, std::span<const double> parameters,
-                              const Recurrence& near) {
+                              const Recurrence& near, int most_ignored) {
   const auto found = polished(map, near);
   if (!found) return std::nullopt;
   const auto stride = map.stride(found->at.u, fine).stride;
-  if (!stride || stride->ignored_crossings > 0 ||
+  if (!stride || stride->ignored_crossings > most_ignored ||
       std::abs(stride->duration - found->at.duration) > same_place * found->at.duration) {
     return std::nullopt;
   }
   Gait gait;
+  gait.ignored_crossings = stride->ignored_crossings;
   const Index k = map.size();
   const auto jump = map.jump(found->at.u);
   const VectorXd error =
@@ -149,6 +152,21 @@ std::optional<Gait> gait_near(SectionMap& map, const Dynamics& dynamics, std::sp
   return gait;
 }
 
+/// Components that are 0 have no size of their own.
+bool are_same(const Gait& known, const Gait& gait) {
+  const std::vector<double> a = values_of(known.pre_impact), b = values_of(gait.pre_impact);
+  const Eigen::Map<const VectorXd> there(a.data(), static_cast<Index>(a.size())),
+      here(b.data(), static_cast<Index>(b.size()));
+  return std::abs(known.step_time.value - gait.step_time.value) < same_place * known.step_time.value &&
+         (there - here).norm() < same_place * there.norm();
+}
+
+int fewest_ignored(const std::vector<Gait>& gaits) {
+  int fewest = std::numeric_limits<int>::max();
+  for (const Gait& gait : gaits) fewest = std::min(fewest, gait.ignored_crossings);
+  return fewest;
+}
+
 void name_kinds(std::vector<Gait>& gaits) {
   std::ranges::sort(gaits, {}, [](const Gait& gait) { return gait.step_time.value; });
   if (gaits.size() < 2) return;
@@ -164,7 +182,7 @@ std::string reason(GaitSearch::Outcome outcome, const ParsedImpact& impact) {
     case GaitSearch::Outcome::nothing_recurs:
       return "No motion that repeats was found from the starts that are tried.";
     case GaitSearch::Outcome::dies_away:
-      return "Nothing gives back what the impact takes: all motions that were tried shrink towards rest.";
+      return "All motions that were tried shrink towards rest: nothing gives back what is lost.";
     case GaitSearch::Outcome::no_impact:
       return "Motions that repeat after a given time were found, but none of them meets " + impact.event +
              " then.";
@@ -234,16 +252,16 @@ Gaits periodic_gaits(const Dynamics& dynamics, std::span<const double> parameter
   SectionMap map(dynamics);
   map.set_parameters(parameters);
   Gaits result;
-  const GaitSearch search = search_gaits(map, [&](const Recurrence& candidate) {
-    auto gait = gait_near(map, dynamics, parameters, candidate);
-    const auto is_same = [&](const Gait& known) {
-      return std::abs(known.step_time.value - gait->step_time.value) < same_place * known.step_time.value &&
-             std::abs(known.pre_impact[0].value - gait->pre_impact[0].value) <
-                 same_place * std::abs(known.pre_impact[0].value);
-    };
-    const bool is_one = gait.has_value();
-    if (is_one && std::ranges::none_of(result.gaits, is_same)) result.gaits.push_back(std::move(*gait));
-    return is_one;
+  const GaitSearch search = search_gaits(map, [&](const Recurrence& candidate) -> std::optional<int> {
+    auto gait = gait_near(map, dynamics, parameters, candidate, fewest_ignored(result.gaits));
+    const auto is_same = [&](const Gait& known) { return are_same(known, *gait); };
+    if (!gait) return std::nullopt;
+    const int ignored = gait->ignored_crossings;
+    if (std::ranges::none_of(result.gaits, is_same)) result.gaits.push_back(std::move(*gait));
+    return ignored;
+  });
+  std::erase_if(result.gaits, [fewest = fewest_ignored(result.gaits)](const Gait& gait) {
+    return gait.ignored_crossings > fewest;
   });
   name_kinds(result.gaits);
   if (result.gaits.empty()) result.reason = reason(search.outcome, dynamics.model().parsed.impacts.front());

@@ -6,9 +6,10 @@
 // multipliers as there are components only those of the section's own dimension are given: an impact that
 // forgets part of the state makes the others 0.
 //
-// Gaits are left out whose stride crosses the impact's surface earlier in the impact's direction, at a place
-// where its condition does not hold: a walker that stands nearly upright while its swing leg swings to and
-// fro through the floor. There are infinitely many of those, with multipliers of e^9 and more.
+// A stride may cross the impact's surface earlier in the impact's direction, at a place where its condition
+// does not hold. Gaits with more such crossings than others are left out: a walker that stands nearly upright
+// while its swing leg swings to and fro through the floor. There are infinitely many of those, with
+// multipliers of e^9 and more.
 //
 // Source: M. Garcia, A. Chatterjee, A. Ruina, M. Coleman, The simplest walking model: stability, complexity,
 // and scaling, J. Biomech. Eng. 120 (1998) 281-288; T. McGeer, Passive dynamic walking, Int. J. Robotics
@@ -53,6 +54,7 @@ struct Gait {
   std::vector<std::complex<double>> multipliers;  ///< largest first
   std::vector<double> multiplier_errors;
   GaitStability stability{};
+  int ignored_crossings{};  ///< as in Stride
   double residual{};  ///< the largest component of |G(P(u)) - G(u)|, by following the motion to its event
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/gait/strides_that_settle.hpp"
 #include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/path_following.hpp"
 #include "core/numerics/same_bits.hpp"
@@ -19,6 +20,7 @@ constexpr double rtol = 1e-5;
 constexpr double accuracy = 1e-3;  // of a point on the curve
 constexpr std::array start_sizes{0.3, 0.03, 2.0};
 constexpr std::array start_durations{2.0, 1.0, 4.0};
+constexpr std::array hastes{3.0, 10.0};  // where no gait is found otherwise
 constexpr int most_start_steps = 60, sure_start_steps = 15;
 constexpr Corrections corrections{.most = 6, .accuracy = accuracy};
 constexpr Advances advances{
@@ -148,41 +150,69 @@ CurveOfPoints followed(RecurrenceCurve& curve, const Recurrence& from, std::vect
   return points;
 }
 
-}  // namespace
+class SearchForGaits {
+ public:
+  SearchForGaits(SectionMap& map, const IgnoredByGait& gait_near)
+      : map_(map), gait_near_(gait_near), curve_(map) {}
 
-GaitSearch search_gaits(SectionMap& map, const IsGait& is_gait) {
-  RecurrenceCurve curve(map);
-  const Index k = map.size();
-  std::vector<CurveOfPoints> curves;
-  bool dies_away = false, is_found = false;
-  GaitSearch result;
-  const auto try_starts = [&](double size, double duration) {
+  GaitSearch run() {
+    try_starts(start_sizes[0], start_durations[0]);
+    settle(1);
+    for (const double duration : start_durations) {
+      for (const double size : start_sizes) {
+        const bool is_first = size == start_sizes[0] && duration == start_durations[0];
+        // Motions may recur without an impact on one curve, and with one on another; where one start leads to
+        // such a curve, another that shrinks to nothing tells little.
+        if (!is_first && gaits_.empty() && !(dies_away_ && curves_.empty())) try_starts(size, duration);
+      }
+    }
+    for (const double haste : hastes)
+      if (gaits_.empty()) settle(haste);
+    result_.outcome = outcome();
+    return std::move(result_);
+  }
+
+ private:
+  void try_starts(double size, double duration) {
+    const Index k = map_.size();
     for (unsigned signs = 0; signs < 1u << std::min<Index>(k, 4); ++signs) {
       const Recurrence at = start(k, size, duration, signs);
-      if (!map.counts(map.state(at.u))) continue;
-      const Settled on_curve = search_settled(curve, at);
-      dies_away = dies_away || on_curve.dies_away;
+      if (!map_.counts(map_.state(at.u))) continue;
+      const Settled on_curve = search_settled(curve_, at);
+      dies_away_ = dies_away_ || on_curve.dies_away;
       const auto is_known = [&](const CurveOfPoints& other) { return is_on(other, *on_curve.at); };
-      if (!on_curve.at || std::ranges::any_of(curves, is_known)) continue;
-      const std::size_t known = result.candidates.size();
-      curves.push_back(followed(curve, *on_curve.at, result.candidates));
-      for (std::size_t i = known; i < result.candidates.size(); ++i)
-        is_found = is_gait(result.candidates[i]) || is_found;
-    }
-  };
-  for (const double duration : start_durations) {
-    for (const double size : start_sizes) {
-      // Motions may recur without an impact on one curve, and with one on another; where one start leads to
-      // such a curve, another that shrinks to nothing tells little.
-      if (!is_found && !(dies_away && curves.empty())) try_starts(size, duration);
+      if (!on_curve.at || std::ranges::any_of(curves_, is_known)) continue;
+      const std::size_t known = result_.candidates.size();
+      curves_.push_back(followed(curve_, *on_curve.at, result_.candidates));
+      for (std::size_t i = known; i < result_.candidates.size(); ++i)
+        if (gait_near_(result_.candidates[i]) == 0) gaits_.push_back(result_.candidates[i]);
     }
   }
-  using Outcome = GaitSearch::Outcome;
-  result.outcome = !result.candidates.empty() ? Outcome::found
-                   : !curves.empty()          ? Outcome::no_impact
-                   : dies_away                ? Outcome::dies_away
-                                              : Outcome::nothing_recurs;
-  return result;
+
+  void settle(double haste) {
+    if (const auto gait = where_strides_settle(map_, haste, gaits_, gait_near_)) gaits_.push_back(*gait);
+  }
+
+  [[nodiscard]] GaitSearch::Outcome outcome() const {
+    using Outcome = GaitSearch::Outcome;
+    if (!result_.candidates.empty()) return Outcome::found;
+    if (!curves_.empty()) return Outcome::no_impact;
+    return dies_away_ ? Outcome::dies_away : Outcome::nothing_recurs;
+  }
+
+  SectionMap& map_;
+  const IgnoredByGait& gait_near_;
+  RecurrenceCurve curve_;
+  std::vector<CurveOfPoints> curves_;
+  std::vector<Recurrence> gaits_;  ///< those that end the search
+  bool dies_away_{};
+  GaitSearch result_;
+};
+
+}  // namespace
+
+GaitSearch search_gaits(SectionMap& map, const IgnoredByGait& gait_near) {
+  return SearchForGaits(map, gait_near).run();
 }
 
 }  // namespace qdot

@@ -6,12 +6,13 @@
 // if no gait is found then r = 0.03 and 2, then at T = 1 and 4 (starts that the event's condition excludes
 // are left out), and followed from each new solution by its arclength in (u/|u|, log T) over 0.1 <= T <= 6
 // and 1e-6 <= |u| <= 1e3 (core/numerics/path_following.hpp). The candidates are the changes of sign of g
-// along it. Gaits that no such curve reaches are not found.
+// along it. Beside them are the gaits where strides settle that begin as the scene does, or if no gait is
+// found with three or ten times its velocities (core/gait/strides_that_settle.hpp). Gaits that neither reach
+// are not found.
 
-#include <functional>
 #include <vector>
 
-#include "core/gait/shooting.hpp"
+#include "core/gait/strides_that_settle.hpp"
 
 namespace qdot {
 
@@ -25,9 +26,6 @@ struct GaitSearch {
   } outcome{};
 };
 
-/// Whether there is a gait near a candidate; the search goes on with other starts until there is one.
-using IsGait = std::function<bool(const Recurrence&)>;
-
-[[nodiscard]] GaitSearch search_gaits(SectionMap& map, const IsGait& is_gait);
+[[nodiscard]] GaitSearch search_gaits(SectionMap& map, const IgnoredByGait& gait_near);
 
 }  // namespace qdot

@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 
 constexpr std::uint64_t most_steps = 20'000;
 constexpr double least_atol = 1e-100;
+constexpr double of_rounding = 1e-11;  // of u, as far as it has been found
 
 std::vector<Expression> state_symbols(const Symbols& symbols) {
   std::vector<Expression> all = symbols.coordinates.value;
@@ -265,16 +266,49 @@ RunRequest SectionMap::request(const VectorXd& start, double rtol) const {
 
 SectionMap::Result SectionMap::stride(const VectorXd& u, double rtol) {
   const auto start = jump(u);
-  if (!start || !starts_validly(start->after)) return {std::nullopt, Miss::stopped};
+  return start ? stride_from(on_surface(start->after), rtol) : Result{std::nullopt, Miss::stopped};
+}
+
+/// Velocities in the scene's units of time.
+SectionMap::Result SectionMap::first_stride(double haste, double rtol) {
+  const ParsedScene& parsed = dynamics_.model().parsed;
+  std::vector<Assignment> values;
+  for (std::size_t i = 0; i < parameters_.size(); ++i)
+    values.emplace_back(parsed.symbols.parameters[i], parameters_[i]);
+  const Index n = unit_.size() / 2;
+  VectorXd start(2 * n);
+  for (Index i = 0; i < n; ++i) {
+    start[i] = evaluate(parsed.initial[static_cast<std::size_t>(i)], values);
+    start[n + i] = haste * evaluate(parsed.initial_rates[static_cast<std::size_t>(i)], values);
+  }
+  if (!start.allFinite()) return {std::nullopt, Miss::stopped};
+  return stride_from(in_units(start), rtol);
+}
+
+/// An impact that keeps the place leaves the motion on the surface, but for the rounding of u: as far from it
+/// as that, it would meet the surface again at once.
+VectorXd SectionMap::on_surface(VectorXd after) {
+  std::vector<double> out(surface_->outputs());
+  if (surface_->evaluate(0, in_si(after), surface_workspace_, out) != Evaluation::ok) return after;
+  const VectorXd slope = Eigen::Map<const VectorXd>(out.data() + 1, unit_.size()).cwiseProduct(unit_);
+  const double steepness = slope.norm();
+  if (std::abs(out[0]) < of_rounding * steepness * after.norm())
+    after -= out[0] / (steepness * steepness) * slope;
+  return after;
+}
+
+SectionMap::Result SectionMap::stride_from(const VectorXd& after, double rtol) {
+  if (!starts_validly(after)) return {std::nullopt, Miss::stopped};
   const RightHandSide system{
       static_cast<std::size_t>(unit_.size()),
       [this](double, std::span<const double> y, std::span<double> out) { return rates(y, out); },
       {}};
-  RunRequest run = request(start->after, rtol);
+  RunRequest run = request(after, rtol);
   run.t_end = longest_stride;
   for (const Watch& watch : watched()) run.events.push_back(scaled(watch));
+  run.events.back().counts_at_start = false;   // an impact has just been
   EventFunction crossing = run.events.back();  // the impact's, wherever it happens
-  crossing.terminal = crossing.counts_at_start = false;
+  crossing.terminal = false;
   crossing.condition = {};
   run.events.push_back(std::move(crossing));
   const Run done = integrate(system, run);
@@ -283,7 +317,7 @@ SectionMap::Result SectionMap::stride(const VectorXd& u, double rtol) {
   const auto ended =
       std::ranges::find_if(done.events, [&](const EventOccurrence& e) { return e.event < watches_.size(); });
   if (watches_[ended->event].kind != Watch::Kind::impact) return {std::nullopt, Miss::stopped};
-  return {Stride{start->after, Eigen::Map<const VectorXd>(done.y.data(), unit_.size()), done.t,
+  return {Stride{after, Eigen::Map<const VectorXd>(done.y.data(), unit_.size()), done.t,
                  static_cast<int>(ended - done.events.begin())},
           Miss::none};
 }

@@ -80,6 +80,8 @@ class SectionMap {
   };
   /// The stride after an impact at u, each step's error below rtol (1e-14 at least).
   [[nodiscard]] Result stride(const Eigen::VectorXd& u, double rtol);
+  /// The motion from the scene's own start, its velocities `haste` times as large, to its first impact.
+  [[nodiscard]] Result first_stride(double haste, double rtol);
   /// The flow over the time T > 0; no value where the integration fails.
   [[nodiscard]] std::optional<Flow> flow(const Eigen::VectorXd& u, double duration, double rtol);
   /// Whether the event's condition holds at a state, and whether it is crossed in its direction there.
@@ -108,6 +110,8 @@ class SectionMap {
   [[nodiscard]] const std::vector<Watch>& watched();
   [[nodiscard]] Evaluation rates(std::span<const double> y, std::span<double> out);
   [[nodiscard]] Evaluation variational_rates(std::span<const double> y, std::span<double> out);
+  [[nodiscard]] Result stride_from(const Eigen::VectorXd& after, double rtol);
+  [[nodiscard]] Eigen::VectorXd on_surface(Eigen::VectorXd after);
   [[nodiscard]] bool starts_validly(const Eigen::VectorXd& after);
   [[nodiscard]] RunRequest request(const Eigen::VectorXd& start, double rtol) const;
   [[nodiscard]] EventFunction scaled(const Watch& watch) const;

@@ -43,6 +43,36 @@ double short_time(const SectionEnd& end) {
   return speed > 0 ? looked_at / speed : looked_at;
 }
 
+/// Positions after tau at the accelerations of before.
+std::vector<double> soon(const SectionEnd& end, double tau) {
+  std::vector<double> y = along(end.before, tau, end.slopes_before);
+  const std::size_t n = y.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) y[i] += tau * tau / 2 * end.slopes_before[n + i];
+  return y;
+}
+
+/// Where the other meets the event far from there or never, as one of two bodies that rest beside each other
+/// but for rounding: either it goes on without the impact, or it meets it with another speed g',
+///
+///   |e_after| <= of_places |e| + |y_after - y_before| (2 + sqrt(g'^2 + 2 |g''| |g(other) - g|)/|g'|),
+///
+/// or as far as anything has come, if that is less.
+std::vector<double> apart_without_event(const SectionEnd& end, std::span<const double> e, double tau) {
+  constexpr double of_places = 4;
+  const auto g = [&](double later, const std::vector<double>& y) { return end.g(end.t + later, y); };
+  const double now = g(0, end.before), ahead = g(tau, soon(end, tau)), behind = g(-tau, soon(end, -tau));
+  const double speed = std::abs(ahead - behind) / (2 * tau);
+  const double curvature = std::abs(ahead - 2 * now + behind) / (tau * tau);
+  const double distance = std::abs(g(0, along(end.before, -1, e)) - now);
+  const double share = 2 + std::sqrt(1 + 2 * curvature * distance / (speed * speed));
+  std::vector<double> result(end.reached);
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    const double bound = of_places * std::abs(e[i]) + share * std::abs(end.after[i] - end.before[i]);
+    if (bound < end.reached[i]) result[i] = bound;  // not, where it is no number
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e) {
@@ -57,7 +87,7 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
   const double slope = (g_of_other(tau) - g_of_other(-tau)) / (2 * tau);
   double later = 0;
   for (int i = 0; i < looks; ++i) later -= g_of_other(later) / slope;
-  if (!(std::abs(later) < farthest_to_event / looked_at * tau)) return end.reached;
+  if (!(std::abs(later) < farthest_to_event / looked_at * tau)) return apart_without_event(end, e, tau);
   std::vector<double> result = state_after(end, along(other, later, end.slopes_before));
   result = along(result, -later, end.slopes_after);
   for (std::size_t i = 0; i < e.size(); ++i) result[i] = (end.after[i] - result[i]) / factor;

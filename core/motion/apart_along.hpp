@@ -20,7 +20,7 @@
 
 namespace qdot {
 
-/// e after it; as large as the motion where it only grazes.
+/// e after it; where it only grazes, what the impact changes at most, or as much as the motion is large.
 [[nodiscard]] std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e);
 
 /// By how many seconds all computations may take the event too late, or too early, as g is rounded in all.

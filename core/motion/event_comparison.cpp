@@ -40,6 +40,7 @@ EventComparison::EventComparison(const ComputedMotion& motion, const std::vector
 
 std::vector<std::optional<double>> EventComparison::of_events() {
   std::vector<std::optional<double>> result;
+  const EventRecord* last = nullptr;
   for (const EventRecord& event : motion_.simulation.events) {
     const std::vector<double> before = rows_before(event.t);
     const auto at_event = at_events_.next(event, before);
@@ -49,8 +50,16 @@ std::vector<std::optional<double>> EventComparison::of_events() {
       const std::vector<double> later = some_rows_after(event.t);
       result.push_back(later.empty() ? std::nullopt : of_state_.of(event, later, scale_));
     }
+    if (last != nullptr && last->t == event.t) share_with_cause(result);
+    last = &event;
   }
   return result;
+}
+
+/// What happens at the instant of another event may follow from it, as one impact from another.
+void EventComparison::share_with_cause(std::vector<std::optional<double>>& errors) {
+  const auto &cause = errors[errors.size() - 2], &own = errors.back();
+  errors.back() = cause && own ? std::optional(std::max(*cause, *own)) : std::nullopt;
 }
 
 std::span<const double> EventComparison::row(std::size_t i) const {

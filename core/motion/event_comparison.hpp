@@ -31,6 +31,7 @@ class EventComparison {
   [[nodiscard]] std::optional<double> of_stop();
 
  private:
+  static void share_with_cause(std::vector<std::optional<double>>& errors);
   [[nodiscard]] std::size_t rows() const { return errors_.stated.size() / scale_.size(); }
   [[nodiscard]] std::span<const double> row(std::size_t i) const;
   [[nodiscard]] std::vector<double> rows_before(double t);

@@ -12,6 +12,9 @@ namespace {
 
 constexpr double shortest_step = 1e-7;  ///< for a slope, relative
 constexpr double rounding_of_values = 8 * std::numeric_limits<double>::epsilon();
+/// Of a component's largest magnitude: one that has not gone farther yet may be rounding, as of a ball that
+/// is hit and hits the next one in the same instant.
+constexpr double rounding_of_scale = 1e-3;
 constexpr double tried_first = 1.05, tried_next = 1.5;  ///< of what is tried
 constexpr double shortest_time = 1e-300;
 constexpr double share = 1e-4;          ///< of that time, for slopes along the motion
@@ -51,16 +54,19 @@ std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<co
                                       std::span<const double> errors, std::span<const double> reached) {
   const std::size_t n = y.size() / 2;
   Place place{t, y, accelerations(t, y), {}};
-  double own_time = infinity;
+  double own_time = infinity, shortest = infinity;
   for (std::size_t k = 0; k < 2 * n; ++k) {
     const double size = std::max(reached[k], std::abs(y[k]));
     place.errors.push_back(errors[k] + rounding_of_values * size);
     const double rate = std::abs(k < n ? y[n + k] : place.accelerations[k - n]);
     if (!std::isfinite(rate)) return std::nullopt;
-    if (rate > 0 && size > 0) own_time = std::min(own_time, size / rate);
+    const double range = size < rounding_of_scale * scale_[k] ? scale_[k] : size;
+    if (!(rate > 0) || !(range > 0)) continue;
+    shortest = std::min(shortest, (size > 0 ? size : range) / rate);
+    own_time = std::min(own_time, range / rate);
   }
   if (!std::isfinite(own_time)) return std::nullopt;
-  const double least = std::max({time_round_off(t), time_round_off(own_time), shortest_time});
+  const double least = std::max({time_round_off(t), time_round_off(shortest), shortest_time});
   const Linear around = linear(watch, place);
   const double guess = around.doubt / std::abs(around.slope);
   for (double tau = std::max(least, tried_first * (std::isfinite(guess) ? guess : 0));

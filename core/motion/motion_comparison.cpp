@@ -16,7 +16,8 @@
 namespace qdot {
 namespace {
 
-constexpr double part = 0.1;     ///< of its own time, in which no difference changes its sign twice
+constexpr double part = 0.1;  ///< of its own time, in which no difference changes its sign twice
+constexpr double only_rounding = 1e-9;
 constexpr double useful = 1e-3;  ///< horizon: of a column's largest magnitude
 
 /// What the checks may have missed up to a row.
@@ -29,6 +30,23 @@ void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::ve
   }
 }
 
+/// What errors of each column are large or small beside: its largest magnitude, or where that is rounding of
+/// other coordinates of its kind, such as of a ball that lies between others, a small part of theirs.
+std::vector<double> scales_of(const ComputedMotion& motion) {
+  const std::vector<double> largest = largest_magnitudes(motion, Rows::all);
+  std::vector<double> scales = largest;
+  const auto& coordinates = motion.dynamics.model().scene.coordinates;
+  const std::size_t n = coordinates.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (coordinates[i].unit != coordinates[j].unit) continue;
+      for (const std::size_t of_kind : {std::size_t{0}, n})
+        scales[of_kind + i] = std::max(scales[of_kind + i], only_rounding * largest[of_kind + j]);
+    }
+  }
+  return scales;
+}
+
 /// Of a number that is not negative.
 double next_above(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
@@ -38,7 +56,7 @@ class Comparing {
       : motion_(motion),
         others_(others),
         width_(motion.width()),
-        largest_(largest_magnitudes(motion, Rows::all)),
+        largest_(scales_of(motion)),
         at_impacts_(motion, largest_),
         errors_(largest_, [&] { return winding_coordinates(motion.dynamics.model()); }),
         workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)),
@@ -198,7 +216,7 @@ class Comparing {
   const ComputedMotion& motion_;
   const std::vector<Simulation>& others_;
   std::size_t width_;
-  std::vector<double> largest_;
+  std::vector<double> largest_;  ///< scales_of(motion)
   RowsAtImpacts at_impacts_;
   RowErrors errors_;
   Workspace workspace_;

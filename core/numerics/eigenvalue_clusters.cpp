@@ -54,15 +54,21 @@ void swap(LongSchur& schur, Eigen::Index k) {
   t(k + 1, k) = 0;
 }
 
-/// Which cluster each eigenvalue belongs to: those nearer to each other than `distance` of their size hang
-/// together.
-std::vector<std::size_t> clusters_of(const std::vector<Complex>& values, long double distance) {
+/// How near eigenvalues are that hang together: a share of their size, or a length. Zeros that lack an
+/// eigenvector have no size of their own.
+struct Nearness {
+  long double share{}, length{};
+};
+
+/// Which cluster each eigenvalue belongs to.
+std::vector<std::size_t> clusters_of(const std::vector<Complex>& values, const Nearness& near) {
   std::vector<std::size_t> cluster(values.size());
   std::iota(cluster.begin(), cluster.end(), std::size_t{0});
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const long double size = std::max(std::abs(values[i]), std::abs(values[j]));
-      if (!(std::abs(values[i] - values[j]) <= distance * size) || cluster[i] == cluster[j]) continue;
+      const long double most = std::max(near.share * size, near.length);
+      if (!(std::abs(values[i] - values[j]) <= most) || cluster[i] == cluster[j]) continue;
       std::ranges::replace(cluster, std::max(cluster[i], cluster[j]), std::min(cluster[i], cluster[j]));
     }
   }
@@ -75,11 +81,11 @@ struct Basis {
   std::vector<std::size_t> cluster;  ///< of each column
 };
 
-Basis basis_of(LongSchur schur, long double distance) {
+Basis basis_of(LongSchur schur, const Nearness& near) {
   const Eigen::Index n = schur.t.rows();
   std::vector<Complex> values;
   for (Eigen::Index i = 0; i < n; ++i) values.push_back(schur.t(i, i));
-  std::vector<std::size_t> cluster = clusters_of(values, distance);
+  std::vector<std::size_t> cluster = clusters_of(values, near);
   for (bool sorted = false; !sorted;) {  // by neighbours that change places
     sorted = true;
     for (Eigen::Index k = 0; k + 1 < n; ++k) {
@@ -232,9 +238,15 @@ std::vector<EnclosedEigenvalue> enclose_eigenvalues(const Matrix& a, const Matri
   const auto schur = schur_form(matrix);
   if (!schur) return nothing;
   std::vector<EnclosedEigenvalue> best = nothing;
-  for (const long double near : {0.0L, 1e-12L, 1e-9L, 1e-6L, 1e-4L, 1e-2L, 1e-1L}) {
+  const auto look = [&](const Nearness& near) {
     std::vector<EnclosedEigenvalue> found = joined(Seen(a, b, basis_of(*schur, near)));
     if (uncertainty(found) < uncertainty(best)) best = std::move(found);
+  };
+  for (const long double share : {0.0L, 1e-12L, 1e-9L, 1e-6L, 1e-4L, 1e-2L, 1e-1L}) look({.share = share});
+  const long double largest = schur->t.diagonal().cwiseAbs().maxCoeff();
+  for (const long double share : {1e-12L, 1e-9L, 1e-6L}) {
+    if (!std::ranges::all_of(best, [](const auto& e) { return std::isfinite(e.radius); }))
+      look({.length = share * largest});
   }
   return best;
 }

@@ -33,6 +33,12 @@ std::vector<double> completed(std::span<const double> scales, std::size_t dimens
   return all;
 }
 
+Box nearest_to_zero(const Box& region) {
+  Box place;
+  for (const Interval& side : region) place.emplace_back(std::clamp(0.0, side.lower, side.upper));
+  return place;
+}
+
 bool comes_before(const IsolatedZero& a, const IsolatedZero& b) {
   return std::ranges::lexicographical_compare(
       a.enclosure, b.enclosure, [](const Interval& x, const Interval& y) { return x.upper < y.lower; });
@@ -102,15 +108,19 @@ class Isolator {
   }
 
   /// What was not finished may still show zeros: those of the region to which Newton's iteration leads from
-  /// some middles.
+  /// the place nearest to 0, whatever is left, and from some middles.
   void look_for_zeros_in_what_is_left(const Box& region, std::size_t starts, std::uint64_t kept_for_others) {
-    for (std::size_t i = 0; i < starts && !waiting_.empty() && work_left() >= kept_for_others; ++i) {
-      const std::optional<Box> start = newton(system_, middle(pop()));
-      if (!start || !overlap(*start, region)) continue;
-      const Box around = units_.around(*start, 1e-6);
-      Box contracted = krawczyk(system_, around);
-      if (!is_settled(contracted) && is_inside(contracted, around)) settle(around, std::move(contracted));
-    }
+    look_for_zero(nearest_to_zero(region), region);
+    for (std::size_t i = 0; i < starts && !waiting_.empty() && work_left() >= kept_for_others; ++i)
+      look_for_zero(middle(pop()), region);
+  }
+
+  void look_for_zero(const Box& from, const Box& region) {
+    const std::optional<Box> start = newton(system_, from);
+    if (!start || !overlap(*start, region)) return;
+    const Box around = units_.around(*start, 1e-6);
+    Box contracted = krawczyk(system_, around);
+    if (!is_settled(contracted) && is_inside(contracted, around)) settle(around, std::move(contracted));
   }
 
   [[nodiscard]] bool is_settled(const Box& box) const {

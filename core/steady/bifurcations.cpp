@@ -48,7 +48,8 @@ class CriticalSearch {
     }
     trace();
     if (!result_.complete && !gave_up_) add_missed();
-    if (result_.complete && changes_between(result_.branches, result_.critical, result_.degenerate)) {
+    known_elsewhere_.insert(known_elsewhere_.end(), result_.degenerate.begin(), result_.degenerate.end());
+    if (result_.complete && changes_between(result_.branches, result_.critical, known_elsewhere_)) {
       incomplete(growth_not_found);
     }
     return std::move(result_);
@@ -68,6 +69,9 @@ class CriticalSearch {
 
   void incomplete(const std::string& reason) {
     result_.complete = false;
+    say(reason);
+  }
+  void say(const std::string& reason) {
     if (result_.reason.find(reason) != std::string::npos) return;
     result_.reason += (result_.reason.empty() ? "" : " ") + reason;
   }
@@ -139,7 +143,14 @@ class CriticalSearch {
       const auto is_there = [&](double p) { return crossing.p.is_finite() && crossing.p.contains(p); };
       if (std::ranges::any_of(result_.degenerate, is_there)) continue;
       const std::string& x = dynamics_.model().scene.coordinates[kept()[unknowns()[crossing.unknown]]].name;
-      incomplete(sentence(crossing, x, parameter, {from_, to_}));
+      const std::string told = sentence(crossing, x, parameter, {from_, to_});
+      if (!crossing.p.is_finite()) {
+        incomplete(told);
+        continue;
+      }
+      say(told);
+      result_.at_ends.push_back(told);
+      known_elsewhere_.push_back(crossing.p.middle());
     }
   }
 
@@ -228,6 +239,7 @@ class CriticalSearch {
   SteadyProblem problem_;  ///< of the chart, as are its systems
   std::shared_ptr<const BifurcationSystems> systems_;
   bool gave_up_{};
+  std::vector<double> known_elsewhere_;  ///< values at which something happens that is not critical
   Bifurcations result_;
 };
 

@@ -19,9 +19,12 @@ struct Bifurcations {
   std::vector<CriticalValue> critical;  ///< ascending
   std::vector<EquilibriumBranch> branches;
   bool complete{true};
-  std::string reason;  ///< why there are none, or not all
+  std::string reason;  ///< why there are none, or not all, and what happens at ends
   /// Values at which a force vanishes everywhere, so that its equilibria are not isolated.
   std::vector<double> degenerate;
+  /// Sentences: where equilibria come from an end of a coordinate, such as infinity, or leave there. What is
+  /// known does not take from `complete`.
+  std::vector<std::string> at_ends;
 };
 
 /// Of parameter number `index` in [from, to], from < to, the others as given.

@@ -148,11 +148,12 @@ class RegionSearch {
     Isolation found = isolate_zeros(system_.at(sides), middle, scales, most_boxes_of_middle);
     if (where.empty() || !found.complete || !found.undecided.empty()) {
       incomplete(
-          "The search was given up before it was finished, so equilibria may be missing: their number is not "
-          "finite, or forces of very different sizes cancel.");
+          "The search was given up before it was finished, so equilibria may be missing: there are many of "
+          "them, perhaps without end, or many coordinates, or forces of very different sizes cancel.");
       return whole;
     }
-    incomplete("There are more equilibria than can be looked for: these are those with " + where + ".");
+    incomplete("The search was given up before it was finished: these are all equilibria with " + where +
+               ", and beyond there may be more, even without end.");
     return found;
   }
 

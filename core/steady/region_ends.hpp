@@ -23,7 +23,8 @@ struct EndCrossing {
                                                      const Interval& range);
 
 /// Of the coordinate and the parameter with these names. Where the region ends far out, the forces are not
-/// yet those at infinity: a number that is nearly 0 in the range of the parameter means 0 there.
+/// yet those at infinity: a number that is nearly 0 in the range of the parameter means 0 there, and no more
+/// digits are told than are the same.
 [[nodiscard]] std::string sentence(const EndCrossing& crossing, const std::string& coordinate,
                                    const std::string& parameter, const Interval& range);
 

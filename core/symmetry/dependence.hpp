@@ -7,8 +7,8 @@
 
 namespace qdot {
 
-/// The row space of a matrix, row by row, in its reduced form: in the column where a row leads it has a 1 and
-/// the others have 0.
+/// The row space of a matrix, row by row: in the column where a row leads it has a 1, before it and in those
+/// where rows before it lead 0.
 class RowSpace {
  public:
   explicit RowSpace(std::size_t columns) : columns_(columns) {}
@@ -22,6 +22,9 @@ class RowSpace {
   [[nodiscard]] std::vector<std::vector<Modular>> dependences() const;
 
  private:
+  /// The others have 0 where a row leads, too.
+  [[nodiscard]] std::vector<std::vector<Modular>> reduced() const;
+
   std::size_t columns_;
   std::vector<std::vector<Modular>> rows_;
   std::vector<std::size_t> leads_;

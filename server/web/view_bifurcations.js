@@ -179,7 +179,7 @@ export class BifurcationsView {
     const count = answer.critical.length;
     const said =
       count === 0
-        ? `Nothing changes in this range${answer.complete ? "; that is proven." : "."}`
+        ? `${answer.at_ends ? "No equilibria meet" : "Nothing changes"} in this range${answer.complete ? "; that is proven." : "."}`
         : `${count === 1 ? "One critical value" : `${count} critical values`}${answer.complete ? ", proven to be all." : "."}`;
     return element("p", {}, said, typeof answer.reason === "string" ? ` ${answer.reason}` : "");
   }

@@ -230,6 +230,8 @@ class Bifurcations(Answers):
         bond = lagrangian("bond", "A - 1; B - 1; F - 0.01", "r - 2 0", "r_dot^2/2 - A/r^2 + B/r + F*r")
         found = self.ask("bifurcations", {"system": bond, "parameter": "F", "from": -0.1, "to": 0.1})
         self.assertIn("At F = 0 an equilibrium appears from or vanishes to r = infinity.", found["reason"])
+        self.assertIs(found["complete"], True, found["reason"])  # what is known is not missing
+        self.assertEqual(found["reason"], " ".join(found["at_ends"]))
         self.assertEqual([set(branch["stability"]) - {"neutral"} for branch in found["branches"]],
                          [{"stable"}, {"stable"}, {"unstable"}])
 

@@ -8,7 +8,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, reference_cases  # noqa: E402
-from short_scene import G, particle, scene  # noqa: E402
+from short_scene import G, particle, rigid, scene  # noqa: E402
 
 STATE = 1e-12  # contract of this version; the reference asks 1e-9
 PRE_IMPACT = 1e-10  # the swing foot's rate just before the strike
@@ -130,8 +130,102 @@ class RimlessWheel(Service):
                     rate, error = gait["state"]["theta_dot"], gait["error"]["state"]["theta_dot"]
                     self.assertLess(abs(rate - math.sqrt(steady)), error + 1e-15*rate)
                     self.assertAlmostEqual(gait["multipliers"][0]["re"], math.cos(2*alpha)**2, 11)
+                    self.assertEqual((gait["exact"]["of"], gait["exact"]["text"]),
+                                     ("theta_dot^2", "4*g*sin(alpha)*sin(gamma)*cos(2*alpha)^2/(l*sin(2*alpha)^2)"))
+                    self.assertEqual(gait["exact"]["multiplier"]["text"], "cos(2*alpha)^2")
                     rolled += 1
         self.assertGreater(rolled, 8)
+
+    def test_a_walker_with_massless_feet_keeps_the_wheels_rate_by_its_angle(self):
+        """Garcia, Chatterjee, Ruina and Coleman (1998), as a wheel's whose spokes stand at the angle of its stride."""
+        found = self.ask("gait", {"system": "compass_walker", "parameters": {"m": 0}})
+        self.assertEqual(len(found["gaits"]), 2)
+        for gait in found["gaits"]:
+            self.assertEqual(gait["exact"]["text"], "4*g*sin(theta)*sin(gamma)*cos(2*theta)^2/(l*sin(2*theta)^2)")
+            self.assertIn("m = 0", gait["exact"]["assumes"])
+            given, theta = found["request"]["parameters"], gait["state"]["theta"]
+            square = 4*given["g"]/given["l"]*math.sin(theta)*math.sin(given["gamma"])/math.tan(2*theta)**2
+            self.assertAlmostEqual(gait["state"]["theta_dot"]**2, square, 12)
+        for gait in self.ask("gait", {"system": "compass_walker", "parameters": {"m": 0.1}})["gaits"]:
+            self.assertNotIn("exact", gait)
+
+
+class WhereStridesSettle(Service):
+    """Gaits that no curve of recurring motions leads to, but the scene's own motion."""
+
+    def only_gait(self, system, parameters):
+        [gait] = self.ask("gait", {"system": system, "parameters": parameters})["gaits"]
+        return gait
+
+    def near(self, number, expected, error):
+        self.assertLess(abs(number - expected), error + 4e-16*abs(expected))
+
+    def test_a_ball_that_each_bounce_kicks(self):
+        """v = e v + c, T = 2 v/g; all heights of the floor are alike, so that no motion recurs at other times."""
+        ball = scene("kicked_ball", f"e 1 0.8; c m/s 1; m kg 1; {G}", "y m 1", gravity=["0", "-g"], bodies=[particle("m", "0", "y")],
+                     events=[{"name": "floor", "expression": "y", "direction": "falling"}],
+                     impact={"event": "floor", "map": {"y_dot": "c - e*y_dot"}})
+        for e, c in ((0.929, 0.058), (0.169, 2.9), (-0.351, 3.784)):
+            gait = self.only_gait(ball, {"e": e, "c": c})
+            self.near(gait["state"]["y_dot"], c/(1 - e), gait["error"]["state"]["y_dot"])
+            self.near(gait["step_time"], 2*c/(1 - e)/9.81, gait["error"]["step_time"])
+            self.near(gait["multipliers"][0]["re"], e, gait["error"]["multipliers"][0])
+            self.assertIs(gait["stable"], True)
+
+    def test_a_clock_ticks_where_it_hangs_down(self):
+        """An impact that leaves the place on its surface: w = w r + J, r what a swing leaves of a linear one's rate."""
+        clock = scene("clock", "m kg 1; I kg*m^2 1; k N*m 10; c kg*m^2/s 0.1; J rad/s 0.3", "a rad 0 0.5",
+                      bodies=[rigid("m", "I", ["0", "0"], "a")], springs=[{"stiffness": "k", "angle": "a"}],
+                      dampers=[{"coefficient": "c", "angle": "a"}], events=[{"name": "tick", "expression": "a", "direction": "rising"}],
+                      impact={"event": "tick", "map": {"a_dot": "a_dot + J"}})
+        for c, kick in ((0.1, 0.3), (0.7, 0.05), (2.1, 4.0)):
+            gait = self.only_gait(clock, {"c": c, "J": kick})
+            period = 2*math.pi/math.sqrt(10 - c*c/4)
+            self.near(gait["step_time"], period, gait["error"]["step_time"])
+            left = math.exp(-c/2*period)
+            self.near(gait["state"]["a_dot"], kick/(1 - left), gait["error"]["state"]["a_dot"])
+            self.near(gait["multipliers"][0]["re"], left, gait["error"]["multipliers"][0])
+
+    def test_a_wheel_with_inertia_of_its_own_rolls(self):
+        wheel = scene("wheel", f"m kg 1; l m 1; I kg*m^2 0.2; al rad 0.39; ga rad 0.08; {G}", "th rad 0 0.9",
+                      gravity=["g*sin(ga)", "-g*cos(ga)"], bodies=[rigid("m", "I", ["l*sin(th)", "l*cos(th)"], "-th")],
+                      events=[{"name": "strike", "expression": "al - th", "direction": "falling"}],
+                      impact={"event": "strike", "map": {"th": "-al", "th_dot": "th_dot*(I + m*l^2*cos(2*al))/(I + m*l^2)"}})
+        draw, rolled = random.Random(7), 0
+        for _ in range(20):
+            m, l, inertia, al, ga = (round(draw.uniform(*ends), 3) for ends in ((0.5, 2), (0.3, 2), (0.01, 1), (0.15, 0.7), (0.02, 0.3)))
+            found = self.ask("gait", {"system": wheel, "parameters": {"m": m, "l": l, "I": inertia, "al": al, "ga": ga}})
+            about_foot = inertia + m*l*l
+            left = (inertia + m*l*l*math.cos(2*al))/about_foot
+            steady = left**2/(1 - left**2)*4*m*9.81*l*math.sin(al)*math.sin(ga)/about_foot
+            least = 2*m*9.81*l*(1 - math.cos(al - ga))/about_foot if ga < al else 0
+            with self.subTest(m=m, l=l, I=inertia, al=al, ga=ga):
+                self.assertEqual(len(found["gaits"]), int(steady > least), steady/least if least else None)
+                for gait in found["gaits"]:
+                    self.near(gait["state"]["th_dot"], math.sqrt(steady), gait["error"]["state"]["th_dot"])
+                    self.near(gait["multipliers"][0]["re"], left**2, gait["error"]["multipliers"][0])
+                    self.assertLess(abs(gait["pre_impact"]["th"] - al), gait["error"]["pre_impact"]["th"])
+                    names = {"m": m, "l": l, "I": inertia, "al": al, "ga": ga, "g": 9.81, "sin": math.sin, "cos": math.cos}
+                    self.near(eval(gait["exact"]["text"].replace("^", "**"), names), steady, 1e-12*steady)
+                    rolled += 1
+        self.assertGreater(rolled, 10)
+
+    def test_a_walker_whose_foot_scuffs_as_it_strikes(self):
+        """A. Goswami, B. Thuilot, B. Espiau, A study of the passive gait of a compass-like biped robot, Int. J. Robotics
+        Research 17 (1998): 3 degrees, a = b, m_H = 2 m. The event is the height of the swing foot, `when` leaves the scuff out."""
+        hip = ["-l*sin(A)", "l*cos(A)"]
+        walker = scene("goswami", f"M kg 10; m kg 5; l m 1; a m 0.5; ga rad 0.05236; {G}", "A rad 0.27 -1.09; B rad -0.27 -0.377",
+                       gravity=["g*sin(ga)", "-g*cos(ga)"],
+                       points=[{"name": "stance", "components": ["0*l", "0*l"]},
+                               {"name": "foot", "components": ["l*sin(B) - l*sin(A)", "l*cos(A) - l*cos(B)"]}],
+                       bodies=[particle("M", *hip), particle("m", "-a*sin(A)", "a*cos(A)"),
+                               particle("m", "(l - a)*sin(B) - l*sin(A)", "l*cos(A) - (l - a)*cos(B)")],
+                       events=[{"name": "strike", "expression": "l*cos(A) - l*cos(B)", "direction": "falling", "when": "-A - 0.05"}],
+                       impact={"event": "strike", "contact_made": "foot", "contact_left": "stance", "renamed": {"A": "B", "B": "A"}})
+        gait = self.only_gait(walker, {})
+        self.assertAlmostEqual(gait["step_time"], 0.734, 3)
+        self.assertAlmostEqual(gait["step_length"], 0.535, 3)
+        self.assertIs(gait["stable"], True)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """Small oscillations over HTTP: the reference cases, the practice sheet's numbers, and laws on random parameters."""
 
+import cmath
 import json
 import math
 import pathlib
@@ -9,6 +10,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, reference_cases, textbook_scene  # noqa: E402
+from short_scene import G, particle, scene  # noqa: E402
 
 PROMISED = 1e-12  # relative
 ROUND_OFF = 1e-15  # what a stated error may be of its value
@@ -147,6 +149,28 @@ class Modes(Service):
         self.assert_near(fast["omega"], math.sqrt(g/length + turning**2) + turning)
         self.assert_near(slow["omega"], math.sqrt(g/length + turning**2) - turning)
         self.assert_near(fast["shape"]["y"]["im"]*slow["shape"]["y"]["im"], -1)
+
+    def test_a_cart_that_a_state_force_balances_drifts_and_swings(self):
+        """M l s^2 + D s + K - (M + m) g = 0; the cart's two eigenvalues 0 have one eigenvector between them."""
+        cart = scene("balanced", f"M kg 1; m kg 0.2; l m 0.5; K N 20; D N*s 2; {G}", "x m; th rad", gravity=["0", "-g"],
+                     points=[{"name": "cart", "components": ["x", "0"]}],
+                     bodies=[particle("M", "x", "0"), particle("m", "x + l*sin(th)", "l*cos(th)")],
+                     forces=[{"vector": ["K*th + D*th_dot", "0"], "point": "cart"}])
+        draw = random.Random(4)
+        for _ in range(40):
+            M, m, l, K, D = (round(draw.uniform(*ends), 2) for ends in ((0.3, 3), (0.1, 1), (0.2, 2), (-20, 60), (0.1, 6)))
+            with self.subTest(M=M, m=m, l=l, K=K, D=D):
+                rigid, *found = self.ask("modes", {"system": cart, "parameters": {"M": M, "m": m, "l": l, "K": K, "D": D}})["modes"]
+                self.assertEqual((rigid["kind"], rigid["shape"]), ("rigid", {"x": 1, "th": 0}))
+                half, square = D/(2*M*l), (K - (M + m)*9.81)/(M*l)
+                root = cmath.sqrt(half**2 - square)
+                expected = {-half + root, -half - root} if not root.imag else {-half + root}
+                self.assertEqual(len(found), len(expected))
+                for s in expected:
+                    sign = {"growth": 1, "decay": -1}
+                    nearest = min(found, key=lambda mode: abs(sign[mode["kind"]]*mode["rate"] - s.real))
+                    self.assertAlmostEqual(sign[nearest["kind"]]*nearest["rate"], s.real, 12)
+                    self.assertAlmostEqual(nearest["omega"], abs(s.imag), 12)
 
     def test_every_system_is_answered_or_refused_with_a_sentence(self):
         for system in json.loads(self.raw("GET", "/v1/systems").data)["systems"]:

@@ -5,11 +5,14 @@ import pathlib
 import sys
 import unittest
 
+import mpmath as mp
 import numpy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from constrained_scenes import DOUBLE_PENDULUM, coordinates, parameters  # noqa: E402
 from service import Service  # noqa: E402
+
+mp.mp.dps = 30
 
 
 def bounces(*events, restitution="e"):
@@ -198,6 +201,44 @@ class Constrained(Service):
                  "bodies": [{"kind": "particle", "mass": "m", "position": ["x", "y"]}],
                  "constraints": [{"name": "wire", "expression": "y - x"}]} | bounces(("floor", "y"))
         self.assertIn("constraints", self.refused("gait", {"system": scene})["detail"])
+
+
+def swung(t, amplitude, length):
+    """A pendulum that is let go at -amplitude, and its period: sin(theta/2) = -k cd(w t, k)."""
+    k, w = mp.sin(amplitude/2), mp.sqrt(mp.mpf("9.81")/length)
+    place, slope = (mp.ellipfun(name, w*t, m=k*k) for name in ("cd", "sd"))
+    rate = 2*k*w*(1 - k*k)*slope*mp.ellipfun("nd", w*t, m=k*k)/mp.sqrt(1 - (k*place)**2)
+    return -2*mp.asin(k*place), rate, 4*mp.ellipk(k*k)/w
+
+
+class Cradle(Service):
+    """Equal balls that hang side by side: the first and the last take turns in one pendulum's swing, and those between rest but
+    for rounding, which says nothing about the others."""
+
+    def cradle(self, count):
+        scene = {"name": "cradle", "gravity": ["0", "-g"],
+                 "parameters": parameters(m=("kg", "0.3"), l=("m", "1"), d=("m", "0.05"), g=("m/s^2", "9.81")),
+                 "coordinates": coordinates(**{f"q{i}": ("rad", "0", "0") for i in range(count)}),
+                 "bodies": [{"kind": "particle", "mass": "m", "position": [f"{i}*d + l*sin(q{i})", f"-l*cos(q{i})"]} for i in range(count)]}
+        return scene | bounces(*((f"hit{i}", f"q{i + 1} - q{i}") for i in range(count - 1)), restitution="1")
+
+    def test_swings_as_one_pendulum(self):
+        for count, amplitude, length, rows in ((3, "0.5", "1", 9), (3, "1.1", "0.4", 8), (4, "0.3", "0.6", 5), (5, "0.7", "1.7", 7)):
+            found = self.ask("simulate", {"system": self.cradle(count), "parameters": {"l": length}, "t_end": 4, "samples": rows,
+                                          "initial": {"q0": "-" + amplitude}})
+            stated, columns = found["accuracy"]["max_abs_error"], found["trajectory"]
+            self.assertLess(max(stated.values()), 1e-6)
+            self.assertIsNone(found["accuracy"]["horizon"])
+            for row in range(rows):
+                angle, rate, period = swung(mp.mpf(4)*row/(rows - 1), mp.mpf(amplitude), mp.mpf(length))
+                for i in range(count):
+                    swings = i == (0 if angle < 0 else count - 1)
+                    for name, true in ((f"q{i}", angle), (f"q{i}_dot", rate)):
+                        self.assertLessEqual(abs(columns[name][row] - swings*true), stated[name], (count, row, name))
+            for event in found["events"]:
+                off = (mp.mpf(event["t"])/period - 0.25)*2
+                if event["error"] is not None:
+                    self.assertLessEqual(abs(off - mp.nint(off))*period/2, event["error"], (count, event["name"]))
 
 
 if __name__ == "__main__":

@@ -359,7 +359,7 @@ class NormalForms(Service):
 
     def test_what_comes_from_infinity_is_told(self):
         found = self.critical("(p - 0.25)*x^2/2 - 2*x")
-        self.assertIs(found["complete"], False)
+        self.assertIs(found["complete"], True)
         self.assertIn("At p = 0.25 an equilibrium appears from or vanishes to x = infinity", found["reason"])
 
     def test_what_comes_from_the_end_of_a_domain_is_told(self):

@@ -3,8 +3,11 @@ functions of one variable each, u = M x, has its equilibria where each of them i
 them one by one, and turns them back by M^-1."""
 
 import itertools
+import json
+import os
 import pathlib
 import random
+import subprocess
 import sys
 import unittest
 
@@ -113,6 +116,18 @@ class StaticsOfSeveral(Service):
         self.assertFalse(found["complete"])
         origin = [e for e in found["equilibria"] if abs(e["state"]["x"]) + abs(e["state"]["y"]) < 1e-9]
         self.assertEqual([e["stability"] for e in origin], ["unstable"])
+
+    def test_eight_masses_on_quadratic_springs_rest_in_the_middle_whatever_may_be_spent(self):
+        """Fermi, Pasta and Ulam: of some 500 places of rest, most with springs pulled beyond where they give way, one is seen."""
+        names = [f"x{i}" for i in range(1, 9)]
+        stretched = [f"({b} - {a})" for a, b in zip(["0", *names], [*names, "0"])]
+        text = " + ".join(f"{x}_dot^2/2" for x in names) + "".join(f" - {d}^2/2 - al/3*{d}^3" for d in stretched)
+        chain = lagrangian("fermi_pasta_ulam", "al - 0.25", "; ".join(f"{x} - 0.{x[1]}" for x in names), text)
+        found = self.ask("equilibria", {"system": chain})
+        line = subprocess.run([os.environ["QDOT_BINARY"], "equilibria"], input=json.dumps({"system": chain}), capture_output=True, text=True)
+        for answer in (found, json.loads(line.stdout)):
+            self.assertFalse(answer["complete"])
+            self.assertIn({x: 0 for x in names}, [{x: e["state"][x] for x in names} for e in answer["equilibria"]])
 
 
 class Families(Service):

@@ -71,6 +71,7 @@ class BifurcationsAnswer {
           "At these values a force, or what the others leave of it, vanishes in every position, so equilibria are "
           "not isolated points.";
     }
+    if (!found.at_ends.empty()) body["at_ends"] = found.at_ends;
     body["branches"] = Json::array();
     for (std::size_t i = 0; i < found.branches.size(); ++i)
       body["branches"].push_back(branch(i, found.branches[i]));

@@ -1,7 +1,9 @@
 #include <algorithm>
 
+#include "api/answers/exact_json.hpp"
 #include "api/answers/gait/request.hpp"
 #include "api/answers/stated.hpp"
+#include "core/closed/exact_gait.hpp"
 
 namespace qdot::api {
 namespace {
@@ -71,6 +73,25 @@ class GaitAnswer {
   int digits_;
 };
 
+GaitNumbers numbers_of(const Gait& gait) {
+  GaitNumbers numbers{{}, {}, gait.multipliers, gait.multiplier_errors};
+  for (const auto& [value, error] : gait.state) {
+    numbers.state.push_back(value);
+    numbers.errors.push_back(error);
+  }
+  return numbers;
+}
+
+/// {"of": "theta_dot^2", "text": ...}, its multiplier beside it.
+void put_exact(Json& json, const ResolvedSystem& system, const WrittenTexts& written, const Gait& gait) {
+  const auto exact = exact_gait(*system.dynamics, system.state.parameters, written, numbers_of(gait));
+  if (!exact) return;
+  Json form{{"of", system.scene().coordinates[exact->coordinate].name + "_dot^2"}};
+  form.update(exact_json(exact->square));
+  if (exact->multiplier) form["multiplier"] = exact_json(*exact->multiplier);
+  json["exact"] = std::move(form);
+}
+
 std::string no_such(Gait::Kind kind, const Gaits& found) {
   if (found.gaits.empty()) return found.reason;
   return std::string(
@@ -92,7 +113,10 @@ Response answer_gait(const Resolved<GaitRequest>& resolved, Call& call, Models& 
   call.timing.lap("solve");
   const GaitAnswer answer(system.scene(), request.digits.value_or(shortest_digits));
   Json gaits = Json::array();
-  for (const Gait& gait : found.gaits) gaits.push_back(answer.gait_json(gait));
+  for (const Gait& gait : found.gaits) {
+    gaits.push_back(answer.gait_json(gait));
+    if (wants(call, "exact")) put_exact(gaits.back(), system, written_texts(request.system), gait);
+  }
   Json body{{"gaits", std::move(gaits)}};
   if (found.gaits.empty()) body["reason"] = reason;
   body["units"] = answer.units();
