@@ -39,6 +39,7 @@ bool EventSearch::UnitSeries::is_finite() const {
 
 EventSearch::EventSearch(const RunRequest& request)
     : request_(request),
+      approaches_(request),
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
       y_(request.y_start.size()) {
@@ -50,10 +51,11 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   if (signs_.empty()) return found;
   found.failure = polynomial_.take(stepper, StepPolynomial::Look::rough);
   std::vector<std::size_t> open;
+  near_.clear();
   for (std::size_t i = 0; i < signs_.size() && !found.failure; ++i) {
     if (!is_quiet(i)) open.push_back(i);
   }
-  if (!open.empty() && !polynomial_.is_exact()) {
+  if (!(open.empty() && near_.empty()) && !polynomial_.is_exact()) {
     found.failure = polynomial_.take(stepper, StepPolynomial::Look::exact);
   }
   std::vector<Crossed> crossed;
@@ -66,12 +68,42 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
     if (const auto t = locate(stepper, crossing, found)) zeros.emplace_back(*t, crossing.event);
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
+  if (!found.failure && !near_.empty()) look_for_approaches(stepper, found);
   return found;
+}
+
+void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found) {
+  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
+  const double end = found.terminal ? found.events.back().t : stepper.t();
+  const bool is_last = found.terminal || end >= request_.t_end;
+  for (const std::size_t i : near_) {
+    const auto met = std::ranges::find_if(
+        found.events, [&](const EventOccurrence& event) { return event.event == i && event.t == end; });
+    const bool is_met = met != found.events.end();
+    const UnitSeries series = finite_series(i, polynomial_.whole());
+    const int sign = sign_before(i, is_met);
+    if (sign == 0) continue;
+    const std::span<const double> c = std::span(series.c).first(series.end);
+    approaches_.look({i, sign, c, series.off}, polynomial_, h > 0 ? (end - begin) / h : 1,
+                     is_last && !is_met);
+    if (!is_met) continue;
+    const double length = begin + h - end + beyond_step * h;
+    const UnitSeries past = finite_series(i, polynomial_.piece(end - begin, length));
+    approaches_.pass({i, sign, std::span(past.c).first(past.end), past.off}, polynomial_, end - begin,
+                     length);
+  }
+}
+
+/// That g has had before the step's event, which it has met there or not.
+int EventSearch::sign_before(std::size_t event, bool is_met) const {
+  const Crossing direction = request_.events[event].direction;
+  if (direction != Crossing::either) return direction == Crossing::falling ? 1 : -1;
+  return is_met ? -signs_[event] : signs_[event];
 }
 
 /// Whether g keeps the sign it had, as few coefficients show.
 bool EventSearch::is_quiet(std::size_t event) {
-  if (signs_[event] == 0) return false;
+  if (signs_[event] == 0 && !request_.notes_approaches) return false;
   const MotionPiece& piece = polynomial_.whole();
   const UnitSeries series = unit_series(event, piece, low_order);
   const std::span<const double> c = series.coefficients();
@@ -81,6 +113,8 @@ bool EventSearch::is_quiet(std::size_t event) {
     upper += std::max(0.0, c[k]);
   }
   const double doubt = polynomial_.is_exact() ? series.off : series.off + rough * (upper - lower);
+  if (approaches_.is_near(event, lower - doubt, upper + doubt)) near_.push_back(event);
+  if (signs_[event] == 0) return false;
   const bool keeps = signs_[event] > 0 ? lower - doubt > 0 : upper + doubt < 0;
   if (keeps) definite_[event] = piece.t + piece.h;
   return keeps;
@@ -238,7 +272,11 @@ void EventSearch::report(Stepper& stepper, std::vector<std::pair<double, std::si
     found.failure = stepper.interpolate(t, y_);
     for (; first != last && !found.failure; ++first) {
       const EventFunction& event = request_.events[first->second];
-      if (event.condition && !event.condition(t, y_)) continue;
+      if (event.condition) {
+        const bool counts = event.condition(t, y_);
+        approaches_.ask_condition(first->second, polynomial_, t - polynomial_.whole().t, counts);
+        if (!counts) continue;
+      }
       found.events.push_back({first->second, t, y_});
       found.terminal = found.terminal || event.terminal;
     }

@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/integrate/approaches.hpp"
 #include "core/integrate/run.hpp"
 #include "core/integrate/step_polynomial.hpp"
 #include "core/integrate/stepper.hpp"
@@ -49,6 +50,8 @@ class EventSearch {
 
   /// False once the signs of a function were not found within the work allowed.
   [[nodiscard]] bool saw_everything() const { return saw_everything_; }
+
+  [[nodiscard]] std::vector<Approach> take_approaches() { return approaches_.take(); }
 
  private:
   /// A crossing: the event, and a bracket in time.
@@ -79,10 +82,14 @@ class EventSearch {
   [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
+  void look_for_approaches(const Stepper& stepper, const Found& found);
+  [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 
   const RunRequest& request_;
   StepPolynomial polynomial_;
+  ApproachSearch approaches_;
+  std::vector<std::size_t> near_;  ///< events to which the step may come near
   std::vector<int> signs_;  ///< the strict sign that each had last: 0 while it has had none since t_start
   std::vector<double> definite_;  ///< when it had it
   std::vector<double> y_;         ///< scratch

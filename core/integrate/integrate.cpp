@@ -77,6 +77,7 @@ class Integration {
     const double t = found.terminal ? found.events.back().t : stepper_->t();
     if (own_errors_) follow_until(t);
     if (found.terminal) stepper_->end_at(t);
+    take_approaches();
     const std::size_t first = run_.rows;
     if (const auto failed = sample_until(t)) return failed;
 
@@ -91,6 +92,15 @@ class Integration {
     if (found.terminal) return Ending::event;
     if (is_given_up(first)) return Ending::given_up;
     return run_.t < request_.t_end ? progress_.check(*stepper_) : std::nullopt;
+  }
+
+  void take_approaches() {
+    for (Approach& approach : events_.take_approaches()) {
+      for (std::size_t i = 0; own_errors_ && i < run_.y.size(); ++i)
+        approach.apart.push_back(own_errors_->in_last_step(i));
+      approach.unseen.assign(stepper_->unseen().begin(), stepper_->unseen().end());
+      run_.approaches.push_back(std::move(approach));
+    }
   }
 
   [[nodiscard]] bool is_given_up(std::size_t first) const {

@@ -129,6 +129,7 @@ struct RunRequest {
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
   /// they may be off by.
   bool is_reference{false};
+  bool notes_approaches{false};  ///< Run::approaches are wanted
   /// The motion that a reference stands for, and one beside both, where their numbers are others; `apart` is
   /// how far it begins from them. Both need an expansion.
   const Originals* originals{};
@@ -136,6 +137,38 @@ struct RunRequest {
   Tolerances tolerances{};  ///< not of gauss
   double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
   Limits limits{};
+};
+
+/// A terminal event that a run nearly meets, or has met and nearly missed (approaches.hpp).
+struct Approach {
+  static constexpr unsigned order = 5;
+  std::size_t event{};          ///< index into RunRequest::events
+  double t{};                   ///< where it turns back
+  std::optional<double> met{};  ///< when it was met
+  int sign{};                   ///< of g before the event
+  /// What is near to zero is not g, which has met zero at t, but whether that counts: below zero it does not.
+  bool is_condition{};
+  /// The motion as it was before the event, around t: coefficients of y_i(t + s), row by row.
+  std::vector<double> rows{};
+  /// Of a run that is compared with an original: as Run::apart and Run::unseen, where the step ends.
+  std::vector<double> apart{}, unseen{};
+
+  [[nodiscard]] double instant() const { return met.value_or(t); }
+  /// The rows around another t, s later.
+  void shift(double s) {
+    for (std::size_t i = 0; i < rows.size(); i += order + 1) {
+      for (unsigned k = 0; k < order; ++k) {
+        for (unsigned j = order; j-- > k;) rows[i + j] += s * rows[i + j + 1];
+      }
+    }
+  }
+  [[nodiscard]] std::vector<double> state_at(double s) const {
+    std::vector<double> y(rows.size() / (order + 1));
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      for (std::size_t k = order + 1; k-- > 0;) y[i] = y[i] * s + rows[i * (order + 1) + k];
+    }
+    return y;
+  }
 };
 
 enum class Ending {
@@ -185,7 +218,8 @@ struct Run {
   /// How far the run may be from the original, where there is one, and by its rounding alone: for each row
   /// the larger of both ends of the step that it lies in (rows x dimension).
   std::vector<double> apart{}, apart_by_rounding{};
-  Apart apart_at_end{};  ///< where the run ended
+  Apart apart_at_end{};                ///< where the run ended
+  std::vector<Approach> approaches{};  ///< to events, in order of time but for those of one step
 };
 
 }  // namespace qdot

@@ -1,0 +1,151 @@
+#include "core/integrate/approaches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/numerics/sign_search.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double near = 0.05;  ///< of the largest |g|
+constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
+constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
+constexpr int halvings_of_slopes = 60;
+constexpr std::size_t most_approaches = 1000;
+
+double sum_at(double s, std::span<const double> c) {
+  double sum = 0;
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * s + c[k];
+  return sum;
+}
+
+/// Where a polynomial comes to have this sign.
+double change_between(double from, double to, std::span<const double> c, int sign) {
+  for (int i = 0; i < halvings_of_slopes; ++i) {
+    const double middle = 0.5 * (from + to);
+    (sign * sum_at(middle, c) > 0 ? to : from) = middle;
+  }
+  return to;
+}
+
+/// Of sign g, which is positive before the event.
+struct Slopes {
+  std::vector<double> c;
+  std::vector<SignPiece> signs;  ///< definite ones
+
+  explicit Slopes(const ApproachSearch::Along& g) {
+    double size = 0;
+    for (std::size_t k = 1; k < g.c.size(); ++k) {
+      c.push_back(g.sign * static_cast<double>(k) * g.c[k]);
+      size += std::abs(c.back());
+    }
+    if (c.empty()) return;
+    for (const SignPiece& piece : signs_of(c, of_coefficients * size)) {
+      if (piece.sign != 0) signs.push_back(piece);
+    }
+  }
+};
+
+}  // namespace
+
+ApproachSearch::ApproachSearch(const RunRequest& request)
+    : request_(request), of_events_(request.notes_approaches ? request.events.size() : 0) {}
+
+bool ApproachSearch::is_near(std::size_t event, double lower, double upper) {
+  if (of_events_.empty() || !request_.events[event].terminal) return false;
+  OfEvent& of_event = of_events_[event];
+  of_event.reach = std::max({of_event.reach, std::abs(lower), std::abs(upper)});
+  const bool is_small = !(std::min(std::abs(lower), std::abs(upper)) > near * of_event.reach);
+  const bool is_near = is_small || (lower < 0) != (upper < 0);
+  if (!is_near) of_event.slope = 0;
+  return is_near;
+}
+
+void ApproachSearch::look(const Along& g, StepPolynomial& step, double end, bool is_last) {
+  const Slopes slopes(g);
+  const double before = end * (1 - of_coefficients);  // what is met at the end is not nearly met
+  int slope = of_events_[g.event].slope;
+  double since = 0;
+  for (const SignPiece& piece : slopes.signs) {
+    if (slope < 0 && piece.sign > 0) {
+      const double place = since == piece.from ? since : change_between(since, piece.from, slopes.c, 1);
+      if (place < before) note(g, step, place, g.sign * sum_at(place, g.c), {});
+    }
+    slope = piece.sign;
+    since = piece.to;
+    if (piece.to >= end) break;
+  }
+  of_events_[g.event].slope = slope;
+  if (is_last && slope < 0) note(g, step, end, g.sign * sum_at(end, g.c), {});
+}
+
+/// It would have missed where g comes back before it has gone far: the deepest place up to there tells.
+void ApproachSearch::pass(const Along& g, StepPolynomial& step, double from, double length) {
+  const Slopes slopes(g);
+  const double begin = from / step.whole().h, unit = length / step.whole().h, met = step.whole().t + from;
+  double since = 0, place = 0, deepest = 0;
+  int slope = -1;
+  for (const SignPiece& piece : slopes.signs) {
+    if (piece.sign != slope) {
+      const double turn =
+          since == piece.from ? since : change_between(since, piece.from, slopes.c, piece.sign);
+      const double value = -g.sign * sum_at(turn, g.c);
+      if (piece.sign < 0 && value < -g.off) break;
+      if (piece.sign > 0 && value >= deepest) {
+        deepest = value;
+        place = turn;
+      }
+    }
+    slope = piece.sign;
+    since = piece.to;
+  }
+  if (slope > 0) note(g, step, begin + unit * place, deepest, met);
+  if (slope < 0 && since == 1) pass_slowly(g, step, from, length);
+}
+
+/// Short steps do not tell how far it would go: a parabola does, as long as that is not far.
+void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step, double from, double length) {
+  const double reach = of_events_[g.event].reach, c1 = g.sign * g.c[1], c2 = g.sign * g.c[2];
+  if (!(-g.sign * sum_at(1, g.c) <= near * reach && c1 < 0 && c2 > 0)) return;
+  const double turn = -c1 / (2 * c2), met = step.whole().t + from;
+  if (!(c2 * turn * turn <= near * reach)) return;
+  add({.event = g.event, .t = met + turn * length, .met = met, .sign = g.sign}, step);
+}
+
+/// `s`: in the unit of the step; `value`: of |g|, below zero by rounding at most.
+void ApproachSearch::note(const Along& g, StepPolynomial& step, double s, double value,
+                          std::optional<double> met) {
+  const double reach = of_events_[g.event].reach;
+  if (!(std::abs(value) <= near * reach) || value < -unseen * g.off) return;
+  const double t = step.whole().t + s * step.whole().h;
+  add({.event = g.event, .t = t, .met = met, .sign = g.sign}, step);
+}
+
+void ApproachSearch::ask_condition(std::size_t event, StepPolynomial& step, double from, bool counts) {
+  if (of_events_.empty() || !request_.events[event].terminal) return;
+  const double t = step.whole().t + from;
+  const std::optional<double> met = counts ? std::optional(t) : std::nullopt;
+  add({.event = event, .t = t, .met = met, .sign = -1, .is_condition = true}, step);
+}
+
+void ApproachSearch::add(Approach approach, StepPolynomial& step) {
+  const MotionPiece& whole = step.whole();
+  const double end = whole.t + (1 + beyond_step) * whole.h;
+  const bool is_beyond = approach.t > end;
+  const MotionPiece there = step.piece((is_beyond ? *approach.met : approach.t) - whole.t, whole.h);
+  const unsigned order = std::min(is_beyond ? 2 : Approach::order, whole.order);
+  for (std::size_t i = 0; i < there.rows.size(); i += whole.order + 1) {
+    const auto row = there.rows.subspan(i, order + 1);
+    approach.rows.insert(approach.rows.end(), row.begin(), row.end());
+    approach.rows.resize(approach.rows.size() + Approach::order - order);
+  }
+  if (is_beyond) approach.shift(approach.t - *approach.met);
+  const EventFunction& event = request_.events[approach.event];
+  const bool counts =
+      approach.is_condition || !event.condition || event.condition(approach.t, approach.state_at(0));
+  if (counts && ++count_ <= most_approaches) found_.push_back(std::move(approach));
+}
+
+}  // namespace qdot

@@ -1,0 +1,64 @@
+#pragma once
+// Where a run comes so near to a terminal event that another computation of the same motion may do otherwise:
+// it turns back just before the event, or has met it and, had it gone on as before, would have turned back
+// just after it. Where a run ends it may also be just before an event.
+//
+// With g along a step as a polynomial these are places where |g| has a minimum, or, past the event, where it
+// turns; g is small there beside what it was since t_start. Whether it is small beside the error of the
+// motion is for others to tell.
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/integrate/run.hpp"
+#include "core/integrate/step_polynomial.hpp"
+
+namespace qdot {
+
+/// Of a step: so far beyond it its polynomials still do roughly.
+inline constexpr double beyond_step = 0.5;
+
+class ApproachSearch {
+ public:
+  /// Keeps the reference to the request.
+  explicit ApproachSearch(const RunRequest& request);
+
+  /// Whether an event's function that goes from `lower` to `upper` in a step, roughly, may come near to zero
+  /// in it, or becomes larger than before. Nothing is, where nobody asks.
+  [[nodiscard]] bool is_near(std::size_t event, double lower, double upper);
+
+  /// g in the unit of a step.
+  struct Along {
+    std::size_t event{};
+    int sign{};                 ///< that g has had up to there
+    std::span<const double> c;  ///< coefficients
+    double off{};               ///< what g may be away from it
+  };
+  /// In a step, up to `end` of its length; `is_last`: the run ends there by another event.
+  void look(const Along& g, StepPolynomial& step, double end, bool is_last);
+  /// The event was met `from` seconds after the step's beginning; g from there on, in the unit of `length`.
+  void pass(const Along& g, StepPolynomial& step, double from, double length);
+
+  /// g was zero `from` seconds after the step's beginning, where that counts or not.
+  void ask_condition(std::size_t event, StepPolynomial& step, double from, bool counts);
+
+  [[nodiscard]] std::vector<Approach> take() { return std::exchange(found_, {}); }
+
+ private:
+  struct OfEvent {
+    double reach{};  ///< the largest |g|
+    int slope{};     ///< the sign of |g|' where the step before ended; 0 where that does not count
+  };
+  void pass_slowly(const Along& g, StepPolynomial& step, double from, double length);
+  void add(Approach approach, StepPolynomial& step);
+  void note(const Along& g, StepPolynomial& step, double s, double value, std::optional<double> met);
+
+  const RunRequest& request_;
+  std::vector<OfEvent> of_events_;
+  std::vector<Approach> found_;
+  std::size_t count_{};
+};
+
+}  // namespace qdot

@@ -1,0 +1,93 @@
+// Where a run nearly meets a terminal event, or has nearly missed it: x = cos t comes to -1 at pi.
+
+#include "core/integrate/approaches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/core/integrate/systems.hpp"
+
+namespace qdot {
+namespace {
+
+using namespace integrate_test;
+
+/// x + level along the rows of a piece.
+EventFunction level_of(double level) {
+  return {.value = [level](double, auto y) { return y[0] + level; },
+          .series =
+              [level](const MotionPiece& piece, unsigned order, std::span<double> c) {
+                for (unsigned k = 0; k <= order; ++k) c[k] = k <= piece.order ? piece.rows[k] : 0;
+                c[0] += level;
+                return 0.0;
+              },
+          .direction = Crossing::falling,
+          .terminal = true};
+}
+
+std::vector<Approach> approaches(const EventFunction& event, Method method, double t_end = 5) {
+  RunRequest request{.y_start = {1, 0}, .t_end = t_end, .events = {event}, .method = method};
+  request.notes_approaches = true;
+  return integrate(oscillator(), request).approaches;
+}
+
+TEST(Approaches, AreWhereItTurnsBackJustBeforeTheEvent) {
+  for (const Method method : all_methods) {
+    for (const double distance : {1e-3, 1e-5, 3e-7}) {
+      const auto found = approaches(level_of(1 + distance), method);
+      ASSERT_EQ(found.size(), 1U) << name(method) << " " << distance;
+      EXPECT_FALSE(found[0].met);
+      EXPECT_EQ(found[0].sign, 1);
+      EXPECT_NEAR(found[0].t, std::numbers::pi, 1e-5);
+      EXPECT_NEAR(found[0].state_at(0)[0], -1, 1e-7);
+      EXPECT_NEAR(found[0].state_at(-0.01)[0], -std::cos(0.01), 1e-7);
+    }
+  }
+}
+
+TEST(Approaches, AreWhereItWouldHaveTurnedBackJustPastIt) {
+  for (const Method method : all_methods) {
+    for (const double distance : {1e-3, 1e-5, 3e-7}) {
+      const auto found = approaches(level_of(1 - distance), method);
+      ASSERT_EQ(found.size(), 1U) << name(method) << " " << distance;
+      ASSERT_TRUE(found[0].met);
+      EXPECT_NEAR(*found[0].met, std::acos(distance - 1), 1e-3);
+      EXPECT_NEAR(found[0].t, std::numbers::pi, 1e-2);
+      EXPECT_NEAR(found[0].state_at(0)[0], -1, 1e-4);
+    }
+  }
+}
+
+TEST(Approaches, AreNoneOfWhatIsFarAwayOrMetWithSpeed) {
+  for (const Method method : all_methods) {
+    EXPECT_TRUE(approaches(level_of(1.2), method).empty()) << name(method);
+    EXPECT_TRUE(approaches(level_of(0.5), method).empty()) << name(method);
+    EventFunction of_no_account = level_of(1 + 1e-6);
+    of_no_account.terminal = false;
+    EXPECT_TRUE(approaches(of_no_account, method).empty()) << name(method);
+  }
+}
+
+TEST(Approaches, AreWhereTheRunEndsJustBeforeAnEvent) {
+  const auto found = approaches(level_of(0), Method::erk, std::numbers::pi / 2 - 1e-6);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].t, std::numbers::pi / 2 - 1e-6, 1e-12);
+  EXPECT_FALSE(found[0].met);
+}
+
+TEST(Approaches, AreToWhatDecidesWhetherAnEventCounts) {
+  for (const double when : {1e-9, -1e-9}) {
+    EventFunction event = level_of(0.5);
+    event.condition = [when](double, auto) { return when > 0; };
+    const auto found = approaches(event, Method::erk, 2.5);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(found[0].is_condition);
+    EXPECT_EQ(found[0].met.has_value(), when > 0);
+    EXPECT_NEAR(found[0].t, std::acos(-0.5), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace qdot
