@@ -51,25 +51,9 @@ Series series_of(const Watched& watched, std::span<const double> parameters) {
   };
 }
 
-using Enclosure = decltype(Watch::enclosure);
-
 /// Numbers are the decimals that were typed: half a unit in the last place from their doubles.
 Interval around(double number) {
   return {std::nextafter(number, -infinity), std::nextafter(number, infinity)};
-}
-
-/// Made ready when it is first wanted, for all copies.
-Enclosure enclosure_of(SharedFunction function, std::span<const double> parameters) {
-  std::vector<Interval> values;
-  for (const double parameter : parameters) values.push_back(around(parameter));
-  return [function, values, made = std::make_shared<std::unique_ptr<TapeEvaluator<Interval>>>()](
-             double t, std::span<const Interval> y) {
-    if (!*made) *made = std::make_unique<TapeEvaluator<Interval>>(*function, values);
-    (*made)->set_time(t);
-    Interval value;
-    (**made)(y, {&value, 1});
-    return value;
-  };
 }
 
 void watch_function(Watch& watch, const Watched& watched, std::span<const double> parameters) {
@@ -132,6 +116,7 @@ Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const s
   watch_function(watch, event.value, request.parameters);
   if (event.when) {
     const Quantity when = quantity(event.when, request.parameters);
+    watch.when_enclosure = enclosure_of(event.when, request.parameters);
     watch.condition = [when](double t, std::span<const double> y) { return when(t, y) > 0; };
   }
   return watch;
@@ -184,6 +169,19 @@ void add_singularities(const Dynamics& dynamics, const WatchRequest& request, st
 }
 
 }  // namespace
+
+decltype(Watch::enclosure) enclosure_of(SharedFunction function, std::span<const double> parameters) {
+  std::vector<Interval> values;
+  for (const double parameter : parameters) values.push_back(around(parameter));
+  return [function, values, made = std::make_shared<std::unique_ptr<TapeEvaluator<Interval>>>()](
+             double t, std::span<const Interval> y) {
+    if (!*made) *made = std::make_unique<TapeEvaluator<Interval>>(*function, values);
+    (*made)->set_time(t);
+    Interval value;
+    (**made)(y, {&value, 1});
+    return value;
+  };
+}
 
 double Watch::rounding(double t, std::span<const double> y) const {
   std::vector<Interval> box;

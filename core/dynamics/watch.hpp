@@ -35,6 +35,8 @@ struct Watch {
   std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: where a zero counts
   /// Its values over a box of states; the whole line where there may be none.
   std::function<Interval(double t, std::span<const Interval> y)> enclosure{};
+  /// The same of what is above zero where a zero counts.
+  std::function<Interval(double t, std::span<const Interval> y)> when_enclosure{};
 
   /// How far values at a state that was rounded may be from each other, by their enclosure.
   [[nodiscard]] double rounding(double t, std::span<const double> y) const;
@@ -42,6 +44,11 @@ struct Watch {
   [[nodiscard]] double own_rounding(double t, std::span<const double> y) const;
   [[nodiscard]] EventFunction event() const;
 };
+
+/// Of a function of one output, for any parameters that are nearest to these; made ready when it is first
+/// wanted, for all copies.
+[[nodiscard]] decltype(Watch::enclosure) enclosure_of(std::shared_ptr<const CompiledFunction> function,
+                                                      std::span<const double> parameters);
 
 struct WatchRequest {
   std::span<const double> parameters;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/integrate/own_errors.hpp"
+#include "core/motion/row_errors.hpp"
 #include "core/numerics/random_bits.hpp"
 #include "core/numerics/root.hpp"
 
@@ -73,6 +74,17 @@ std::vector<double> apart_without_event(const SectionEnd& end, std::span<const d
   return result;
 }
 
+/// Where forces go on as before, e does; else it is as large as the motion, or as they make it in `seconds`.
+std::vector<double> apart_after_grazing(const SectionEnd& end, std::span<const double> e, double seconds) {
+  std::vector<double> result(e.begin(), e.end());
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    const double moved = std::abs(e[i]) + seconds * std::abs(end.slopes_after[i] - end.slopes_before[i]);
+    if (!(moved < end.reached[i])) return end.reached;
+    result[i] = std::copysign(moved, e[i]);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e) {
@@ -87,7 +99,9 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
   const double slope = (g_of_other(tau) - g_of_other(-tau)) / (2 * tau);
   double later = 0;
   for (int i = 0; i < looks; ++i) later -= g_of_other(later) / slope;
-  if (!(std::abs(later) < farthest_to_event / looked_at * tau)) return apart_without_event(end, e, tau);
+  const double farthest = farthest_to_event / looked_at * tau;
+  if (!(std::abs(later) < farthest))
+    return end.map ? apart_without_event(end, e, tau) : apart_after_grazing(end, e, farthest);
   std::vector<double> result = state_after(end, along(other, later, end.slopes_before));
   result = along(result, -later, end.slopes_after);
   for (std::size_t i = 0; i < e.size(); ++i) result[i] = (end.after[i] - result[i]) / factor;
@@ -106,6 +120,24 @@ double rounding_of_instant(const SectionEnd& end) {
     if (slope > 0 && off < tau) return off > last_places * time_round_off(end.t) ? off : 0;
   }
   return farthest_to_event / looked_at * shortest;
+}
+
+double seconds_apart(const SectionEnd& end, std::span<const double> errors) {
+  const auto change = [&](const std::vector<double>& way, double by, double t) {
+    return end.g(end.t + t, along(end.before, by, way)) - end.g(end.t - t, along(end.before, -by, way));
+  };
+  const double tau = short_time(end);
+  const double slope = std::abs(change(end.slopes_before, tau, tau)) / (2 * tau);
+  double off = 0;
+  std::vector<double> way(errors.size());
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (!(errors[k] > 0)) continue;
+    const double step = std::max(errors[k], looked_at * end.reached[k]);
+    way[k] = 1;
+    off += std::abs(change(way, step, 0)) / (2 * step) * errors[k];
+    way[k] = 0;
+  }
+  return off > 0 ? std::min(off / slope, farthest_to_event / looked_at * tau) : 0;
 }
 
 std::vector<double> rates_of_instant(const SectionEnd& end) {
@@ -154,6 +186,14 @@ std::vector<double> ApartAlong::at_end() const {
   for (std::size_t i = 0; i < now_.by_truncation.size(); ++i)
     apart.push_back(std::abs(now_.by_truncation[i]) + std::abs(now_.by_rounding[i]) / OwnErrors::enlarged);
   return apart;
+}
+
+double ApartAlong::seconds(SectionEnd end, std::span<const double> unseen) const {
+  end.reached = reached_;
+  std::vector<double> errors = at_end();
+  for (double& error : errors) error *= safety_of_differences;
+  for (std::size_t k = 0; k < unseen.size(); ++k) errors[k] += unseen[k];
+  return seconds_apart(end, errors);
 }
 
 void ApartAlong::pass(SectionEnd end) {

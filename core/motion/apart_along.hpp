@@ -26,6 +26,10 @@ namespace qdot {
 /// By how many seconds all computations may take the event too late, or too early, as g is rounded in all.
 [[nodiscard]] double rounding_of_instant(const SectionEnd& end);
 
+/// By how many seconds a motion may meet the event earlier or later whose components are off by no more than
+/// `errors`; as far as a tenth of the motion's own time.
+[[nodiscard]] double seconds_apart(const SectionEnd& end, std::span<const double> errors);
+
 /// What of e_+ there is for each second that the event is taken too late: Dmap f_- - f_+.
 [[nodiscard]] std::vector<double> rates_of_instant(const SectionEnd& end);
 
@@ -38,6 +42,8 @@ class ApartAlong {
   void ask(RunRequest& run, const Originals& originals) const;
   /// The next run's rows, and where it ended. Where the run says nothing nothing has changed.
   void add(const Run& done);
+  /// The same of the motion that is stood for. `reached` is filled in here, as below.
+  [[nodiscard]] double seconds(SectionEnd end, std::span<const double> unseen) const;
   /// Its `reached` is filled in here. The instant is off by its rounding.
   void pass(SectionEnd end);
 

@@ -41,6 +41,25 @@ std::optional<std::vector<double>> ErrorsAtEvents::next(const EventRecord& event
   return error;
 }
 
+std::vector<StateAsTold> ErrorsAtEvents::as_told(const EventRecord& event) const {
+  const auto place = motion_.event_rows.place(event.t);
+  std::vector<StateAsTold> result;
+  for (std::size_t j = 0; j < others_.size() && place; ++j) {
+    const Simulation& other = others_[j];
+    const auto row = row_of(other.at_events.states, *place, motion_.width());
+    const auto apart = row_of(other.at_events.apart, *place, motion_.width());
+    if (row.empty() || apart.empty()) continue;
+    const auto moved = other.sections.empty() ? std::nullopt : at_impacts_.on_side_of_motion(other, event.t);
+    StateAsTold& told = result.emplace_back();
+    const auto missed = row_of(other.at_events.unseen, *place, motion_.width());
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      told.beside.push_back((moved ? (*moved)[k] : row[k]) - event.y[k]);
+      told.errors.push_back(safety_of_differences * apart[k] + (missed.empty() ? 0 : missed[k]));
+    }
+  }
+  return result;
+}
+
 /// The first event of an instant; the state of others there is one before all impacts of it.
 bool ErrorsAtEvents::take(std::size_t place, const EventRecord& event) {
   std::vector<std::vector<double>> beside;

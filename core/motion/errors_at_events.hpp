@@ -18,6 +18,12 @@
 
 namespace qdot {
 
+/// Where the true motion is at some instant, as another computation tells.
+struct StateAsTold {
+  std::vector<double> beside;  ///< that one's state less the motion's
+  std::vector<double> errors;  ///< what that may be off by itself
+};
+
 class ErrorsAtEvents {
  public:
   /// `scale`: of each column. Keeps references.
@@ -28,6 +34,9 @@ class ErrorsAtEvents {
   /// have its instant.
   [[nodiscard]] std::optional<std::vector<double>> next(const EventRecord& event,
                                                         std::span<const double> of_rows);
+
+  /// By each of the others that has the instant and knows its own error.
+  [[nodiscard]] std::vector<StateAsTold> as_told(const EventRecord& event) const;
 
  private:
   [[nodiscard]] bool take(std::size_t place, const EventRecord& event);

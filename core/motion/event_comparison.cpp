@@ -42,14 +42,9 @@ std::vector<std::optional<double>> EventComparison::of_events() {
   std::vector<std::optional<double>> result;
   const EventRecord* last = nullptr;
   for (const EventRecord& event : motion_.simulation.events) {
-    const std::vector<double> before = rows_before(event.t);
-    const auto at_event = at_events_.next(event, before);
-    if (at_event && is_small(*at_event)) {
-      result.push_back(of_state_.of(event, *at_event, reached_));
-    } else {
-      const std::vector<double> later = some_rows_after(event.t);
-      result.push_back(later.empty() ? std::nullopt : of_state_.of(event, later, scale_));
-    }
+    const auto [errors, are_of_it] = errors_at(event);
+    result.push_back(errors.empty() ? std::nullopt
+                                    : of_state_.of(event, errors, are_of_it ? std::span(reached_) : scale_));
     if (last != nullptr && last->t == event.t) share_with_cause(result);
     last = &event;
   }
@@ -60,6 +55,44 @@ std::vector<std::optional<double>> EventComparison::of_events() {
 void EventComparison::share_with_cause(std::vector<std::optional<double>>& errors) {
   const auto &cause = errors[errors.size() - 2], &own = errors.back();
   errors.back() = cause && own ? std::optional(std::max(*cause, *own)) : std::nullopt;
+}
+
+std::vector<ApproachAsTold> EventComparison::approaches() {
+  std::vector<ApproachAsTold> all;
+  const auto knows =
+      std::ranges::find_if(others_, [](const Simulation& s) { return !s.apart_at_end.empty(); });
+  const bool are_own = knows == others_.end();
+  for (const ApproachRecord& approach : (are_own ? motion_.simulation : *knows).approaches) {
+    if (are_own) {
+      add_told(approach, all);
+    } else {
+      StateAsTold told{std::vector<double>(scale_.size()), approach.place.apart};
+      for (double& error : told.errors) error *= safety_of_differences;
+      for (std::size_t k = 0; k < approach.place.unseen.size(); ++k)
+        told.errors[k] += approach.place.unseen[k];
+      all.push_back({approach, std::move(told), rows_before(approach.place.instant())});
+    }
+  }
+  return all;
+}
+
+/// Of the motion's own.
+void EventComparison::add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all) {
+  const double t = approach.place.instant();
+  const EventRecord event{approach.name, t, approach.place.state_at(t - approach.place.t)};
+  auto [errors, are_of_it] = errors_at(event);
+  std::vector<StateAsTold> told;
+  if (are_of_it) told = at_events_.as_told(event);
+  if (told.empty() && !errors.empty())
+    told.push_back({std::vector<double>(event.y.size()), std::move(errors)});
+  for (StateAsTold& state : told) all.push_back({approach, std::move(state), rows_before(t)});
+}
+
+EventComparison::OfState EventComparison::errors_at(const EventRecord& event) {
+  const std::vector<double> before = rows_before(event.t);
+  const auto at_event = at_events_.next(event, before);
+  if (at_event && is_small(*at_event)) return {*at_event, true};
+  return {some_rows_after(event.t), false};
 }
 
 std::span<const double> EventComparison::row(std::size_t i) const {

@@ -19,6 +19,14 @@ struct ErrorsOfRows {
   std::span<const double> scale{};    ///< the largest magnitude of each column
 };
 
+/// A computation's approach, and where the true motion is then: by what that computation is off itself, or by
+/// another one that tells.
+struct ApproachAsTold {
+  ApproachRecord approach;
+  StateAsTold told;
+  std::vector<double> stated{};  ///< the errors of the last row before it
+};
+
 class EventComparison {
  public:
   /// Keeps references.
@@ -27,11 +35,19 @@ class EventComparison {
 
   /// Of each event; none where it may not happen, or after the last row.
   [[nodiscard]] std::vector<std::optional<double>> of_events();
+  /// Where the true motion nearly meets what would change its way, in order of time.
+  [[nodiscard]] std::vector<ApproachAsTold> approaches();
   /// None where there is no stop, or where no other computation has it.
   [[nodiscard]] std::optional<double> of_stop();
 
  private:
   static void share_with_cause(std::vector<std::optional<double>>& errors);
+  struct OfState {
+    std::vector<double> errors;  ///< empty after the last row
+    bool are_of_it{};            ///< or of later rows
+  };
+  [[nodiscard]] OfState errors_at(const EventRecord& event);
+  void add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all);
   [[nodiscard]] std::size_t rows() const { return errors_.stated.size() / scale_.size(); }
   [[nodiscard]] std::span<const double> row(std::size_t i) const;
   [[nodiscard]] std::vector<double> rows_before(double t);

@@ -49,6 +49,7 @@ EventRows::EventRows(std::span<const double> grid, const Simulation& motion) {
     if (!events_.empty() && events_.back() == event.t) continue;
     if (!is_beside(ends, event.t)) events_.push_back(event.t);
   }
+  add_approaches(grid, motion);
   instants_.reserve(grid.size() + events_.size());
   std::ranges::set_union(grid, events_, std::back_inserter(instants_));
   is_row_.resize(instants_.size(), events_.empty());
@@ -57,6 +58,15 @@ EventRows::EventRows(std::span<const double> grid, const Simulation& motion) {
     is_row_[i] = std::ranges::binary_search(grid, instants_[i]);
     is_event_[i] = std::ranges::binary_search(events_, instants_[i]);
   }
+}
+
+void EventRows::add_approaches(std::span<const double> grid, const Simulation& motion) {
+  for (const ApproachRecord& approach : motion.approaches) {
+    const double t = approach.place.instant();
+    if (motion.rows > 0 && t <= grid[motion.rows - 1]) events_.push_back(t);
+  }
+  std::ranges::sort(events_);
+  events_.erase(std::ranges::unique(events_).begin(), events_.end());
 }
 
 std::optional<std::size_t> EventRows::place(double t) const {

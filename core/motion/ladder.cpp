@@ -5,6 +5,7 @@
 
 #include "core/motion/error_growth.hpp"
 #include "core/motion/motion_comparison.hpp"
+#include "core/motion/other_ways.hpp"
 #include "core/motion/rounded_events.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
@@ -21,6 +22,7 @@ constexpr int most_rungs = 8;
 constexpr double dear =
     12;  ///< times the work of a loose run and its check: that of a check in double-doubles
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
+constexpr double much_larger = 10;  ///< errors than without ways that the motion may have gone as well
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 constexpr const char* work_spent =
@@ -28,6 +30,11 @@ constexpr const char* work_spent =
     "found.";
 constexpr const char* out_of_reach =
     "The error wanted is out of reach for this motion in double precision; this is the best found.";
+constexpr const char* may_not_stop =
+    "By its error, or as its condition is rounded, the motion may stop at another time or go on: that time has no "
+    "error.";
+constexpr const char* may_go_otherwise =
+    ": it may go on otherwise from there, and the errors stated are of both ways.";
 constexpr const char* not_bounded =
     "The error was measured, but not every step has a bound of what it may hide between the places that were "
     "looked at.";
@@ -36,6 +43,12 @@ std::string contradiction(const std::string& conserved) {
   return "The answer contradicts itself: " + conserved +
          " is conserved, and changes by more than the errors stated of coordinates and velocities can explain. Do "
          "not rely on them.";
+}
+
+/// Over more or fewer kinks or impacts, or others.
+bool goes_otherwise(const Simulation& one, const Simulation& other) {
+  return one.sections.size() != other.sections.size() ||
+         !std::ranges::equal(one.pieces, other.pieces, {}, &PieceRecord::sides, &PieceRecord::sides);
 }
 
 class Ladder {
@@ -107,6 +120,7 @@ class Ladder {
     SimulationRequest request = request_;
     request.grid = grid_.t;
     request.tolerances = tolerances;
+    request.notes_approaches = goal_.verify;
     if (is_stiff_ && request.method == Method::taylor) request.method = Method::bdf;
     result_ = {};
     result_.tolerances = tolerances;
@@ -145,7 +159,8 @@ class Ladder {
     if (is_near || !tells_truncation(motion(), others.front())) {
       if (!is_near && is_measured_looser(others)) return;
       if (!is_near) sharper = sharper_motion();
-      if (is_enough()) return state({std::move(*sharper)});
+      if (is_enough() && !goes_otherwise(result_.simulation, others.front()))
+        return state({std::move(*sharper)});
       const bool can_afford_another = left() >= 2 * others.front().evaluations;
       if (!tells_all()) {
         if (can_afford_another && !add_check(others, -1)) return;
@@ -239,13 +254,29 @@ class Ladder {
 
   void state(const std::vector<Simulation>& others) {
     RowComparison comparison = compare(motion(), others, doubt_);
+    OtherWays ways = other_ways(motion(), comparison.approaches, left());
+    if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
     result_.max_abs_error = std::move(comparison.max_abs_error);
     result_.event_errors = std::move(comparison.event_errors);
     result_.stop_error = comparison.stop_error;
     result_.horizon = comparison.horizon;
     result_.at_impacts = std::move(comparison.at_impacts);
+    if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
+      result_.reason = may_not_stop;
     contradicts_ = !comparison.changed.empty();
     if (contradicts_) result_.reason = contradiction(comparison.changed);
+  }
+
+  [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
+                                              OtherWays ways) {
+    spent_ += ways.evaluations;
+    std::ranges::move(ways.motions, std::back_inserter(others));
+    RowComparison all = compare(motion(), others, doubt_, ways.lost_from);
+    bool is_larger = false;
+    for (std::size_t k = 0; k < all.max_abs_error.size(); ++k)
+      is_larger = is_larger || all.max_abs_error[k] > much_larger * without.max_abs_error[k];
+    if (is_larger) result_.reason = ways.where + may_go_otherwise;
+    return all;
   }
 
   [[nodiscard]] bool is_error_wanted() const {

@@ -180,6 +180,7 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   const bool is_loose = motion.simulation.method != Method::gauss && motion.tolerances.rtol >= loose;
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
+  request.notes_approaches = true;
   request.tolerances = tolerances_of_check(motion);
   request.y_start = start_as_typed(motion.dynamics, motion.request);
   if (request.method == Method::taylor)

@@ -70,12 +70,13 @@ class Comparing {
     }
   }
 
-  RowComparison compare(double doubt) {
+  RowComparison compare(double doubt, double lost_from) {
     RowComparison result;
     result.max_abs_error.resize(width_);
     const std::size_t rows = std::min(motion_.simulation.rows, others_.front().rows);
     std::vector<double> stated(rows * width_);  // of each row
     for (std::size_t i = 0; i < rows; ++i) {
+      if (motion_.grid.t[i] >= lost_from) errors_.lose();
       add(i);
       const std::span<double> error = std::span(stated).subspan(i * width_, width_);
       for (std::size_t k = 0; k < width_; ++k) error[k] = errors_.so_far()[k] + doubt * largest_[k];
@@ -86,6 +87,8 @@ class Comparing {
     result.changed = changed(stated);
     add_event_errors(stated, doubt, result);
     add_rows_at_impacts(rows, result);
+    result.approaches =
+        EventComparison(motion_, others_, {stated, doubt, largest_}, at_impacts_).approaches();
     return result;
   }
 
@@ -241,8 +244,9 @@ std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which)
   return largest;
 }
 
-RowComparison compare(const ComputedMotion& motion, const std::vector<Simulation>& others, double doubt) {
-  return Comparing(motion, others).compare(doubt);
+RowComparison compare(const ComputedMotion& motion, const std::vector<Simulation>& others, double doubt,
+                      double lost_from) {
+  return Comparing(motion, others).compare(doubt, lost_from);
 }
 
 }  // namespace qdot

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/motion_check.hpp"
+#include "core/motion/event_comparison.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 
@@ -23,13 +24,15 @@ struct RowComparison {
   std::optional<double> stop_error;  ///< of the time of the stop
   /// Rows asked for that are at an impact to within its error, each on the motion's side of it.
   std::vector<double> at_impacts;
+  std::vector<ApproachAsTold> approaches;
   std::string changed;  ///< a conserved quantity that changes by more than the errors explain; empty: none
 };
 
 /// Only the first of the others has to have all rows; where it has not, they count as not computed.
 /// `doubt`: a part of each column's magnitude that is added, for round-off that was not measured.
+/// `lost_from`: rows from there on may be anywhere.
 [[nodiscard]] RowComparison compare(const ComputedMotion& motion, const std::vector<Simulation>& others,
-                                    double doubt);
+                                    double doubt, double lost_from = infinity);
 
 enum class Rows { all, wanted };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/error.hpp"
 #include "core/integrate/events.hpp"
@@ -178,6 +179,27 @@ std::vector<double> MotionSections::slopes(double t, std::span<const double> y) 
 std::vector<EventFunction> MotionSections::ends() const {
   return modes_ ? kink_ends(*modes_, way_, t_, request_.method, request_.tolerances)
                 : std::vector<EventFunction>{};
+}
+
+ApproachRecord MotionSections::approach(Approach place) const {
+  ApproachRecord record{.place = std::move(place), .name = {}, .begun = t_, .enclosure = {}};
+  if (record.place.event < watches().size()) {
+    const Watch& watch = watches()[record.place.event];
+    record.name = watch.name;
+    record.enclosure = record.place.is_condition ? watch.when_enclosure : watch.enclosure;
+    if (record.place.is_condition) record.of_event = watch.enclosure;
+    return record;
+  }
+  const std::size_t kink = record.place.event - watches().size();
+  const std::shared_ptr<const KinkedMotion> functions = modes_->motion(way_.sides);
+  record.name = names_[kink];
+  record.is_kink = true;
+  record.stays = way_.sides[kink] == 0;
+  const auto u = enclosure_of(record.stays ? functions->holds[kink] : functions->arguments[kink],
+                              modes_->parameters(way_.sides));
+  const Interval factor = way_.sides[kink] < 0 ? -1 : 1;  // as in kink_ends.cpp
+  record.enclosure = [=](double t, std::span<const Interval> y) { return factor * u(t, y); };
+  return record;
 }
 
 MotionSections::Columns& MotionSections::columns_in(std::size_t section) {

@@ -53,7 +53,7 @@ void RowErrors::add(double t, std::span<const double> row, std::span<const Other
   const double* const before = lost_ ? error_.data() : error_before_.data();
   double* const error = error_.data();
   const double* const scale = scale_.data();
-  bool is_lost = lost_;
+  bool is_lost = lost_ || lost_from_next_;
   for (std::size_t k = 0; k < row.size(); ++k) {
     const Largest largest = largest_of(k, row[k], others);
     error[k] = std::max(before[k], largest.error(row[k], unseen.empty() ? 0 : unseen[k]));

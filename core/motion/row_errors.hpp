@@ -46,6 +46,9 @@ class RowErrors {
   void add(double t, std::span<const double> row, std::span<const OtherRow> others,
            std::span<const double> unseen = {});
 
+  /// From the next row on it is lost, whatever that shows.
+  void lose() { lost_from_next_ = true; }
+
   /// Of each column, up to the last row.
   [[nodiscard]] const std::vector<double>& so_far() const { return error_; }
 
@@ -56,7 +59,7 @@ class RowErrors {
 
   std::vector<double> scale_, error_;
   Winding winding_;
-  bool is_first_{true}, lost_{false};
+  bool is_first_{true}, lost_{false}, lost_from_next_{false};
   double t_before_{};                 ///< the last row before the motion was lost
   std::vector<double> error_before_;  ///< at it
   std::vector<bool> winds_;           ///< once the motion is lost

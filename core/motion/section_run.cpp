@@ -54,6 +54,7 @@ RunRequest SectionRun::request_from(const Simulation& so_far) const {
   run.method = request_.method;
   run.taylor_order = request_.taylor_order;
   run.is_reference = request_.is_reference;
+  run.notes_approaches = request_.notes_approaches;
   apart_.ask(run, sections_.originals());
   run.tolerances = request_.tolerances;
   run.h = request_.h;

@@ -47,6 +47,7 @@ class Simulator {
     record_piece({});
     sections_.finish(result_.t);
     result_.stays = std::move(sections_.stays());
+    std::ranges::stable_sort(result_.approaches, {}, [](const auto& a) { return a.place.instant(); });
     result_.unseen = unseen_.take_rows();
     result_.apart_at_end = apart_.at_end();
     auto [apart, by_rounding] = apart_.take_rows();
@@ -107,7 +108,7 @@ class Simulator {
     finish(end);
     end.doubt = sections_.doubt_of_instant();
     end.moved = sections_.moved_instant();
-    unseen_.doubt_side(end, request_.grid);
+    unseen_.doubt_side(end, end.moved + apart_.seconds(end, unseen_.so_far()), request_.grid);
     apart_.pass(std::move(end));
   }
 
@@ -137,11 +138,21 @@ class Simulator {
 
   Run section() {
     Run done = run_.from(result_);
+    add_approaches(done);
     unseen_.add(done);
     apart_.add(done);
     append(done, result_);
     row_sections_.resize(result_.rows, sections_.section());
     return done;
+  }
+
+  void add_approaches(Run& done) {
+    for (Approach& approach : done.approaches) {
+      const std::vector<double>& before = unseen_.so_far();
+      approach.unseen.resize(before.empty() ? approach.unseen.size() : before.size());
+      for (std::size_t k = 0; k < before.size(); ++k) approach.unseen[k] += before[k];
+      result_.approaches.push_back(sections_.approach(std::move(approach)));
+    }
   }
 
   [[nodiscard]] std::vector<bool> kinks_met(const Run& done) const {

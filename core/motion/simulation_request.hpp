@@ -29,8 +29,9 @@ struct SimulationRequest {
   Impacts impacts{Impacts::apply};
   std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one
   Method method{Method::adams};
-  unsigned taylor_order{};   ///< 0: by the tolerance
-  bool is_reference{false};  ///< RunRequest::is_reference
+  unsigned taylor_order{};       ///< 0: by the tolerance
+  bool is_reference{false};      ///< RunRequest::is_reference
+  bool notes_approaches{false};  ///< Simulation::approaches are wanted
   /// The motion that a reference stands for, where its numbers are others by their last digits, and a third
   /// one beside both: two samples of what such digits come to (core/integrate/own_errors.hpp).
   struct Numbers {

@@ -1,13 +1,16 @@
 #pragma once
 // What a motion gives: rows on a grid, events, and how it ended.
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/motion/drift.hpp"
 #include "core/motion/section_record.hpp"
 #include "core/motion/simulation_request.hpp"
+#include "core/numerics/interval.hpp"
 
 namespace qdot {
 
@@ -30,14 +33,28 @@ struct RowsOfEvents {
   std::vector<double> states, unseen, apart;
 };
 
+/// Where the motion nearly meets what would change its way, or has nearly missed it (run.hpp).
+struct ApproachRecord {
+  Approach place;
+  std::string name;  ///< of a kink, the expression that is zero there; of an impact or a condition
+  bool is_kink{};
+  bool stays{};    ///< on the kink, up to there
+  double begun{};  ///< when the section began
+  /// What is zero there, over a box of states.
+  std::function<Interval(double t, std::span<const Interval> y)> enclosure;
+  /// Of a condition: the same of the event that it decides about.
+  std::function<Interval(double t, std::span<const Interval> y)> of_event{};
+};
+
 struct Simulation {
   std::size_t rows{};           ///< instants of the grid that were reached
   std::vector<double> states;   ///< rows x 2n, row-major
   std::vector<double> columns;  ///< rows x request.columns, row-major
   std::vector<EventRecord> events;
-  std::vector<SectionRecord> sections;  ///< in order, one that an impact at t_end itself ended included
-  std::vector<PieceRecord> pieces;      ///< of a motion with kinks, in order
-  std::vector<StayRecord> stays;        ///< in order of their ends
+  std::vector<SectionRecord> sections;     ///< in order, one that an impact at t_end itself ended included
+  std::vector<PieceRecord> pieces;         ///< of a motion with kinks, in order
+  std::vector<StayRecord> stays;           ///< in order of their ends
+  std::vector<ApproachRecord> approaches;  ///< where the request wants them
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};

@@ -29,15 +29,15 @@ void UnseenAlong::doubt_instant(const SectionEnd& impact) {
   }
 }
 
-void UnseenAlong::doubt_side(const SectionEnd& kink, std::span<const double> grid) {
+void UnseenAlong::doubt_side(const SectionEnd& kink, double near, std::span<const double> grid) {
   const std::size_t n = kink.before.size() / 2;
   std::vector<double> off(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
-    off[n + i] = kink.moved * std::abs(kink.slopes_after[n + i] - kink.slopes_before[n + i]);
-    off[i] = kink.moved * off[n + i];
+    off[n + i] = near * std::abs(kink.slopes_after[n + i] - kink.slopes_before[n + i]);
+    off[i] = near * off[n + i];
   }
-  const auto first = std::ranges::lower_bound(grid, kink.t - kink.moved);
-  for (auto t = first; t != grid.end() && *t <= kink.t + kink.moved; ++t)
+  const auto first = std::ranges::lower_bound(grid, kink.t - near);
+  for (auto t = first; t != grid.end() && *t <= kink.t + near; ++t)
     doubted_.push_back({static_cast<std::size_t>(t - grid.begin()), off});
 }
 

@@ -16,9 +16,11 @@ class UnseenAlong {
   /// An impact may have been a round-off of t earlier or later, alike in all computations of this motion.
   void doubt_instant(const SectionEnd& impact);
 
-  /// Rows so near to a kink that was not met at its instant are on the wrong side of it.
-  void doubt_side(const SectionEnd& kink, std::span<const double> grid);
+  /// Rows within `near` seconds of a kink may be on the wrong side of it.
+  void doubt_side(const SectionEnd& kink, double near, std::span<const double> grid);
 
+  /// Of all runs before the next one; empty where nothing is hidden.
+  [[nodiscard]] const std::vector<double>& so_far() const { return unseen_; }
   /// As Run::unseen, of all runs; empty where nothing is hidden.
   [[nodiscard]] std::vector<double> take_rows();
 

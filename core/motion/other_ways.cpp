@@ -1,0 +1,135 @@
+#include "core/motion/other_ways.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include "core/base/error.hpp"
+#include "core/motion/fork.hpp"
+#include "core/motion/simulation.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t most_ways = 4;
+constexpr Tolerances of_checks{1e-12, 1e-15};
+
+/// As another computation of the motion, from its first row on.
+class OtherWay {
+ public:
+  OtherWay(const ComputedMotion& motion, double begin) : motion_(motion), begin_(begin) {
+    const std::vector<double>& all = motion.event_rows.instants();
+    first_ = static_cast<std::size_t>(std::ranges::lower_bound(all, begin) - all.begin());
+  }
+
+  Simulation from(std::vector<double> y, std::uint64_t evaluations_left) {
+    const SimulationRequest request = request_from(std::move(y), evaluations_left);
+    Simulation way = simulate(motion_.dynamics, request);
+    spent_ = way.evaluations;
+    const std::vector<double> before = rows_before();
+    way.states.insert(way.states.begin(), before.begin(), before.end());
+    way.rows += first_;
+    way.unseen.clear();  // of what is computed there, which is one of many other ways
+    const auto later = std::ranges::lower_bound(motion_.simulation.sections, begin_, {}, &SectionRecord::t);
+    way.sections.insert(way.sections.begin(), motion_.simulation.sections.begin(), later);
+    motion_.event_rows.set_apart(way, motion_.width());
+    return way;
+  }
+
+  [[nodiscard]] std::uint64_t spent() const { return spent_; }
+
+ private:
+  [[nodiscard]] SimulationRequest request_from(std::vector<double> y, std::uint64_t evaluations_left) const {
+    SimulationRequest request = motion_.request;
+    request.t_start = begin_;
+    request.t_start_left_out = 0;
+    request.y_start = y;
+    const std::vector<double>& all = motion_.event_rows.instants();
+    request.grid.assign(all.begin() + static_cast<std::ptrdiff_t>(first_), all.end());
+    request.grid_left_out.clear();
+    request.columns.clear();
+    request.events.clear();
+    request.end_after_impacts.reset();
+    request.method = motion_.is_stiff ? Method::bdf : Method::taylor;
+    request.tolerances = request.method == motion_.simulation.method ? motion_.tolerances : of_checks;
+    request.limits.max_evaluations = std::min(request.limits.max_evaluations, evaluations_left);
+    return request;
+  }
+
+  /// The motion's own.
+  [[nodiscard]] std::vector<double> rows_before() const {
+    const std::size_t width = motion_.width();
+    std::vector<double> rows;
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < first_; ++i) {
+      if (motion_.event_rows.is_row(i)) {
+        const auto own = std::span(motion_.simulation.states).subspan(row++ * width, width);
+        rows.insert(rows.end(), own.begin(), own.end());
+      } else {
+        const std::vector<double> own = state_at(motion_.event_rows.instants()[i]);
+        rows.insert(rows.end(), own.begin(), own.end());
+      }
+    }
+    return rows;
+  }
+
+  /// At an event or an approach.
+  [[nodiscard]] std::vector<double> state_at(double t) const {
+    const auto& events = motion_.simulation.events;
+    const auto event = std::ranges::find(events, t, &EventRecord::t);
+    if (event != events.end()) return event->y;
+    const auto& approaches = motion_.simulation.approaches;
+    const auto approach =
+        std::ranges::find(approaches, t, [](const ApproachRecord& a) { return a.place.instant(); });
+    return approach->place.state_at(t - approach->place.t);
+  }
+
+  const ComputedMotion& motion_;
+  double begin_;
+  std::size_t first_{};  ///< of the instants
+  std::uint64_t spent_{};
+};
+
+std::string place_in_words(const ApproachRecord& approach) {
+  std::array<char, 32> number{};
+  const auto end = std::to_chars(number.data(), number.data() + number.size(), approach.place.instant(),
+                                 std::chars_format::general, 6);
+  const std::string t(number.data(), end.ptr);
+  return "At t = " + t + " the motion comes as near to " +
+         (approach.is_kink ? approach.name + " = 0" : "'" + approach.name + "'") + " as its error";
+}
+
+}  // namespace
+
+OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTold> approaches,
+                     std::uint64_t evaluations_left) {
+  OtherWays result;
+  const auto lose = [&](double t) { result.lost_from = std::min(result.lost_from, t); };
+  for (const ApproachAsTold& approach : approaches) {
+    const double t = approach.approach.place.instant();
+    if (t > result.lost_from) break;
+    const Fork fork(motion, approach);
+    if (!fork.is_open() || fork.is_negligible()) continue;
+    if (result.where.empty()) result.where = place_in_words(approach.approach);
+    const double begin = fork.begin();
+    const auto start = fork.start(begin);
+    if (!start || result.motions.size() == most_ways) {
+      lose(t);
+      continue;
+    }
+    try {
+      OtherWay way(motion, begin);
+      Simulation& other = result.motions.emplace_back(way.from(*start, evaluations_left));
+      result.evaluations += way.spent();
+      evaluations_left -= std::min(evaluations_left, way.spent());
+      if (other.rows < motion.simulation.rows) lose(std::max(t, other.t));
+    } catch (const Error&) {
+      lose(t);
+    }
+  }
+  return result;
+}
+
+}  // namespace qdot

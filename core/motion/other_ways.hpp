@@ -1,0 +1,32 @@
+#pragma once
+// Ways on which a motion may go on as well.
+//
+// At a fork (fork.hpp) the true motion may do otherwise, and be far away afterwards however small the error
+// was. All its computations may do the same there, by chance, so that their differences do not tell. So the
+// motion is computed once more on the other way. What that differs by is in the errors then: little at a kink
+// over which forces are continuous, much where they jump.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/motion/motion_check.hpp"
+#include "core/motion/motion_comparison.hpp"
+#include "core/numerics/constants.hpp"
+
+namespace qdot {
+
+struct OtherWays {
+  std::vector<Simulation>
+      motions;  ///< each as another computation of the motion, with rows from the first on
+  /// Where one of them ends, or cannot be followed: later rows may be anywhere.
+  double lost_from{infinity};
+  std::string where;  ///< the first such place, for a sentence; empty where there is none
+  std::uint64_t evaluations{};
+};
+
+/// `evaluations_left`: for all together.
+[[nodiscard]] OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTold> approaches,
+                                   std::uint64_t evaluations_left);
+
+}  // namespace qdot

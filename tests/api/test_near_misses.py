@@ -1,0 +1,147 @@
+"""Kinks, impacts and conditions that a motion nearly meets, or just meets, on both sides and from far to nearer than any
+computation can tell. The truths are oscillations and parabolas; mpmath knows which side they are on."""
+
+import pathlib
+import sys
+import unittest
+
+import mpmath
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service, strict_json  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mpmath.mp.dps = 50
+mpf = mpmath.mpf
+GOALS = [{}, {"accuracy": "fast"}, {"accuracy": "accurate"}, {"max_error": 1e-9}, {"method": "taylor", "rtol": 1e-5}, {"method": "erk", "rtol": 1e-7},
+         {"method": "bdf", "rtol": 1e-4}, {"method": "adams", "rtol": 1e-9}]
+DISTANCES = [sign*mpf(size) for size in ("1e-6", "3.5e-9", "2.2e-14", "4.5e-15", "3e-16") for sign in (1, -1)]
+NEAR = "comes as near to"
+
+
+def oscillation(square, x, v, offset=0):
+    """x(t), x'(t) of x'' = -square (x - offset)."""
+    omega = mpmath.sqrt(square)
+
+    def at(t):
+        c, s = mpmath.cos(omega*t), mpmath.sin(omega*t)
+        return offset + (x - offset)*c + v/omega*s, v*c - omega*(x - offset)*s
+
+    return at
+
+
+class NearMisses(Service):
+    def motion(self, scene, **more):
+        request = {"system": scene, **({} if "times" in more else {"samples": 5}), **more}
+        return strict_json(self.post("simulate", request).data)
+
+    def judge(self, answer, truth, where):
+        """truth(t) by name."""
+        columns, errors = answer["trajectory"], answer["accuracy"]["max_abs_error"]
+        for i, t in enumerate(columns["t"]):
+            for name, true in truth(mpf(t)).items():
+                if errors[name] is not None:
+                    self.assertLessEqual(abs(mpf(columns[name][i]) - true), mpf(errors[name]), (*where, name, t, answer["accuracy"]))
+        return NEAR in answer["accuracy"].get("reason", "")
+
+    def test_over_a_kink_beyond_which_the_force_carries_it_away(self):
+        square, start, jump = mpf("1.451"), mpf("1.977"), mpf("10.45")
+        told = {}
+        for distance in DISTANCES:
+            level = start*(1 - distance)
+            scene = lagrangian("kinked", "", f"x - {start} 0", "x_dot^2/2",
+                               forces=[{"name": "f", "value": f"-{square}*x + 5.225*(sign(x + {mpmath.nstr(level, 25)}) - 1)", "along": "x"}])
+            inside = oscillation(square, start, 0)
+            met = mpmath.acos(-level/start)/mpmath.sqrt(square) if distance > 0 else mpf(100)
+            outside = oscillation(square, -level, inside(met)[1], -jump/square) if distance > 0 else None
+            for goal in GOALS:
+                answer = self.motion(scene, t_end=6, **goal)
+                told[distance, str(goal)] = self.judge(
+                    answer, lambda t: dict(zip(("x", "x_dot"), inside(t) if t <= met else outside(t - met))), (distance, goal))
+        for goal in GOALS:
+            self.assertFalse(told[DISTANCES[0], str(goal)], goal)
+        self.assertFalse(told[DISTANCES[2], str({"accuracy": "accurate"})])
+        self.assertTrue(told[DISTANCES[-1], str({"accuracy": "accurate"})])
+
+    def test_against_a_wall(self):
+        square, start = mpf("1.913"), mpf("0.496")
+        for distance in DISTANCES:
+            level = start*(1 - distance)
+            scene = lagrangian("bouncing", "", f"x - {start} 0", "x_dot^2/2", impacts=[{"event": "hit", "restitution": 1}],
+                               forces=[{"name": "f", "value": f"-{square}*x", "along": "x"}],
+                               events=[{"name": "hit", "expression": f"x + {mpmath.nstr(level, 25)}", "direction": "falling"}])
+            inside = oscillation(square, start, 0)
+            met = mpmath.acos(-level/start)/mpmath.sqrt(square) if distance > 0 else mpf(100)
+            back = oscillation(square, -level, -inside(met)[1])
+            for goal in [*GOALS, {"method": "gauss", "h": 0.01}]:
+                answer = self.motion(scene, t_end=3.9, **goal)
+                self.judge(answer, lambda t: dict(zip(("x", "x_dot"), inside(t) if t <= met else back(t - met))), (distance, goal))
+
+    def test_over_a_wall_whose_top_is_near(self):
+        """A ball that is at x = 3/4 and y = h after 1/2 s."""
+        height, told = mpf("0.5")*1 - mpf("9.81")/8, 0
+        for distance in DISTANCES:
+            top = mpmath.nstr(height + distance, 25)
+            scene = lagrangian("thrown", "", "x - 0 1.5; y - 0 1", "(x_dot^2 + y_dot^2)/2 - 9.81*y", impacts=[{"event": "hit", "restitution": "0.5"}],
+                               events=[{"name": "hit", "expression": "x - 0.75", "direction": "rising", "when": f"{top} - y"}])
+
+            def truth(t):
+                x = mpf("1.5")*t if t <= 0.5 or distance < 0 else mpf("0.75") - mpf("0.75")*(t - mpf("0.5"))
+                return {"x": x, "y": t - mpf("9.81")/2*t*t}
+
+            for goal in GOALS:
+                answer = self.motion(scene, t_end=1.2, **goal)
+                told += self.judge(answer, truth, (distance, goal))
+        self.assertGreater(told, 4)
+
+    def test_of_what_ends_it(self):
+        """Either the stop is right to its error, or it is said that there is none."""
+        square, start = mpf("0.688"), mpf("0.508")
+        for distance in DISTANCES:
+            level = start*(1 - distance)
+            scene = lagrangian("ending", "", f"x - {start} 0", "x_dot^2/2", forces=[{"name": "f", "value": f"-{square}*x", "along": "x"}],
+                               valid_while=[{"name": "room", "expression": f"x + {mpmath.nstr(level, 25)}", "reason": "touch", "message": "It touches."}])
+            ends = mpmath.acos(-level/start)/mpmath.sqrt(square) if distance > 0 else None
+            inside = oscillation(square, start, 0)
+            for goal in GOALS:
+                answer = self.motion(scene, t_end=6, **goal)
+                where, reason = (distance, goal, answer["accuracy"]), answer["accuracy"].get("reason", "")
+                if answer["accuracy"]["max_abs_error"] is not None:
+                    self.judge(answer, lambda t: dict(zip(("x", "x_dot"), inside(t))), (distance, goal))
+                error = answer["stop"].get("error") if answer["status"] == "stopped" else None
+                if error is not None:
+                    self.assertIsNotNone(ends, where)
+                    self.assertLessEqual(abs(mpf(answer["stop"]["t"]) - ends), mpf(error), where)
+                elif (answer["status"] == "stopped") != (ends is not None):
+                    self.assertTrue(reason, where)
+
+    def test_kinks_over_which_forces_are_continuous_do_no_harm(self):
+        square, start = mpf("1.451"), mpf("1.977")
+        inside = oscillation(square, start, 0)
+        for distance in DISTANCES[4:]:  # what is nearer turns back by less than any of these errors
+            scene = lagrangian("kinked", "", f"x - {start} 0", "x_dot^2/2",
+                               forces=[{"name": "f", "value": f"-{square}*x + 3*(abs(x + {level}) - x - {level})", "along": "x"}
+                                       for level in [mpmath.nstr(start*(1 - distance), 25)]])
+            for goal in GOALS[:3]:
+                answer = self.motion(scene, t_end=6, **goal)
+                self.assertFalse(self.judge(answer, lambda t: {"x": inside(t)[0]}, (distance, goal)))
+                self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-4)
+
+    def test_rows_just_before_a_kink_and_just_after_it(self):
+        square, start, jump = mpf("1.586"), mpf("0.499"), mpf("11272")
+        level = mpf("0.0441405")
+        scene = lagrangian("kinked", "", f"x - {start} 0", "x_dot^2/2",
+                           forces=[{"name": "f", "value": f"-{square}*x + 5636*(sign(x + {level}) - 1)", "along": "x"}])
+        inside = oscillation(square, start, 0)
+        met = mpmath.acos(-level/start)/mpmath.sqrt(square)
+        outside = oscillation(square, -level, inside(met)[1], -jump/square)
+        for away in ("1e-8", "4.6e-12", "1e-13", "1e-15", "-1e-15", "-1e-13", "-5e-12"):
+            row = float(met - mpf(away))
+            for goal in GOALS:
+                for times in ([row], [row, 1.4]):
+                    answer = self.motion(scene, times=times, **goal)
+                    self.judge(answer, lambda t: dict(zip(("x", "x_dot"), inside(t) if t <= met else outside(t - met))), (away, goal))
+
+
+if __name__ == "__main__":
+    unittest.main()
