@@ -152,8 +152,10 @@ class Ladder {
     if (is_near) sharper = sharper_motion();
     const auto tells_all = [&] { return sharper && sharper->rows == result_.simulation.rows; };
     const auto is_enough = [&] { return tells_all() && !result_.simulation.stop; };
-    if (is_enough()) result_.verified_by = Method::taylor;
-    if (is_enough()) return state({std::move(*sharper)});
+    if (is_enough() && !motion().has_events_in_doubt()) {
+      result_.verified_by = Method::taylor;
+      return state({std::move(*sharper)});
+    }
     std::vector<Simulation> others;
     if (!add_check(others, 1)) return;
     if (is_near || !tells_truncation(motion(), others.front())) {

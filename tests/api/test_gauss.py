@@ -7,6 +7,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
 
 # Without gravity and with a spring of no natural length the spring pendulum is an isotropic oscillator.
 W = 4.0
@@ -64,6 +65,18 @@ class Gauss(Service):
         self.assertEqual(len(strides[0]), 4)
         for a, b in zip(*strides):
             self.assertAlmostEqual(a, b, 8)
+
+    def test_events_that_its_last_digits_invent_are_told_to_be_in_doubt(self):
+        """Before a pulse both stand still, but for a difference of 1e-200 and what is left of its equations."""
+        for where in (2.274, 4.96):
+            scene = lagrangian("pushed", "", "x - 0 0; y - 0 0", "(x_dot^2 + y_dot^2)/2", forces=[
+                {"name": "push", "value": f"exp(-((t - {where})/0.05)^2)", "along": "x"},
+                {"name": "pull", "value": "-1.2*sin(y - x)", "along": "y"}])
+            how = {"system": scene, "t_end": where + 1, "samples": 3, "events": ["x_dot=y_dot"]}
+            self.assertEqual(self.ask("simulate", how)["events"], [])
+            answer = self.ask("simulate", how | {"method": "gauss", "h": 0.02})
+            self.assertGreater(len(answer["events"]), 3)
+            self.assertIn("how often it happens is no more certain", answer["accuracy"]["reason"])
 
     def test_massless_feet_are_said_not_to_be_symplectic(self):
         answer = self.ask("simulate", {"system": "compass_walker", "t_end": 1, "method": "gauss", "h": 0.01})
