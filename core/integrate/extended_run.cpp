@@ -82,19 +82,23 @@ std::optional<Ending> ExtendedStepper::step() {
     if (const auto failed = expand(t_, y_, next_)) return failed;
   }
   const DoubleDouble left = request_.t_end - t_;
+  const bool rounding_is_followed = static_cast<bool>(system_.in_doubles.expansion);
+  if (!rounding_is_followed) in_double_doubles_.clear();
   double h = step_size();
   if (bounded_) {
     const double whole = std::min(h, left.high);
     const double part = bounded_part(whole);
     bounded_ = part > 0;
     if (part > 0 && part < whole) h = part;
-    if (part > 0) bound_rounding();
+    if (part > 0 && rounding_is_followed) bound_rounding();
   }
   for (int i = 0; i < attempts_at_a_step; ++i, h = std::min(h, left.high) / 2) {
     const DoubleDouble t = h < left.high ? t_ + DoubleDouble(h) : request_.t_end;
     if (!is_before(t_, t)) break;
     if (const auto spent = spent_limit()) return spent;
     if (try_step(t)) return std::nullopt;
+    const bool may_be_rounding = i == 0 && bounded_ && !rounding_is_followed;
+    if (may_be_rounding && bound_rounding() && try_step(t)) return std::nullopt;
   }
   if (trouble_) return trouble_;
   return std::isnan(h) ? Ending::nonfinite : Ending::blow_up;
@@ -241,12 +245,13 @@ double ExtendedStepper::bounded_part(double h) {
   return 0;
 }
 
-/// Of the step that is to be taken.
-void ExtendedStepper::bound_rounding() {
-  if (!system_.rounding) return;
+/// Of the step that is to be taken. Whether there is a bound.
+bool ExtendedStepper::bound_rounding() {
+  if (!system_.rounding) return false;
   in_doubles_.resize(y_.size() / 2);
   in_double_doubles_.resize(y_.size() / 2);
   system_.rounding(in_doubles_, in_double_doubles_);
+  return true;
 }
 
 bool ExtendedStepper::try_step(const DoubleDouble& t) {
@@ -264,11 +269,14 @@ bool ExtendedStepper::try_step(const DoubleDouble& t) {
   return true;
 }
 
+/// But for what the accelerations are rounded by: no shorter step would obey them better.
 bool ExtendedStepper::holds_until(const DoubleDouble& h) const {
+  const std::size_t n = y_.size() - in_double_doubles_.size();
   for (std::size_t i = 0; i < y_.size(); ++i) {
     const DoubleDouble rate = row(beyond_, i)[1];
     const double defect = std::abs((slope_of(row(next_, i), h, system_.first_in_doubles) - rate).high);
-    const double round_off = system_.round_off * (std::abs(rate.high) + std::abs(row(next_, i)[1].high));
+    double round_off = system_.round_off * (std::abs(rate.high) + std::abs(row(next_, i)[1].high));
+    if (i >= n) round_off += 2 * in_double_doubles_[i - n];
     if (!(h.high * defect <= largest_end_defect * weight(i) + h.high * round_off)) return false;
   }
   return true;

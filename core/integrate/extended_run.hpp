@@ -96,7 +96,7 @@ class ExtendedStepper {
   [[nodiscard]] double log_of_step_by(unsigned k, double part = 1) const;
   /// A length up to h over which a step hides nothing; 0 where there is none.
   [[nodiscard]] double bounded_part(double h);
-  void bound_rounding();
+  bool bound_rounding();
   [[nodiscard]] bool try_step(const DoubleDouble& t);
   [[nodiscard]] bool holds_until(const DoubleDouble& h) const;
   [[nodiscard]] std::span<const DoubleDouble> row(const std::vector<DoubleDouble>& c, std::size_t i) const {

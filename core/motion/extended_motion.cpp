@@ -53,7 +53,6 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
                   const ExtendedMotionRequest& request) {
   const auto expansion = std::make_shared<TaylorExpansion>(accelerations, rounded(request.parameters));
   system.hidden = hidden_of(expansion);
-  if (!request.follow_rounding) return;
   const auto length = std::make_shared<double>();
   system.hidden = [hidden = system.hidden, length](double t, std::span<const double> y, double h,
                                                    std::span<const double> allowed) {
@@ -66,6 +65,7 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
     expansion->bound_defect(*length, {}, defect);  // the closest ranges that there are
     expansion->bound_rounding(of_double_doubles, taylor::half_unit_of_double_doubles);
   };
+  if (!request.follow_rounding) return;
   system.in_doubles = in_doubles(accelerations, request.parameters);
   system.highest_in_doubles = TaylorExpansion::highest_order;
 }

@@ -66,6 +66,15 @@ class RoundingInForces(Service):
                         truth = mpmath.cos(mpf("1.5")), -mpmath.sin(mpf("1.5"))
                         self.judge(answer, truth, allowed=mpf(a) ** 2)
 
+    def test_extended_precision_takes_no_shorter_steps_than_rounding_allows(self):
+        """Of 32 digits cosh(x a) - 1 has lost up to 26: no step, however short, obeys such a force to the last digit."""
+        for force in VANISHING[:1] + VANISHING[2:]:
+            for digits in (10, 12, 13):
+                with self.subTest(force=force, digits=digits):
+                    answer = self.ask(force, f"a - 1e-{digits}; b - 1e{digits}", 1, 0.05, {"precision": "extended"})
+                    self.assertLess(answer["diagnostics"]["steps"], 1000)
+                    self.judge(answer, (mpmath.cos(mpf("0.05")), -mpmath.sin(mpf("0.05"))), mpf(10)**(-2 * digits))
+
     def test_a_stop_before_the_next_row_counts_what_was_rounded_up_to_it(self):
         """An oscillation from rest: x = cos t, down to a wall; the force is -x, as far as it is not rounded."""
         for b in ("3.1e4", "7.7e5", "2.9e6", "1.3e7"):
