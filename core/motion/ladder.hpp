@@ -11,8 +11,8 @@
 // the first one's error, and of the other sign. Where both are as tight as double precision allows, what
 // rounding does to the motion, that of the numbers that were typed included, is measured in double-doubles
 // (extended_motion.hpp, extended_impacts.hpp, extended_kinks.hpp). A motion that cannot be followed so, or
-// not to its end, is computed a third time, from the other side. Where the true motion may go another way than
-// all of these, it is computed on that, too (other_ways.hpp).
+// not to its end, is computed a third time, from the other side. Where the true motion may go another way
+// than all of these, it is computed on that, too (other_ways.hpp).
 //
 // Method gauss has a step in place of tolerances:
 // it is checked by the tightest run there is, and does not climb.
