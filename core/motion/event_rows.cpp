@@ -66,7 +66,7 @@ void EventRows::add_approaches(std::span<const double> grid, const Simulation& m
     if (motion.rows > 0 && t <= grid[motion.rows - 1]) events_.push_back(t);
   }
   std::ranges::sort(events_);
-  events_.erase(std::ranges::unique(events_).begin(), events_.end());
+  events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
 }
 
 std::optional<std::size_t> EventRows::place(double t) const {

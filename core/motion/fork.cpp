@@ -136,9 +136,11 @@ void Fork::take_doubt() {
   if (!std::isfinite(doubt_)) doubt_ = 2 * rise_;
 }
 
-/// A condition counts when the event happens, which is as uncertain as its g is.
+/// A condition counts when the event happens, which is as uncertain as its g is; that with which a section
+/// begins happens there.
 void Fork::move_to_event() {
   const double tau = share_of_section * (t_ - approach_.begun);
+  if (!(tau > 0)) return;
   const auto rise = [&](const auto& of) {
     const std::vector<double> before = state_at(-tau), after = state_at(tau);
     return (of(t_ + tau, after).middle() - of(t_ - tau, before).middle()) / (2 * tau);
