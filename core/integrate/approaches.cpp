@@ -132,6 +132,7 @@ void ApproachSearch::ask_condition(std::size_t event, StepPolynomial& step, doub
 
 void ApproachSearch::add(Approach approach, StepPolynomial& step) {
   const MotionPiece& whole = step.whole();
+  approach.h = whole.h;
   const double end = whole.t + (1 + beyond_step) * whole.h;
   const bool is_beyond = approach.t > end;
   const MotionPiece there = step.piece((is_beyond ? *approach.met : approach.t) - whole.t, whole.h);

@@ -146,6 +146,7 @@ struct Approach {
   double t{};                   ///< where it turns back
   std::optional<double> met{};  ///< when it was met
   int sign{};                   ///< of g before the event
+  double h{};                   ///< of the step that it was seen in
   /// What is near to zero is not g, which has met zero at t, but whether that counts: below zero it does not.
   bool is_condition{};
   /// The motion as it was before the event, around t: coefficients of y_i(t + s), row by row.

@@ -76,13 +76,15 @@ std::vector<ApproachAsTold> EventComparison::approaches() {
   return all;
 }
 
-/// Of the motion's own.
+/// Of the motion's own. Others tell of an instant what is before all its impacts.
 void EventComparison::add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all) {
   const double t = approach.place.instant();
   const EventRecord event{approach.name, t, approach.place.state_at(t - approach.place.t)};
   auto [errors, are_of_it] = errors_at(event);
+  const bool is_after_impact = t == approach.begun;
+  if (is_after_impact) errors = some_rows_after(t);
   std::vector<StateAsTold> told;
-  if (are_of_it) told = at_events_.as_told(event);
+  if (are_of_it && !is_after_impact) told = at_events_.as_told(event);
   if (told.empty() && !errors.empty())
     told.push_back({std::vector<double>(event.y.size()), std::move(errors)});
   for (StateAsTold& state : told) all.push_back({approach, std::move(state), rows_before(t)});

@@ -18,7 +18,7 @@ constexpr double still_turns = 0.5;    ///< as much as before the event
 constexpr double clearly = 0.25;       ///< of what g was moved by: so far before the event it begins
 constexpr double first_share = 1e-12;  ///< of the span: how early it is looked for at first
 constexpr double earlier = 1.5;
-constexpr double share_of_section = 1e-6;
+constexpr double share_of_step = 1e-6;
 constexpr double part_before_condition = 1e-3;  ///< of the section
 
 }  // namespace
@@ -136,11 +136,9 @@ void Fork::take_doubt() {
   if (!std::isfinite(doubt_)) doubt_ = 2 * rise_;
 }
 
-/// A condition counts when the event happens, which is as uncertain as its g is; that with which a section
-/// begins happens there.
+/// A condition counts when the event happens, which is as uncertain as its g is.
 void Fork::move_to_event() {
-  const double tau = share_of_section * (t_ - approach_.begun);
-  if (!(tau > 0)) return;
+  const double tau = share_of_step * place_.h;
   const auto rise = [&](const auto& of) {
     const std::vector<double> before = state_at(-tau), after = state_at(tau);
     return (of(t_ + tau, after).middle() - of(t_ - tau, before).middle()) / (2 * tau);

@@ -181,8 +181,8 @@ std::vector<EventFunction> MotionSections::ends() const {
                 : std::vector<EventFunction>{};
 }
 
-ApproachRecord MotionSections::approach(Approach place) const {
-  ApproachRecord record{.place = std::move(place), .name = {}, .begun = t_, .enclosure = {}};
+ApproachRecord MotionSections::approach(Approach place, double begun) const {
+  ApproachRecord record{.place = std::move(place), .name = {}, .begun = begun, .enclosure = {}};
   if (record.place.event < watches().size()) {
     const Watch& watch = watches()[record.place.event];
     record.name = watch.name;

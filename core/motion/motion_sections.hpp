@@ -35,8 +35,8 @@ class MotionSections {
   [[nodiscard]] const std::vector<Watch>& watches() const { return now_->watches; }
   /// Where the section ends by itself: one event for each kink.
   [[nodiscard]] std::vector<EventFunction> ends() const;
-  /// Of such an end, or of a watch before it.
-  [[nodiscard]] ApproachRecord approach(Approach place) const;
+  /// Of such an end, or of a watch before it, in the run that began then.
+  [[nodiscard]] ApproachRecord approach(Approach place, double begun) const;
   [[nodiscard]] std::size_t kinks() const { return names_.size(); }
   /// Of the section.
   [[nodiscard]] const Sides& sides() const { return way_.sides; }

@@ -151,7 +151,7 @@ class Simulator {
       const std::vector<double>& before = unseen_.so_far();
       approach.unseen.resize(before.empty() ? approach.unseen.size() : before.size());
       for (std::size_t k = 0; k < before.size(); ++k) approach.unseen[k] += before[k];
-      result_.approaches.push_back(sections_.approach(std::move(approach)));
+      result_.approaches.push_back(sections_.approach(std::move(approach), result_.t));
     }
   }
 
