@@ -64,9 +64,9 @@ TEST(Approaches, AreNoneOfWhatIsFarAwayOrMetWithSpeed) {
   for (const Method method : all_methods) {
     EXPECT_TRUE(approaches(level_of(1.2), method).empty()) << name(method);
     EXPECT_TRUE(approaches(level_of(0.5), method).empty()) << name(method);
-    EventFunction of_no_account = level_of(1 + 1e-6);
-    of_no_account.terminal = false;
-    EXPECT_TRUE(approaches(of_no_account, method).empty()) << name(method);
+    EventFunction that_goes_on = level_of(1 + 1e-6);
+    that_goes_on.terminal = false;
+    EXPECT_TRUE(approaches(that_goes_on, method).empty()) << name(method);
   }
 }
 
