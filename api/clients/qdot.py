@@ -25,6 +25,7 @@ from __future__ import annotations
 import decimal
 import difflib
 import fractions
+import functools
 import json
 import math
 import os
@@ -236,12 +237,31 @@ class Qdot:
         return self._send("/v1/" + urllib.parse.quote(endpoint), body)
 
     def __getattr__(self, name: str) -> Any:
-        known = [word for word in dir(type(self)) if not word.startswith("_")]
+        """A question of the service that has no method here, such as one of a later version: its fields are as there."""
+        if name.startswith("_"):
+            raise AttributeError(f"Qdot has no {name}")
+        endpoints = self._endpoints()
+        if name in endpoints:
+            return functools.partial(self._question, name)
+        known = endpoints + [word for word in dir(type(self)) if not word.startswith("_") and word not in endpoints]
         near = difflib.get_close_matches(name, known, 1)
         advice = f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)
         raise AttributeError(f"Qdot has no {name}: {advice}")
 
     # How it is asked.
+
+    def _endpoints(self) -> List[str]:
+        """What can be asked of the service, by its own description; nothing where none answers."""
+        try:
+            paths = (self._run("openapi") if self.command else json.loads(self._fetch("/openapi.json", None, "")))["paths"]
+        except (Problem, OSError):
+            return []
+        return [path[len("/v1/"):] for path, methods in paths.items() if "post" in methods and "." not in path]
+
+    def _question(self, endpoint: str, system: System, *, parameters: Optional[Values] = None,
+                  initial: Optional[Values] = None, inputs: Optional[Values] = None, **symbols: Any) -> Answer:
+        return self._ask(endpoint, {"system": system, "parameters": parameters, "initial": initial, "inputs": inputs,
+                                    "symbols": {name.rstrip("_"): value for name, value in symbols.items()}})
 
     def _ask(self, endpoint: str, arguments: Dict[str, Any]) -> Answer:
         symbols = arguments.pop("symbols", {})
