@@ -2,6 +2,7 @@
 // Integration of y' = f(t, y). Stepping (stepper.hpp, methods.hpp), events (events.hpp) and sampling on the
 // grid are three pieces that meet here.
 
+#include "core/integrate/methods.hpp"
 #include "core/integrate/run.hpp"
 
 namespace qdot {

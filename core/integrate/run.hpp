@@ -14,6 +14,8 @@
 
 namespace qdot {
 
+enum class Method;  // methods.hpp
+
 /// y' = f(t, y). Where f has no value, it says so by its Evaluation, and a shorter step is tried. What a
 /// function throws ends the run and reaches the caller of integrate(). Values that are not finite count as
 /// nonfinite even if the Evaluation is ok. f is only ever called with y finite, |y_i| <= max_magnitude and
@@ -21,10 +23,10 @@ namespace qdot {
 struct RightHandSide {
   std::size_t dimension{};
   std::function<Evaluation(double t, std::span<const double> y, std::span<double> derivative)> derivative{};
-  /// df/dy, row-major dimension x dimension; needed by Method::bdf only.
+  /// df/dy, row-major dimension x dimension; for methods that need it.
   std::function<Evaluation(double t, std::span<const double> y, std::span<double> jacobian)> jacobian{};
-  /// Taylor coefficients of the solution through (t, y): y_i(t + s) = sum_k c[i (order + 1) + k] s^k; needed
-  /// by Method::taylor only.
+  /// Taylor coefficients of the solution through (t, y): y_i(t + s) = sum_k c[i (order + 1) + k] s^k; for
+  /// methods that need it.
   std::function<Evaluation(double t, std::span<const double> y, unsigned order, std::span<double> c)>
       expansion{};
   /// Bounds over 0 <= s <= h of the defect |p_i'(s) - f_i(t + s, p(s))| of the polynomials p that `expansion`
@@ -35,10 +37,10 @@ struct RightHandSide {
   /// is an acceleration: the second half of y. Optional.
   std::function<void(std::span<double> rounding)> rounding{};
   /// Moves a state that is near to it onto what all states obey: constraints, from which steps drift away by
-  /// their errors. Returns whether it could. Optional; used by Method::taylor.
+  /// their errors. Returns whether it could. Optional; for steps by `expansion`.
   std::function<bool(double t, std::span<double> y)> project{};
   /// The same motion in canonical variables z = (q, p), of the size of y = (q, q'): z at (t, y), and z' and
-  /// dz'/dz (row-major) at (t, z). Method::gauss steps in them;
+  /// dz'/dz (row-major) at (t, z). A symplectic method steps in them;
   /// without them in y, where it is not symplectic.
   struct CanonicalForm {
     std::function<Evaluation(double t, std::span<const double> y, std::span<double> z)> variables{};
@@ -79,16 +81,6 @@ struct EventFunction {
   bool is_zero_at_start{false};  ///< g is zero at t_start, however far from it the error of y leaves it
 };
 
-/// - taylor: Taylor series of order 16 or 20. It takes the fewest and longest steps, its polynomial is the
-///   dense output, and it keeps round-off low.
-/// - adams: CVODE, order 1 to 12, with the fewest evaluations of the three of SUNDIALS.
-/// - bdf: CVODE, order 1 to 5, for stiff systems (strong damping).
-/// - erk: ARKODE, order 8, the fastest of these three on small oscillating systems.
-///   A row of the grid costs it 12 evaluations, and watching events about 10 a step.
-/// - gauss: implicit Gauss collocation of order 6 with a fixed step.
-///   It is symplectic in canonical variables, so that energy errors stay bounded however long the motion.
-enum class Method { adams, bdf, erk, taylor, gauss };
-
 /// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and
 /// bdf by a hundred to ten thousand times, for erk by ten to a hundred.
 struct Tolerances {
@@ -124,7 +116,7 @@ struct RunRequest {
   std::vector<EventFunction> events{};
   /// Asked after each step that has reached rows, with the first of them and them: whether the run goes on.
   std::function<bool(std::size_t first, std::span<const double> rows)> goes_on{};
-  Method method{Method::adams};
+  Method method{};
   unsigned taylor_order{};  ///< 0: by the tolerance
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
   /// they may be off by.

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/integrate/methods.hpp"
 #include "core/integrate/own_errors.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/numerics/random_bits.hpp"
@@ -159,7 +160,7 @@ ApartAlong::ApartAlong(const SimulationRequest& request) : is_wanted_(request.or
 }
 
 void ApartAlong::ask(RunRequest& run, const Originals& originals) const {
-  if (!is_wanted_ || run.method != Method::taylor) return;
+  if (!is_wanted_ || !record_of(run.method).expands()) return;
   run.originals = &originals;
   run.apart = now_;
 }

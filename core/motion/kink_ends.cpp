@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/compile/taylor/composition.hpp"
+#include "core/integrate/methods.hpp"
 
 namespace qdot {
 namespace {
@@ -52,7 +53,7 @@ std::vector<EventFunction> kink_ends(const KinkModes& modes, const KinkModes::Wa
   for (std::size_t k = 0; k < way.sides.size(); ++k) {
     const bool stays = way.sides[k] == 0, leaves = way.contact[k] > 0;
     End end{stays ? functions->holds[k] : functions->arguments[k], stays ? 1.0 : way.sides[k], 0, t, 0};
-    if (leaves && method == Method::taylor) {
+    if (leaves && record_of(method).expands()) {
       end.margin = some_round_off * way.size[k];
       end.contact = way.contact[k];
     } else if (leaves) {

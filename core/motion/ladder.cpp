@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/integrate/methods.hpp"
 #include "core/motion/error_growth.hpp"
 #include "core/motion/motion_comparison.hpp"
 #include "core/motion/other_ways.hpp"
@@ -380,8 +381,8 @@ class Ladder {
 
 MeasuredSimulation simulate_with_error(const Dynamics& dynamics, const SimulationRequest& request,
                                        const AccuracyGoal& goal) {
-  if (request.method == Method::gauss && goal.kind != AccuracyGoal::Kind::tolerances) {
-    throw std::invalid_argument("gauss has a step and no goal");
+  if (record_of(request.method).has_fixed_step() && goal.kind != AccuracyGoal::Kind::tolerances) {
+    throw std::invalid_argument("a method of fixed step has no goal");
   }
   return Ladder(dynamics, request, goal).climb();
 }

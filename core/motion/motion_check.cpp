@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/compile/extended/expansion.hpp"
+#include "core/integrate/methods.hpp"
 #include "core/integrate/own_errors.hpp"
 #include "core/motion/extended_impacts.hpp"
 #include "core/motion/extended_kinks.hpp"
@@ -65,9 +66,9 @@ Reals rounded_otherwise(Reals numbers) {
 
 Tolerances tolerances_of_check(const ComputedMotion& motion) {
   const double least = motion.is_stiff ? 1e-14 : tightest_check;
-  const Method first = motion.simulation.method;
+  const MethodRecord& first = record_of(motion.simulation.method);
   // What a fixed step comes to is not known before: its check is as tight as can be.
-  const double factor = first == Method::gauss ? 0 : first == Method::taylor ? rung : check_of_others;
+  const double factor = first.has_fixed_step() ? 0 : first.expands() ? rung : check_of_others;
   return {std::max(least, motion.tolerances.rtol * factor),
           std::max(motion.tolerances.atol * factor, least * 1e-3)};
 }
@@ -163,11 +164,11 @@ std::vector<double> rounding_in_common(const ComputedMotion& motion, std::span<c
 }  // namespace
 
 bool ComputedMotion::is_near_round_off() const {
-  return simulation.method == Method::gauss || tolerances.rtol <= near_round_off;
+  return record_of(simulation.method).has_fixed_step() || tolerances.rtol <= near_round_off;
 }
 
 bool ComputedMotion::has_events_in_doubt() const {
-  const bool is_far_off = simulation.method != Method::taylor || tolerances.rtol >= loose;
+  const bool is_far_off = !record_of(simulation.method).expands() || tolerances.rtol >= loose;
   return is_far_off && !request.events.empty();
 }
 
@@ -177,13 +178,14 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   request.columns.clear();
   if (!motion.has_events_in_doubt()) request.events.clear();
   request.method = motion.is_stiff ? Method::bdf : Method::taylor;
-  const bool is_loose = motion.simulation.method != Method::gauss && motion.tolerances.rtol >= loose;
+  const bool is_loose =
+      !record_of(motion.simulation.method).has_fixed_step() && motion.tolerances.rtol >= loose;
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
   request.notes_approaches = true;
   request.tolerances = tolerances_of_check(motion);
   request.y_start = start_as_typed(motion.dynamics, motion.request);
-  if (request.method == Method::taylor)
+  if (record_of(request.method).expands())
     request.originals = {{request.parameters, request.y_start},
                          {rounded_otherwise(request.parameters), rounded_otherwise(request.y_start)}};
   nudge(request.parameters, direction, 1);

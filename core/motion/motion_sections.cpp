@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/integrate/events.hpp"
+#include "core/integrate/methods.hpp"
 #include "core/motion/kink_ends.hpp"
 #include "core/motion/motion_system.hpp"
 #include "core/numerics/root.hpp"
@@ -35,7 +36,7 @@ MotionSections::MotionSections(const Dynamics& dynamics, const SimulationRequest
       request_(request),
       resolution_(round_offs * time_round_off(std::max({std::abs(request.t_start), std::abs(request.t_end),
                                                         request.t_end - request.t_start}))) {
-  if (request.method != Method::gauss && dynamics.kinks() != nullptr) {
+  if (!record_of(request.method).has_fixed_step() && dynamics.kinks() != nullptr) {
     names_ = dynamics.kinks()->names;
     modes_ = std::make_unique<KinkModes>(dynamics, request.parameters, resolution_);
     since_.resize(names_.size());

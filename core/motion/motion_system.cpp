@@ -5,9 +5,12 @@
 #include <optional>
 
 #include "core/compile/taylor/expansion.hpp"
+#include "core/integrate/methods.hpp"
 
 namespace qdot {
 namespace {
+
+using Needs = MethodRecord::Needs;
 
 /// The motion in (q, p); none where p does not determine q' in the initial state.
 std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynamics,
@@ -37,7 +40,7 @@ std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynam
 
 /// Keeps references to the functions.
 RightHandSide system_of(const CompiledFunction& accelerations, const CompiledFunction* jacobian,
-                        std::span<const double> parameters, Method method) {
+                        std::span<const double> parameters, Needs needs) {
   const std::size_t n = accelerations.outputs();
   RightHandSide system;
   system.dimension = 2 * n;
@@ -52,7 +55,7 @@ RightHandSide system_of(const CompiledFunction& accelerations, const CompiledFun
       return jacobian->evaluate(t, y, workspace, out);
     };
   }
-  if (method == Method::taylor) {
+  if (needs == Needs::expansion) {
     const auto expansion = std::make_shared<TaylorExpansion>(accelerations, parameters);
     system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
       return expansion->expand(t, y, order, c);
@@ -73,31 +76,37 @@ void add_projection(const Dynamics& dynamics, std::span<const double> parameters
   };
 }
 
+RightHandSide smooth_system(const Dynamics& dynamics, std::span<const double> parameters, Needs needs) {
+  RightHandSide system = system_of(
+      dynamics.accelerations(), needs == Needs::jacobian ? &dynamics.jacobian() : nullptr, parameters, needs);
+  add_projection(dynamics, parameters, system);
+  return system;
+}
+
 }  // namespace
 
 RightHandSide motion_system(const Dynamics& dynamics, const SimulationRequest& request) {
+  Needs needs = record_of(request.method).needs;
   std::optional<RightHandSide::CanonicalForm> canonical;
-  if (request.method == Method::gauss) canonical = canonical_form(dynamics, request);
-  // gauss steps by bdf's Jacobian where there are none.
-  const bool by_jacobian = request.method == Method::gauss && !canonical;
-  RightHandSide system =
-      motion_system(dynamics, request.parameters, by_jacobian ? Method::bdf : request.method);
+  if (needs == Needs::canonical_form) {
+    canonical = canonical_form(dynamics, request);
+    if (!canonical) needs = Needs::jacobian;  // it steps in (q, q') then
+  }
+  RightHandSide system = smooth_system(dynamics, request.parameters, needs);
   system.canonical = std::move(canonical);
   return system;
 }
 
 RightHandSide motion_system(const Dynamics& dynamics, std::span<const double> parameters, Method method) {
-  RightHandSide system = system_of(
-      dynamics.accelerations(), method == Method::bdf ? &dynamics.jacobian() : nullptr, parameters, method);
-  add_projection(dynamics, parameters, system);
-  return system;
+  return smooth_system(dynamics, parameters, record_of(method).needs);
 }
 
 RightHandSide motion_system(const Dynamics& dynamics, const Sides& sides, std::span<const double> parameters,
                             Method method) {
   const Staying staying = staying_on(sides);
-  const CompiledFunction* jacobian = method == Method::bdf ? &dynamics.kinked_jacobian(staying) : nullptr;
-  RightHandSide system = system_of(dynamics.kinked(staying)->accelerations, jacobian, parameters, method);
+  const Needs needs = record_of(method).needs;
+  const CompiledFunction* jacobian = needs == Needs::jacobian ? &dynamics.kinked_jacobian(staying) : nullptr;
+  RightHandSide system = system_of(dynamics.kinked(staying)->accelerations, jacobian, parameters, needs);
   add_projection(dynamics, parameters.first(dynamics.model().parsed.symbols.parameters.size()), system);
   return system;
 }

@@ -17,7 +17,7 @@ namespace qdot {
 [[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, std::span<const double> parameters,
                                           Method method);
 
-/// On the sides of the kinks; not for gauss. `parameters`: those of KinkModes.
+/// On the sides of the kinks; not for methods of fixed step. `parameters`: those of KinkModes.
 [[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, const Sides& sides,
                                           std::span<const double> parameters, Method method);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/dynamics/watch.hpp"
+#include "core/integrate/methods.hpp"
 #include "core/integrate/run.hpp"
 #include "core/numerics/real.hpp"
 

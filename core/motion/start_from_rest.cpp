@@ -5,6 +5,7 @@
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/integrate/methods.hpp"
 #include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/interval.hpp"
 #include "core/numerics/root.hpp"
@@ -108,7 +109,8 @@ bool may_hold_speeds(const Graph& graph, const std::vector<Expression>& forcing)
 StartFromRest::StartFromRest(const Dynamics& dynamics, const SimulationRequest& request)
     : dynamics_(dynamics), request_(request) {
   const Model& model = dynamics.model();
-  const bool needs_series = request.method == Method::taylor || request.method == Method::bdf;
+  const MethodRecord::Needs needs = record_of(request.method).needs;
+  const bool needs_series = needs == MethodRecord::Needs::expansion || needs == MethodRecord::Needs::jacobian;
   if (!needs_series || !may_hold_speeds(*model.parsed.graph, model.equations.forcing)) return;
   const SpeedSquares found = squares_in(model);
   if (found.divides) return;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/work_bounds.hpp"
+#include "core/integrate/methods.hpp"
 
 namespace qdot {
 namespace {
@@ -12,17 +13,17 @@ namespace {
 constexpr std::uint64_t patience = 5;                  ///< evaluations of a trial over those of the reference
 constexpr std::uint64_t most_evaluations = 3'000'000;  ///< of all trials together
 constexpr double atol_over_rtol = 1e-3;
-/// The last is for taylor alone: the others ask for at least 1e-14.
+/// The last is for expansions alone: other methods ask for at least 1e-14.
 constexpr std::array<double, 13> rtols{1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
                                        1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
 
-/// Of gauss, over the mean step of the reference.
-constexpr std::array<double, 8> steps_of_gauss{4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
+/// Of fixed length, over the mean step of the reference.
+constexpr std::array<double, 8> fixed_steps{4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
 
 Tolerances with_rtol(double rtol) { return {rtol, rtol * atol_over_rtol}; }
 
 double tightest_rtol(Method method) {
-  return method == Method::taylor ? rtols.back() : rtols[rtols.size() - 2];
+  return record_of(method).expands() ? rtols.back() : rtols[rtols.size() - 2];
 }
 
 std::uint64_t evaluations_of_trials(const Limits& limits) {
@@ -47,9 +48,9 @@ WorkPrecision::WorkPrecision(const Dynamics& dynamics, const SimulationRequest& 
 std::vector<Trial> WorkPrecision::trials(Method method) const {
   if (method == Method::taylor && reference_.simulation.method != Method::taylor) return {};
   std::vector<Trial> result;
-  if (method == Method::gauss) {
+  if (record_of(method).has_fixed_step()) {
     const double h = (request_.t_end - request_.t_start) / static_cast<double>(reference_.simulation.steps);
-    for (const double share : steps_of_gauss) result.push_back({method, {}, share * h});
+    for (const double share : fixed_steps) result.push_back({method, {}, share * h});
     return result;
   }
   for (const double rtol : rtols) {

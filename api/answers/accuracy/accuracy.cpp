@@ -119,7 +119,7 @@ class AccuracyAnswer {
 
   [[nodiscard]] static Json setting(const Trial& trial) {
     const MethodRecord& method = record_of(trial.method);
-    if (method.step == MethodRecord::Step::fixed) return {{"method", method.name}, {"h", trial.h}};
+    if (method.has_fixed_step()) return {{"method", method.name}, {"h", trial.h}};
     return {{"method", method.name}, {"rtol", trial.tolerances.rtol}, {"atol", trial.tolerances.atol}};
   }
 

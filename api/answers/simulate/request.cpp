@@ -25,20 +25,18 @@ void check_grid(SimulateRequest& request, Findings& findings) {
 constexpr int most_digits_of_doubles = 17;
 constexpr double least_extended_error = 1e-24;
 
-bool has_fixed_step(const MethodRecord& method) { return method.step == MethodRecord::Step::fixed; }
-
 /// "method gauss": those whose step has a fixed length; the other methods choose theirs.
 std::string methods_of_fixed_step() {
   std::string names;
   for (const MethodRecord& method : methods()) {
-    if (has_fixed_step(method)) names += (names.empty() ? "method " : " or ") + std::string(method.name);
+    if (method.has_fixed_step()) names += (names.empty() ? "method " : " or ") + std::string(method.name);
   }
   return names;
 }
 
 void check_step(const SimulateRequest& request, Findings& findings) {
   const MethodRecord& method = record_of(request.method);
-  const bool is_fixed = has_fixed_step(method);
+  const bool is_fixed = method.has_fixed_step();
   if (is_fixed && !request.h && !findings.has_error_at({"h"})) {
     findings.report("h", "missing",
                     "'h' is missing: method " + std::string(method.name) +

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "api/answers/stated.hpp"
+#include "core/integrate/methods.hpp"
 #include "core/motion/column_errors.hpp"
 
 namespace qdot::api {
 namespace {
 
 const char* why_not_bounded(const Simulation& motion) {
-  if (motion.method != Method::taylor) {
+  if (!record_of(motion.method).expands()) {
     return "The error was measured with a second computation, but the steps of this method have no bound of "
            "what may happen between the places that they look at.";
   }
