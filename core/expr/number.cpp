@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <numeric>
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
+#include "core/expr/rational.hpp"
 
 namespace qdot {
 
@@ -55,65 +55,8 @@ Integer integer_of(Wide value) {
   return negative ? Integer(-result) : result;
 }
 
-std::size_t bits_of(const Integer& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
-
-/// n 2^shift, shift of either sign; rounded down.
-Integer shifted(const Integer& n, long shift) {
-  return shift >= 0 ? Integer(n << static_cast<mp_bitcnt_t>(shift))
-                    : Integer(n >> static_cast<mp_bitcnt_t>(-shift));
-}
-
-/// The double nearest to p/q, p >= 0 and q > 0; halfway between two, the even one.
-double nearest(const Integer& p, const Integer& q) {
-  constexpr int digits = 53;
-  constexpr long least_exponent = -1074;
-  if (p == 0) return 0;
-  // p/q = (n + a fraction) 2^-shift, n of three or four bits more than a double has.
-  const long shift = digits + 3 - (static_cast<long>(bits_of(p)) - static_cast<long>(bits_of(q)));
-  const Integer dividend = shift > 0 ? shifted(p, shift) : p;
-  const Integer divisor = shift < 0 ? shifted(q, -shift) : q;
-  const Integer quotient = dividend / divisor;
-  const bool exact = quotient * divisor == dividend;
-  const std::uint64_t n = 2 * static_cast<std::uint64_t>(quotient.get_ui()) + (exact ? 0 : 1);
-  long dropped = std::bit_width(n) - digits;
-  dropped = std::max(dropped, least_exponent + shift + 1);
-  if (dropped > 62) return 0;
-  const std::uint64_t unit = std::uint64_t{1} << static_cast<unsigned>(dropped);
-  const std::uint64_t rest = n % unit;
-  std::uint64_t kept = n / unit;
-  if (rest > unit / 2 || (rest == unit / 2 && kept % 2 == 1)) ++kept;
-  return std::ldexp(static_cast<double>(kept), static_cast<int>(dropped - shift - 1));
-}
-
-/// A finite double as p/q.
-mpq_class rational(double value) {
-  mpq_class result;
-  mpq_set_d(result.get_mpq_t(), value);
-  return result;
-}
-
-double nearest(const mpq_class& x) {
-  const double size = nearest(abs(x.get_num()), x.get_den());
-  return x < 0 ? -size : size;
-}
-
-/// Not below |x|.
-double bound_of(const mpq_class& x) {
-  if (x == 0) return 0;
-  return std::max(std::nextafter(std::abs(nearest(x)), infinity), std::numeric_limits<double>::denorm_min());
-}
-
-Real rounded_rational(const mpq_class& x) {
-  Real result(nearest(x));
-  if (!std::isfinite(result.value)) return result;
-  const mpq_class rest = x - rational(result.value);
-  result.low = nearest(rest);
-  result.error = bound_of(rest - rational(result.low));
-  return result;
-}
-
-/// The same of p/q for integers below 2^53, which doubles hold: what a quotient's rounding leaves of p is a
-/// double as well.
+/// The nearest double and what it leaves out, as rounded() of GMP's. Doubles hold p and q here, and what the
+/// quotient's rounding leaves of p is a double as well.
 Real rounded_fraction(const Fraction& x) {
   const auto p = static_cast<double>(x.numerator), q = static_cast<double>(x.denominator);
   const auto left_over = [q](double dividend, double quotient) {
@@ -123,33 +66,6 @@ Real rounded_fraction(const Fraction& x) {
   const double value = p / q, rest = left_over(p, value);
   const double low = rest / q, last = left_over(rest, low);
   return {value, low, last == 0 ? 0 : std::nextafter(std::abs(last / q), infinity)};
-}
-
-std::size_t past_digits(std::string_view text, std::size_t at) {
-  while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
-  return at;
-}
-
-/// "12.5e-3" as 125 * 10^-4; no value for what is not written so.
-std::optional<Decimal> take_apart(std::string_view text) {
-  const std::size_t point = past_digits(text, 0);
-  const bool has_point = point < text.size() && text[point] == '.';
-  const std::size_t end = has_point ? past_digits(text, point + 1) : point;
-  Decimal result;
-  result.digits = text.substr(0, point);
-  if (has_point) result.digits += text.substr(point + 1, end - point - 1);
-  if (result.digits.empty()) return std::nullopt;
-  result.exponent = has_point ? -static_cast<int>(end - point - 1) : 0;
-  result.digits.erase(0, std::min(result.digits.find_first_not_of('0'), result.digits.size()));
-  if (end == text.size()) return result;
-  if (text[end] != 'e' && text[end] != 'E') return std::nullopt;
-  const std::size_t sign = end + 1 < text.size() && text[end + 1] == '+' ? 1 : 0;
-  int exponent = 0;
-  const char* const last = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + end + 1 + sign, last, exponent);
-  if (error != std::errc{} || stop != last || std::abs(exponent) > 100'000) return std::nullopt;
-  result.exponent += exponent;
-  return result;
 }
 
 /// How often the prime divides n, which loses these factors.
@@ -313,7 +229,7 @@ double Number::value() const {
 
 Real Number::rounded() const {
   if (large_ == nullptr && small_.denominator == 1) return static_cast<double>(small_.numerator);
-  return large_ == nullptr ? rounded_fraction(small_) : rounded_rational(large_->value);
+  return large_ == nullptr ? rounded_fraction(small_) : qdot::rounded(large_->value);
 }
 
 Number operator+(const Number& a, const Number& b) {

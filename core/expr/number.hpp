@@ -6,18 +6,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 
+#include "core/expr/decimal.hpp"
 #include "core/numerics/real.hpp"
 
 namespace qdot {
-
-/// A decimal taken apart: digits * 10^exponent.
-struct Decimal {
-  std::string digits;  ///< without leading zeros; none for 0
-  int exponent{0};
-};
 
 /// p/q in lowest terms, q > 0.
 struct Fraction {
