@@ -10,28 +10,19 @@
 // more than one, agrees with itself. Source: Filippov, Differential Equations with Discontinuous Righthand
 // Sides (1988), 4 and 19.
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "core/compile/taylor/composition.hpp"
-#include "core/compile/taylor/expansion.hpp"
-#include "core/dynamics/dynamics.hpp"
-#include "core/integrate/run.hpp"
+#include "core/motion/kink_passage.hpp"
+#include "core/motion/sided_motions.hpp"
 
 namespace qdot {
 
-/// For each kink the side on which a motion is, 1 or -1, or 0 where it stays on the kink.
-using Sides = std::vector<int>;
-[[nodiscard]] Staying staying_on(const Sides& sides);
-
 class KinkModes {
  public:
-  /// `resolution`: what happens in so short a time is not told apart. Keeps the references; the model has
-  /// kinks.
+  /// As SidedMotions.
   KinkModes(const Dynamics& dynamics, std::span<const double> parameters, double resolution);
-  ~KinkModes();
 
   struct Way {
     Sides sides;
@@ -49,72 +40,36 @@ class KinkModes {
   /// The sides on which (t, y) is; kinks count as their sides u > 0.
   [[nodiscard]] Sides sides_at(double t, std::span<const double> y);
 
-  /// A motion passed from one way to another at kinks that it met a little before or after (t, y), up to
-  /// where it went on by the old one.
-  struct Passage {
-    std::vector<double> move;  ///< what y is off by for that
-    double doubt{};            ///< by how many seconds an instant may be elsewhere
-    double early{};            ///< and by how many it was: rows so near to it are on the wrong side
-  };
-  /// Nothing is moved where an instant is farther than `farthest` [s] and not for rounding, or hardly
-  /// crossed.
-  [[nodiscard]] Passage passage(const Sides& before, const Way& after, double t, std::span<const double> y,
-                                double farthest);
+  [[nodiscard]] KinkPassage passage(const Sides& before, const Way& after, double t,
+                                    std::span<const double> y, double farthest) {
+    return kink_passage(motions_, before, after.sides, after.size, t, y, farthest);
+  }
 
-  /// The model's parameters and the sides.
-  [[nodiscard]] std::vector<double> parameters(const Sides& sides) const;
-  /// Null where the motion cannot stay so.
-  [[nodiscard]] std::shared_ptr<const KinkedMotion> motion(const Sides& sides) const;
+  /// As those of SidedMotions.
+  [[nodiscard]] std::vector<double> parameters(const Sides& sides) const {
+    return motions_.parameters(sides);
+  }
+  [[nodiscard]] std::shared_ptr<const KinkedMotion> motion(const Sides& sides) const {
+    return motions_.motion(sides);
+  }
 
  private:
-  static constexpr unsigned order = 8;
-  struct Ahead {
-    double u, explained;  ///< by rounding, and by a margin (kink_ends.cpp)
-  };
-
-  /// The motion with given sides, ready to be looked at.
-  struct Mode;
-  /// Coefficients 0 .. order of the kinks' u along the motion; none where there is no such motion.
-  using Series = std::optional<std::vector<std::vector<double>>>;
   struct Lead {
     int sign{};
     unsigned power{};
   };
   enum class Verdict { no, neutral, yes };
 
-  [[nodiscard]] Mode* mode(const Sides& sides);
-  [[nodiscard]] const Series& series(const Sides& sides);
   [[nodiscard]] std::optional<Lead> lead(const Sides& sides, std::size_t kink);
   [[nodiscard]] bool attracts(Sides sides, std::size_t kink);
   [[nodiscard]] Verdict judge(const Sides& sides);
-  [[nodiscard]] std::vector<double> geometry(const Sides& sides, double t, std::span<const double> y);
   [[nodiscard]] Sides completed(Sides sides, double t, std::span<const double> y);
-  [[nodiscard]] std::vector<double> rates(const Sides& sides);
-  std::optional<std::map<std::size_t, Ahead>> kinks_ahead(const Sides& before, const Way& after);
-  [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides, double t,
-                                      std::span<const double> y);
-  [[nodiscard]] bool vanishes(std::size_t kink, const Sides& sides);
-  /// At t + s the motion has passed a kink to another way.
-  struct Change {
-    Sides before, after;
-    std::size_t kink;
-    double s;
-  };
-  void refine(const Change& change, std::vector<double>& move);
   void put_on(std::size_t kink, const Sides& sides, double t, std::vector<double>& y);
   [[nodiscard]] std::optional<Sides> only_way();
   [[nodiscard]] bool is_same_motion(const Sides& one, const Sides& other);
 
-  const Dynamics& dynamics_;
-  const Kinks& kinks_;
-  std::vector<double> parameters_;
-  double resolution_;
-  std::map<Sides, std::unique_ptr<Mode>> modes_;
-  // Of the place that is looked at:
-  double t_{};
-  std::vector<double> y_;
-  std::vector<std::size_t> active_;
-  std::map<Sides, Series> series_;
+  SidedMotions motions_;
+  std::vector<std::size_t> active_;  ///< the kinks at which the place is that is looked at
 };
 
 }  // namespace qdot

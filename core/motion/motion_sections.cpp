@@ -93,7 +93,7 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
 /// the motion came back to a kink at which the section began, by the margin of that (kink_ends.cpp).
 void MotionSections::take_back(const Sides& before, double begun, double t, std::vector<double>& y) {
   const double farthest = std::max(resolution_, short_part * (t - begun));
-  const KinkModes::Passage passage = modes_->passage(before, way_, t, y, farthest);
+  const KinkPassage passage = modes_->passage(before, way_, t, y, farthest);
   doubt_of_instant_ = passage.doubt;
   moved_instant_ = passage.early;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += passage.move[i];

@@ -1,0 +1,151 @@
+#include "core/motion/kink_passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace qdot {
+namespace {
+
+constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
+constexpr double several = 4;
+constexpr int refinements = 4;  ///< of where a kink was passed, each much closer than the one before
+constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
+constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
+
+/// A zero of c0 + c1 s + c2 s^2 next to 0; far away where it is hardly crossed.
+double zero_beside(double c0, double c1, double c2) {
+  if (std::abs(4 * c0 * c2) > hardly * c1 * c1) return std::sqrt(std::abs(c0 / c2)) / hardly;
+  return -2 * c0 / (c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1));
+}
+
+/// Of series of `count` terms each.
+std::vector<double> sums_at(double s, std::span<const double> rows, std::size_t count) {
+  std::vector<double> sums(rows.size() / count);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    for (std::size_t k = count; k-- > 0;) sums[i] = sums[i] * s + rows[i * count + k];
+  }
+  return sums;
+}
+
+/// A kink that is to be passed.
+struct Ahead {
+  double u, explained;  ///< by rounding, and by a margin (kink_ends.cpp)
+};
+
+class Passing {
+ public:
+  Passing(SidedMotions& motions, const Sides& before, const Sides& after, std::span<const double> size)
+      : motions_(motions), before_(before), after_(after), size_(size) {}
+
+  /// One kink after the other, in order of time: where the motion changes its way at t + s, s < 0 before t,
+  /// it is (f_old - f_new) s off at t, and the arguments of the others with it.
+  KinkPassage pass(double farthest) {
+    KinkPassage passage{.move = std::vector<double>(motions_.y().size())};
+    if (!find_ahead()) return passage;
+    const bool is_one = ahead_.size() == 1;
+    std::vector<double> move(motions_.y().size());
+    for (Sides now = before_; !ahead_.empty();) {
+      const std::vector<std::vector<double>> old = *motions_.series(now);
+      const auto zero_of = [&](const auto& one) {
+        const std::vector<double>& c = old[one.first];
+        return zero_beside(one.second.u, c[1], c[2]);
+      };
+      const auto first = std::ranges::min_element(ahead_, {}, zero_of);
+      const auto [kink, here] = *first;
+      const double s = zero_of(*first);
+      Sides next = now;
+      next[kink] = after_[kink];
+      ahead_.erase(first);
+      if (vanishes(kink, now)) {
+        if (!motions_.series(next)) return passage;
+        now = std::move(next);
+        continue;
+      }
+      const bool is_near = std::abs(s) <= farthest;
+      passage.doubt = std::max(passage.doubt, of_state * size_[kink] / std::abs(old[kink][1]));
+      if (!is_near) passage.doubt = std::max(passage.doubt, std::abs(s));
+      if (!(is_near || std::abs(here.u) <= here.explained) || !motions_.series(next)) return passage;
+      for (auto& [k, other] : ahead_) other.u += s * (old[k][1] - (*motions_.series(next))[k][1]);
+      for (std::size_t i = 0; i < move.size(); ++i) move[i] += s * (rate(now, i) - rate(next, i));
+      passage.early = std::max(passage.early, std::abs(s));
+      if (is_one && std::abs(s) > motions_.resolution()) refine(now, next, kink, s, move);
+      now = std::move(next);
+    }
+    passage.move = std::move(move);
+    return passage;
+  }
+
+ private:
+  /// Those that are passed from one way to the other; false where the way before has no series.
+  bool find_ahead() {
+    for (std::size_t k = 0; k < before_.size(); ++k) {
+      if (before_[k] == 0 || before_[k] == after_[k]) continue;
+      if (!motions_.series(before_)) return false;
+      const double u = motions_.exact_argument(k, before_, motions_.t(), motions_.y());
+      ahead_[k] = {u, several * (std::abs(u - (*motions_.series(before_))[k][0]) + margin * size_[k])};
+    }
+    return true;
+  }
+
+  /// Whether an argument vanishes altogether, as that of ||x| - x| does where x > 0: it has any side there,
+  /// and no instant.
+  bool vanishes(std::size_t kink, const Sides& sides) {
+    const std::size_t row = 2 + motions_.y().size();
+    const std::vector<double> places = motions_.geometry(sides, motions_.t(), motions_.y());
+    const auto slopes = std::span(places).subspan(kink * row + 1, row - 1);
+    return std::ranges::all_of(slopes, [](double slope) { return slope == 0; });
+  }
+
+  /// y_i' of the motion.
+  double rate(const Sides& sides, std::size_t i) {
+    return motions_.rows(sides)[i * (SidedMotions::order + 1) + 1];
+  }
+
+  /// Where s is long, linear terms are not all. The argument has no more rounding at t + s than at t.
+  void refine(const Sides& before, const Sides& after, std::size_t kink, const double first,
+              std::vector<double>& move) {
+    constexpr std::size_t terms = SidedMotions::order + 1;
+    const std::vector<double>& old = motions_.rows(before);
+    const std::vector<double> u = (*motions_.series(before))[kink];
+    const std::size_t n = move.size() / 2;
+    std::vector<double> better = move;
+    double s = first;
+    for (int i = 0; i < refinements; ++i) {
+      s -= motions_.exact_argument(kink, before, motions_.t() + s, sums_at(s, old, terms)) /
+           (u[1] + 2 * s * u[2]);
+      std::vector<double> from = motions_.y();
+      for (std::size_t k = 0; k < from.size(); ++k) from[k] += better[k];
+      const std::optional<std::vector<double>> rows = motions_.rows_from(after, from);
+      if (!rows) return;
+      const std::vector<double> wanted = sums_at(s, old, terms), reached = sums_at(s, *rows, terms);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double of_velocity = wanted[n + k] - reached[n + k];
+        better[n + k] += of_velocity;
+        better[k] += wanted[k] - reached[k] - s * of_velocity;
+      }
+    }
+    const bool is_near = std::abs(s - first) <= std::abs(first);
+    if (is_near && std::ranges::all_of(better, [](double x) { return std::isfinite(x); }))
+      move = std::move(better);
+  }
+
+  SidedMotions& motions_;
+  const Sides& before_;
+  const Sides& after_;
+  std::span<const double> size_;
+  std::map<std::size_t, Ahead> ahead_;
+};
+
+}  // namespace
+
+KinkPassage kink_passage(SidedMotions& motions, const Sides& before, const Sides& after,
+                         std::span<const double> size, double t, std::span<const double> y, double farthest) {
+  motions.look_from(t, y);
+  return Passing(motions, before, after, size).pass(farthest);
+}
+
+}  // namespace qdot

@@ -1,0 +1,74 @@
+#pragma once
+// The motions that equations with kinks u = 0 have, one for each choice of sides, seen from one place: each
+// is smooth, and it and the kinks' u along it have series there.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/dynamics/dynamics.hpp"
+
+namespace qdot {
+
+/// For each kink the side on which a motion is, 1 or -1, or 0 where it stays on the kink.
+using Sides = std::vector<int>;
+[[nodiscard]] Staying staying_on(const Sides& sides);
+
+class SidedMotions {
+ public:
+  /// Of the series of y = (q, q') and of u.
+  static constexpr unsigned order = 8;
+
+  /// `resolution`: what happens in so short a time is not told apart. Keeps the reference; the model has
+  /// kinks.
+  SidedMotions(const Dynamics& dynamics, std::span<const double> parameters, double resolution);
+  ~SidedMotions();
+
+  [[nodiscard]] std::size_t kinks() const { return kinks_.size(); }
+  [[nodiscard]] double resolution() const { return resolution_; }
+  /// The model's parameters and the sides.
+  [[nodiscard]] std::vector<double> parameters(const Sides& sides) const;
+  /// Null where the motion cannot stay so.
+  [[nodiscard]] std::shared_ptr<const KinkedMotion> motion(const Sides& sides) const;
+
+  /// For each kink u, du/dt, du/dq, du/dq'; no numbers where they have no values, which integration will
+  /// meet.
+  [[nodiscard]] std::vector<double> geometry(const Sides& sides, double t, std::span<const double> y) const;
+  /// u beyond the rounding of doubles, which all computations of a motion have in common.
+  [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides, double t,
+                                      std::span<const double> y);
+
+  /// From here on what follows is of the place (t, y).
+  void look_from(double t, std::span<const double> y);
+  [[nodiscard]] double t() const { return t_; }
+  [[nodiscard]] const std::vector<double>& y() const { return y_; }
+
+  /// Coefficients 0 .. order of each kink's u along the motion; none where there is no such motion.
+  using Series = std::optional<std::vector<std::vector<double>>>;
+  [[nodiscard]] const Series& series(const Sides& sides);
+  /// Those of the motion itself, y by y; it has series().
+  [[nodiscard]] const std::vector<double>& rows(const Sides& sides);
+  /// The same from another state at the same instant.
+  [[nodiscard]] std::optional<std::vector<double>> rows_from(const Sides& sides, std::span<const double> y);
+  /// The side, -1 to 1, that is equivalent to staying on the kink; not a number where there is none.
+  [[nodiscard]] double equivalent_side(const Sides& sides, std::size_t kink);
+
+ private:
+  /// The motion with given sides, ready to be looked at.
+  struct Mode;
+  [[nodiscard]] Mode* mode(const Sides& sides);
+
+  const Dynamics& dynamics_;
+  const Kinks& kinks_;
+  std::vector<double> parameters_;
+  double resolution_;
+  std::map<Sides, std::unique_ptr<Mode>> modes_;
+  // Of the place:
+  double t_{};
+  std::vector<double> y_;
+  std::map<Sides, Series> series_;
+};
+
+}  // namespace qdot
