@@ -14,7 +14,7 @@
 // not to its end, is computed a third time, from the other side. Where the true motion may go another way
 // than all of these, it is computed on that, too (other_ways.hpp).
 //
-// Method gauss has a step in place of tolerances:
+// A method of fixed step has no tolerances:
 // it is checked by the tightest run there is, and does not climb.
 //
 // A wanted error is reached by climbing: the error at one tolerance tells the next one to try, until the
@@ -23,55 +23,14 @@
 // wanted that rounding hides its error, a looser one is returned whose error the same check tells: more
 // digits would cost several times as much.
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "core/motion/simulation.hpp"
+#include "core/motion/accuracy_goal.hpp"
+#include "core/motion/measured_simulation.hpp"
 
 namespace qdot {
 
-/// What is asked for beside the motion.
-struct AccuracyGoal {
-  enum class Kind {
-    tolerances,  ///< the request's method and tolerances; the error is measured
-    absolute,    ///< error <= value in every column's SI unit
-    relative,    ///< error <= value times the column's largest magnitude
-    work         ///< the least error for at most `evaluations` evaluations in all
-  };
-  Kind kind{Kind::tolerances};
-  double value{};
-  std::uint64_t evaluations{};
-  bool verify{true};  ///< false: one run, no estimate; for tolerances only
-};
-
-struct MeasuredSimulation {
-  Simulation simulation;
-  Tolerances tolerances;  ///< of the run that is returned; not of gauss
-  /// Of each coordinate and velocity, over the returned rows; empty when it could not be measured: `reason`.
-  std::vector<double> max_abs_error;
-  /// Of the times of the events and of the stop, in s; no value where the motion grazes, or beyond the last
-  /// row.
-  std::vector<std::optional<double>> event_errors;
-  std::optional<double> stop_error;
-  /// The returned instants that are at an impact to within its error: their rows are on one side of it, and
-  /// whether the motion is there is not known.
-  std::vector<double> at_impacts;
-  /// The first returned instant where the error passes 1e-3 of a column's largest magnitude.
-  std::optional<double> horizon;
-  std::optional<bool> meets_request;  ///< no value where no error was wanted
-  std::string reason;                 ///< why the error is not known, or not met
-  std::string events_in_doubt;        ///< another computation has more or fewer of them; empty: none has
-  /// Whether nothing lies hidden between the places that the computations looked at: every step of all of
-  /// them has a bound of its defect. An error without it is what the places looked at say.
-  bool bounded{false};
-  Method verified_by{};
-  std::uint64_t evaluations{};  ///< of all runs
-};
-
 /// Method taylor is replaced by bdf where damping is strong; Simulation::method says which one was used. For
-/// goals other than tolerances the request's tolerances are ignored. Throws std::invalid_argument for gauss
-/// with such a goal.
+/// goals other than tolerances the request's tolerances are ignored. Throws std::invalid_argument for a
+/// method of fixed step with such a goal.
 [[nodiscard]] MeasuredSimulation simulate_with_error(const Dynamics& dynamics,
                                                      const SimulationRequest& request,
                                                      const AccuracyGoal& goal);

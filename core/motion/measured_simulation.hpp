@@ -1,0 +1,36 @@
+#pragma once
+// A motion and what is known of its error.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/simulation.hpp"
+
+namespace qdot {
+
+struct MeasuredSimulation {
+  Simulation simulation;
+  Tolerances tolerances;  ///< of the run that is returned; not of a fixed step
+  /// Of each coordinate and velocity, over the returned rows; empty when it could not be measured: `reason`.
+  std::vector<double> max_abs_error;
+  /// Of the times of the events and of the stop, in s; no value where the motion grazes, or beyond the last
+  /// row.
+  std::vector<std::optional<double>> event_errors;
+  std::optional<double> stop_error;
+  /// The returned instants that are at an impact to within its error: their rows are on one side of it, and
+  /// whether the motion is there is not known.
+  std::vector<double> at_impacts;
+  /// The first returned instant where the error passes 1e-3 of a column's largest magnitude.
+  std::optional<double> horizon;
+  std::optional<bool> meets_request;  ///< no value where no error was wanted
+  std::string reason;                 ///< why the error is not known, or not met
+  std::string events_in_doubt;        ///< another computation has more or fewer of them; empty: none has
+  /// Whether nothing lies hidden between the places that the computations looked at: every step of all of
+  /// them has a bound of its defect. An error without it is what the places looked at say.
+  bool bounded{false};
+  Method verified_by{};
+  std::uint64_t evaluations{};  ///< of all runs
+};
+
+}  // namespace qdot

@@ -1,0 +1,226 @@
+#include "core/motion/measurement.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/integrate/methods.hpp"
+#include "core/motion/accuracy_reasons.hpp"
+#include "core/motion/error_growth.hpp"
+#include "core/motion/rounded_events.hpp"
+#include "core/motion/row_errors.hpp"
+#include "core/motion/stiffness.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
+constexpr double much_larger = 10;  ///< errors than without ways that the motion may have gone as well
+constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
+
+/// Over more or fewer kinks or impacts, or others.
+bool goes_otherwise(const Simulation& one, const Simulation& other) {
+  return one.sections.size() != other.sections.size() ||
+         !std::ranges::equal(one.pieces, other.pieces, {}, &PieceRecord::sides, &PieceRecord::sides);
+}
+
+}  // namespace
+
+Measurement::Measurement(const Dynamics& dynamics, const SimulationRequest& request, const AccuracyGoal& goal)
+    : dynamics_(dynamics),
+      request_(request),
+      goal_(goal),
+      grid_(request),
+      is_stiff_(damping_times_span(dynamics, request.parameters, request.t_start, request.y_start,
+                                   request.t_end - request.t_start) > stiff) {}
+
+std::uint64_t Measurement::left() const {
+  const std::uint64_t allowed =
+      goal_.kind == AccuracyGoal::Kind::work ? goal_.evaluations : request_.limits.max_evaluations;
+  return allowed - std::min(allowed, spent_);
+}
+
+void Measurement::take(const Tolerances& tolerances) {
+  SimulationRequest request = request_;
+  request.grid = grid_.t;
+  request.tolerances = tolerances;
+  request.notes_approaches = goal_.verify;
+  if (is_stiff_ && request.method == Method::taylor) request.method = Method::bdf;
+  result_ = {};
+  result_.tolerances = tolerances;
+  result_.simulation = run(std::move(request));
+  result_.bounded = result_.simulation.bounded;
+}
+
+Simulation Measurement::run(SimulationRequest request) {
+  request.limits.max_evaluations = std::min(request.limits.max_evaluations, left());
+  Simulation simulation = simulate(dynamics_, request);
+  spent_ += simulation.evaluations;
+  return simulation;
+}
+
+ComputedMotion Measurement::motion() const {
+  return {dynamics_, request_, grid_, *event_rows_, result_.simulation, result_.tolerances, is_stiff_};
+}
+
+void Measurement::measure(GivesUp gives_up) {
+  may_give_up_ = gives_up == GivesUp::where_it_pays;
+  contradicts_ = false;
+  doubt_ = 0;
+  event_rows_.emplace(grid_.t, result_.simulation);
+  result_.events_in_doubt = event_lost_in_rounding(motion());
+  expected_excess_.reset();
+  const bool is_near = motion().is_near_round_off();
+  std::optional<Simulation> sharper;
+  if (is_near) sharper = sharper_motion();
+  const auto tells_all = [&] { return sharper && sharper->rows == result_.simulation.rows; };
+  const auto is_enough = [&] { return tells_all() && !result_.simulation.stop; };
+  if (is_enough() && !motion().has_events_in_doubt()) {
+    result_.verified_by = Method::taylor;
+    return state({std::move(*sharper)});
+  }
+  std::vector<Simulation> others;
+  if (!add_check(others, 1)) return;
+  if (is_near || !tells_truncation(motion(), others.front())) {
+    if (!is_near && is_measured_looser(others)) return;
+    if (!is_near) sharper = sharper_motion();
+    if (is_enough() && !goes_otherwise(result_.simulation, others.front()))
+      return state({std::move(*sharper)});
+    const bool can_afford_another = left() >= 2 * others.front().evaluations;
+    if (!tells_all()) {
+      if (can_afford_another && !add_check(others, -1)) return;
+      if (!can_afford_another) doubt_ = near_round_off;  // no work is left to tell how much less it is
+    }
+    if (sharper) others.push_back(std::move(*sharper));
+  }
+  state(others);
+}
+
+/// Where rounding may be as large as the difference, and both are far below what is wanted, the same check
+/// tells the error of a looser run, and no more digits are needed. False, and all as it was, where that run
+/// does not meet what is wanted.
+bool Measurement::is_measured_looser(const std::vector<Simulation>& checks) {
+  const std::optional<Tolerances> looser = looser_than_needed(checks);
+  if (!looser) return false;
+  MeasuredSimulation tighter = std::move(result_);
+  take(*looser);
+  if (ended_well(result_.simulation.ending) && can_be_checked_by(checks.front()) &&
+      tells_truncation(motion(), checks.front())) {
+    state(checks);
+    if (excess(result_.max_abs_error) <= 1 && !contradicts_) return true;
+  }
+  contradicts_ = false;
+  result_ = std::move(tighter);
+  return false;
+}
+
+/// None where the error of the run is not far below what is wanted, or would still be rounding, and where
+/// the check has rows at its events: another run has them at other instants.
+std::optional<Tolerances> Measurement::looser_than_needed(const std::vector<Simulation>& checks) const {
+  if (!goal_.is_error() || !request_.events.empty() || !event_rows_->events().empty()) return std::nullopt;
+  const std::vector<double> difference = largest_differences(motion(), checks.front());
+  const std::optional<Tolerances> looser =
+      looser_tolerances(result_.tolerances, safety_of_differences * excess(difference), goal_);
+  if (!looser) return std::nullopt;
+  const std::vector<double> scale = largest_magnitudes(motion(), Rows::wanted);
+  for (std::size_t k = 0; k < scale.size(); ++k) {
+    const double then = difference[k] * (looser->rtol / result_.tolerances.rtol);
+    if (then > 0 && then < near_round_off * scale[k]) return std::nullopt;
+  }
+  return looser;
+}
+
+std::optional<Simulation> Measurement::sharper_motion() {
+  SharperMotion sharper = in_more_digits(motion(), left());
+  spent_ += sharper.evaluations;
+  return std::move(sharper.simulation);
+}
+
+/// False where it does not tell the error of the first.
+bool Measurement::add_check(std::vector<Simulation>& others, double direction) {
+  const ComputedMotion now = motion();
+  SimulationRequest request = check_of(now, direction);
+  std::optional<ErrorGrowth> growth;
+  if (can_give_up()) {
+    growth.emplace(now, wanted());
+    request.goes_on = [this, &growth](std::size_t first, std::span<const double> rows) {
+      return growth->add(first, rows) || !is_enough_to_expect(result_.tolerances, growth->expected());
+    };
+  }
+  Simulation& other = others.emplace_back(run(std::move(request)));
+  event_rows_->set_apart(other, request_.y_start.size());
+  if (other.ending != Ending::given_up) return can_be_checked_by(other);
+  expected_excess_ = growth->expected();
+  return false;
+}
+
+/// Where a tighter run can be expected to do, and rows at impacts do not differ for another reason.
+bool Measurement::can_give_up() const {
+  return may_give_up_ && result_.simulation.method == Method::taylor && !motion().is_near_round_off() &&
+         result_.simulation.sections.empty() && left() / work_of_all_rungs >= result_.simulation.evaluations;
+}
+
+bool Measurement::can_be_checked_by(const Simulation& other) {
+  result_.verified_by = other.method;
+  result_.bounded = result_.bounded && other.bounded;
+  if (const char* reason = not_comparable(motion(), other)) {
+    result_.reason = reason;
+    return false;
+  }
+  if (result_.events_in_doubt.empty()) result_.events_in_doubt = differing_events(motion(), other);
+  if (result_.simulation.stop && ended_well(other.ending) && !other.stop) {
+    result_.reason = accuracy_reasons::went_on;
+  }
+  return true;
+}
+
+void Measurement::state(const std::vector<Simulation>& others) {
+  RowComparison comparison = compare(motion(), others, doubt_);
+  OtherWays ways = other_ways(motion(), comparison.approaches, left());
+  if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
+  result_.max_abs_error = std::move(comparison.max_abs_error);
+  result_.event_errors = std::move(comparison.event_errors);
+  result_.stop_error = comparison.stop_error;
+  result_.horizon = comparison.horizon;
+  result_.at_impacts = std::move(comparison.at_impacts);
+  if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
+    result_.reason = accuracy_reasons::may_not_stop;
+  contradicts_ = !comparison.changed.empty();
+  if (contradicts_) result_.reason = accuracy_reasons::contradiction(comparison.changed);
+}
+
+RowComparison Measurement::with_other_ways(const RowComparison& without, std::vector<Simulation> others,
+                                           OtherWays ways) {
+  spent_ += ways.evaluations;
+  std::ranges::move(ways.motions, std::back_inserter(others));
+  RowComparison all = compare(motion(), others, doubt_, ways.lost_from);
+  bool is_larger = false;
+  for (std::size_t k = 0; k < all.max_abs_error.size(); ++k)
+    is_larger = is_larger || all.max_abs_error[k] > much_larger * without.max_abs_error[k];
+  if (is_larger) result_.reason = ways.where + accuracy_reasons::may_go_otherwise;
+  return all;
+}
+
+/// The error wanted of each column.
+std::vector<double> Measurement::wanted() const {
+  std::vector<double> wanted = largest_magnitudes(motion(), Rows::wanted);
+  for (double& error : wanted)
+    error = goal_.value * (goal_.kind == AccuracyGoal::Kind::relative ? error : 1.0);
+  return wanted;
+}
+
+/// The largest error in units of what is wanted; 1 is met.
+double Measurement::excess(const std::vector<double>& error) const {
+  const std::vector<double> wanted = this->wanted();
+  double largest = 0;
+  for (std::size_t k = 0; k < error.size(); ++k) {
+    if (error[k] > 0) largest = std::max(largest, error[k] / wanted[k]);
+  }
+  return largest;
+}
+
+void Measurement::thin(Simulation& simulation) const {
+  grid_.thin(simulation, request_.y_start.size(), request_.columns.size());
+}
+
+}  // namespace qdot

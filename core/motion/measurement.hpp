@@ -1,0 +1,81 @@
+#pragma once
+// One run of a motion and its error, measured by others (ladder.hpp).
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/motion/accuracy_goal.hpp"
+#include "core/motion/dense_grid.hpp"
+#include "core/motion/measured_simulation.hpp"
+#include "core/motion/motion_check.hpp"
+#include "core/motion/motion_comparison.hpp"
+#include "core/motion/other_ways.hpp"
+
+namespace qdot {
+
+class Measurement {
+ public:
+  /// Keeps the references.
+  Measurement(const Dynamics& dynamics, const SimulationRequest& request, const AccuracyGoal& goal);
+
+  /// A run with these tolerances, whose error is not known yet.
+  void take(const Tolerances& tolerances);
+  /// Its error, or why there is none. A check that shows early that the run does not do is given up where
+  /// that is allowed: there is only expected_excess() then.
+  enum class GivesUp { never, where_it_pays };
+  void measure(GivesUp gives_up);
+
+  [[nodiscard]] MeasuredSimulation& result() { return result_; }
+  /// The largest error in units of what is wanted; 1 is met.
+  [[nodiscard]] double excess() const { return excess(result_.max_abs_error); }
+  [[nodiscard]] std::optional<double> expected_excess() const { return expected_excess_; }
+  /// What is conserved has changed.
+  [[nodiscard]] bool contradicts() const { return contradicts_; }
+  /// Round-off was not measured for lack of work.
+  [[nodiscard]] bool has_doubt() const { return doubt_ > 0; }
+  /// Evaluations, of all runs and of those that are still allowed.
+  [[nodiscard]] std::uint64_t spent() const { return spent_; }
+  [[nodiscard]] std::uint64_t left() const;
+  /// Of the rows those that were asked for.
+  void thin(Simulation& simulation) const;
+
+ private:
+  Simulation run(SimulationRequest request);
+  [[nodiscard]] ComputedMotion motion() const;
+  /// Where rounding may be as large as the difference, and both are far below what is wanted, the same check
+  /// tells the error of a looser run, and no more digits are needed. False, and all as it was, where that run
+  /// does not meet what is wanted.
+  bool is_measured_looser(const std::vector<Simulation>& checks);
+  /// None where the error of the run is not far below what is wanted, or would still be rounding, and where
+  /// the check has rows at its events: another run has them at other instants.
+  [[nodiscard]] std::optional<Tolerances> looser_than_needed(const std::vector<Simulation>& checks) const;
+  std::optional<Simulation> sharper_motion();
+  /// False where it does not tell the error of the first.
+  bool add_check(std::vector<Simulation>& others, double direction);
+  /// Where a tighter run can be expected to do, and rows at impacts do not differ for another reason.
+  [[nodiscard]] bool can_give_up() const;
+  bool can_be_checked_by(const Simulation& other);
+  void state(const std::vector<Simulation>& others);
+  [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
+                                              OtherWays ways);
+  /// The error wanted of each column.
+  [[nodiscard]] std::vector<double> wanted() const;
+  /// The largest error in units of what is wanted; 1 is met.
+  [[nodiscard]] double excess(const std::vector<double>& error) const;
+
+  const Dynamics& dynamics_;
+  const SimulationRequest& request_;
+  const AccuracyGoal& goal_;
+  DenseGrid grid_;
+  bool is_stiff_;  ///< explicit methods are of no use
+  std::optional<EventRows> event_rows_;
+  MeasuredSimulation result_;
+  bool may_give_up_{false};
+  std::optional<double> expected_excess_;  ///< of a motion whose check was given up
+  bool contradicts_{false};
+  double doubt_{};  ///< of each column: round-off that was not measured
+  std::uint64_t spent_{};
+};
+
+}  // namespace qdot
