@@ -1,0 +1,25 @@
+#include "api/about/openapi_texts.hpp"
+
+#include "api/about/embedded.hpp"
+#include "api/answers/endpoints.hpp"
+
+namespace qdot::api {
+
+const Json& shared_description() {
+  static const Json file = Json::parse(text_of(about_files(), "openapi.json"));
+  return file;
+}
+
+const Json& descriptions() {
+  static const Json all = [] {
+    Json result = Json::object();
+    for (const EmbeddedFile& file : address_files()) result.update(Json::parse(file.text));
+    for (const Endpoint& endpoint : endpoints()) result[address_of(endpoint)] = description_of(endpoint);
+    return result;
+  }();
+  return all;
+}
+
+std::string problem_response(int status) { return "Problem" + std::to_string(status); }
+
+}  // namespace qdot::api
