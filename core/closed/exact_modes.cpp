@@ -8,7 +8,8 @@
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/allowed_motions.hpp"
-#include "core/closed/mode_derivation.hpp"
+#include "core/closed/mode_options.hpp"
+#include "core/closed/place_search.hpp"
 #include "core/closed/steady_modes.hpp"
 #include "core/steady/surface_statics.hpp"
 
@@ -17,51 +18,6 @@ namespace {
 
 constexpr std::size_t most_coordinates = 6;
 
-/// The option with the mode's eigenvalue; null where there is none, or more.
-const ModeForms* of_mode(const std::vector<ModeForms>& options, const Mode& mode, const ExactValues& values) {
-  const bool oscillates = mode.kind == ModeKind::oscillation;
-  const bool grows = mode.kind == ModeKind::growth || mode.kind == ModeKind::decay;
-  if (!oscillates && !(grows && mode.lambda)) return nullptr;
-  const std::optional<double>& error = oscillates ? mode.omega_error : mode.rate_error;
-  if (!error) return nullptr;
-  const double number = oscillates ? mode.omega : mode.rate;
-  const ModeForms* only = nullptr;
-  for (const ModeForms& option : options) {
-    if (option.oscillates != oscillates || !agrees(values.value(option.root), number, *error)) continue;
-    if (only != nullptr && only->root != option.root) return nullptr;
-    only = &option;
-  }
-  return only;
-}
-
-/// Shapes have no stated error; theirs is far below this.
-constexpr double shapes_agree = 1e-9;
-
-bool has_shape(const ModeForms& option, const Mode& mode, const ExactValues& values) {
-  for (std::size_t i = 0; i < option.shape.size(); ++i) {
-    const double formula = values.value(option.shape[i]).value;
-    if (!(std::abs(mode.shape[i] - formula) <= shapes_agree * std::max(1.0, std::abs(formula)))) return false;
-  }
-  return mode.multiplicity == 1;
-}
-
-/// Relations for parameters that the equations speak of.
-Relations relevant(const Relations& relations, const LinearMotions& motions) {
-  std::vector<NodeId> roots;
-  for (const Expression& e : motions.forces) roots.push_back(e.id());
-  for (const Matrix* matrix : {&motions.mass, &motions.stiffness}) {
-    for (const auto& row : *matrix) {
-      for (const Expression& e : row) roots.push_back(e.id());
-    }
-  }
-  const std::vector<NodeId> below = reachable(*motions.graph, roots);
-  Relations result{{}, relations.are_defaults};
-  for (const Replacement& relation : relations.replacements) {
-    if (std::ranges::binary_search(below, relation.first.id())) result.replacements.push_back(relation);
-  }
-  return result;
-}
-
 std::vector<Interval> enclosed_state(const Modes& found) {
   std::vector<Interval> near;
   for (std::size_t i = 0; i < found.y.size() / 2; ++i) {
@@ -69,44 +25,6 @@ std::vector<Interval> enclosed_state(const Modes& found) {
     near.emplace_back(found.y[i] - error, found.y[i] + error);
   }
   return near;
-}
-
-/// The same mode with other relations put in; null where that has no form.
-const LinearMode* same_mode(ModeDerivation& derivation, double value) {
-  for (const LinearMode& mode : derivation.modes()) {
-    if (std::abs(derivation.value(mode) - value) > shapes_agree * std::abs(value)) continue;
-    return derivation.form(mode) ? &mode : nullptr;
-  }
-  return nullptr;
-}
-
-/// Each mode in its shortest form: in all parameters, with the relations that are written, or with those that
-/// the numbers satisfy, where these leave nothing but a number and the scene's units, and less than half.
-std::vector<ModeForms> options_of(ModeDerivation& general, ModeDerivation* related, ModeDerivation* by_scale,
-                                  const ExactValues& values) {
-  std::vector<ModeForms> options;
-  for (const LinearMode& mode : general.modes()) {
-    const double value = general.value(mode);
-    const std::optional<ClosedForm> plain = general.form(mode);
-    std::size_t length = plain ? written_length(general.square(mode)) : longest_closed_form + 1;
-    ModeDerivation* chosen = plain ? &general : nullptr;
-    const LinearMode* best = &mode;
-    for (ModeDerivation* other : {related, by_scale}) {
-      const LinearMode* same = other == nullptr ? nullptr : same_mode(*other, value);
-      if (same == nullptr) continue;
-      const Expression square = other->square(*same);
-      const std::size_t cost = written_length(square);
-      const bool is_scaled = other == by_scale;
-      if (is_scaled ? 2 * cost > length || !values.speaks_of_scales(square) : cost >= length) continue;
-      length = cost;
-      chosen = other;
-      best = same;
-    }
-    if (chosen == nullptr) continue;
-    options.push_back(chosen->forms(*best));
-    if (chosen != &general) options.back().form.general = plain;
-  }
-  return options;
 }
 
 /// What does not depend on the numbers, as far as signs and relations go.
@@ -151,15 +69,7 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
       model.has_constraints() ? allowed_motions(all, place, values) : all;
   if (!motions) return;
   result.place = place.x();
-  const Relations written_ones = relevant(values.relations(), *motions);
-  const Relations scaled = relevant(values.relations_by_scale(), *motions);
-  ModeDerivation general(*motions, place, values, {});
-  std::optional<ModeDerivation> related, by_scale;
-  if (!written_ones.replacements.empty()) related.emplace(*motions, place, values, written_ones);
-  if (scaled.replacements.size() > written_ones.replacements.size())
-    by_scale.emplace(*motions, place, values, scaled);
-  result.options =
-      options_of(general, related ? &*related : nullptr, by_scale ? &*by_scale : nullptr, values);
+  result.options = mode_options(*motions, place, values);
   for (std::size_t k = 0; k < all.moving.size(); ++k) {
     auto& state = result.state[all.moving[k]];
     state = closed_form(values, place.x()[k], {}, all.momenta);
@@ -174,7 +84,7 @@ Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlac
   ExactValues values(model, all.graph, written, parameters);
   set_momenta(values, all.momenta, near);
   const PlaceProblem problem = place_problem(all, values, near.x);
-  if (const auto place = ExactPlace::of(problem)) derive(all, *place, values, result);
+  if (const auto place = exact_place(problem)) derive(all, *place, values, result);
   consider_by_place(all, values, result);
   result.signs = values.asked();
   return result;
@@ -241,7 +151,7 @@ ExactModes chosen(const Prepared& forms, const SteadyPlace& near, const ExactVal
   const ExactValues here = values_near(forms, near, values);
   result.state = forms.state;
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
-    const ModeForms* option = of_mode(forms.options, found.modes[i], here);
+    const ModeForms* option = option_of_mode(forms.options, found.modes[i], here);
     if (option == nullptr) continue;
     result.modes[i] = option->form;
     if (has_shape(*option, found.modes[i], here)) continue;

@@ -1,48 +1,13 @@
 #include "core/closed/exact_place.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
-#include "core/closed/exact_roots.hpp"
 #include "core/closed/place_algebra.hpp"
 #include "core/expr/rational_function.hpp"
-#include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
 #include "core/expr/trigonometry.hpp"
-#include "core/steady/exponential_form.hpp"
 
 namespace qdot {
-namespace {
-
-constexpr double widest_place = 1e-9;
-
-bool is_near(const Interval& x, double value) {
-  const double rounding = 4e-16 * std::abs(value);
-  return x.lower - rounding <= value && value <= x.upper + rounding;
-}
-
-Polynomial numerator(const Expression& e) { return rational_function(e).above; }
-
-}  // namespace
-
-std::optional<ExactPlace> ExactPlace::of(const PlaceProblem& problem) {
-  ExactPlace place(problem);
-  place.take_special_values();
-  while (place.solve_one() || place.take_parameter()) {
-  }
-  for (const Expression& force : problem.forces) {
-    if (!rational_function(place.at(force)).is_zero()) return std::nullopt;
-  }
-  return place;
-}
-
-ExactPlace ExactPlace::special(const PlaceProblem& problem) {
-  ExactPlace place(problem);
-  place.take_special_values();
-  return place;
-}
 
 std::vector<Expression> ExactPlace::undecided() const {
   std::vector<Expression> found;
@@ -52,41 +17,6 @@ std::vector<Expression> ExactPlace::undecided() const {
   return found;
 }
 
-void ExactPlace::take_special_values() {
-  Graph& graph = problem_->x.empty() ? problem_->forces[0].graph() : problem_->x[0].graph();
-  const Expression pi = graph.symbol("pi");
-  constexpr std::array quarters{0, 2, 1, -1, -2};
-  for (std::size_t k = 0; k < x_.size(); ++k) {
-    const Interval& near = problem_->near[k];
-    if (!(near.width() < widest_place)) continue;
-    std::vector<PlaceProblem::Known> offsets{{graph.number(0), 0}};
-    if (problem_->is_angle[k])
-      offsets.insert(offsets.end(), problem_->alike[k].begin(), problem_->alike[k].end());
-    const std::size_t kinds = problem_->is_angle[k] ? quarters.size() : 1;
-    for (std::size_t i = 0; i < offsets.size() && !is_known(k); ++i) {
-      for (std::size_t q = 0; q < kinds; ++q) {
-        if (!is_near(near, offsets[i].value + quarters[q] * (std::numbers::pi / 2))) continue;
-        settle(k, offsets[i].symbol + Number::ratio(quarters[q], 2) * pi);
-        break;
-      }
-    }
-  }
-}
-
-bool ExactPlace::solve_one() {
-  for (std::size_t k = 0; k < x_.size(); ++k) {
-    if (is_known(k)) continue;
-    for (const Expression& force : problem_->forces) {
-      const Expression here = at(force);
-      if (!depends_on(here, problem_->x[k])) continue;
-      if ((problem_->is_angle[k] && solve_angle(k, here)) || solve(k, here) || solve_bracket(k, here))
-        return true;
-    }
-  }
-  return false;
-}
-
-/// x_k is known now, and what was known by x_k is known by the parameters.
 void ExactPlace::settle(std::size_t k, const Expression& value) {
   const Replacement now{problem_->x[k], value};
   const auto renew = [&](Expression& e) {
@@ -102,194 +32,14 @@ void ExactPlace::settle(std::size_t k, const Expression& value) {
   replacements_.push_back(now);
 }
 
-/// Proposes a parameter; whether the forces vanish there is seen later.
-bool ExactPlace::take_parameter() {
-  for (std::size_t k = 0; k < x_.size(); ++k) {
-    if (is_known(k) || problem_->is_angle[k] || !(problem_->near[k].width() < widest_place)) continue;
-    for (const PlaceProblem::Known& p : problem_->alike[k]) {
-      for (const int side : {1, -1}) {
-        if (!is_near(problem_->near[k], side * p.value)) continue;
-        settle(k, Number(side) * p.symbol);
-        return true;
-      }
-    }
-  }
-  return false;
+void ExactPlace::settle(std::size_t k, const Expression& value, Powered power) {
+  powers_.push_back(std::move(power));
+  x_[k] = value;
 }
 
-bool ExactPlace::solve(std::size_t k, const Expression& force) {
-  Graph& graph = force.graph();
-  const Expression& x = problem_->x[k];
-  const Polynomial above = without_factor(numerator(force), x);
-  const int n = highest_power(above, x);
-  const auto parts = n > 0 ? linear_in(graph, above, x, x, n) : std::nullopt;
-  if (!parts) return (n == 2 && solve_quadratic(k, above)) || solve_exponential(k, force);
-  const RationalFunction value = -in_lowest_terms(parts->rest, parts->slope);
-  if (n == 1) {
-    settle(k, to_expression(graph, value));
-    return true;
-  }
-  const Expression power = to_expression(graph, value);
-  if (depends_on(power, problem_->x)) return false;
-  const auto principal = root(k, n, value);
-  if (!principal) return false;
-  if (n == 2 && square_root(value).is_rational()) {
-    settle(k, *principal);
-    return true;
-  }
-  powers_.push_back({x, n, power});
-  x_[k] = *principal;
-  return true;
-}
-
-/// A bracket that is known by its power, and then x by the bracket.
-bool ExactPlace::solve_bracket(std::size_t k, const Expression& force) {
-  Graph& graph = force.graph();
-  const Expression& x = problem_->x[k];
-  Polynomial e = numerator(force);
-  for (const Expression& factor : {x, sin(x), cos(x)}) e = without_factor(std::move(e), factor);
-  const auto bracket = bracket_in(graph, e, x, problem_->sign);
-  if (!bracket || depends_on(to_expression(graph, bracket->value), problem_->x)) return false;
-  const auto value = raised(graph, *bracket, Number(1), problem_->sign);
-  if (!value) return false;
-  brackets_.push_back(*bracket);
-  const Expression left = bracket->base - *value;
-  if ((problem_->is_angle[k] && solve_angle(k, left)) || solve(k, left)) return true;
-  brackets_.pop_back();
-  return false;
-}
-
-/// c0 + c1 x + c2 x^2 = 0: the root at which the slope c1 + 2 c2 x has the sign that it has at x_k.
-bool ExactPlace::solve_quadratic(std::size_t k, const Polynomial& force) {
-  const Expression& x = problem_->x[k];
-  Graph& graph = x.graph();
-  const auto c = quadratic_in(to_expression(graph, force), x);
-  if (!c || std::ranges::any_of(*c, [&](const Expression& e) { return depends_on(e, problem_->x); }))
-    return false;
-  const auto sign_at = [&](const Expression& place) {
-    const RationalFunction slope = rational_function((*c)[1] + Number(2) * (*c)[2] * place);
-    return problem_->sign(slope.above) * problem_->sign(slope.below);
-  };
-  const int near = sign_at(x);
-  for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], problem_->sign)) {
-    if (near == 0 || sign_at(root) != near) continue;
-    settle(k, root);
-    return true;
-  }
-  return false;
-}
-
-/// c0 + c1 w + c2 w^2 = 0 of w = exp(s x + r): the root as in solve_quadratic.
-bool ExactPlace::solve_exponential(std::size_t k, const Expression& force) {
-  const Expression& x = problem_->x[k];
-  Graph& graph = x.graph();
-  const auto found = by_exponential(force, {&x, 1});
-  if (!found) return false;
-  const ByExponential by_w = in_powers_apart(*found);
-  const Expression slope = differentiate(by_w.argument, x);
-  const auto c = quadratic_in(to_expression(graph, by_w.e), by_w.w);
-  if (!c || depends_on(slope, problem_->x) ||
-      std::ranges::any_of(*c, [&](const Expression& e) { return depends_on(e, problem_->x); }))
-    return false;
-  const auto sign_at = [&](const Expression& w) {
-    const RationalFunction rate = rational_function((*c)[1] + Number(2) * (*c)[2] * w);
-    return problem_->sign(rate.above) * problem_->sign(rate.below);
-  };
-  const int near = sign_at(graph.call(Function::exp, by_w.argument));
-  const Replacement origin{x, graph.number(0)};
-  const Expression offset = substitute(by_w.argument, {&origin, 1});
-  for (const Expression& root : roots_of((*c)[0], (*c)[1], (*c)[2], problem_->sign)) {
-    const RationalFunction w = rational_function(root);
-    if (problem_->sign(w.above) * problem_->sign(w.below) <= 0 || near == 0 || sign_at(root) != near)
-      continue;
-    const Expression inverse = graph.number(1) / root;
-    const bool turned = written_length(inverse) < written_length(root);
-    const Expression logarithm =
-        turned ? -graph.call(Function::log, inverse) : graph.call(Function::log, root);
-    settle(k, (logarithm - offset) / slope);
-    return true;
-  }
-  return false;
-}
-
-/// tan(x) = tan(u): x is u, but for half turns.
-bool ExactPlace::solve_known_tangent(std::size_t k, const RationalFunction& tangent) {
-  const auto u = angle_of_tangent(problem_->x[k].graph(), tangent);
-  if (!u) return false;
-  constexpr double reach = 1e-6;
-  const Expression pi = u->graph().symbol("pi");
-  const auto sign_beside = [&](const Expression& e, double place) {
-    return problem_->sign(multiplied_out(e - u->graph().number(Number::real(place))));
-  };
-  for (const int half_turns : {0, 1, -1, 2, -2}) {
-    const Expression x = *u + Number(half_turns) * pi;
-    const double near = problem_->near[k].middle();
-    if (sign_beside(x, near - reach) <= 0 || sign_beside(x, near + reach) >= 0) continue;
-    settle(k, x);
-    return true;
-  }
-  return false;
-}
-
-/// The root of x^n = value near x_k.
-std::optional<Expression> ExactPlace::root(std::size_t k, int n, const RationalFunction& value) const {
-  Graph& graph = problem_->x[k].graph();
-  const bool is_below_zero = problem_->near[k].middle() < 0;
-  const RationalFunction size = is_below_zero && n % 2 != 0 ? -value : value;
-  const auto found = n == 2 ? std::optional(positive_root(graph, size, problem_->sign))
-                            : root_of_product(graph, size, n, problem_->sign);
-  if (!found) return std::nullopt;
-  return is_below_zero ? -*found : *found;
-}
-
-bool ExactPlace::solve_angle(std::size_t k, const Expression& force) {
-  Graph& graph = force.graph();
-  const Expression& x = problem_->x[k];
-  const Expression sine = sin(x), cosine = cos(x);
-  Polynomial e = with_single_angles(graph, numerator(force));
-  e = without_factor(without_factor(std::move(e), sine), cosine);
-  if (solve_tangent(k, e)) return true;
-  for (const auto& [known, other] : {std::pair(cosine, sine), std::pair(sine, cosine)}) {
-    const auto parts = linear_in(graph, e, known, x);
-    if (!parts) continue;
-    const Expression value = to_expression(graph, -in_lowest_terms(parts->rest, parts->slope));
-    solved_.push_back({known, other, value, std::nullopt});
-    const double near = problem_->near[k].middle();
-    const bool is_cosine = known == cosine;
-    const Expression principal = graph.call(is_cosine ? Function::acos : Function::asin, value);
-    if (is_cosine) {
-      x_[k] = near < 0 ? -principal : principal;
-    } else {
-      const bool beyond = std::abs(near) > std::numbers::pi / 2;
-      x_[k] = beyond ? Number(near < 0 ? -1 : 1) * graph.symbol("pi") - principal : principal;
-    }
-    return true;
-  }
-  return false;
-}
-
-/// a sin(x) + b cos(x) = 0.
-bool ExactPlace::solve_tangent(std::size_t k, const Polynomial& force) {
-  const Expression& x = problem_->x[k];
-  Graph& graph = x.graph();
-  const Expression sine = sin(x), cosine = cos(x);
-  const auto by_sine = linear_in(graph, force, sine, sine);
-  const auto by_cosine = linear_in(graph, force, cosine, cosine);
-  if (!by_sine || !by_cosine || by_sine->rest != scaled(by_cosine->slope, times({}, cosine.id(), 1), 1))
-    return false;
-  const RationalFunction tangent = -in_lowest_terms(by_cosine->slope, by_sine->slope);
-  if (depends_on(to_expression(graph, tangent), x)) return false;
-  if (solve_known_tangent(k, tangent)) return true;
-  const double near = problem_->near[k].middle();
-  const int half_turns = std::abs(near) > std::numbers::pi / 2 ? 1 : 0;
-  const int sign = problem_->sign(tangent.below) * (half_turns == 0 ? 1 : -1);
-  if (sign == 0) return false;
-  const Expression above = to_expression(graph, tangent.above), below = to_expression(graph, tangent.below);
-  const Expression length = Number(sign) * sqrt(expand(simplify(above * above + below * below)));
-  solved_.push_back({cosine, sine, below / length, above / length});
-  x_[k] = graph.call(Function::atan, above / below) +
-          Number(near < 0 ? -half_turns : half_turns) * graph.symbol("pi");
-  return true;
+void ExactPlace::settle(std::size_t k, const Expression& value, Solved angle) {
+  solved_.push_back(std::move(angle));
+  x_[k] = value;
 }
 
 /// x^(n k + r) = value^k x^r, and then x itself.
@@ -321,6 +71,28 @@ Expression ExactPlace::with_powers_taken(const Expression& e) const {
   return substitute(result, roots);
 }
 
+/// cos(x)^n by what is known, and the other one's even powers by 1 - value^2 where it is not.
+Polynomial ExactPlace::with_angles_taken(const Polynomial& e, const Solved& angle) const {
+  Graph& graph = angle.value.graph();
+  Polynomial next;
+  for (const auto& [monomial, coefficient] : e) {
+    const int known = exponent_of(monomial, angle.known.id()),
+              other = exponent_of(monomial, angle.other.id());
+    if (known < 0 || other < 0) {
+      add(next, monomial, coefficient);
+      continue;
+    }
+    const int replaced = angle.other_value ? other : other - other % 2;
+    const Monomial rest = times(times(monomial, angle.known.id(), -known), angle.other.id(), -replaced);
+    const Expression square = graph.number(1) - angle.value * angle.value;
+    const Expression factor =
+        pow(angle.value, Number(known)) *
+        (angle.other_value ? pow(*angle.other_value, Number(other)) : pow(square, Number(other / 2)));
+    add(next, scaled(multiplied_out(factor), rest, coefficient));
+  }
+  return next;
+}
+
 Expression ExactPlace::at(const Expression& e) const {
   Expression known = e;
   for (const BracketPower& bracket : brackets_) known = with_bracket_taken(known, bracket, problem_->sign);
@@ -329,25 +101,7 @@ Expression ExactPlace::at(const Expression& e) const {
   if (solved_.empty()) return result;
   Graph& graph = e.graph();
   Polynomial opened = with_single_angles(graph, multiplied_out(result));
-  for (const Solved& angle : solved_) {
-    Polynomial next;
-    for (const auto& [monomial, coefficient] : opened) {
-      const int known = exponent_of(monomial, angle.known.id()),
-                other = exponent_of(monomial, angle.other.id());
-      if (known < 0 || other < 0) {
-        add(next, monomial, coefficient);
-        continue;
-      }
-      const int replaced = angle.other_value ? other : other - other % 2;
-      const Monomial rest = times(times(monomial, angle.known.id(), -known), angle.other.id(), -replaced);
-      const Expression square = graph.number(1) - angle.value * angle.value;
-      const Expression factor =
-          pow(angle.value, Number(known)) *
-          (angle.other_value ? pow(*angle.other_value, Number(other)) : pow(square, Number(other / 2)));
-      add(next, scaled(multiplied_out(factor), rest, coefficient));
-    }
-    opened = std::move(next);
-  }
+  for (const Solved& angle : solved_) opened = with_angles_taken(opened, angle);
   return to_expression(graph, opened);
 }
 

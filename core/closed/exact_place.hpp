@@ -2,8 +2,8 @@
 // An equilibrium as expressions of the parameters: angles that are multiples of pi/2, or have a sine, a
 // cosine or a tangent that solves a linear equation; coordinates that solve one, l = l0 + m*g/k, or a
 // quadratic one, of which a power, an exponential or a length solves one, r^6 = 2*s^6, exp(-a*x) = 1/2,
-// sqrt(x^2 + l^2) = l0, or that are a parameter. It is proven by putting
-// it into the forces, which have to vanish identically.
+// sqrt(x^2 + l^2) = l0, or that are a parameter. What is known of it, and what an expression is there; it is
+// found by place_search.hpp.
 
 #include <optional>
 #include <span>
@@ -34,20 +34,9 @@ struct PlaceProblem {
 
 class ExactPlace {
  public:
-  /// No value where none of these forms solves g = 0. The problem has to outlive the place.
-  [[nodiscard]] static std::optional<ExactPlace> of(const PlaceProblem& problem);
+  /// Of which nothing is known yet. The problem has to outlive the place.
+  explicit ExactPlace(const PlaceProblem& problem) : problem_(&problem), x_(problem.x) {}
 
-  /// With the known angles and zeros alone, whether forces vanish there or not.
-  [[nodiscard]] static ExactPlace special(const PlaceProblem& problem);
-
-  /// x_k by the parameters.
-  [[nodiscard]] const std::vector<Expression>& x() const { return x_; }
-  /// The coordinates that no force decides: any value does.
-  [[nodiscard]] std::vector<Expression> undecided() const;
-  /// e at the place.
-  [[nodiscard]] Expression at(const Expression& e) const;
-
- private:
   /// sin(x_k) or cos(x_k) is `value`, the other one the root of 1 - value^2, or known as well.
   struct Solved {
     Expression known, other;  ///< which is which
@@ -62,21 +51,26 @@ class ExactPlace {
     Expression value;
   };
 
-  explicit ExactPlace(const PlaceProblem& problem) : problem_(&problem), x_(problem.x) {}
-  void take_special_values();
+  /// x_k is `value`, and what was known by x_k is known by the parameters.
   void settle(std::size_t k, const Expression& value);
-  [[nodiscard]] bool solve_one();
-  [[nodiscard]] bool take_parameter();
-  [[nodiscard]] bool solve(std::size_t k, const Expression& force);
-  [[nodiscard]] bool solve_bracket(std::size_t k, const Expression& force);
-  [[nodiscard]] bool solve_quadratic(std::size_t k, const Polynomial& force);
-  [[nodiscard]] bool solve_exponential(std::size_t k, const Expression& force);
-  [[nodiscard]] std::optional<Expression> root(std::size_t k, int n, const RationalFunction& value) const;
-  [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
-  [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force);
-  [[nodiscard]] bool solve_tangent(std::size_t k, const Polynomial& force);
-  [[nodiscard]] bool solve_known_tangent(std::size_t k, const RationalFunction& tangent);
+  /// x_k is `value`, which is the root or the angle by which expressions are written.
+  void settle(std::size_t k, const Expression& value, Powered power);
+  void settle(std::size_t k, const Expression& value, Solved angle);
+  /// A bracket is known by its power. The last one can be forgotten.
+  void take(BracketPower bracket) { brackets_.push_back(std::move(bracket)); }
+  void forget_bracket() { brackets_.pop_back(); }
+
   [[nodiscard]] bool is_known(std::size_t k) const { return x_[k] != problem_->x[k]; }
+  /// x_k by the parameters.
+  [[nodiscard]] const std::vector<Expression>& x() const { return x_; }
+  /// The coordinates that no force decides: any value does.
+  [[nodiscard]] std::vector<Expression> undecided() const;
+  /// e at the place.
+  [[nodiscard]] Expression at(const Expression& e) const;
+
+ private:
+  [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
+  [[nodiscard]] Polynomial with_angles_taken(const Polynomial& e, const Solved& angle) const;
 
   const PlaceProblem* problem_;
   std::vector<Expression> x_;

@@ -8,6 +8,7 @@
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/linear_motions.hpp"
+#include "core/closed/place_search.hpp"
 #include "core/closed/trial.hpp"
 #include "core/steady/growing_oscillations.hpp"
 #include "core/steady/surface_statics.hpp"
@@ -170,12 +171,12 @@ class CriticalForm {
 
   std::optional<ClosedForm> form() const {
     Best best(values_, {});
-    const auto proven = ExactPlace::of(problem_);
-    consider(proven ? *proven : ExactPlace::special(problem_), best);
+    const auto proven = exact_place(problem_);
+    consider(proven ? *proven : special_place(problem_), best);
     const bool is_fold = !is_of_oscillations(critical_.kind);
     for (std::size_t i = 0; is_fold && !best.form() && i < motions_.forces.size(); ++i) {
       const auto problem = fold_along(i);
-      if (const auto place = problem ? ExactPlace::of(*problem) : std::nullopt) consider(*place, best);
+      if (const auto place = problem ? exact_place(*problem) : std::nullopt) consider(*place, best);
     }
     return best.form();
   }
