@@ -15,10 +15,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/integrate/evaluator.hpp"
-#include "core/integrate/initial_step.hpp"
 #include "core/integrate/prince_dormand.hpp"
-#include "core/integrate/sundials_handles.hpp"
+#include "core/integrate/sundials_stepper.hpp"
 #include "core/integrate/sundials_steppers.hpp"
 
 namespace qdot {
@@ -32,8 +30,7 @@ struct TableDeleter {
   void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
 };
 
-constexpr int arkode_attempts = 30;  // at one step: a quarter each time, they reach the round-off of t
-constexpr double shrink = 0.25;      // of a step whose stages left the domain of f
+constexpr double shrink = 0.25;  // of a step whose stages left the domain of f
 
 void set_prince_dormand(void* memory) {
   auto c = PrinceDormand::c;
@@ -47,16 +44,10 @@ void set_prince_dormand(void* memory) {
       ARKStepSetTables(memory, PrinceDormand::order, PrinceDormand::embedded_order, nullptr, table.get()));
 }
 
-class ArkodeStepper final : public Stepper {
+class ArkodeStepper final : public SundialsStepper {
  public:
   ArkodeStepper(const RightHandSide& system, const RunRequest& request)
-      : evaluator_(system, request.limits),
-        request_(request),
-        context_(make_context()),
-        state_(make_vector(request.y_start, context_.get())),
-        y_previous_(make_vector(request.y_start, context_.get())),
-        t_previous_(request.t_start),
-        t_(request.t_start),
+      : SundialsStepper(system, request, PrinceDormand::embedded_order),
         slope_before_(request.y_start.size()),
         slope_after_(request.y_start.size()),
         fan_(evaluator_, request.y_start.size()),
@@ -66,29 +57,13 @@ class ArkodeStepper final : public Stepper {
     require_success(ARKStepSetUserData(memory, &evaluator_));
     require_success(ARKStepSStolerances(memory, request.tolerances.rtol, request.tolerances.atol));
     require_success(ARKStepSetStopTime(memory, request.t_end));
-    require_success(ARKStepSetMaxErrTestFails(memory, arkode_attempts));
+    require_success(ARKStepSetMaxErrTestFails(memory, most_attempts));
     require_success(ARKStepSetInterpolantDegree(memory, 1));  // unused, and so the cheapest
     set_prince_dormand(memory);
   }
 
-  std::optional<Ending> step() override {
-    if (t_ != t_previous_) evaluator_.forget_trouble();
-    if (const auto failed = choose_first_step()) return failed;
-    std::ranges::copy(y(), elements(y_previous_.get()).begin());
-    t_previous_ = t_;
-    fan_.set_base(t_, y());
-    const int flag = evolve();
-    evaluator_.rethrow();
-    if (flag < 0) return undo(ending_of(flag));
-    ++steps_;
-    return std::nullopt;
-  }
-
   std::optional<Ending> interpolate(double t, std::span<double> y_out) override {
-    if (t == t_ || t == t_previous_) {
-      std::ranges::copy(elements(t == t_ ? state_.get() : y_previous_.get()), y_out.begin());
-      return std::nullopt;
-    }
+    if (copy_end(t, y_out)) return std::nullopt;
     const Answer answer = fan_.advance(t - t_previous_, y_out);
     evaluator_.rethrow();
     return answer == answer_ok ? std::nullopt : evaluator_.trouble();
@@ -109,26 +84,18 @@ class ArkodeStepper final : public Stepper {
     return std::nullopt;
   }
 
-  double t_previous() const override { return t_previous_; }
-  double t() const override { return t_; }
-  std::span<const double> y() const override { return elements(state_.get()); }
-  std::optional<Ending> trouble() const override { return evaluator_.trouble(); }
-  std::uint64_t steps() const override { return steps_; }
-  std::uint64_t evaluations() const override { return evaluator_.evaluations(); }
-
  private:
-  static int derivative(double t, N_Vector y, N_Vector f, void* evaluator) {
-    return static_cast<Evaluator*>(evaluator)->derivative(t, elements(y), elements(f));
-  }
+  int set_first_step(double h) override { return ARKStepSetInitStep(memory_.get(), h); }
 
-  std::optional<Ending> choose_first_step() {
-    if (steps_ > 0) return std::nullopt;
-    const auto h =
-        initial_step(evaluator_, t_, y(), request_.t_end, request_.tolerances, PrinceDormand::embedded_order);
-    evaluator_.rethrow();
-    if (!h) return evaluator_.trouble();
-    require_success(ARKStepSetInitStep(memory_.get(), *h));
-    return std::nullopt;
+  int advance() override {
+    fan_.set_base(t_, y());
+    int flag{};
+    for (int i = 0; i < most_attempts; ++i) {
+      flag = ARKStepEvolve(memory_.get(), request_.t_end, state_.get(), &t_, ARK_ONE_STEP);
+      if (flag != ARK_UNREC_RHSFUNC_ERR) break;
+      if (!start_over()) break;
+    }
+    return flag;
   }
 
   // f at both ends of the last step; the end of one step is the beginning of the next.
@@ -144,16 +111,6 @@ class ArkodeStepper final : public Stepper {
     return evaluator_.derivative(t_, y(), slope_after_) == answer_ok ? std::nullopt : evaluator_.trouble();
   }
 
-  int evolve() {
-    int flag{};
-    for (int i = 0; i < arkode_attempts; ++i) {
-      flag = ARKStepEvolve(memory_.get(), request_.t_end, state_.get(), &t_, ARK_ONE_STEP);
-      if (flag != ARK_UNREC_RHSFUNC_ERR) break;
-      if (!start_over()) break;
-    }
-    return flag;
-  }
-
   // Back to (t_n, y_n) with a shorter step. A reset forgets the stop time.
   bool start_over() {
     double h{};
@@ -165,27 +122,6 @@ class ArkodeStepper final : public Stepper {
     return true;
   }
 
-  std::optional<Ending> undo(Ending why) {
-    t_ = t_previous_;
-    std::ranges::copy(elements(y_previous_.get()), elements(state_.get()).begin());
-    return why;
-  }
-
-  // As in CvodeStepper: the evaluator's reason first.
-  Ending ending_of(int flag) const {
-    if (flag == ARK_MEM_FAIL) throw std::bad_alloc();
-    if (evaluator_.trouble()) return *evaluator_.trouble();
-    return flag == ARK_TOO_MUCH_ACC ? Ending::tolerance : Ending::step_limit;
-  }
-
-  Evaluator evaluator_;
-  const RunRequest& request_;
-  ContextPointer context_;
-  VectorPointer state_;
-  VectorPointer y_previous_;
-  double t_previous_;
-  double t_;
-  std::uint64_t steps_{};
   std::vector<double> slope_before_, slope_after_;
   double slopes_until_{std::numeric_limits<double>::quiet_NaN()};
   RungeKuttaFan fan_;

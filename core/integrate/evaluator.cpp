@@ -29,15 +29,8 @@ Answer Evaluator::evaluate(const Function& function, double t, std::span<const d
   try {
     if (!limits_allow_another()) return answer_stop;
     if (const auto wrong = unusable(y, limits_.max_magnitude)) return refuse(answer_retry, *wrong);
-    switch (function(t, y, out)) {
-      case Evaluation::ok:
-        return finite(out) ? answer_ok : refuse(answer_retry, Ending::nonfinite);
-      case Evaluation::nonfinite:
-        return refuse(answer_retry, Ending::nonfinite);
-      case Evaluation::singular_mass:
-        return refuse(answer_retry, Ending::singular_mass);
-    }
-    return refuse(answer_stop, Ending::nonfinite);
+    if (const auto trouble = trouble_of(function(t, y, out))) return refuse(answer_retry, *trouble);
+    return finite(out) ? answer_ok : refuse(answer_retry, Ending::nonfinite);
   } catch (...) {
     exception_ = std::current_exception();
     return refuse(answer_stop, Ending::nonfinite);  // rethrow() says more

@@ -63,4 +63,17 @@ class Evaluator {
 /// blow_up for an infinite component or one beyond max_magnitude.
 [[nodiscard]] std::optional<Ending> unusable(std::span<const double> y, double max_magnitude);
 
+/// Why f has no value; empty where it has one.
+[[nodiscard]] constexpr std::optional<Ending> trouble_of(Evaluation evaluation) {
+  switch (evaluation) {
+    case Evaluation::ok:
+      return std::nullopt;
+    case Evaluation::singular_mass:
+      return Ending::singular_mass;
+    case Evaluation::nonfinite:
+      break;
+  }
+  return Ending::nonfinite;
+}
+
 }  // namespace qdot

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/work.hpp"
+#include "core/integrate/evaluator.hpp"
 #include "core/integrate/separation.hpp"
 #include "core/numerics/function.hpp"
 
@@ -151,15 +152,9 @@ std::optional<Ending> ExtendedStepper::expand(const DoubleDouble& t, std::span<c
                                               std::vector<DoubleDouble>& coefficients) {
   if (const auto wrong = unusable_state(y, request_.limits.max_magnitude)) return trouble_ = wrong;
   evaluations_ += order_;
-  switch (system_.expansion(t, y, order_, coefficients)) {
-    case Evaluation::ok:
-      return std::nullopt;
-    case Evaluation::singular_mass:
-      return trouble_ = Ending::singular_mass;
-    case Evaluation::nonfinite:
-      break;
-  }
-  return trouble_ = Ending::nonfinite;
+  const auto trouble = trouble_of(system_.expansion(t, y, order_, coefficients));
+  if (trouble) trouble_ = trouble;
+  return trouble;
 }
 
 double ExtendedStepper::weight(std::size_t i) const {

@@ -137,15 +137,9 @@ class TaylorStepper final : public Stepper {
   std::optional<Ending> expand(double t, std::span<const double> y, std::vector<double>& coefficients) {
     if (const auto wrong = unusable(y, request_.limits.max_magnitude)) return trouble_ = wrong;
     evaluations_ += order_;
-    switch (system_.expansion(t, y, order_, coefficients)) {
-      case Evaluation::ok:
-        return std::nullopt;
-      case Evaluation::singular_mass:
-        return trouble_ = Ending::singular_mass;
-      case Evaluation::nonfinite:
-        break;
-    }
-    return trouble_ = Ending::nonfinite;
+    const auto trouble = trouble_of(system_.expansion(t, y, order_, coefficients));
+    if (trouble) trouble_ = trouble;
+    return trouble;
   }
 
   /// c_i,k of the expansion at the current state.
