@@ -125,7 +125,7 @@ std::optional<Gait> gait_near(SectionMap& map, const Dynamics& dynamics, std::sp
                               const Recurrence& near, int most_ignored) {
   const auto found = polished(map, near);
   if (!found) return std::nullopt;
-  const auto stride = map.stride(found->at.u, fine).stride;
+  const auto stride = map.stride(found->at.u, fine);
   if (!stride || stride->ignored_crossings > most_ignored ||
       std::abs(stride->duration - found->at.duration) > same_place * found->at.duration) {
     return std::nullopt;

@@ -264,13 +264,13 @@ RunRequest SectionMap::request(const VectorXd& start, double rtol) const {
   return run;
 }
 
-SectionMap::Result SectionMap::stride(const VectorXd& u, double rtol) {
+std::optional<Stride> SectionMap::stride(const VectorXd& u, double rtol) {
   const auto start = jump(u);
-  return start ? stride_from(on_surface(start->after), rtol) : Result{std::nullopt, Miss::stopped};
+  return start ? stride_from(on_surface(start->after), rtol) : std::nullopt;
 }
 
 /// Velocities in the scene's units of time.
-SectionMap::Result SectionMap::first_stride(double haste, double rtol) {
+std::optional<Stride> SectionMap::first_stride(double haste, double rtol) {
   const ParsedScene& parsed = dynamics_.model().parsed;
   std::vector<Assignment> values;
   for (std::size_t i = 0; i < parameters_.size(); ++i)
@@ -281,7 +281,7 @@ SectionMap::Result SectionMap::first_stride(double haste, double rtol) {
     start[i] = evaluate(parsed.initial[static_cast<std::size_t>(i)], values);
     start[n + i] = haste * evaluate(parsed.initial_rates[static_cast<std::size_t>(i)], values);
   }
-  if (!start.allFinite()) return {std::nullopt, Miss::stopped};
+  if (!start.allFinite()) return std::nullopt;
   return stride_from(in_units(start), rtol);
 }
 
@@ -297,8 +297,8 @@ VectorXd SectionMap::on_surface(VectorXd after) {
   return after;
 }
 
-SectionMap::Result SectionMap::stride_from(const VectorXd& after, double rtol) {
-  if (!starts_validly(after)) return {std::nullopt, Miss::stopped};
+std::optional<Stride> SectionMap::stride_from(const VectorXd& after, double rtol) {
+  if (!starts_validly(after)) return std::nullopt;
   const RightHandSide system{
       static_cast<std::size_t>(unit_.size()),
       [this](double, std::span<const double> y, std::span<double> out) { return rates(y, out); },
@@ -312,14 +312,12 @@ SectionMap::Result SectionMap::stride_from(const VectorXd& after, double rtol) {
   crossing.condition = {};
   run.events.push_back(std::move(crossing));
   const Run done = integrate(system, run);
-  if (done.ending == Ending::reached_end) return {std::nullopt, Miss::endless};
-  if (done.ending != Ending::event) return {std::nullopt, Miss::failed};
+  if (done.ending != Ending::event) return std::nullopt;
   const auto ended =
       std::ranges::find_if(done.events, [&](const EventOccurrence& e) { return e.event < watches_.size(); });
-  if (watches_[ended->event].kind != Watch::Kind::impact) return {std::nullopt, Miss::stopped};
-  return {Stride{after, Eigen::Map<const VectorXd>(done.y.data(), unit_.size()), done.t,
-                 static_cast<int>(ended - done.events.begin())},
-          Miss::none};
+  if (watches_[ended->event].kind != Watch::Kind::impact) return std::nullopt;
+  return Stride{after, Eigen::Map<const VectorXd>(done.y.data(), unit_.size()), done.t,
+                static_cast<int>(ended - done.events.begin())};
 }
 
 bool SectionMap::counts(const VectorXd& state) {

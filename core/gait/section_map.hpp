@@ -48,14 +48,6 @@ struct Flow {
   Eigen::VectorXd surface_slope;  ///< dg/dy
 };
 
-/// Why there was no stride.
-enum class Miss {
-  none,
-  stopped,  ///< the model stopped holding (a fall) or the coordinates describe nothing there
-  endless,  ///< no impact within longest_stride
-  failed    ///< the integration did not succeed, or the impact's surface was only touched
-};
-
 class SectionMap {
  public:
   static constexpr double longest_stride = 100;  ///< in units of time of the scene
@@ -74,14 +66,12 @@ class SectionMap {
   /// A state with the components u, the others 0.
   [[nodiscard]] Eigen::VectorXd state(const Eigen::VectorXd& u) const;
 
-  struct Result {
-    std::optional<Stride> stride;
-    Miss miss{Miss::none};
-  };
-  /// The stride after an impact at u, each step's error below rtol (1e-14 at least).
-  [[nodiscard]] Result stride(const Eigen::VectorXd& u, double rtol);
+  /// The stride after an impact at u, each step's error below rtol (1e-14 at least). None where the model
+  /// stops holding (a fall), where no impact follows within longest_stride, and where its surface is only
+  /// touched.
+  [[nodiscard]] std::optional<Stride> stride(const Eigen::VectorXd& u, double rtol);
   /// The motion from the scene's own start, its velocities `haste` times as large, to its first impact.
-  [[nodiscard]] Result first_stride(double haste, double rtol);
+  [[nodiscard]] std::optional<Stride> first_stride(double haste, double rtol);
   /// The flow over the time T > 0; no value where the integration fails.
   [[nodiscard]] std::optional<Flow> flow(const Eigen::VectorXd& u, double duration, double rtol);
   /// Whether the event's condition holds at a state, and whether it is crossed in its direction there.
@@ -110,7 +100,7 @@ class SectionMap {
   [[nodiscard]] const std::vector<Watch>& watched();
   [[nodiscard]] Evaluation rates(std::span<const double> y, std::span<double> out);
   [[nodiscard]] Evaluation variational_rates(std::span<const double> y, std::span<double> out);
-  [[nodiscard]] Result stride_from(const Eigen::VectorXd& after, double rtol);
+  [[nodiscard]] std::optional<Stride> stride_from(const Eigen::VectorXd& after, double rtol);
   [[nodiscard]] Eigen::VectorXd on_surface(Eigen::VectorXd after);
   [[nodiscard]] bool starts_validly(const Eigen::VectorXd& after);
   [[nodiscard]] RunRequest request(const Eigen::VectorXd& start, double rtol) const;

@@ -24,12 +24,12 @@ double change(const Recurrence& from, const Recurrence& to) {
 std::optional<Recurrence> where_strides_settle(SectionMap& map, double haste,
                                                const std::vector<Recurrence>& known,
                                                const IgnoredByGait& gait_near) {
-  const auto first = map.first_stride(haste, strides_rtol).stride;
+  const auto first = map.first_stride(haste, strides_rtol);
   if (!first) return std::nullopt;
   Recurrence at = recurrence(map, *first);
   double worth_a_look = hardly;
   for (int i = 0; i < most_strides; ++i) {
-    const auto stride = map.stride(at.u, strides_rtol).stride;
+    const auto stride = map.stride(at.u, strides_rtol);
     if (!stride) return std::nullopt;
     Recurrence next = recurrence(map, *stride);
     const double changed = change(at, next);

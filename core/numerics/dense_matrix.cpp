@@ -12,8 +12,6 @@ using Eigen::VectorXd;
 
 VectorXd solve(const MatrixXd& a, const VectorXd& b) { return a.partialPivLu().solve(b); }
 
-MatrixXd solve_columns(const MatrixXd& a, const MatrixXd& b) { return a.partialPivLu().solve(b); }
-
 MatrixXd inverse(const MatrixXd& a) { return a.partialPivLu().inverse(); }
 
 double determinant(const MatrixXd& a) { return a.determinant(); }

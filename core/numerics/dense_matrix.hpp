@@ -10,8 +10,6 @@ namespace qdot {
 
 /// x with A x = b, by elimination with partial pivoting; not finite where A is singular.
 [[nodiscard]] Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
-/// The same for each column of B.
-[[nodiscard]] Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 [[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
 [[nodiscard]] double determinant(const Eigen::MatrixXd& a);
 
