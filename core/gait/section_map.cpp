@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "core/integrate/integrate.hpp"
-#include "core/mechanics/units.hpp"
 #include "core/numerics/dense_matrix.hpp"
-#include "core/numerics/function.hpp"
 
 namespace qdot {
 namespace {
@@ -19,32 +17,6 @@ using Eigen::VectorXd;
 constexpr std::uint64_t most_steps = 20'000;
 constexpr double least_atol = 1e-100;
 constexpr double of_rounding = 1e-11;  // of u, as far as it has been found
-
-std::vector<Expression> state_symbols(const Symbols& symbols) {
-  std::vector<Expression> all = symbols.coordinates.value;
-  all.insert(all.end(), symbols.coordinates.rate.begin(), symbols.coordinates.rate.end());
-  return all;
-}
-
-/// The state after the impact, one expression a component; what the map does not name stays.
-std::vector<Expression> jump_expressions(const ParsedScene& parsed) {
-  std::vector<Expression> after = state_symbols(parsed.symbols);
-  for (Expression& component : after) {
-    for (const auto& [symbol, value] : parsed.impacts.front().map) {
-      if (symbol == component) {
-        component = value;
-        break;
-      }
-    }
-  }
-  return after;
-}
-
-const ParsedSceneEvent& impact_event(const Model& model) {
-  const auto& events = model.scene.events;
-  const auto found = std::ranges::find(events, model.parsed.impacts.front().event, &SceneEvent::name);
-  return model.parsed.events[static_cast<std::size_t>(found - events.begin())];
-}
 
 bool depends_on_time(const Model& model) {
   const Symbols& symbols = model.parsed.symbols;
@@ -80,38 +52,20 @@ SectionMap::SectionMap(const Dynamics& dynamics) : dynamics_(dynamics) {
                 "The equations of " + model.scene.name +
                     " contain the time or an input, so that no state alone says what the next stride is.");
   }
-  compile();
-}
-
-void SectionMap::compile() {
-  const Model& model = dynamics_.model();
-  Graph graph = *model.parsed.graph;
-  const std::vector<Expression> symbols = state_symbols(model.parsed.symbols);
-  std::vector<Expression> jump, surface{graph.adopt(impact_event(model).value)};
-  for (const Expression& e : jump_expressions(model.parsed)) jump.push_back(graph.adopt(e));
-  const std::vector<Expression> after = jump;
-  for (std::size_t i = 0; i < symbols.size(); ++i) {
-    const Expression symbol = graph.adopt(symbols[i]);
-    surface.push_back(differentiate(surface.front(), symbol));
-    if (std::ranges::none_of(after, [&](const Expression& e) { return depends_on(e, symbol); })) continue;
-    components_.push_back(to_index(i));
-    for (const Expression& e : after) jump.push_back(differentiate(e, symbol));
-  }
-  impact_ = std::make_shared<const CompiledFunction>(dynamics_.compiled(graph, jump));
-  surface_ = std::make_shared<const CompiledFunction>(dynamics_.compiled(graph, surface));
+  impact_ = std::make_shared<const ImpactFunctions>(impact_functions(dynamics));
 }
 
 void SectionMap::set_parameters(std::span<const double> parameters) {
   parameters_.assign(parameters.begin(), parameters.end());
-  set_units();
+  scales_ = StateScales(dynamics_.model(), parameters);
   accelerations_ = &dynamics_.accelerations();
   jacobian_ = &dynamics_.jacobian();
   accelerations_workspace_ = accelerations_->bind(parameters);
   jacobian_workspace_ = jacobian_->bind(parameters);
-  impact_workspace_ = impact_->bind(parameters);
-  surface_workspace_ = surface_->bind(parameters);
+  jump_workspace_ = impact_->jump.bind(parameters);
+  surface_workspace_ = impact_->surface.bind(parameters);
   watches_.clear();
-  si_.resize(static_cast<std::size_t>(unit_.size()));
+  si_.resize(static_cast<std::size_t>(state_size()));
   block_.resize(si_.size() * si_.size());
 }
 
@@ -122,76 +76,45 @@ const std::vector<Watch>& SectionMap::watched() {
   return watches_;
 }
 
-/// kg^a m^b s^c in the scene's scales.
-void SectionMap::set_units() {
-  const Model& model = dynamics_.model();
-  std::array<double, 3> scale{1, 1, 1};
-  if (const auto& scales = model.parsed.scales) {
-    std::vector<Assignment> values;
-    for (std::size_t i = 0; i < parameters_.size(); ++i)
-      values.emplace_back(model.parsed.symbols.parameters[i], parameters_[i]);
-    scale = {evaluate(scales->mass, values), evaluate(scales->length, values),
-             evaluate(scales->time, values)};
-  }
-  for (double& s : scale)
-    if (!(std::isfinite(s) && s > 0)) s = 1;
-  time_unit_ = scale[2];
-  const std::size_t n = model.degrees_of_freedom();
-  unit_ = VectorXd::Ones(to_index(2 * n));
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto parsed = parse_unit(model.scene.coordinates[i].unit);
-    for (std::size_t k = 0; parsed && k < scale.size(); ++k) {
-      const Exponent& e = parsed->dimension.exponents[k];
-      unit_[to_index(i)] *= power(scale[k], static_cast<double>(e.numerator) / e.denominator);
-    }
-    unit_[to_index(n + i)] = unit_[to_index(i)] / time_unit_;
-  }
-}
+VectorXd SectionMap::section(const VectorXd& state) const { return state(impact_->components); }
 
-VectorXd SectionMap::section(const VectorXd& state) const { return state(components_); }
-
-void SectionMap::set_section(VectorXd& state, const VectorXd& u) const { state(components_) = u; }
+void SectionMap::set_section(VectorXd& state, const VectorXd& u) const { state(impact_->components) = u; }
 
 VectorXd SectionMap::state(const VectorXd& u) const {
-  VectorXd result = VectorXd::Zero(unit_.size());
+  VectorXd result = VectorXd::Zero(state_size());
   set_section(result, u);
   return result;
 }
 
-std::vector<double> SectionMap::in_si(const VectorXd& state) const {
-  std::vector<double> y(static_cast<std::size_t>(state.size()));
-  for (Index i = 0; i < state.size(); ++i) y[static_cast<std::size_t>(i)] = state[i] * unit_[i];
-  return y;
-}
-
 std::optional<SectionMap::Jump> SectionMap::jump(const VectorXd& u) {
-  const Index width = unit_.size();
-  std::vector<double> out(impact_->outputs());
-  if (impact_->evaluate(0, in_si(state(u)), impact_workspace_, out) != Evaluation::ok) return std::nullopt;
-  Jump jump{Eigen::Map<const VectorXd>(out.data(), width).cwiseQuotient(unit_),
+  const Index width = state_size();
+  std::vector<double> out(impact_->jump.outputs());
+  if (impact_->jump.evaluate(0, in_si(state(u)), jump_workspace_, out) != Evaluation::ok) return std::nullopt;
+  Jump jump{Eigen::Map<const VectorXd>(out.data(), width).cwiseQuotient(scales_.units()),
             Eigen::Map<const MatrixXd>(out.data() + width, width, size())};
-  jump.derivative = unit_.cwiseInverse().asDiagonal() * jump.derivative;
+  jump.derivative = scales_.units().cwiseInverse().asDiagonal() * jump.derivative;
   for (Index k = 0; k < size(); ++k)
-    jump.derivative.col(k) *= unit_[components_[static_cast<std::size_t>(k)]];
+    jump.derivative.col(k) *= scales_.units()[impact_->components[static_cast<std::size_t>(k)]];
   if (!jump.after.allFinite() || !jump.derivative.allFinite()) return std::nullopt;
   return jump;
 }
 
 bool SectionMap::add_surface(Flow& flow) {
-  std::vector<double> out(surface_->outputs());
-  if (surface_->evaluate(0, in_si(flow.state), surface_workspace_, out) != Evaluation::ok) return false;
+  std::vector<double> out(impact_->surface.outputs());
+  if (impact_->surface.evaluate(0, in_si(flow.state), surface_workspace_, out) != Evaluation::ok)
+    return false;
   flow.surface = out[0];
-  flow.surface_slope = Eigen::Map<const VectorXd>(out.data() + 1, unit_.size()).cwiseProduct(unit_);
+  flow.surface_slope = Eigen::Map<const VectorXd>(out.data() + 1, state_size()).cwiseProduct(scales_.units());
   return true;
 }
 
 Evaluation SectionMap::rates(std::span<const double> y, std::span<double> out) {
   const std::size_t n = si_.size() / 2;
-  for (std::size_t i = 0; i < 2 * n; ++i) si_[i] = y[i] * unit_[to_index(i)];
+  for (std::size_t i = 0; i < 2 * n; ++i) si_[i] = y[i] * scales_.units()[to_index(i)];
   const Evaluation evaluation = accelerations_->evaluate(0, si_, accelerations_workspace_, out.subspan(n, n));
   for (std::size_t i = 0; i < n; ++i) {
     out[i] = y[n + i];
-    out[n + i] *= time_unit_ / unit_[to_index(n + i)];
+    out[n + i] *= scales_.time_unit() / scales_.units()[to_index(n + i)];
   }
   return evaluation;
 }
@@ -199,7 +122,7 @@ Evaluation SectionMap::rates(std::span<const double> y, std::span<double> out) {
 Evaluation SectionMap::variational_rates(std::span<const double> y, std::span<double> out) {
   if (const Evaluation evaluation = rates(y, out); evaluation != Evaluation::ok) return evaluation;
   const Evaluation evaluation = jacobian_->evaluate(0, si_, jacobian_workspace_, block_);
-  const Index width = unit_.size(), n = width / 2;
+  const Index width = state_size(), n = width / 2;
   Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
       block_.data(), width, width);
   for (Index k = 0; k < size(); ++k) {
@@ -207,9 +130,9 @@ Evaluation SectionMap::variational_rates(std::span<const double> y, std::span<do
     double* rate = out.data() + width * (k + 1);
     for (Index i = 0; i < n; ++i) {
       double sum = 0;
-      for (Index j = 0; j < width; ++j) sum += jacobian(n + i, j) * unit_[j] * column[j];
+      for (Index j = 0; j < width; ++j) sum += jacobian(n + i, j) * scales_.units()[j] * column[j];
       rate[i] = column[n + i];
-      rate[n + i] = sum * time_unit_ / unit_[n + i];
+      rate[n + i] = sum * scales_.time_unit() / scales_.units()[n + i];
     }
   }
   return evaluation;
@@ -220,38 +143,6 @@ bool SectionMap::starts_validly(const VectorXd& after) {
   return std::ranges::none_of(watched(), [&](const Watch& watch) {
     return watch.kind == Watch::Kind::validity && !(watch.value(0, y) >= 0);
   });
-}
-
-EventFunction SectionMap::scaled(const Watch& watch) const {
-  const auto state = [this](std::span<const double> y) {
-    return in_si(Eigen::Map<const VectorXd>(y.data(), unit_.size()));
-  };
-  EventFunction event = watch.event();
-  event.value = [state, value = watch.value](double, std::span<const double> y) {
-    return value(0, state(y));
-  };
-  event.series = [this, series = watch.series](const MotionPiece& piece, unsigned order,
-                                               std::span<double> coefficients) {
-    std::vector<double> rows(piece.rows.begin(), piece.rows.end());
-    const std::size_t width = piece.order + 1;
-    for (std::size_t i = 0; i * width < rows.size(); ++i) {
-      double unit = unit_[to_index(i)];
-      for (std::size_t k = 0; k < width; ++k, unit /= time_unit_) rows[i * width + k] *= unit;
-    }
-    const double rest = series({0, piece.h * time_unit_, rows, piece.order}, order, coefficients);
-    double power = 1;
-    for (double& c : coefficients) {
-      c *= power;
-      power *= time_unit_;
-    }
-    return rest;
-  };
-  if (watch.condition) {
-    event.condition = [state, condition = watch.condition](double, std::span<const double> y) {
-      return condition(0, state(y));
-    };
-  }
-  return event;
 }
 
 /// By the method that comes nearest to the true motion; atol at the size of the state.
@@ -275,7 +166,7 @@ std::optional<Stride> SectionMap::first_stride(double haste, double rtol) {
   std::vector<Assignment> values;
   for (std::size_t i = 0; i < parameters_.size(); ++i)
     values.emplace_back(parsed.symbols.parameters[i], parameters_[i]);
-  const Index n = unit_.size() / 2;
+  const Index n = state_size() / 2;
   VectorXd start(2 * n);
   for (Index i = 0; i < n; ++i) {
     start[i] = evaluate(parsed.initial[static_cast<std::size_t>(i)], values);
@@ -288,9 +179,10 @@ std::optional<Stride> SectionMap::first_stride(double haste, double rtol) {
 /// An impact that keeps the place leaves the motion on the surface, but for the rounding of u: as far from it
 /// as that, it would meet the surface again at once.
 VectorXd SectionMap::on_surface(VectorXd after) {
-  std::vector<double> out(surface_->outputs());
-  if (surface_->evaluate(0, in_si(after), surface_workspace_, out) != Evaluation::ok) return after;
-  const VectorXd slope = Eigen::Map<const VectorXd>(out.data() + 1, unit_.size()).cwiseProduct(unit_);
+  std::vector<double> out(impact_->surface.outputs());
+  if (impact_->surface.evaluate(0, in_si(after), surface_workspace_, out) != Evaluation::ok) return after;
+  const VectorXd slope =
+      Eigen::Map<const VectorXd>(out.data() + 1, state_size()).cwiseProduct(scales_.units());
   const double steepness = slope.norm();
   if (std::abs(out[0]) < of_rounding * steepness * after.norm())
     after -= out[0] / (steepness * steepness) * slope;
@@ -300,12 +192,12 @@ VectorXd SectionMap::on_surface(VectorXd after) {
 std::optional<Stride> SectionMap::stride_from(const VectorXd& after, double rtol) {
   if (!starts_validly(after)) return std::nullopt;
   const RightHandSide system{
-      static_cast<std::size_t>(unit_.size()),
+      static_cast<std::size_t>(state_size()),
       [this](double, std::span<const double> y, std::span<double> out) { return rates(y, out); },
       {}};
   RunRequest run = request(after, rtol);
   run.t_end = longest_stride;
-  for (const Watch& watch : watched()) run.events.push_back(scaled(watch));
+  for (const Watch& watch : watched()) run.events.push_back(scales_.event(watch));
   run.events.back().counts_at_start = false;   // an impact has just been
   EventFunction crossing = run.events.back();  // the impact's, wherever it happens
   crossing.terminal = false;
@@ -316,7 +208,7 @@ std::optional<Stride> SectionMap::stride_from(const VectorXd& after, double rtol
   const auto ended =
       std::ranges::find_if(done.events, [&](const EventOccurrence& e) { return e.event < watches_.size(); });
   if (watches_[ended->event].kind != Watch::Kind::impact) return std::nullopt;
-  return Stride{after, Eigen::Map<const VectorXd>(done.y.data(), unit_.size()), done.t,
+  return Stride{after, Eigen::Map<const VectorXd>(done.y.data(), state_size()), done.t,
                 static_cast<int>(ended - done.events.begin())};
 }
 
@@ -335,7 +227,7 @@ bool SectionMap::is_impact(const Flow& flow) {
 std::optional<Flow> SectionMap::flow(const VectorXd& u, double duration, double rtol) {
   const auto start = jump(u);
   if (!start) return std::nullopt;
-  const Index width = unit_.size();
+  const Index width = state_size();
   const RightHandSide system{
       static_cast<std::size_t>(width * (1 + size())),
       [this](double, std::span<const double> y, std::span<double> out) { return variational_rates(y, out); },
@@ -360,14 +252,14 @@ std::optional<Flow> SectionMap::flow(const VectorXd& u, double duration, double 
 MatrixXd SectionMap::derivative(const Flow& flow) const {
   const VectorXd duration_slope =
       -(flow.derivative.transpose() * flow.surface_slope) / flow.surface_slope.dot(flow.rate);
-  return (flow.derivative + flow.rate * duration_slope.transpose())(components_, Eigen::all);
+  return (flow.derivative + flow.rate * duration_slope.transpose())(impact_->components, Eigen::all);
 }
 
 Index SectionMap::dimension(const Flow& flow) {
   const auto map = jump(section(flow.state));
   if (!map) return 0;
-  MatrixXd tangent = MatrixXd::Zero(unit_.size(), unit_.size());
-  tangent(Eigen::all, components_) = map->derivative;
+  MatrixXd tangent = MatrixXd::Zero(state_size(), state_size());
+  tangent(Eigen::all, impact_->components) = map->derivative;
   const VectorXd normal = flow.surface_slope.normalized();
   tangent -= (tangent * normal) * normal.transpose();
   return rank(tangent, 1e-12);

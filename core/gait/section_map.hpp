@@ -15,8 +15,7 @@
 //
 // Source: T. S. Parker, L. O. Chua, Practical Numerical Algorithms for Chaotic Systems, Springer 1989,
 // sections 2.2 and 3.3 and appendix D; for jumps, P. C. Mueller, Chaos, Solitons and Fractals 5 (1995)
-// 1671-1681. Everything here is without dimension: lengths, times and masses are in the scene's scales
-// (Scene::scales), or in SI units where it has none that are finite.
+// 1671-1681. Everything here is without dimension (state_scales.hpp).
 
 #include <Eigen/Core>
 #include <memory>
@@ -26,6 +25,8 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/dynamics/watch.hpp"
+#include "core/gait/impact_functions.hpp"
+#include "core/gait/state_scales.hpp"
 
 namespace qdot {
 
@@ -60,7 +61,7 @@ class SectionMap {
   void set_parameters(std::span<const double> parameters);
 
   /// How many components u has.
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components_.size()); }
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(impact_->components.size()); }
   [[nodiscard]] Eigen::VectorXd section(const Eigen::VectorXd& state) const;
   void set_section(Eigen::VectorXd& state, const Eigen::VectorXd& u) const;
   /// A state with the components u, the others 0.
@@ -90,13 +91,13 @@ class SectionMap {
   /// event's surface. Multipliers beyond it are 0.
   [[nodiscard]] Eigen::Index dimension(const Flow& flow);
 
-  [[nodiscard]] Eigen::VectorXd in_units(const Eigen::VectorXd& si) const { return si.cwiseQuotient(unit_); }
-  [[nodiscard]] std::vector<double> in_si(const Eigen::VectorXd& state) const;
-  [[nodiscard]] double time_unit() const { return time_unit_; }
+  [[nodiscard]] Eigen::VectorXd in_units(const Eigen::VectorXd& si) const { return scales_.in_units(si); }
+  [[nodiscard]] std::vector<double> in_si(const Eigen::VectorXd& state) const { return scales_.in_si(state); }
+  [[nodiscard]] double time_unit() const { return scales_.time_unit(); }
 
  private:
-  void compile();
-  void set_units();
+  /// 2n.
+  [[nodiscard]] Eigen::Index state_size() const { return scales_.units().size(); }
   [[nodiscard]] const std::vector<Watch>& watched();
   [[nodiscard]] Evaluation rates(std::span<const double> y, std::span<double> out);
   [[nodiscard]] Evaluation variational_rates(std::span<const double> y, std::span<double> out);
@@ -104,19 +105,16 @@ class SectionMap {
   [[nodiscard]] Eigen::VectorXd on_surface(Eigen::VectorXd after);
   [[nodiscard]] bool starts_validly(const Eigen::VectorXd& after);
   [[nodiscard]] RunRequest request(const Eigen::VectorXd& start, double rtol) const;
-  [[nodiscard]] EventFunction scaled(const Watch& watch) const;
   [[nodiscard]] bool add_surface(Flow& flow);
 
   const Dynamics& dynamics_;
-  std::vector<Eigen::Index> components_;  ///< of the state, those in u
+  std::shared_ptr<const ImpactFunctions> impact_;
   std::vector<double> parameters_;
   const CompiledFunction* accelerations_{};
   const CompiledFunction* jacobian_{};
-  std::shared_ptr<const CompiledFunction> impact_, surface_;
-  Workspace accelerations_workspace_, jacobian_workspace_, impact_workspace_, surface_workspace_;
+  Workspace accelerations_workspace_, jacobian_workspace_, jump_workspace_, surface_workspace_;
   std::vector<Watch> watches_;  ///< the impact is the last; empty until asked for
-  Eigen::VectorXd unit_;        ///< of each component of the state, SI
-  double time_unit_{1};
+  StateScales scales_;
   std::vector<double> si_, block_;  ///< scratch
 };
 
