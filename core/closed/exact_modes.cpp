@@ -27,7 +27,7 @@ std::vector<Interval> enclosed_state(const Modes& found) {
   return near;
 }
 
-/// What does not depend on the numbers, as far as signs and relations go.
+/// Formulas for all parameters that have the same signs and satisfy the same relations.
 struct Prepared {
   std::shared_ptr<Graph> graph;
   std::vector<Expression> x, momenta, place;
@@ -36,7 +36,7 @@ struct Prepared {
   ExactValues::Signs signs;  ///< of what the forms assume
 };
 
-/// Where the system rests, or what it keeps while it moves steadily.
+/// Where the system rests, or moves steadily with these momenta.
 struct SteadyPlace {
   std::vector<Interval> x;
   std::vector<Real> momenta;  ///< those that are not 0
@@ -62,7 +62,7 @@ void consider_by_place(const LinearMotions& motions, const ExactValues& values, 
   result.options = {*std::move(by_place)};
 }
 
-/// At a place that has formulas.
+/// Derives the options from a place that has formulas.
 void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues& values, Prepared& result) {
   const Model& model = values.model();
   const std::optional<LinearMotions> motions =
@@ -101,8 +101,8 @@ Prepared within_budget(const Make& make) {
   }
 }
 
-/// What formulas depend on: signs of the parameters, which are given, and in which eighth of a turn the place
-/// is.
+/// Names what formulas depend on: the signs of the parameters, which of them are given, and in which eighth
+/// of a turn the place is.
 std::string key_of(const Reals& parameters, const WrittenTexts& written, const Modes& found) {
   std::string key = "modes";
   for (const Real& p : found.momenta) key += p == Real(0) ? '0' : p.value < 0 ? '-' : '+';
@@ -125,7 +125,7 @@ ExactValues values_near(const Prepared& forms, const SteadyPlace& near, ExactVal
   return values;
 }
 
-/// The forms are those of these numbers, near x.
+/// Whether the forms have the signs of these numbers and give the place that was found.
 bool fits(const Prepared& forms, const SteadyPlace& near, const ExactValues& values) {
   const ExactValues here = values_near(forms, near, values);
   if (!here.gives(forms.signs)) return false;

@@ -18,7 +18,7 @@ namespace {
 
 using Forms = std::vector<std::optional<ClosedForm>>;
 
-/// Of the formulas that agree with a number, the shortest with its relations.
+/// Keeps the shortest of the formulas that agree with a number, and the relations that it uses.
 class Best {
  public:
   Best(const ExactValues& values, std::vector<Expression> allowed)
@@ -33,7 +33,7 @@ class Best {
     chosen_ = {e, relations};
   }
   [[nodiscard]] const std::optional<ClosedForm>& form() const { return form_; }
-  /// Where there is a form.
+  /// What was kept; only where there is a form.
   [[nodiscard]] const std::pair<Expression, Relations>& chosen() const { return chosen_; }
 
  private:
@@ -101,7 +101,7 @@ class SolutionForms {
     values_.set(symbol, value);
   }
 
-  /// Roots of one force that hold for other values of the parameters, too.
+  /// Formulas of roots of one force that are right for other values of the parameters, too.
   [[nodiscard]] std::vector<Expression> roots(const Relations& relations) const {
     std::vector<Expression> found;
     for (std::size_t k = 0; k < polynomial_.forces.size(); ++k) {
@@ -116,7 +116,7 @@ class SolutionForms {
     return found;
   }
 
-  /// K/M, where u has its value by the other numbers.
+  /// The square of the rate, K/M, with u replaced by its value in the other parameters.
   [[nodiscard]] std::optional<ClosedForm> square_of_rate(const Interval& number, const Expression& u,
                                                          const Relations& relations) const {
     const auto there = [&](const Expression& e) {
@@ -182,8 +182,8 @@ class CriticalForm {
   }
 
  private:
-  /// A fold, where force i gives the parameter by the place: it is left to solve for the place what that
-  /// makes of the others and of det K.
+  /// A fold where force i gives the parameter by the place. What is left is to find the place from the other
+  /// forces and from det K, with that parameter put in.
   [[nodiscard]] std::optional<PlaceProblem> fold_along(std::size_t i) const {
     const auto c = quadratic_in(motions_.forces[i], p_);
     if (!c || (!(*c)[1].is_zero() && !(*c)[2].is_zero())) return std::nullopt;
@@ -276,7 +276,8 @@ CriticalValue with_multipliers_of(const Dynamics& dynamics, const Reals& there, 
   return critical;
 }
 
-/// On a surface det K of (q, lambda) vanishes where that of the displacements on it does.
+/// The formula of a critical value. With constraints det K of (q, lambda) is used, which vanishes where that
+/// of the displacements on their surface does.
 std::optional<ClosedForm> critical_form(const Dynamics& dynamics, const Reals& there, const Reals& y,
                                         std::size_t index, const WrittenTexts& written,
                                         const CriticalValue& critical) {

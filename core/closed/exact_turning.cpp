@@ -24,7 +24,8 @@ class TurningForms {
     return equation_.by_constants ? forms_by_constants() : ExactTurningPoints{};
   }
 
-  /// By h and the momenta, or with the initial state put in where that is shorter. After forms().
+  /// The period by h and the momenta, or with the initial state put in where that is shorter. Needs forms()
+  /// first.
   [[nodiscard]] std::optional<ClosedForm> period() const {
     const bool returns =
         equation_.found.motion == MotionKind::libration || equation_.found.motion == MotionKind::rotation;

@@ -22,7 +22,7 @@ bool has_calls(const Expression& e) {
                              [&](NodeId id) { return std::holds_alternative<Call>(e.graph().node(id)); });
 }
 
-/// Its first component that is not 0 is 1.
+/// The shape with 1 as its first component that is not 0.
 std::vector<Surd> normalized(std::vector<Surd> shape) {
   const auto first = std::ranges::find_if_not(shape, [](const Surd& x) { return x.is_zero(); });
   if (first == shape.end()) return {};
@@ -160,7 +160,7 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
   return trial.passes();
 }
 
-/// Of det(K - lambda M) with what gyroscopic terms add to it.
+/// The terms of det(K - lambda M), and those that gyroscopic forces add to it.
 std::vector<Expression> ModeDerivation::characteristic_terms(std::size_t i, std::size_t j,
                                                              const Expression& lambda) const {
   const Matrix &m = motions_.mass, &d = motions_.damping, &k = motions_.stiffness;
@@ -182,7 +182,8 @@ std::optional<ClosedForm> ModeDerivation::scaled_lambda(const Surd& lambda) {
   return is_number(value) ? formula(value) : std::nullopt;
 }
 
-/// With the coordinates whose velocities follow, where no momentum holds them.
+/// The shape in all coordinates: those that are ignored follow by their velocities, where no momentum holds
+/// them.
 std::vector<Surd> ModeDerivation::whole_shape(const LinearMode& mode) const {
   if (mode.shape.empty()) return {};
   std::vector<Surd> shape(values_.model().scene.coordinates.size());
@@ -201,7 +202,7 @@ std::vector<Surd> ModeDerivation::whole_shape(const LinearMode& mode) const {
   return normalized(std::move(shape));
 }
 
-/// Angles as arcs; empty where coordinates have no common unit then.
+/// The shape with angles as arcs; empty where coordinates have no common unit even then.
 std::vector<Surd> ModeDerivation::scaled(std::vector<Surd> shape) const {
   std::vector<std::string> names;
   for (const Parameter& p : values_.model().scene.parameters) names.push_back(p.name);
@@ -216,7 +217,7 @@ std::vector<Surd> ModeDerivation::scaled(std::vector<Surd> shape) const {
   return normalized(std::move(shape));
 }
 
-/// All of them, or none.
+/// The closed forms of all components; none at all where one has none.
 std::vector<ClosedForm> ModeDerivation::closed_forms(const std::vector<Surd>& shape) {
   std::vector<ClosedForm> result;
   for (const Surd& component : shape) {

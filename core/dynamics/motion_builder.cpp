@@ -179,7 +179,7 @@ std::optional<std::vector<Expression>> MotionBuilder::split_reactions(const Expr
   return half;
 }
 
-/// q_j'' is known: the side takes its place among the unknowns.
+/// Puts the side in the place of q_j'' among the unknowns, for that acceleration is known.
 void MotionBuilder::eliminate(std::size_t j, const Expression& acceleration,
                               const std::vector<Expression>& half, const Expression& side) {
   for (std::size_t i = 0; i < matrix_.size(); ++i) {

@@ -35,7 +35,8 @@ VectorXd rounding(const Shooting& shooting, const VectorXd& u) {
   return epsilon * (inverse(shooting.derivative).cwiseAbs() * residual);
 }
 
-/// What the errors of (u, T) and the two computations' difference make of the state before the impact.
+/// The error of the state before the impact, from those of (u, T) and from the difference of two
+/// computations.
 VectorXd state_error(const PolishedGait& gait) {
   const Flow& flow = gait.flow;
   const double speed = flow.surface_slope.dot(flow.rate);
@@ -65,7 +66,8 @@ std::vector<Uncertain> in_si(const SectionMap& map, const VectorXd& state, const
   return result;
 }
 
-/// The components u are known better than what the motion carries there.
+/// The state before the impact. Its components u are known better by themselves than by the motion that leads
+/// there.
 std::vector<Uncertain> pre_impact(const SectionMap& map, const PolishedGait& gait) {
   VectorXd state = gait.flow.state, error = state_error(gait);
   map.set_section(state, gait.at.u);
@@ -152,7 +154,7 @@ std::optional<Gait> gait_near(SectionMap& map, const Dynamics& dynamics, std::sp
   return gait;
 }
 
-/// Components that are 0 have no size of their own.
+/// Whether two gaits are one, by their whole states: a component that is 0 has no size of its own.
 bool are_same(const Gait& known, const Gait& gait) {
   const std::vector<double> a = values_of(known.pre_impact), b = values_of(gait.pre_impact);
   const Eigen::Map<const VectorXd> there(a.data(), static_cast<Index>(a.size())),

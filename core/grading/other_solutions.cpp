@@ -50,7 +50,7 @@ class Line {
     return std::ranges::all_of(seen_, [](const Ball& c) { return c.is_finite(); });
   }
 
-  /// Of the last state.
+  /// What the last state shows of other solutions.
   [[nodiscard]] OtherSolutions others() const {
     std::size_t low = 0, high = seen_.size() - 1;
     while (low < seen_.size() && vanishes(low)) ++low;

@@ -60,7 +60,7 @@ class SlipSearch {
   }
 
  private:
-  /// A factor that is forgotten, or written once more.
+  /// Whether the factor is one that students forget or write twice.
   static bool is_plain(const Number& factor) { return factor == Number(2) || factor == Number::ratio(1, 2); }
 
   std::optional<FoundSlip> first_multiple() {
@@ -87,7 +87,8 @@ class SlipSearch {
 
   static Expression slope(const Expression& e, const Expression& x) { return differentiate(e, x); }
 
-  /// An acceleration that both equations speak of, else everything that changes, one they speak of first.
+  /// Compares by the slopes in an acceleration that both equations contain; if there is none, by those in
+  /// everything that changes, what both contain first.
   void compare_by_slopes() {
     const auto is_in_both = [&](const Expression& x) {
       return !slope(question_.submitted, x).is_zero() && !slope(question_.expected, x).is_zero();

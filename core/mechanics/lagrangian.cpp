@@ -27,7 +27,7 @@ class Energies {
     return graph().sum(terms);
   }
 
-  /// Weights, each spring, the extra potential: terms that are short each by itself.
+  /// V in parts that are short each by itself: the weights, every spring, the extra potential.
   [[nodiscard]] std::vector<Expression> potentials() const {
     std::vector<Expression> weights;
     for (const ParsedBody& body : scene_.bodies) weights.push_back(weight_of(body));

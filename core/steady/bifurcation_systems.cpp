@@ -87,7 +87,8 @@ class SystemsDerivation {
       by_those_left_.emplace_back(all_x_[forces_.unknowns[k]], left.values[k]);
   }
 
-  /// Of a family of equilibria. What one of its factors is itself is 0.
+  /// Adds the condition of growth for the equilibria at which these factors vanish; coordinates among them
+  /// are 0.
   void add_growth(std::vector<Expression> f) {
     if (!growth_.condition) return;
     std::vector<Replacement> zeros;
@@ -107,7 +108,7 @@ class SystemsDerivation {
     }
   }
 
-  /// No coordinate that is free stands in it.
+  /// Whether e depends on no coordinate that is free.
   [[nodiscard]] bool knows_all(const Expression& e) const {
     return std::ranges::none_of(forces_.free, [&](std::size_t j) { return depends_on(e, all_x_[j]); });
   }
@@ -143,7 +144,7 @@ class SystemsDerivation {
     result_.nested.push_back({compiled(nested), compiled(slopes)});
   }
 
-  /// Those that depend on x; what depends on p alone is kept apart.
+  /// The factors of g that depend on x. Those that depend on p alone are kept elsewhere.
   std::vector<Expression> factors_of(const Expression& g) {
     std::vector<NodeId> ids{g.id()};
     if (const auto* product = std::get_if<Product>(&g.node())) ids = product->factors;
@@ -165,7 +166,7 @@ class SystemsDerivation {
     return result;
   }
 
-  /// df/dx, or what stands for it of one unknown that is no angle.
+  /// df/dx, or for one unknown that is no angle a function with the same zeros and without p.
   Expression fold_of(const std::vector<Expression>& f, const Expression& slope) {
     if (f.size() != 1 || forces_.turns[result_.unknowns[0]] || !depends_on(slope, p_)) return slope;
     return fold_without_parameter(f[0], x_[0], p_, all_x_).value_or(slope);
@@ -200,7 +201,8 @@ class SystemsDerivation {
     }
   }
 
-  /// One factor of each force beside what is chosen of the force number `taken`; none taken: a fold.
+  /// Adds the systems in which one factor of each force vanishes beside those that are chosen already. The
+  /// force number `taken` has given two of them; where none has, the system is a fold.
   void combine(std::vector<Expression> chosen, std::size_t next, std::size_t taken) {
     if (next == factors_.size()) {
       if (taken != factors_.size()) return add(BifurcationSystem::Kind::meeting, chosen);

@@ -14,7 +14,7 @@
 namespace qdot {
 namespace {
 
-/// Of a value of the parameter, as a part of its range.
+/// How near two values of the parameter count as one, as a part of its range.
 constexpr double rounding_of_range = 1e-12;
 
 class CriticalSearch {
@@ -176,8 +176,8 @@ class CriticalSearch {
     return result;
   }
 
-  /// Where a force vanishes everywhere, equilibria are no points of a curve; where not all can be found,
-  /// there are no curves from there on.
+  /// The equilibria at p. There are none to show where a force vanishes everywhere, for then they are not
+  /// points of a curve; and where not all can be found, curves end.
   [[nodiscard]] std::vector<SteadyState> column(double p) {
     const auto is_there = [&](double value) {
       return std::abs(value - p) <= rounding_of_range * (to_ - from_);

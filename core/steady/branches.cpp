@@ -12,7 +12,8 @@ namespace {
 
 constexpr int columns_in_all = 80;
 constexpr int least_columns = 8;
-/// A critical point is the end of a curve whose last point is that near, for coordinates of size one.
+/// A curve ends at a critical point that is no farther than this from its last point, for coordinates of size
+/// one.
 constexpr double reach = 0.5;
 
 struct SampledState {
@@ -70,8 +71,8 @@ class Tracer {
     return std::sqrt(sum);
   }
 
-  /// From where the curve is heading; and where its stability would change, from where it was, too: a steep
-  /// curve may head for a place of another one.
+  /// How far a point is from where the curve is heading; if the stability would change there, how far from
+  /// its last point where that is more, since a steep curve may head for a point of another one.
   [[nodiscard]] double distance(const EquilibriumBranch& branch, const std::vector<double>& ahead,
                                 const SampledState& point) const {
     const double d = distance(ahead, point.x);
@@ -79,7 +80,7 @@ class Tracer {
     return changes ? std::max(d, distance(branch.x.back(), point.x)) : d;
   }
 
-  /// Where a curve is heading at p.
+  /// The place at p that a curve is heading for.
   [[nodiscard]] std::vector<double> extrapolated(const EquilibriumBranch& branch, double p) const {
     const std::size_t n = branch.parameter.size();
     std::vector<double> x = branch.x.back();

@@ -48,7 +48,7 @@ class SurfaceAnalysis {
   [[nodiscard]] std::vector<Ball> of(const CompiledFunction& function) const {
     return evaluated(function, constants_, place_.x);
   }
-  /// Without the multipliers.
+  /// The part of a function's matrix that belongs to the coordinates, without the multipliers.
   [[nodiscard]] SquareMatrix<Ball> matrix(const CompiledFunction& function) const {
     return square_matrix(of(function), n_, n_ + m_);
   }
@@ -142,7 +142,7 @@ class SurfaceAnalysis {
   Modes result_;
 };
 
-/// Of a state (q, q') near a steady motion, x = (q, lambda) to begin from.
+/// Where the search for a steady motion near the state y = (q, q') begins: x = (q, lambda).
 std::vector<double> guess_on_surface(const SurfaceStatics& whole, const Dynamics& dynamics,
                                      const Reals& parameters, std::vector<double> y) {
   const Reduction& reduction = whole.statics->reduction;

@@ -33,14 +33,16 @@ bool is_on_axis(const Eigenvalue& e) {
   return off_axis(e) * omega <= e.error + off_by_rounding * omega;
 }
 
-/// The pair nearest to the imaginary axis: the condition vanishes for real ones +-r, too.
+/// omega^2 of the pair of eigenvalues nearest to the imaginary axis; the condition vanishes for a real pair
+/// +-r, too.
 std::optional<Interval> square_by_eigenvalues(const SteadyStability& at) {
   if (at.eigenvalues.empty()) return std::nullopt;
   const auto nearest = std::ranges::min_element(at.eigenvalues, {}, off_axis);
   return is_on_axis(*nearest) ? square(Interval(nearest->s.imag())) : Interval(-1);
 }
 
-/// Of pairs that cross together: omega where all have that of the formula, which knows of one pair.
+/// Several pairs of eigenvalues cross the axis together. The formula knows one omega: it counts where all
+/// have it.
 struct CrossingTogether {
   bool is_known{}, oscillates{};
   std::optional<Interval> omega;

@@ -6,12 +6,13 @@
 namespace qdot {
 namespace {
 
-/// For several coordinates the search of (x, p) grows quickly; where it ends, the answer says so.
+/// The search in (x, p) grows quickly with the number of coordinates; where it is cut off, the answer says
+/// so.
 constexpr std::size_t most_boxes_of_zeros = 20'000;
-/// In instructions, so that long determinants leave the rest of the answer its part.
+/// In instructions: searches with long determinants have fewer boxes, so that work is left for the rest.
 constexpr std::size_t most_work_of_zeros = 2'000'000;
 
-/// Each box is looked at by its values and derivatives, again where it contracts.
+/// How many boxes that work pays for: each takes values and derivatives, and once more where it contracts.
 std::size_t affordable_boxes(const BifurcationSystem& system) {
   constexpr std::size_t looks = 4;
   const std::size_t cost =

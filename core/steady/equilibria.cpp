@@ -74,7 +74,7 @@ class RegionSearch {
     result_.reason += (result_.reason.empty() ? "" : " ") + reason;
   }
 
-  /// As many as unknowns.
+  /// Whether there are as many equations as unknowns.
   [[nodiscard]] bool has_equations() const {
     const auto fits = [&](const std::vector<std::size_t>& equations) {
       return equations.size() == forces().unknowns.size();
@@ -131,7 +131,7 @@ class RegionSearch {
     for (const IsolatedZero& zero : isolation.zeros) take(sides, zero);
   }
 
-  /// Where there are too many in the whole region, all of those in the middle.
+  /// All equilibria in the middle of the region, where there are too many in the whole of it.
   Isolation nearer(const Sides& sides, const Box& region, const std::vector<double>& scales,
                    Isolation whole) {
     Box middle = region;
@@ -190,7 +190,7 @@ class RegionSearch {
         "family, which is not listed. 'modes' has the small motions about one of them.");
   }
 
-  /// Some force has no zero, as one that depends on no coordinate.
+  /// Whether some force has no zero anywhere, as one that depends on no coordinate.
   [[nodiscard]] bool never_rests() const {
     Box x = given_place(), values(forces().rest.size());
     const Box region = search_region(dynamics_.model(), problem_);

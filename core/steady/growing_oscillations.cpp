@@ -10,7 +10,7 @@ namespace {
 
 using Powers = PowerCoefficients<Expression>;
 
-/// Without the roots s = 0 that it has in any case.
+/// The characteristic polynomial, divided by the powers of s that it has in any case.
 Powers characteristic(const Matrix& mass, const Matrix& rates, const Matrix& stiffness) {
   PolynomialRows<Expression> rows;
   for (std::size_t i = 0; i < mass.size(); ++i) {
@@ -25,7 +25,7 @@ Powers characteristic(const Matrix& mass, const Matrix& rates, const Matrix& sti
   return {first, all.end()};
 }
 
-/// Of b_0 + b_1 z + ..., of degree 2 or 3.
+/// The discriminant of b_0 + b_1 z + ..., a polynomial of degree 2 or 3.
 Expression discriminant(const Powers& b) {
   if (b.size() == 3) return b[1] * b[1] - Number(4) * b[0] * b[2];
   return b[2] * b[2] * b[1] * b[1] - Number(4) * b[3] * b[1] * b[1] * b[1] -

@@ -89,8 +89,8 @@ class PolynomialDerivation {
     return {e, first, second, simplify(differentiate(second, u_)).is_zero()};
   }
 
-  /// In lowest terms where sin^2 + cos^2 = 1 hides a common factor: momenta bring the inertia below the bar,
-  /// which cancels.
+  /// g in lowest terms, also where sin^2 + cos^2 = 1 hides a common factor, such as the inertia by which
+  /// momenta are divided.
   [[nodiscard]] Expression in_lowest_terms_of_angles(const Expression& g) {
     const RationalFunction f = rational_function(g);
     return to_expression(

@@ -7,8 +7,8 @@
 namespace qdot {
 namespace {
 
-/// L + sum of lambda phi, the multipliers coordinates of their own. The forces of constraints in the
-/// velocities stay forces.
+/// The model with L + sum of lambda phi, in which the multipliers are coordinates, too. Constraints in the
+/// velocities remain forces.
 std::shared_ptr<const Model> with_multipliers_as_coordinates(const Model& model) {
   auto result = std::make_shared<Model>(model);
   Lagrangian& own = result->lagrangian = copied(model.lagrangian);

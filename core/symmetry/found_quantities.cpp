@@ -31,7 +31,7 @@ std::string listed(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// Of every symbol in which scenes state units.
+/// The dimension of every symbol whose unit the scene states.
 SymbolDimensions dimensions(const Scene& scene, const Symbols& symbols) {
   SymbolDimensions result;
   const auto known = [](const std::string& unit) {
@@ -68,7 +68,7 @@ class Wording {
         bodies_(names_of(model.parsed)),
         dimensions_(dimensions(model.scene, lagrangian_.symbols)) {}
 
-  /// None where it says nothing about the motion.
+  /// What the symmetry keeps; none where it says nothing about the motion.
   std::optional<Kept> quantity(const Symmetry& symmetry) const {
     PointChange change = symmetry.change;
     if (changes_nothing(change)) return std::nullopt;  // a constraint, written once more
@@ -90,7 +90,7 @@ class Wording {
     return change.time.is_zero() && std::ranges::all_of(change.shift, &Expression::is_zero);
   }
 
-  /// As the constraints allow to write it, where that is shorter.
+  /// The value as the constraints allow it to be written, where that is shorter.
   [[nodiscard]] Expression on_constraints(const Expression& value) const {
     if (search_.on_constraints.empty()) return value;
     const Expression other =
@@ -120,7 +120,7 @@ class Wording {
     return written(has_time ? sum : -sum);
   }
 
-  /// What forces outside L do along the change; those that keep constraints do nothing.
+  /// Whether forces outside L do work along the change; those that keep constraints do none.
   [[nodiscard]] bool forces_work(const PointChange& change) const {
     std::vector<Expression> terms;
     for (std::size_t i = 0; i < change.shift.size(); ++i) {
@@ -167,7 +167,7 @@ class Wording {
     return {};
   }
 
-  /// By the coordinates that change.
+  /// Words for a change that is best told by the coordinates that it moves.
   [[nodiscard]] Words in_coordinates(const Symmetry& symmetry, const PointChange& change) const {
     constexpr std::size_t most_names = 4;
     std::vector<std::string> names, changes;
