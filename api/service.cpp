@@ -23,7 +23,7 @@ namespace qdot::api {
 namespace {
 
 constexpr std::string_view beyond_memory =
-    "The memory of this machine does not hold the answer. Ask for fewer rows at once, or by lines of a batch.";
+    "This machine has too little memory for the answer. Ask for fewer rows at once, or by lines of a batch.";
 
 /// The endpoint at its address and, for each media type that has a suffix, at the address with it.
 void add_endpoint(Routes& routes, const Endpoint& endpoint, const Handler& handler) {

@@ -237,7 +237,7 @@ const Table<Impact> impacts(
      value(
          "restitution", &Impact::restitution, ExpressionKind{},
          "what is left of the speed: the event's expression is a distance, and after the impact grows by this "
-         "part of the rate at which it fell. Nothing rubs"),
+         "part of the rate at which it fell. There is no friction"),
      value("contact_made", &Impact::contact_made, NameKind{},
            "the point that comes to rest at the impact, such as a foot"),
      value("contact_left", &Impact::contact_left, NameKind{},

@@ -27,14 +27,14 @@ class BoundedSteps {
 
   /// A step from t up to h whose defect is bounded by what is allowed; h itself where there is none.
   /// `series`: what was expanded last; `weights`: w_i. Where the last step had to be a little shorter than
-  /// wanted, this one is tried so.
+  /// wanted, this one is tried shortened as much.
   [[nodiscard]] Bound find(double t, double h, std::span<const double> series,
                            std::span<const double> weights);
 
   /// Adds what the step found last may hide to what has gone unseen.
   void add_unseen(double h, std::span<const double> series);
-  /// The last step ended at h already: the bound of a whole step may be ten thousand times that of a part.
-  /// Its series has been expanded again.
+  /// Bounds the last step again as one of length h, where it has ended: the bound of the whole step may be
+  /// ten thousand times as large. Its series has been expanded again.
   void shorten(double h, std::span<const double> series);
 
   [[nodiscard]] std::span<const double> defect() const { return defect_; }

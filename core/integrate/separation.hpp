@@ -6,10 +6,10 @@
 //
 //   e' = df/dy e + df/dp dp,   e(0) = dy,   e_i += d_k,i at the end of step k.
 //
-// It is followed beside the steps: f by a Taylor series from the place e away from the reference's own, less
-// the reference's, of as low an order as does. Where it is as large as the motion it grows no more. Of the
-// d_k only the sizes are known: whoever adds them chooses signs. Each e_i is in the unit of y_i. Source of
-// the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14
+// It is followed beside the steps: by the Taylor series from the place that is e away from the reference's
+// own, less the reference's, of as low an order as does. Where e is as large as the motion it grows no more.
+// Of the d_k only the sizes are known: whoever adds them chooses signs. Each e_i is in the unit of y_i.
+// Source of the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14
 // (differentiability with respect to initial values and parameters).
 
 #include <span>

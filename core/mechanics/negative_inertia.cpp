@@ -81,7 +81,7 @@ std::vector<Diagnostic> negative_inertia(const Scene& scene, const ParsedScene& 
     if (is_negative(ranges, body.mass)) {
       masses.push_back(
           {place + "/mass", "domain",
-           "A mass is above zero. Below zero is only that of a hole, in a body that outweighs it."});
+           "A mass must be above zero. Only that of a hole is below zero, in a body that outweighs it."});
     } else if (has_negative_moment(ranges, body)) {
       moments.push_back({place, "domain", "A moment of inertia is not below zero."});
     }

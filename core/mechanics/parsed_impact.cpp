@@ -48,10 +48,11 @@ class ImpactParser {
   void check_distance(const Expression& distance) {
     if (depends_on(distance, symbols_.coordinates.rate) ||
         !depends_on(distance, symbols_.coordinates.value)) {
-      complain("/restitution", "not_applicable",
-               "The expression of '" + impact_.event +
-                   "' is to be a distance, of the coordinates and without velocities: its slope is the "
-                   "direction of the impulse.");
+      complain(
+          "/restitution", "not_applicable",
+          "The expression of '" + impact_.event +
+              "' must be a distance, an expression of the coordinates without velocities: its slope is the "
+              "direction of the impulse.");
     }
   }
 
@@ -86,7 +87,7 @@ class ImpactParser {
     for (const Expression& component : contact.left) {
       if (!depends_on(component, symbols_.coordinates.value) && !depends_on(component, symbols_.t)) continue;
       complain("/contact_left", "not_applicable",
-               "'" + impact_.contact_left + "' moves: the contact that is left is to rest until then.");
+               "'" + impact_.contact_left + "' moves: the contact that is left must rest until then.");
       return;
     }
   }

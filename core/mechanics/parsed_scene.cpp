@@ -168,7 +168,7 @@ class SceneParser {
       text_.complain(place, "not_linear",
                      "A constraint is linear in the velocities, a(q,t)*q_dot + b(q,t), or has none.");
     } else if (holonomic && !depends_on(e, parsed_.symbols.coordinates.value)) {
-      text_.complain(place, "no_coordinate", "This constraint speaks of no coordinate and no velocity.");
+      text_.complain(place, "no_coordinate", "This constraint contains no coordinate and no velocity.");
     }
     if (has_kinks(e)) {
       text_.complain(place, "not_applicable",

@@ -189,7 +189,7 @@ class CriticalSearch {
       return std::move(found.states);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::too_large) throw;
-      end_branches(p, "as to follow them further would cost more than one answer may.");
+      end_branches(p, "since to follow them further would cost more than one answer may.");
       return {};
     }
   }

@@ -206,7 +206,7 @@ class RegionSearch {
     }
     incomplete(forces().unknowns.size() < forces().equations.size()
                    ? "More forces have to vanish than there are coordinates that they depend on: in general "
-                     "no position does it."
+                     "no position makes all of them vanish."
                    : "The forces leave a whole family of positions in equilibrium, which is not listed.");
   }
 

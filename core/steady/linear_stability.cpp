@@ -110,7 +110,7 @@ constexpr const char* no_potential =
 
 constexpr const char* no_inertia =
     "The mass matrix has no inverse here, as where a coordinate fails: no acceleration follows from the "
-    "equations, and whether anything can rest here they do not tell.";
+    "equations, and they do not tell whether anything can rest here.";
 
 /// M and K positive definite, g = dU/dx: the energy 1/2 x'.M x' + U has a minimum at rest, and falls.
 bool loses_energy(const LinearizedForces& at) {

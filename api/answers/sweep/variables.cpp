@@ -238,7 +238,7 @@ std::vector<GivenVariable> given_variables(const SweepRequest& request, const Pl
     if (name != "count")
       report(errors, whole.below(name).error("unused", "'" + name +
                                                            "' stands beside the name of one variable; "
-                                                           "here it belongs into 'vary'."));
+                                                           "here it belongs in 'vary'."));
   }
   if (request.vary.size() > limits::sweep_variables) {
     report(errors, vary.error("too_many", "At most " + std::to_string(limits::sweep_variables) +
