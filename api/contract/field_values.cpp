@@ -1,12 +1,12 @@
 #include "api/contract/field_values.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "api/contract/domain_text.hpp"
+#include "api/contract/meant_option.hpp"
 #include "api/contract/names.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
@@ -199,83 +199,6 @@ std::optional<Json> read_value(const TextKind& kind, const std::string& name, co
 }
 
 namespace {
-
-/// Other programs' words, and the words of ours that may be meant.
-constexpr auto foreign_choices = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"tex", "latex"},
-    {"python", "sympy"},
-    {"py", "sympy"},
-    {"html", "mathml"},
-    {"plain", "text"},
-    {"ascii", "text"},
-    {"quad", "extended"},
-    {"high", "accurate"},
-    {"rk45", "erk"},
-    {"rk4", "erk"},
-    {"dop853", "erk"},
-    {"lsoda", "auto"},
-    {"radau", "bdf"},
-    {"symplectic", "gauss"},
-    {"e", "energy"},
-    {"h", "energy"},
-    {"total_energy", "energy"},
-    {"kinetic", "T"},
-    {"kinetic_energy", "T"},
-    {"potential", "V"},
-    {"potential_energy", "V"},
-    {"momentum", "momenta"},
-    {"xy", "positions"},
-    {"points", "positions"},
-    {"tension", "validity"},
-    {"tsv", "csv"},
-    {"excel", "csv"},
-    {"jsonl", "ndjson"},
-    {"hoop", "ring"},
-    {"disc", "disk"},
-    {"wheel", "disk"},
-    {"coin", "disk"},
-    {"ball", "sphere"},
-    {"bar", "rod"},
-    {"beam", "rod"},
-    {"stick", "rod"},
-    {"plate", "box"},
-    {"block", "box"},
-    {"cube", "box"},
-    {"cuboid", "box"},
-    {"point", "particle"},
-    {"point_mass", "particle"},
-    {"mass", "particle"},
-    {"bead", "particle"},
-    {"bob", "particle"},
-});
-
-/// The option that a word means, by its spelling or by what others call it; empty: none.
-std::string meant_option(const std::string& word, const std::vector<std::string>& options) {
-  const auto offered = [&](std::string_view option) {
-    return std::ranges::find(options, option) != options.end() ? std::string(option) : std::string();
-  };
-  if (word.ends_with("_ddot")) return offered("accelerations");
-  if (word.starts_with("p_")) return offered("momenta");
-  const std::string plain = lower_case(word);
-  for (const auto& [foreign, ours] : foreign_choices) {
-    if (foreign == plain && !offered(ours).empty()) return std::string(ours);
-  }
-  return closest(word, options);
-}
-
-/// "energy;momenta" as "energy,momenta"; empty where that is no list of options.
-std::string with_commas(std::string_view words, const std::vector<std::string>& options) {
-  std::string list;
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find_first_of(" ;|+"), words.size());
-    const std::string word(words.substr(0, end));
-    words.remove_prefix(std::min(end + 1, words.size()));
-    if (word.empty()) continue;
-    if (std::ranges::find(options, word) == options.end()) return {};
-    list += (list.empty() ? "" : ",") + word;
-  }
-  return list;
-}
 
 /// The number in a choice's place, "accuracy": 1e-9.
 std::optional<double> number_in(const Json& value) {
