@@ -42,7 +42,7 @@ TEST(JsonSlips, NamesSignsThatLookLikeOthers) {
   expect_named(
       "{\"a\":\xC2\xA0"
       "1}",
-      "no ordinary one");
+      "not an ordinary space");
   expect_named("[\"a\tb\"]", "\\t");
   expect_named("[object Object]", "JSON.stringify");
 }
