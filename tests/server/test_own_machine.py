@@ -53,7 +53,7 @@ class OwnMachine(unittest.TestCase):
                                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (gibibyte, gibibyte)))
                 problem = json.loads(ended.stderr)
                 self.assertEqual((ended.returncode, problem["status"]), (INVALID, 422))
-                self.assertIn("memory of this machine", problem["detail"])
+                self.assertIn("too little memory", problem["detail"])
 
 
 class Ending(unittest.TestCase):
