@@ -91,7 +91,7 @@ class SlipFinder {
     if (begins_with_one_of(rest(), quotes_of_typographers))
       return say("JSON has straight double quotes, \", around its strings, not typographic ones.");
     if (begins_with_one_of(rest(), blanks_of_others))
-      return say("This is not an ordinary space but one that web pages use: type it again.");
+      return say("This blank is not an ordinary space but one that web pages use: type it again.");
     if (begins_with_one_of(rest(), dashes)) return say("A minus is the sign -, not a dash.");
     if (c == '`') return say("JSON has double quotes around its strings, not `.");
     switch (next_) {
