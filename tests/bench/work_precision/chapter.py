@@ -28,10 +28,6 @@ def is_compiled(method, _):
     return method.startswith(("boost", "gsl"))
 
 
-def is_scipy(method, _):
-    return method.startswith("scipy")
-
-
 def is_ours(method, _):
     return method in points.OWN
 
