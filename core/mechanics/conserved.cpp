@@ -47,6 +47,22 @@ std::optional<ConservedQuantity> energy_beside_a_derivative(const Lagrangian& la
       "contain the time, so h = sum of p q_dot - L of what is left is constant."};
 }
 
+/// Lagrange's equations of dL/dt vanish: the time is in L by the total derivative of some F(q, t) alone, and
+/// no equation contains it.
+bool time_changes_no_motion(const Lagrangian& lagrangian) {
+  const Symbols& symbols = lagrangian.symbols;
+  const Symbols::Varying& q = symbols.coordinates;
+  if (!symbols.inputs.value.empty()) return false;
+  const Expression change = differentiate(lagrangian.lagrangian, symbols.t);
+  const std::vector<Replacement> along = symbols.rates();
+  for (std::size_t i = 0; i < q.value.size(); ++i) {
+    const Expression momentum = differentiate(change, q.rate[i]);
+    if (!simplify(total_derivative(momentum, along) - differentiate(change, q.value[i])).is_zero())
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian, const Scene& scene) {
@@ -83,6 +99,13 @@ std::string why_energy_changes(const Lagrangian& lagrangian) {
                : "Forces outside the Lagrangian, or a constraint that moves, do work.";
   }
   if (depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
+    if (time_changes_no_motion(lagrangian)) {
+      return lagrangian.kinetic_energy
+                 ? "T + V contains the time, but no equation of motion does: in the Lagrangian it is part of a "
+                   "total derivative. What stays constant in its place is h of what is left without that."
+                 : "The scene gives only its Lagrangian, so T and V are not known apart. The time is in it by a "
+                   "total derivative only, which changes no motion: h of what is left without that is constant.";
+    }
     return "The Lagrangian contains the time explicitly: what moves the system from outside does work.";
   }
   if (!lagrangian.kinetic_energy)
