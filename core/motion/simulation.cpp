@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/dynamics/missing_values.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/motion/apart_along.hpp"
@@ -36,6 +37,7 @@ class Simulator {
   }
 
   Simulation run() {
+    refuse_missing_values(dynamics_.model(), request_.parameters, request_.t_start, request_.y_start);
     check_configuration(sections_.watches(), start());
     if (!stopped_at_start()) {
       std::size_t impacts = 0;

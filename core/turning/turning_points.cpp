@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/error.hpp"
+#include "core/dynamics/missing_values.hpp"
 #include "core/expr/full_turn.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/turning/energy_problem.hpp"
@@ -251,6 +252,7 @@ class Question {
 
 TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters, const Reals& y0,
                              const BesideExtrema& beside) {
+  refuse_missing_values(dynamics.model(), parameters, 0, y0);
   const EnergyProblem problem = energy_problem(dynamics, parameters, y0);
   return Question(dynamics, problem, parameters, y0, beside).answer();
 }
