@@ -20,6 +20,10 @@ constexpr std::size_t most_impacts = 10'000;
 constexpr const char* accumulation =
     "The impacts follow each other faster and faster, and accumulate at this time.";
 
+constexpr const char* contact =
+    "After this impact the bodies stay in contact, pressed together. The scene says nothing of motions in contact, so "
+    "this one ends here.";
+
 class Simulator {
  public:
   Simulator(const Dynamics& dynamics, const SimulationRequest& request)
@@ -215,7 +219,8 @@ class Simulator {
     }
     if (const auto rest = impacts_.rest(result_.sections, passed)) {
       result_.t += rest->time;
-      result_.stop = Stop{impacts_accumulate, result_.t, accumulation, rest->doubt};
+      result_.stop =
+          Stop{impacts_accumulate, result_.t, rest->in_contact ? contact : accumulation, rest->doubt};
       return false;
     }
     if (!keeps_constraints(dynamics_, request_, result_.t, result_.y, passed.after))
