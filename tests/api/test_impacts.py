@@ -48,6 +48,14 @@ class Restitution(Service):
         bouncing = self.ask("simulate", {"system": BALL, "parameters": {"e": 0.01}, "t_end": 10, "samples": 11})
         self.assertIn("faster and faster", bouncing["stop"]["message"])
 
+    def test_what_is_kept_is_kept_between_impacts(self):
+        free = BALL | {"gravity": [0, 0]}
+        for scene in (BALL, free):
+            for one in self.ask("equations", {"system": scene})["conserved"]:
+                self.assertIn("constant between impacts", one["why"])
+        for one in self.ask("equations", {"system": {name: free[name] for name in free if name != "impact"}})["conserved"]:
+            self.assertNotIn("impact", one["why"])
+
     def after(self, scene, state):
         """Velocities just after an impact at which the state is."""
         answer = self.ask("simulate", {"system": scene, "initial": state, "t_end": 1e-9, "times": [1e-9], "events": [
