@@ -6,9 +6,9 @@
 namespace qdot {
 namespace {
 
-constexpr double short_flight = 1e-2;    ///< of the longest
+constexpr double short_flight = 1e-2;      ///< of the longest
 constexpr double moment_of_flight = 1e-6;  ///< in which a speed is measured
-constexpr double no_speed = 1e-5;        ///< of that before an impact
+constexpr double no_speed = 1e-5;          ///< of that before an impact
 
 }  // namespace
 
