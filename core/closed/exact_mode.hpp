@@ -15,6 +15,7 @@ struct ExactMode {
   std::optional<ClosedForm> period;   ///< of an oscillation
   std::optional<ClosedForm> lambda;   ///< lambda times the square of the scene's unit of time, where a number
   std::vector<ClosedForm> shape, scaled_shape;  ///< of all coordinates, or empty
+  std::optional<ClosedForm> damping{};          ///< the rate at which an oscillation decays or grows
 };
 
 }  // namespace qdot

@@ -8,6 +8,7 @@
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/allowed_motions.hpp"
+#include "core/closed/damped_mode.hpp"
 #include "core/closed/mode_options.hpp"
 #include "core/closed/place_search.hpp"
 #include "core/closed/steady_modes.hpp"
@@ -33,7 +34,8 @@ struct Prepared {
   std::vector<Expression> x, momenta, place;
   std::vector<ModeForms> options;
   std::vector<std::optional<ClosedForm>> state;
-  ExactValues::Signs signs;  ///< of what the forms assume
+  std::optional<DampedForms> damped;  ///< of one coordinate
+  ExactValues::Signs signs;           ///< of what the forms assume
 };
 
 /// Where the system rests, or moves steadily with these momenta.
@@ -70,6 +72,7 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
   if (!motions) return;
   result.place = place.x();
   result.options = mode_options(*motions, place, values);
+  result.damped = damped_forms(*motions, place, values);
   for (std::size_t k = 0; k < all.moving.size(); ++k) {
     auto& state = result.state[all.moving[k]];
     state = closed_form(values, place.x()[k], {}, all.momenta);
@@ -79,7 +82,7 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
 
 Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlace& near,
                   const Reals& parameters, const WrittenTexts& written) {
-  Prepared result{all.graph, all.x, all.momenta, {}, {}, {}, {}};
+  Prepared result{all.graph, all.x, all.momenta, {}, {}, {}, {}, {}};
   result.state.resize(model.scene.coordinates.size());
   ExactValues values(model, all.graph, written, parameters);
   set_momenta(values, all.momenta, near);
@@ -150,6 +153,8 @@ ExactModes chosen(const Prepared& forms, const SteadyPlace& near, const ExactVal
   if (is_empty(forms) || !fits(forms, near, values)) return result;
   const ExactValues here = values_near(forms, near, values);
   result.state = forms.state;
+  if (forms.damped && found.modes.size() == 1 && agrees(*forms.damped, found.modes[0], here))
+    result.modes[0] = forms.damped->form;
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
     const ModeForms* option = option_of_mode(forms.options, found.modes[i], here);
     if (option == nullptr) continue;
@@ -203,7 +208,7 @@ ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const 
     return forms_within_constraints(dynamics, parameters, written, found);
   const auto statics = dynamics.statics(parameters);
   const std::vector<std::size_t>& kept = statics->reduction.kept;
-  if (kept.size() > most_coordinates || !found.damping.empty()) return no_forms(found);
+  if (kept.size() > most_coordinates || (kept.size() > 1 && !found.damping.empty())) return no_forms(found);
   const SteadyPlace near = steady_place(found, kept);
   const ExactValues values(dynamics.model(), parameters);
   const auto make = [&](const Statics& from) {

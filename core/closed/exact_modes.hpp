@@ -4,8 +4,9 @@
 //
 //   (M11 M22 - M12 M21) lambda^2 - (M11 K22 + M22 K11 - M12 K21 - M21 K12) lambda + K11 K22 - K12 K21 = 0.
 //
-// Without damping and gyroscopic terms (Goldstein, Classical Mechanics, 3rd ed., 6.2). Every formula is held
-// against the enclosed number, and the equations themselves at other values of the parameters.
+// Without damping (Goldstein, Classical Mechanics, 3rd ed., 6.2); of one coordinate with it
+// (damped_mode.hpp). Every formula is held against the enclosed number, and the equations themselves at other
+// values of the parameters.
 
 #include "core/closed/exact_mode.hpp"
 #include "core/dynamics/dynamics.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/closed/equal_parts.hpp"
+#include "core/closed/joined_numbers.hpp"
 
 namespace qdot {
 namespace {
@@ -168,6 +169,8 @@ std::vector<LinearMode> modes_at(const LinearMotions& motions, const ExactPlace&
   for (const std::vector<std::size_t>& group : coupled_groups(parts.matrices)) {
     for (LinearMode& mode : modes_of(parts.matrices, group)) {
       mode.shape = in_given_coordinates(parts.basis, mode.shape);
+      mode.lambda = joined_numbers(*motions.graph, mode.lambda);
+      for (Surd& component : mode.shape) component = joined_numbers(*motions.graph, component);
       found.push_back(std::move(mode));
     }
   }

@@ -32,7 +32,8 @@ bool is_energy(const Lagrangian& lagrangian) {
 }
 
 /// h of what is left of L without a total derivative, where only that contains the time.
-std::optional<ConservedQuantity> energy_beside_a_derivative(const Lagrangian& lagrangian) {
+std::optional<ConservedQuantity> energy_beside_a_derivative(const Lagrangian& lagrangian,
+                                                            const std::string& until) {
   const Symbols& symbols = lagrangian.symbols;
   const Symbols::Varying& q = symbols.coordinates;
   if (has_forces(lagrangian)) return std::nullopt;
@@ -44,34 +45,55 @@ std::optional<ConservedQuantity> energy_beside_a_derivative(const Lagrangian& la
   return ConservedQuantity{
       "h", "J", jacobi_integral(own),
       "But for the total derivative of a function of the coordinates and the time, the Lagrangian does not "
-      "contain the time, so h = sum of p q_dot - L of what is left is constant."};
+      "contain the time, so h = sum of p q_dot - L of what is left is constant" +
+          until};
+}
+
+/// Lagrange's equations of dL/dt vanish: the time is in L by the total derivative of some F(q, t) alone, and
+/// no equation contains it.
+bool time_changes_no_motion(const Lagrangian& lagrangian) {
+  const Symbols& symbols = lagrangian.symbols;
+  const Symbols::Varying& q = symbols.coordinates;
+  if (!symbols.inputs.value.empty()) return false;
+  const Expression change = differentiate(lagrangian.lagrangian, symbols.t);
+  const std::vector<Replacement> along = symbols.rates();
+  for (std::size_t i = 0; i < q.value.size(); ++i) {
+    const Expression momentum = differentiate(change, q.rate[i]);
+    if (!simplify(total_derivative(momentum, along) - differentiate(change, q.value[i])).is_zero())
+      return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian, const Scene& scene) {
+  const bool has_impacts = scene.has_impacts();
+  const std::string until = has_impacts ? " between impacts." : ".";
   std::vector<ConservedQuantity> found;
   if (!has_forces(lagrangian) && !depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
     if (is_energy(lagrangian)) {
       found.push_back(
           {"energy", "J", jacobi_integral(lagrangian),
            "The Lagrangian does not contain the time and T is quadratic in the velocities, so the Jacobi "
-           "integral is the energy T + V."});
+           "integral is the energy T + V" +
+               std::string(has_impacts ? ", constant between impacts." : ".")});
     } else {
       found.push_back(
           {"h", "J", jacobi_integral(lagrangian),
            "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L is "
-           "constant."});
+           "constant" +
+               until});
     }
   }
-  if (auto h = energy_beside_a_derivative(lagrangian)) found.push_back(*std::move(h));
+  if (auto h = energy_beside_a_derivative(lagrangian, until)) found.push_back(*std::move(h));
   const std::vector<Expression> momenta = conjugate_momenta(lagrangian);
   for (const std::size_t i : ignorable_coordinates(lagrangian)) {
     if (momenta[i].is_zero()) continue;  // a massless foot has none to keep
     const std::string q = name_of(lagrangian.symbols.coordinates.value[i]);
     found.push_back(
         {"p_" + q, momentum_unit(scene, i), momenta[i],
-         q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant."});
+         q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant" + until});
   }
   return found;
 }
@@ -83,6 +105,13 @@ std::string why_energy_changes(const Lagrangian& lagrangian) {
                : "Forces outside the Lagrangian, or a constraint that moves, do work.";
   }
   if (depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
+    if (time_changes_no_motion(lagrangian)) {
+      return lagrangian.kinetic_energy
+                 ? "T + V contains the time, but no equation of motion does: in the Lagrangian it is part of a "
+                   "total derivative. What stays constant in its place is h of what is left without that."
+                 : "The scene gives only its Lagrangian, so T and V are not known apart. The time is in it by a "
+                   "total derivative only, which changes no motion: h of what is left without that is constant.";
+    }
     return "The Lagrangian contains the time explicitly: what moves the system from outside does work.";
   }
   if (!lagrangian.kinetic_energy)

@@ -107,6 +107,7 @@ std::shared_ptr<const Model> build_model(const Scene& scene) {
   for (const ParsedCondition& report : model->parsed.reports) {
     model->reports.push_back(quantity_of(model->lagrangian, report));
   }
+  model->partial = partial_quantities(model->parsed, model->lagrangian);
   model->lagrangian.graph->forget_brackets();  // a model lives long, and asks little of them
   return model;
 }

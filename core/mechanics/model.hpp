@@ -14,6 +14,7 @@
 #include "core/mechanics/equations_of_motion.hpp"
 #include "core/mechanics/lagrangian.hpp"
 #include "core/mechanics/parsed_scene.hpp"
+#include "core/mechanics/partial_quantities.hpp"
 
 namespace qdot {
 
@@ -40,6 +41,7 @@ struct Model {
   Expression jacobi;                      ///< h = sum p_i q_i' - L [J]
   std::vector<Expression> validity;       ///< the quantities of Scene::valid_while; may contain q''
   std::vector<Expression> reports;        ///< those of Scene::reports
+  std::vector<PartialQuantity> partial;   ///< what has values in some places only
 
   [[nodiscard]] std::size_t degrees_of_freedom() const { return scene.coordinates.size(); }
   [[nodiscard]] bool has_constraints() const { return !scene.constraints.empty(); }

@@ -66,7 +66,7 @@ std::optional<RestOfImpacts> rest_of_series(const Rounds& rounds) {
   }
   if (!(most < 1) || most - least > similar * (1 - most)) return std::nullopt;
   const double last = rounds.duration(0) / (1 - most);
-  return RestOfImpacts{most * last, doubt_of_rest * last};
+  return RestOfImpacts{most * last, doubt_of_rest * last, false};
 }
 
 /// What the last series before flights by chance has left, from the last of these on.
@@ -77,7 +77,7 @@ std::optional<RestOfImpacts> rest_before_chance(std::span<const SectionRecord> s
     const auto rest = rest_of_series(Rounds(before, length));
     if (!rest) continue;
     const double left = before.back().t + rest->time - now;
-    return RestOfImpacts{std::max(0.0, left), rest->doubt + std::max(0.0, -left)};
+    return RestOfImpacts{std::max(0.0, left), rest->doubt + std::max(0.0, -left), false};
   }
   return std::nullopt;
 }
@@ -90,7 +90,7 @@ std::optional<RestOfImpacts> rest_of_impacts(std::span<const SectionRecord> sect
     const Rounds rounds(sections, length);
     if (!rounds.repeat(2)) continue;
     if (rounds.duration(0) <= no_time * time_round_off(sections.back().t))
-      return RestOfImpacts{0, doubt_of_lost(sections, lowest_flight)};
+      return RestOfImpacts{0, doubt_of_lost(sections, lowest_flight), false};
     const auto rest = rest_of_series(rounds);
     if (rest && rest->time <= negligible * span) return rest;
     if (rest || rounds.duration(0) > nearly_lowest * lowest_flight) continue;

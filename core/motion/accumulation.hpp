@@ -15,8 +15,9 @@ namespace qdot {
 inline constexpr const char* impacts_accumulate = "impacts_accumulate";
 
 struct RestOfImpacts {
-  double time{};   ///< that all further impacts take together, from the last one on
-  double doubt{};  ///< an estimate of what that may be off, the errors of the impacts apart
+  double time{};      ///< that all further impacts take together, from the last one on
+  double doubt{};     ///< an estimate of what that may be off, the errors of the impacts apart
+  bool in_contact{};  ///< none follows: what the last one brought together stays so
 };
 
 /// Once that is of no account beside the span of the motion, or once flights are about as short as

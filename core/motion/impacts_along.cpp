@@ -1,11 +1,14 @@
 #include "core/motion/impacts_along.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace qdot {
 namespace {
 
-constexpr double short_flight = 1e-2;  ///< of the longest
+constexpr double short_flight = 1e-2;      ///< of the longest
+constexpr double moment_of_flight = 1e-6;  ///< in which a speed is measured
+constexpr double no_speed = 1e-5;          ///< of that before an impact
 
 }  // namespace
 
@@ -30,8 +33,28 @@ std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> s
                                                 const InstantImpacts::Passed& passed) {
   if (sections[longest_].duration < sections.back().duration) longest_ = sections.size() - 1;
   const double lowest = lowest_flight(passed.all.front().impact, sections);
-  if (!passed.is_over) return RestOfImpacts{0, doubt_of_lost(sections, lowest)};
-  return rest_of_impacts(sections, request_.t_end - request_.t_start, lowest);
+  if (!passed.is_over) return RestOfImpacts{0, doubt_of_lost(sections, lowest), false};
+  const double span = request_.t_end - request_.t_start;
+  std::optional<RestOfImpacts> rest = rest_of_impacts(sections, span, lowest);
+  if (rest && rest->time == 0 && leaves_contact(passed.all.front().impact, sections))
+    return RestOfImpacts{0, 0, true};
+  return rest;
+}
+
+/// Whether the last impact after a flight took all speed from the distance, or there was none.
+bool ImpactsAlong::leaves_contact(std::size_t impact, std::span<const SectionRecord> sections) const {
+  const double span = request_.t_end - request_.t_start;
+  std::size_t last = sections.size() - 1;
+  while (last > 0 && !(sections[last].duration > short_flight * sections[longest_].duration)) --last;
+  const SectionRecord& hit = sections[last];
+  const double tau = moment_of_flight * (hit.duration > 0 ? hit.duration : span);
+  const auto rate = [&](std::vector<double> y) {
+    const double now = watches()[impact].value(hit.t, y);
+    const std::size_t n = y.size() / 2;
+    for (std::size_t i = 0; i < n; ++i) y[i] += tau * y[n + i];
+    return std::abs(watches()[impact].value(hit.t + tau, y) - now);
+  };
+  return rate(hit.after) <= no_speed * rate(hit.before);
 }
 
 /// How short a flight may be before the distance is rounded as much as it is high.

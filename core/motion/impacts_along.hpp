@@ -40,6 +40,7 @@ class ImpactsAlong {
   [[nodiscard]] std::span<const Watch> watches() const;
 
  private:
+  [[nodiscard]] bool leaves_contact(std::size_t impact, std::span<const SectionRecord> sections) const;
   [[nodiscard]] double lowest_flight(std::size_t impact, std::span<const SectionRecord> sections) const;
 
   const Dynamics& dynamics_;

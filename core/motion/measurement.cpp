@@ -15,7 +15,8 @@ namespace qdot {
 namespace {
 
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
-constexpr double much_larger = 10;  ///< errors than without ways that the motion may have gone as well
+constexpr double unmeasurable = 1e-200;  ///< is no error of a column that is 0 all along: room for underflow
+constexpr double much_larger = 10;       ///< errors than without ways that the motion may have gone as well
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 /// Over more or fewer kinks or impacts, or others.
@@ -204,8 +205,9 @@ RowComparison Measurement::with_other_ways(const RowComparison& without, std::ve
 /// The error wanted of each column.
 std::vector<double> Measurement::wanted() const {
   std::vector<double> wanted = largest_magnitudes(motion(), Rows::wanted);
+  const bool is_relative = goal_.kind == AccuracyGoal::Kind::relative;
   for (double& error : wanted)
-    error = goal_.value * (goal_.kind == AccuracyGoal::Kind::relative ? error : 1.0);
+    error = !is_relative ? goal_.value : error > 0 ? goal_.value * error : unmeasurable;
   return wanted;
 }
 

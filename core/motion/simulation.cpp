@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/dynamics/missing_values.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/motion/apart_along.hpp"
@@ -18,6 +19,10 @@ namespace {
 constexpr std::size_t most_impacts = 10'000;
 constexpr const char* accumulation =
     "The impacts follow each other faster and faster, and accumulate at this time.";
+
+constexpr const char* contact =
+    "After this impact the bodies stay in contact, pressed together. The scene says nothing of motions in contact, so "
+    "this one ends here.";
 
 class Simulator {
  public:
@@ -36,6 +41,7 @@ class Simulator {
   }
 
   Simulation run() {
+    refuse_missing_values(dynamics_.model(), request_.parameters, request_.t_start, request_.y_start);
     check_configuration(sections_.watches(), start());
     if (!stopped_at_start()) {
       std::size_t impacts = 0;
@@ -213,7 +219,8 @@ class Simulator {
     }
     if (const auto rest = impacts_.rest(result_.sections, passed)) {
       result_.t += rest->time;
-      result_.stop = Stop{impacts_accumulate, result_.t, accumulation, rest->doubt};
+      result_.stop =
+          Stop{impacts_accumulate, result_.t, rest->in_contact ? contact : accumulation, rest->doubt};
       return false;
     }
     if (!keeps_constraints(dynamics_, request_, result_.t, result_.y, passed.after))

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/dynamics/missing_values.hpp"
 #include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/critical_sentences.hpp"
@@ -34,7 +35,11 @@ class CriticalSearch {
     const std::string& name = dynamics_.model().scene.parameters[index_].name;
     if (!std::ranges::all_of(all_.charts(), has_points)) {
       result_.reason =
-          "The equilibria of this system are not isolated points, so none of them can appear or vanish.";
+          std::ranges::any_of(all_.charts(), has_too_many_forces)
+              ? "More forces have to vanish than there are coordinates that they depend on: in general "
+                "no position does it, and none is followed."
+              : "The equilibria of this system are not isolated points, so none of them can appear or "
+                "vanish.";
       result_.complete = false;
       return std::move(result_);
     }
@@ -59,6 +64,10 @@ class CriticalSearch {
   static bool has_points(const CriticalChart& chart) {
     const SteadyForces& forces = *chart.problem.forces;
     return !forces.unknowns.empty() && forces.unknowns.size() == forces.equations.size();
+  }
+
+  static bool has_too_many_forces(const CriticalChart& chart) {
+    return chart.problem.forces->unknowns.size() < chart.problem.forces->equations.size();
   }
 
   void use(const CriticalChart& chart) {
@@ -203,11 +212,19 @@ class CriticalSearch {
   void add(std::span<const KnownZero> zeros) {
     for (const KnownZero& zero : zeros) {
       CriticalValue critical = value_at(zero);
+      if (lacks_values(dynamics_.model(), parameters_at(critical.value), critical.y, critical.errors))
+        continue;
       // Where charts overlap, both may tell of it.
       const auto is_same = [&](const CriticalValue& other) { return same_place(other, critical); };
       if (all_.charts().size() == 1 || std::ranges::none_of(result_.critical, is_same))
         result_.critical.push_back(std::move(critical));
     }
+  }
+
+  [[nodiscard]] std::vector<double> parameters_at(double p) const {
+    std::vector<double> parameters = problem_.parameters;
+    parameters[index_] = p;
+    return parameters;
   }
 
   CriticalValue value_at(const KnownZero& known) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/compile/tape_evaluator.hpp"
 #include "core/steady/critical_sentences.hpp"
 #include "core/steady/mirrors.hpp"
 
@@ -9,16 +10,32 @@ namespace qdot {
 namespace {
 
 const char* reason_of(const CriticalZero& zero) {
-  if (!zero.simple) return several_events;
+  if (!zero.simple || zero.kind == BifurcationSystem::Kind::fold) return several_events;
   return zero.kind == BifurcationSystem::Kind::meeting ? degenerate_crossing : degenerate_fold;
 }
 
 KnownZero kind_alone(const SteadyProblem& problem, const BifurcationSystems& systems,
                      const CriticalZero& zero) {
   const bool fold = zero.kind == BifurcationSystem::Kind::fold;
-  if (!zero.simple || !(fold || is_transcritical(problem, systems, zero)))
+  if (!zero.simple ||
+      !(fold ? is_saddle_node(problem, systems, zero) : is_transcritical(problem, systems, zero)))
     return {zero, BifurcationKind::unresolved, reason_of(zero), {}};
   return {zero, fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, "", {}};
+}
+
+/// No other factor of a force vanishes there, or all slopes of that force would: what a search that was given
+/// up has not found is not there.
+bool folds_alone(const SteadyProblem& problem, const BifurcationSystems& systems, const CriticalZero& fold) {
+  Box place = fold.x, slopes(systems.slopes.outputs());
+  place.push_back(fold.p);
+  TapeEvaluator<Interval>(systems.slopes, problem.constants)(place, slopes);
+  const std::size_t width = place.size();
+  for (std::size_t row = 0; row < slopes.size(); row += width) {
+    const auto of_force = std::span(slopes).subspan(row, width);
+    if (std::ranges::all_of(of_force, [](const Interval& slope) { return slope.contains(0.0); }))
+      return false;
+  }
+  return true;
 }
 
 /// None: it is told with another.
@@ -33,6 +50,8 @@ std::optional<KnownZero> kind_in_families(const SteadyProblem& problem, const Bi
   }
   if (here.simple && others.empty() && is_degenerate)
     return KnownZero{here, BifurcationKind::unresolved, degenerate_fold, {}};
+  if (here.simple && others.empty() && fold && !found.complete && !folds_alone(problem, systems, here))
+    return KnownZero{here, BifurcationKind::unresolved, several_events, {}};
   if (here.simple && others.empty() && (fold || found.complete))
     return KnownZero{here, fold ? BifurcationKind::saddle_node : BifurcationKind::transcritical, "", {}};
   const bool pair = here.simple && !is_degenerate && others.size() == 1 && others[0]->simple &&

@@ -25,6 +25,10 @@ CriticalProblem::CriticalProblem(const Dynamics& dynamics, const Reals& given, c
     add_charts(problem_.forces, *surface_->whole.dynamics);
     return;
   }
+  if (problem_.forces->equations.size() != problem_.forces->unknowns.size()) {
+    charts_.push_back({problem_, nullptr, {}});
+    return;
+  }
   const std::span momenta = std::span(problem_.constants).subspan(parameters.size());
   const std::string key = "bifurcations " + dynamics.model().scene.parameters[index].name +
                           vanishing_momenta(*problem_.statics, momenta).key;

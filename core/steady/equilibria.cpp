@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/dynamics/missing_values.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/steady/force_system.hpp"
 #include "core/steady/kink_stability.hpp"
@@ -84,10 +85,7 @@ class RegionSearch {
   }
 
   void find() {
-    if (forces().unknowns.empty()) {
-      result_.states.push_back(states_.at({given_place(), {}, {}, true}));
-      return;
-    }
+    if (forces().unknowns.empty()) return add({given_place(), {}, {}, true});
     if (const auto shift = shared_shift(scene(), problem_); !shift.empty()) return family(shift);
     if (forces().charts.empty()) search();
     for (const Chart& chart : forces().charts) {
@@ -230,7 +228,14 @@ class RegionSearch {
           "side of it.");
       place.simple = false;
     }
-    result_.states.push_back(states_.at(place));
+    add(place);
+  }
+
+  /// Where the potential has no value, such as log(x) where x < 0, its slope may have one, and vanish.
+  void add(const FoundPlace& place) {
+    SteadyState state = states_.at(place);
+    if (!lacks_values(dynamics_.model(), problem_.parameters, state.y, state.errors))
+      result_.states.push_back(std::move(state));
   }
 
   /// The number that is meant, where the forces prove that it is the zero.

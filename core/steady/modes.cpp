@@ -5,6 +5,8 @@
 #include <span>
 
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
+#include "core/dynamics/missing_values.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/steady_forces.hpp"
@@ -49,6 +51,7 @@ class Analysis {
                 square_matrix(all, total(), total(), 2 * entries)};
     }
     write_state();
+    refuse_missing();
     std::tie(result_.mass, result_.stiffness, result_.gyroscopic, result_.damping) = matrices_by_rows(whole_);
     write_modes();
     write_stability();
@@ -79,6 +82,21 @@ class Analysis {
                   "At this equilibrium an abs() or a sign() in the forces has its kink, so that they have no "
                   "slope there and small motions no frequency; 'equilibria' says whether it is stable.");
     }
+  }
+
+  /// Where the potential has no value, such as log(x) where x < 0, its slope may have one, and vanish.
+  void refuse_missing() const {
+    const std::string names = missing_values(dynamics_.model(), parameters_, std::nullopt, result_.y);
+    if (names.empty()) return;
+    std::string place;
+    for (const std::size_t i : reduction().kept) {
+      place += (place.empty() ? "" : ", ") + dynamics_.model().scene.coordinates[i].name + " = " +
+               short_number(result_.y[i], 6);
+    }
+    throw Error(ErrorCode::not_applicable, "The forces vanish at " + place +
+                                               ", but there is no finite value of " + names +
+                                               " there, so that nothing can rest. 'equilibria' lists where "
+                                               "something does.");
   }
 
   [[nodiscard]] std::size_t total() const { return y_.size() / 2; }

@@ -62,6 +62,12 @@ bool SymmetryAxes::explain(std::span<const Interval> box) {
   });
 }
 
+bool is_saddle_node(const SteadyProblem& problem, const BifurcationSystems& systems,
+                    const CriticalZero& fold) {
+  if (!fold.simple || fold.kind != BifurcationSystem::Kind::fold) return false;
+  return !evaluated_at(systems.higher, problem, fold.x[0], fold.p)[xx].contains(0.0);
+}
+
 bool is_transcritical(const SteadyProblem& problem, const BifurcationSystems& systems,
                       const CriticalZero& crossing) {
   if (!crossing.simple || crossing.kind != BifurcationSystem::Kind::meeting) return false;

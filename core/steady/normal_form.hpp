@@ -43,6 +43,11 @@ class SymmetryAxes {
   bool complete_{true};
 };
 
+/// A curve turns back in the box, and no other crosses it there: a fold of one factor of N is one of N only
+/// where the others do not vanish.
+[[nodiscard]] bool is_saddle_node(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                  const CriticalZero& fold);
+
 /// Two curves cross in the box, and neither turns back there.
 [[nodiscard]] bool is_transcritical(const SteadyProblem& problem, const BifurcationSystems& systems,
                                     const CriticalZero& crossing);

@@ -1,7 +1,6 @@
 #include "core/steady/search_region.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/numerics/constants.hpp"
@@ -45,12 +44,6 @@ double representative(const Interval& x) {
 double distance_bound(double x, const Interval& enclosure) {
   if (enclosure.lower == x && enclosure.upper == x) return 0;
   return std::nextafter(std::max(x - enclosure.lower, enclosure.upper - x), infinity);
-}
-
-std::string short_number(double x, int digits) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr;
-  return {text, end};
 }
 
 }  // namespace qdot

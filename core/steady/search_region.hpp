@@ -1,8 +1,7 @@
 #pragma once
 // Where equilibria are looked for, and how an enclosure is told as a number with an error.
 
-#include <string>
-
+#include "core/base/short_number.hpp"
 #include "core/numerics/root_isolation.hpp"
 #include "core/steady/steady_forces.hpp"
 
@@ -25,8 +24,5 @@ inline constexpr double largest_length = 1e15;
 [[nodiscard]] double representative(const Interval& x);
 /// The largest distance of x from a point of the enclosure.
 [[nodiscard]] double distance_bound(double x, const Interval& enclosure);
-
-/// For a sentence.
-[[nodiscard]] std::string short_number(double x, int digits = 4);
 
 }  // namespace qdot

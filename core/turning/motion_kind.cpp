@@ -1,9 +1,12 @@
 #include "core/turning/motion_kind.hpp"
 
+#include "core/base/short_number.hpp"
+
 namespace qdot {
 
 Finding extremum_at(const MotionBound& bound, const std::string& name) {
   const double place = bound.place.middle();
+  const std::string where = short_number(bound.place.contains(0.0) ? 0 : place, 10);
   const auto none = [](const std::string& reason) { return Finding{std::nullopt, 0, reason}; };
   switch (bound.kind) {
     case MotionBound::Kind::turning:
@@ -19,10 +22,17 @@ Finding extremum_at(const MotionBound& bound, const std::string& name) {
       return none(name + " never turns on this side: the kinetic energy stays positive all the way.");
     case MotionBound::Kind::domain_end:
       return none("The motion reaches the end of the range in which " + name + " describes a configuration.");
+    case MotionBound::Kind::fall:
+      return none("At " + name + " = " + where + " the potential has a pole: " + name +
+                  " does not turn before it, and towards it the speed grows without bound, as far as double "
+                  "precision tells.");
+    case MotionBound::Kind::no_value:
+      return none(name + " does not turn before " + where +
+                  ", where the potential ends or has no value that could be enclosed.");
     case MotionBound::Kind::unresolved:
       break;
   }
-  return none("Beyond " + std::to_string(place) +
+  return none("Beyond " + where +
               " double precision cannot tell whether the motion turns; the potential is singular or almost "
               "flat there.");
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/error.hpp"
+#include "core/dynamics/missing_values.hpp"
 #include "core/expr/full_turn.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/turning/energy_problem.hpp"
@@ -67,11 +68,11 @@ MotionBounds bounds_of(EnergyBalance& energy, const Range& range) {
   return bounds;
 }
 
-/// No value where a bound is unresolved or the end of the domain.
+/// No value where a bound is unresolved, or the end of the domain or of the potential.
 std::optional<MotionKind> kind_of(const MotionBounds& bounds) {
   using Kind = MotionBound::Kind;
   const auto either = [&](Kind kind) { return bounds.down.kind == kind || bounds.up.kind == kind; };
-  if (either(Kind::unresolved)) return std::nullopt;
+  if (either(Kind::unresolved) || either(Kind::fall) || either(Kind::no_value)) return std::nullopt;
   if (either(Kind::asymptote)) return MotionKind::separatrix;
   if (either(Kind::domain_end)) return std::nullopt;
   if (either(Kind::full_turn)) return MotionKind::rotation;
@@ -80,7 +81,8 @@ std::optional<MotionKind> kind_of(const MotionBounds& bounds) {
 
 /// What the bound says that leaves the kind of motion open.
 std::string why_kind_is_open(const MotionBounds& bounds, const TurningPoints& answer) {
-  for (const auto kind : {MotionBound::Kind::unresolved, MotionBound::Kind::domain_end}) {
+  using Kind = MotionBound::Kind;
+  for (const auto kind : {Kind::unresolved, Kind::fall, Kind::no_value, Kind::domain_end}) {
     if (bounds.down.kind == kind) return answer.minimum.reason;
     if (bounds.up.kind == kind) return answer.maximum.reason;
   }
@@ -250,6 +252,7 @@ class Question {
 
 TurningPoints turning_points(const Dynamics& dynamics, const Reals& parameters, const Reals& y0,
                              const BesideExtrema& beside) {
+  refuse_missing_values(dynamics.model(), parameters, 0, y0);
   const EnergyProblem problem = energy_problem(dynamics, parameters, y0);
   return Question(dynamics, problem, parameters, y0, beside).answer();
 }

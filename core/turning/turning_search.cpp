@@ -92,7 +92,7 @@ MotionBound TurningSearch::run() {
     if (verdict == Verdict::undecided) {
       width = std::abs(next.q - p_) / 2;
       if (width >= least_width(p_)) continue;
-      return sign_change_nearby();
+      return look_beyond_resolution();
     }
     p_ = next.q;
     remaining_ = remaining_at(p_);
@@ -106,15 +106,42 @@ MotionBound TurningSearch::run() {
   return {MotionBound::Kind::unresolved, p_};
 }
 
-/// Where nothing is known of the slope, as at a jump of U, two values still prove that F changes its sign.
-MotionBound TurningSearch::sign_change_nearby() {
+/// Where nothing is known of the slope, as at a jump of U, two values still prove that F changes its sign,
+/// but not over a pole: F has to have values all the way between them.
+MotionBound TurningSearch::look_beyond_resolution() {
   constexpr int doublings = 24;
   double width = least_width(p_);
   for (int i = 0; i < doublings; ++i, width *= 2) {
     const Piece next = piece(width);
+    if (!energy_.potential(next.x).is_finite()) {
+      const bool is_pole = grows_towards(next);
+      return {is_pole ? MotionBound::Kind::fall : MotionBound::Kind::no_value, around_what_is_singular(next)};
+    }
     if (remaining_at(next.q).upper < 0) return {MotionBound::Kind::turning, next.x};
   }
   return {MotionBound::Kind::unresolved, p_};
+}
+
+/// From p_ to where something is known of U again: next to 0 that may be a wide range, in which U overflows.
+Interval TurningSearch::around_what_is_singular(const Piece& from) {
+  for (double width = from.x.width(); width <= 4 * std::abs(p_); width *= 2) {
+    const double end = p_ + sign_ * width;
+    const Interval value = energy_.potential(end);
+    if (value.lower > -infinity || value.upper < infinity) return hull(p_, end);
+  }
+  return from.x;
+}
+
+/// Whether F rises towards the piece, in equal factors of the distance by ever more: so does the logarithm.
+bool TurningSearch::grows_towards(const Piece& piece) {
+  constexpr double equal = 0.9;
+  const double reach = std::abs(energy_.x0() - p_), width = piece.x.width();
+  const double half = std::sqrt(width / reach);
+  const double quarter = std::sqrt(half);
+  const auto at = [&](double distance) { return energy_.remaining(p_ - sign_ * distance); };
+  const Interval far = at(reach * half), near = at(reach * half * quarter), nearest = remaining_;
+  const double before = (near - far).upper;
+  return before > 0 && (nearest - near).lower > equal * before;
 }
 
 TurningSearch::Verdict TurningSearch::look(Piece piece) {

@@ -26,6 +26,8 @@ struct MotionBound {
     full_turn,   ///< F > 0 over one turn of an angle
     unbounded,   ///< F > 0 as far as the numbers go
     domain_end,  ///< F > 0 up to the end of the coordinate's domain
+    fall,        ///< F > 0 up to a pole of U, towards which F grows as far as numbers tell
+    no_value,    ///< F > 0 up to where U has no value that could be enclosed
     unresolved   ///< the search came no further than `place`
   };
   Kind kind{Kind::unresolved};
@@ -73,7 +75,9 @@ class TurningSearch {
   [[nodiscard]] Verdict look(Piece piece);
   [[nodiscard]] Verdict look_at_crest(const Piece& piece);
   [[nodiscard]] Verdict look_at_end(const Piece& piece);
-  [[nodiscard]] MotionBound sign_change_nearby();
+  [[nodiscard]] MotionBound look_beyond_resolution();
+  [[nodiscard]] Interval around_what_is_singular(const Piece& from);
+  [[nodiscard]] bool grows_towards(const Piece& piece);
   [[nodiscard]] bool is_free_from_here();
   [[nodiscard]] Interval narrowed(double from, double to);
   [[nodiscard]] Interval critical_point(Interval x);

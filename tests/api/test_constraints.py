@@ -298,6 +298,18 @@ class Refusals(Service):
         found = self.ask("energy", {"system": scene})
         self.assertAlmostEqual(found["multipliers"]["lambda_shadow"], 0, 14)
 
+    def test_more_coordinates_and_constraints_than_are_solved_are_told_as_such(self):
+        n, m = 10, 7
+        names = [f"q{i}" for i in range(n)]
+        kinetic = " + ".join(f"{q}_dot^2/2" for q in names)
+        scene = {"name": "many", "units": "none", "coordinates": [{"name": q} for q in names], "lagrangian": f"{kinetic} - q0",
+                 "constraints": [{"name": f"c{j}", "expression": f"q{j} - 2*q{j + 1}"} for j in range(m)]}
+        for endpoint, more in (("energy", {}), ("simulate", {"t_end": 1, "samples": 2}), ("modes", {})):
+            problem = self.refused(endpoint, {"system": scene} | more)
+            self.assertRegex(problem["detail"], "coordinates and (7 )?constraints", endpoint)
+        scene["constraints"].pop()
+        self.ask("energy", {"system": scene})
+
 
 if __name__ == "__main__":
     unittest.main()

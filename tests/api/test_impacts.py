@@ -37,6 +37,25 @@ class Restitution(Service):
         self.assertAlmostEqual(answer["strides"][-1]["state"]["x"], end, 5)
         self.assertAlmostEqual(answer["strides"][-1]["state"]["y"], 0, 6)
 
+    def test_a_ball_that_does_not_bounce_stays_in_contact(self):
+        answer = self.ask("simulate", {"system": BALL, "parameters": {"e": 0}, "t_end": 10, "samples": 11})
+        stop = answer["stop"]
+        self.assertIn("stay in contact", stop["message"])
+        self.assertLessEqual(abs(stop["t"] - math.sqrt(4 / 9.81)), stop["error"])
+        self.assertLess(stop["error"], 1e-12)
+        lying = self.ask("simulate", {"system": BALL, "initial": {"y": 0}, "t_end": 1, "samples": 11})
+        self.assertIn("stay in contact", lying["stop"]["message"])
+        bouncing = self.ask("simulate", {"system": BALL, "parameters": {"e": 0.01}, "t_end": 10, "samples": 11})
+        self.assertIn("faster and faster", bouncing["stop"]["message"])
+
+    def test_what_is_kept_is_kept_between_impacts(self):
+        free = BALL | {"gravity": [0, 0]}
+        for scene in (BALL, free):
+            for one in self.ask("equations", {"system": scene})["conserved"]:
+                self.assertIn("constant between impacts", one["why"])
+        for one in self.ask("equations", {"system": {name: free[name] for name in free if name != "impact"}})["conserved"]:
+            self.assertNotIn("impact", one["why"])
+
     def after(self, scene, state):
         """Velocities just after an impact at which the state is."""
         answer = self.ask("simulate", {"system": scene, "initial": state, "t_end": 1e-9, "times": [1e-9], "events": [

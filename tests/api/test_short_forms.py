@@ -53,6 +53,15 @@ PLACES = [(WIRE, "x", "sqrt(r**2 - l**2)", "k/m*(1 - l**2/r**2)"),
           (RING, "x", "sqrt((q/c)**(2/3) - R**2)", "3*c/m*(1 - R**2*(c/q)**(2/3))"),
           (HOOP, "th", "acos((k*l/(k*R - m*g))**2/2 - 1)", None)]
 
+# Three masses in an equilateral triangle (Goldstein, chapter 6): roots of 3 multiply to numbers.
+CORNERS = [["x1", "y1"], ["a + x2", "y2"], ["a/2 + x3", "sqrt(3)/2*a + y3"]]
+TRIANGLE = scene("triangle", "m kg 1; k N/m 1; a m 1", "x1 m; y1 m; x2 m; y2 m; x3 m; y3 m",
+                 bodies=[particle("m", *corner) for corner in CORNERS],
+                 springs=[{"stiffness": "k", "between": [CORNERS[i], CORNERS[j]], "rest_length": "a"}
+                          for i, j in ((0, 1), (0, 2), (1, 2))])
+OBLIQUE = lagrangian("oblique_springs", "m - 1; k - 1", "x - 0; y - 0", "m*(x_dot^2 + y_dot^2)/2"
+                     " - k*(x^2 + (x/2 + sqrt(3)/2*y)^2 + (x/2 - sqrt(3)/2*y + y/7)^2)/2")
+
 
 class ShortForms(Service):
     def oscillations(self, scene, **fields):
@@ -66,6 +75,13 @@ class ShortForms(Service):
         slow, fast = (mode["omega"]["text"] for mode in self.oscillations(TOP, equilibrium={"a": 0, "b": 0}))
         self.assertEqual(slow, "(C*w - sqrt(C^2*w^2 - 4*m*h*g*(A + m*h^2)))/(2*(A + m*h^2))")
         self.assertEqual(fast, "(sqrt(C^2*w^2 - 4*m*h*g*(A + m*h^2)) + C*w)/(2*(A + m*h^2))")
+
+    def test_roots_of_numbers_multiply_to_numbers(self):
+        at_rest = {name["name"]: 0 for name in TRIANGLE["coordinates"]}
+        fastest = self.ask("modes", {"system": TRIANGLE, "equilibrium": at_rest})["modes"][-1]
+        self.assertEqual(fastest["exact"]["text"], "3*k/m")
+        for mode in self.oscillations(OBLIQUE, equilibrium={"x": 0, "y": 0}):
+            self.assertIn("sqrt(197 - 14*sqrt(3))", mode["text"])
 
     def test_an_angle_by_its_tangent(self):
         found = self.ask("modes", {"system": SLOPE})

@@ -156,10 +156,11 @@ class ModesAnswer {
 
   /// The formula of omega^2, or of rate^2, and what follows from it.
   [[nodiscard]] Json exact_mode_json(const Mode& mode, const ExactMode& exact) const {
-    const std::string name = mode.kind == ModeKind::oscillation ? "omega" : "rate";
+    const std::string name = mode.omega != 0 ? "omega" : "rate";
     Json json{{"of", name + "^2"}};
     json.update(exact_json(exact.square));
     if (exact.rate) json[name] = formula_json(*exact.rate);
+    if (exact.damping) json["rate"] = formula_json(*exact.damping);
     if (exact.period) json["period"] = formula_json(*exact.period);
     if (exact.lambda) json["lambda"] = formula_json(*exact.lambda);
     if (!exact.shape.empty()) json["shape"] = exact_shape_json(exact.shape);

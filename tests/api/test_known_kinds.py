@@ -1,0 +1,49 @@
+"""Kinds of critical values of searches that are given up: a fold of one factor of the forces is a saddle-node only where
+the other factors do not vanish. And forces that are more than the unknowns that they depend on."""
+
+import pathlib
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+
+
+def scene(parameters, names, lagrangian, forces=()):
+    return {"name": "s", "units": "none", "parameters": [{"name": name, "default": value} for name, value in parameters],
+            "coordinates": [{"name": name, "initial": "0.1"} for name in names], "lagrangian": lagrangian,
+            "forces": [{"value": value, "along": along} for value, along in forces]}
+
+
+# Kapitza's averaged pendulum, its angle a number on a line: V is even about each multiple of pi, dF/dv = 0 there.
+KAPITZA = scene([("g", "9.81"), ("l", "1"), ("v", "6")], ["th"], "th_dot^2/2 + g/l*cos(th) - v^2*sin(th)^2/(4*l^2)")
+PAIR = scene([("g", "9.81"), ("l", "1"), ("v", "6")], ["th", "b"],
+             "(th_dot^2 + b_dot^2)/2 + g/l*cos(th) - v^2*sin(th)^2/(4*l^2) - b^2/2 - b^4")
+FOLD = scene([("p", "1")], ["x"], "x_dot^2/2 - x^3/3 + p*x")
+TOO_MANY = [scene([("p", "1")], ["x", "th"], "(x_dot^2 + th_dot^2)/2", [("p*sin(th)", "x"), ("p*cos(th)", "th")]),
+            scene([("p", "1")], ["x", "y"], "(x_dot^2 + y_dot^2)/2", [("p", "x"), ("1", "y")])]
+
+
+class KnownKinds(Service):
+    def critical(self, asked, parameter, start, end):
+        return self.ask("bifurcations", {"system": asked, "parameter": parameter, "from": start, "to": end})
+
+    def test_a_pitchfork_on_a_line_is_no_saddle_node(self):
+        for asked in (KAPITZA, PAIR):
+            for one in self.critical(asked, "v", 0.1, 10)["critical"]:
+                self.assertIn(one["kind"], ("pitchfork", "unresolved"), one)
+
+    def test_a_fold_alone_is_a_saddle_node(self):
+        found = self.critical(FOLD, "p", -1, 1)
+        self.assertEqual([one["kind"] for one in found["critical"]], ["saddle_node"])
+
+    def test_more_forces_than_unknowns(self):
+        for asked in TOO_MANY:
+            found = self.critical(asked, "p", 0.1, 3)
+            self.assertEqual(found["critical"], [])
+            self.assertIn("More forces have to vanish than there are coordinates", found["reason"])
+        self.assertEqual(self.critical("quadrotor", "m", 0.2, 4)["critical"], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
