@@ -273,9 +273,9 @@ void EventSearch::report(Stepper& stepper, std::vector<std::pair<double, std::si
     for (; first != last && !found.failure; ++first) {
       const EventFunction& event = request_.events[first->second];
       if (event.condition) {
-        const bool counts = event.condition(t, y_);
-        approaches_.ask_condition(first->second, polynomial_, t - polynomial_.whole().t, counts);
-        if (!counts) continue;
+        const double value = event.condition(t, y_);
+        approaches_.ask_condition(first->second, polynomial_, t - polynomial_.whole().t, value);
+        if (!(value > 0)) continue;
       }
       found.events.push_back({first->second, t, y_});
       found.terminal = found.terminal || event.terminal;

@@ -87,7 +87,18 @@ void EventComparison::add_told(const ApproachRecord& approach, std::vector<Appro
   if (are_of_it && !is_after_impact) told = at_events_.as_told(event);
   if (told.empty() && !errors.empty())
     told.push_back({std::vector<double>(event.y.size()), std::move(errors)});
+  if (approach.place.others) widen_for_others(*approach.place.others, told);
   for (StateAsTold& state : told) all.push_back({approach, std::move(state), rows_before(t)});
+}
+
+/// The last of them has the largest errors.
+void EventComparison::widen_for_others(const Approach::Others& others, std::vector<StateAsTold>& told) const {
+  if (rows() == 0 || others.from > motion_.grid.t[rows() - 1]) return;
+  const std::vector<double> last = some_rows_after(std::min(others.to, motion_.grid.t[rows() - 1]));
+  if (told.empty()) told.push_back({std::vector<double>(last.size()), last});
+  for (StateAsTold& state : told) {
+    for (std::size_t k = 0; k < last.size(); ++k) state.errors[k] = std::max(state.errors[k], last[k]);
+  }
 }
 
 EventComparison::OfState EventComparison::errors_at(const EventRecord& event) {

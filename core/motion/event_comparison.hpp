@@ -48,6 +48,7 @@ class EventComparison {
   };
   [[nodiscard]] OfState errors_at(const EventRecord& event);
   void add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all);
+  void widen_for_others(const Approach::Others& others, std::vector<StateAsTold>& told) const;
   [[nodiscard]] std::size_t rows() const { return errors_.stated.size() / scale_.size(); }
   [[nodiscard]] std::span<const double> row(std::size_t i) const;
   [[nodiscard]] std::vector<double> rows_before(double t);

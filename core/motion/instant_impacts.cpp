@@ -66,7 +66,7 @@ bool InstantImpacts::follows(std::size_t impact, double t, const std::vector<dou
   if (!distance.is_finite() || !rate.is_finite() || rate.contains_zero()) return false;
   if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return false;
   if (std::abs(distance.value()) > distance.radius + std::abs(rate.value()) * resolution_) return false;
-  return !watch.condition || watch.condition(t, y);
+  return !watch.condition || watch.condition(t, y) > 0;
 }
 
 std::vector<double> InstantImpacts::repeat(double t, std::vector<double> y,

@@ -15,7 +15,6 @@ namespace qdot {
 namespace {
 
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
-constexpr double much_larger = 10;  ///< errors than without ways that the motion may have gone as well
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 /// Over more or fewer kinks or impacts, or others.
@@ -194,10 +193,8 @@ RowComparison Measurement::with_other_ways(const RowComparison& without, std::ve
   spent_ += ways.evaluations;
   std::ranges::move(ways.motions, std::back_inserter(others));
   RowComparison all = compare(motion(), others, doubt_, ways.lost_from);
-  bool is_larger = false;
-  for (std::size_t k = 0; k < all.max_abs_error.size(); ++k)
-    is_larger = is_larger || all.max_abs_error[k] > much_larger * without.max_abs_error[k];
-  if (is_larger) result_.reason = ways.where + accuracy_reasons::may_go_otherwise;
+  const std::string reason = what_they_change(ways, without, all);
+  if (!reason.empty()) result_.reason = reason;
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.hpp"
+#include "core/motion/accuracy_reasons.hpp"
 #include "core/motion/fork.hpp"
 #include "core/motion/simulation.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_ways = 4;
 constexpr Tolerances of_checks{1e-12, 1e-15};
+constexpr double much_larger = 10;  ///< errors than without
 
 /// As another computation of the motion, from its first row on.
 class OtherWay {
@@ -108,11 +110,21 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTol
   OtherWays result;
   const auto lose = [&](double t) { result.lost_from = std::min(result.lost_from, t); };
   for (const ApproachAsTold& approach : approaches) {
-    const double t = approach.approach.place.instant();
-    if (t > result.lost_from) break;
+    const Approach& place = approach.approach.place;
+    const double t = place.others ? place.others->from : place.instant();
+    if (t > result.lost_from) continue;
     const Fork fork(motion, approach);
-    if (!fork.is_open() || fork.is_negligible()) continue;
-    if (result.where.empty()) result.where = place_in_words(approach.approach);
+    if (!fork.is_open() || (!place.others && fork.is_negligible())) continue;
+    if (result.where.empty()) {
+      result.where = place_in_words(approach.approach);
+      result.stated_before = approach.stated;
+    }
+    if (!approach.approach.is_kink && result.where_it_happens.empty())
+      result.where_it_happens = place_in_words(approach.approach);
+    if (place.others) {
+      lose(t);
+      continue;
+    }
     const double begin = fork.begin();
     const auto start = fork.start(begin);
     if (!start || result.motions.size() == most_ways) {
@@ -130,6 +142,18 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTol
     }
   }
   return result;
+}
+
+/// Computations that have gone both ways differ without others, too.
+std::string what_they_change(const OtherWays& ways, const RowComparison& without, const RowComparison& with) {
+  if (!ways.where_it_happens.empty()) return ways.where_it_happens + accuracy_reasons::may_go_otherwise;
+  for (std::size_t k = 0; k < with.max_abs_error.size(); ++k) {
+    const double now = with.max_abs_error[k];
+    const bool is_lost = with.horizon && now > much_larger * ways.stated_before[k];
+    if (is_lost || now > much_larger * without.max_abs_error[k])
+      return ways.where + accuracy_reasons::may_go_otherwise;
+  }
+  return {};
 }
 
 }  // namespace qdot

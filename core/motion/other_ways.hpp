@@ -22,11 +22,18 @@ struct OtherWays {
   /// Where one of them ends, or cannot be followed: later rows may be anywhere.
   double lost_from{infinity};
   std::string where;  ///< the first such place, for a sentence; empty where there is none
+  /// The first of those at which an impact may happen, or the end of the motion, or may not.
+  std::string where_it_happens;
+  std::vector<double> stated_before;  ///< errors of the last row before it
   std::uint64_t evaluations{};
 };
 
 /// `evaluations_left`: for all together.
 [[nodiscard]] OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTold> approaches,
                                    std::uint64_t evaluations_left);
+
+/// A sentence on what they do to the errors; empty where that is little, and where nothing else may happen.
+[[nodiscard]] std::string what_they_change(const OtherWays& ways, const RowComparison& without,
+                                           const RowComparison& with);
 
 }  // namespace qdot
