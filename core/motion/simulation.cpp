@@ -11,6 +11,7 @@
 #include "core/motion/simulation_output.hpp"
 #include "core/motion/start_conditions.hpp"
 #include "core/motion/unseen_along.hpp"
+#include "core/numerics/root.hpp"
 
 namespace qdot {
 namespace {
@@ -46,6 +47,7 @@ class Simulator {
     }
     record_piece({});
     sections_.finish(result_.t);
+    doubt_last_row();
     result_.stays = std::move(sections_.stays());
     std::ranges::stable_sort(result_.approaches, {}, [](const auto& a) { return a.place.instant(); });
     result_.unseen = unseen_.take_rows();
@@ -84,11 +86,12 @@ class Simulator {
       if (result_.stop) return false;
       if (run_.leaves_rest(done)) continue;
       if (done.ending != Ending::event) return false;
+      std::vector<bool> met = kinks_met(done);
       if (done.t >= request_.t_end) {
         result_.ending = Ending::reached_end;
+        met_at_end_ = std::move(met);
         return false;
       }
-      const std::vector<bool> met = kinks_met(done);
       record_piece(met);
       pass_kinks(met);
     }
@@ -106,10 +109,26 @@ class Simulator {
     is_determined_ = sections_.pass(result_.t, result_.y, met);
     if (!is_determined_) return;
     finish(end);
+    doubt_side(end);
+    apart_.pass(std::move(end));
+  }
+
+  /// A kink that is met where the motion ends is not passed, but may be.
+  void doubt_last_row() {
+    const auto first = static_cast<std::size_t>(std::ranges::find(met_at_end_, true) - met_at_end_.begin());
+    if (!apart_.is_wanted() || first == met_at_end_.size()) return;
+    SectionEnd end = now_ending(sections_.ends()[first].value);
+    end.after = result_.y;
+    if (!sections_.pass(result_.t, end.after, met_at_end_)) return;
+    end.slopes_after = sections_.slopes(result_.t, end.after);
+    doubt_side(end);
+  }
+
+  void doubt_side(SectionEnd& end) {
     end.doubt = sections_.doubt_of_instant();
     end.moved = sections_.moved_instant();
-    unseen_.doubt_side(end, end.moved + apart_.seconds(end, unseen_.so_far()), request_.grid);
-    apart_.pass(std::move(end));
+    const double of_instant = time_round_off(end.t) + end.doubt + end.moved;
+    unseen_.doubt_side(end, of_instant + apart_.seconds(end, unseen_.so_far()), request_.grid);
   }
 
   [[nodiscard]] SectionEnd now_ending(decltype(EventFunction::value) g) const {
@@ -241,6 +260,7 @@ class Simulator {
   SectionRun run_;
   ImpactsAlong impacts_;
   bool is_determined_{true};
+  std::vector<bool> met_at_end_;           ///< kinks
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;
   UnseenAlong unseen_;
