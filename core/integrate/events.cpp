@@ -136,8 +136,11 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   result.off += rounding;
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
-  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time &&
-                      std::abs(c[0]) <= doubt_at_start(event, piece, rounding) + of_time;
+  if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
+    result.is_divided = std::abs(c[0]) <= doubt_at_start(event, piece, rounding) + of_time;
+    const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
+    if (is_known) result.sign_at_start = sign_of(c[0]);
+  }
   if (result.is_divided) result.first = 1;
   return result;
 }
@@ -161,6 +164,10 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
+  if (signs_[event] == 0 && sign_at_start_ != 0) {
+    signs_[event] = sign_at_start_;
+    definite_[event] = begin;
+  }
   if (is_coming_back(event, pieces)) {
     if (past_start(event) <= 0) return;
     starts_at_zero_ = true;
@@ -220,6 +227,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const double shortest = 16 * time_round_off(whole.t + whole.h);
   const UnitSeries series = finite_series(event, whole);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
+  if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
   if (is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {

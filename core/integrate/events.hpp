@@ -71,6 +71,7 @@ class EventSearch {
     std::size_t first{}, end{};  ///< the coefficients that count
     double off{};                ///< what g may be away from it
     bool is_divided{false};      ///< by that unit: g is zero at t_start
+    int sign_at_start{};         ///< of g at t_start, where it is too near to zero to be seen in `c`
 
     [[nodiscard]] std::span<const double> coefficients() const {
       return std::span(c).subspan(first, end - first);
@@ -95,6 +96,7 @@ class EventSearch {
   std::vector<double> y_;         ///< scratch
   std::size_t looks_{};           ///< at one function in one step
   bool starts_at_zero_{false};
+  int sign_at_start_{};
   bool saw_everything_{true};
 };
 

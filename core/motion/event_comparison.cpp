@@ -43,8 +43,9 @@ std::vector<std::optional<double>> EventComparison::of_events() {
   const EventRecord* last = nullptr;
   for (const EventRecord& event : motion_.simulation.events) {
     const auto [errors, are_of_it] = errors_at(event);
-    result.push_back(errors.empty() ? std::nullopt
-                                    : of_state_.of(event, errors, are_of_it ? std::span(reached_) : scale_));
+    result.push_back(errors.empty() || event.is_in_doubt
+                         ? std::nullopt
+                         : of_state_.of(event, errors, are_of_it ? std::span(reached_) : scale_));
     if (last != nullptr && last->t == event.t) share_with_cause(result);
     last = &event;
   }

@@ -23,7 +23,7 @@ std::span<const Watch> ImpactsAlong::watches() const {
 
 InstantImpacts::Passed ImpactsAlong::pass(double t, const std::vector<double>& y) {
   if (!impacts_) impacts_.emplace(dynamics_, request_.parameters, sections_.resolution());
-  return impacts_->pass(t, y, met_, watches());
+  return impacts_->pass(t, y, met_, watches(), request_.impact_order);
 }
 
 std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> sections,

@@ -175,7 +175,7 @@ bool Measurement::can_be_checked_by(const Simulation& other) {
 
 void Measurement::state(const std::vector<Simulation>& others) {
   RowComparison comparison = compare(motion(), others, doubt_);
-  OtherWays ways = other_ways(motion(), comparison.approaches, left());
+  OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);
   result_.event_errors = std::move(comparison.event_errors);

@@ -217,7 +217,15 @@ class Simulator {
         record_event({dynamics_.model().parsed.impacts[impact].event, result_.t, before});
       told[impact] = true;
     }
+    if (passed.order_matters) doubt_order();
     return passed;
+  }
+
+  void doubt_order() {
+    if (!result_.order_in_doubt) result_.order_in_doubt = result_.t;
+    for (auto event = result_.events.rbegin(); event != result_.events.rend() && event->t == result_.t;
+         ++event)
+      event->is_in_doubt = true;
   }
 
   /// Goes on from the state after the impact; false when the motion is over there anyway.
@@ -248,7 +256,7 @@ class Simulator {
     is_determined_ = sections_.begin(result_.t, result_.y);
     if (!is_determined_) return true;
     finish(end);
-    unseen_.doubt_instant(end);
+    unseen_.doubt_instant(end, impacts_.has_met_several() ? sections_.resolution() : time_round_off(end.t));
     apart_.pass(std::move(end));
     return true;
   }

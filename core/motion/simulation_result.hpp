@@ -18,6 +18,7 @@ struct EventRecord {
   std::string name;
   double t{};
   std::vector<double> y;  ///< before the impact, where the event is one
+  bool is_in_doubt{};     ///< in another order of the impacts of its instant it may not happen
 };
 
 /// Why a motion ended before t_end in the nature of the system.
@@ -55,6 +56,7 @@ struct Simulation {
   std::vector<PieceRecord> pieces;         ///< of a motion with kinks, in order
   std::vector<StayRecord> stays;           ///< in order of their ends
   std::vector<ApproachRecord> approaches;  ///< where the request wants them
+  std::optional<double> order_in_doubt;    ///< the first instant where it matters which impact is the first
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};

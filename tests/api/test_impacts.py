@@ -12,6 +12,7 @@ import numpy
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from constrained_scenes import coordinates, parameters  # noqa: E402
 from service import ROOT, Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
 
 BALL = {
     "name": "bouncing_ball",
@@ -36,6 +37,27 @@ class Restitution(Service):
         self.assertAlmostEqual(answer["stop"]["t"], end, 6)
         self.assertAlmostEqual(answer["strides"][-1]["state"]["x"], end, 5)
         self.assertAlmostEqual(answer["strides"][-1]["state"]["y"], 0, 6)
+
+    def test_what_is_met_just_after_the_start_is_met(self):
+        """From a height that is far less than what rounds the motion later on."""
+        for distance in ("0.00000000000000013", "1.3e-17", "2e-19"):
+            floor = lagrangian("floor", "", f"x - {distance} -1", "x_dot^2/2", events=[{"name": "hit", "expression": "x", "direction": "falling"}],
+                               impacts=[{"event": "hit", "restitution": 0.5}])
+            answer = self.ask("simulate", {"system": floor, "t_end": 0.3, "samples": 2})
+            self.assertEqual([e["name"] for e in answer["events"]], ["hit"], distance)
+            self.assertAlmostEqual(answer["trajectory"]["x"][-1], 0.15, 14)
+            ending = lagrangian("ending", "", "x - 0 1", "x_dot^2/2", valid_while=[{"name": "room", "expression": f"{distance} - x", "reason": "touch", "message": "It touches."}])
+            self.assertAlmostEqual(self.ask("simulate", {"system": ending, "t_end": 0.3, "samples": 2})["stop"]["t"] / float(distance), 1, 9)
+            passed = self.ask("simulate", {"system": lagrangian("passing", "", "x - 0 1", "x_dot^2/2"), "t_end": 0.3, "samples": 2, "events": [f"x = {distance}"]})
+            self.assertEqual(len(passed["events"]), 1, distance)
+
+    def test_an_event_without_a_direction_is_met_once_from_either_side(self):
+        for speed in (1, -1):
+            wall = lagrangian("wall", "", f"x - 0 {speed}", "x_dot^2/2", events=[{"name": "hit", "expression": f"x - {0.5*speed}"}],
+                              impacts=[{"event": "hit", "restitution": 0.5}])
+            answer = self.ask("simulate", {"system": wall, "t_end": 1, "samples": 2})
+            self.assertEqual((answer["status"], len(answer["events"])), ("complete", 1))
+            self.assertAlmostEqual(answer["trajectory"]["x"][-1], 0.25*speed, 12)
 
     def after(self, scene, state):
         """Velocities just after an impact at which the state is."""
