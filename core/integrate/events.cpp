@@ -252,19 +252,20 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   };
   SignChange bracket{crossed.before, g(crossed.before), std::min(crossed.after, stepper.t()), 0};
   bracket.value_after = g(bracket.after);
-  // At t_start g may be zero or have passed it by a rounding error, and at a step's beginning too. Where it
-  // has no value, it has its old sign.
+  // At t_start g may be zero or have passed it by a rounding error, and at a step's beginning too, or not yet
+  // have passed it at the end. Where it has no value, it has its old sign.
   const auto is_bracket = [&] {
     return std::isnan(bracket.value_before) ||
            sign_of(bracket.value_before) * sign_of(bracket.value_after) < 0;
   };
-  const double length = bracket.after - bracket.before;
+  const double length = bracket.after - bracket.before, at_begin = std::abs(bracket.value_before);
   for (int k = 1; k <= halvings && !is_bracket() && !found.failure; ++k) {
     bracket.before = crossed.before + std::ldexp(length, -k);
     bracket.value_before = g(bracket.before);
   }
   if (found.failure) return std::nullopt;
-  if (!is_bracket()) return event.sign_at_start == 0 ? crossed.before : crossed.after;
+  const bool is_after = event.sign_at_start != 0 || std::abs(bracket.value_after) < at_begin;
+  if (!is_bracket()) return is_after ? bracket.after : crossed.before;
   const SignChange place = find_sign_change(g, bracket);
   if (event.sign_at_start == 0 && is_pole(bracket, place)) return std::nullopt;
   return place.after;

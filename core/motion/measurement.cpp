@@ -193,6 +193,7 @@ RowComparison Measurement::with_other_ways(const RowComparison& without, std::ve
   spent_ += ways.evaluations;
   std::ranges::move(ways.motions, std::back_inserter(others));
   RowComparison all = compare(motion(), others, doubt_, ways.lost_from);
+  if (ways.may_not_end) all.stop_error.reset();
   const std::string reason = what_they_change(ways, without, all);
   if (!reason.empty()) result_.reason = reason;
   return all;

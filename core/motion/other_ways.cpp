@@ -151,6 +151,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
     }
     if (!approach.approach.is_kink && result.where_it_happens.empty())
       result.where_it_happens = place_in_words(approach.approach);
+    result.may_not_end = result.may_not_end || approach.approach.ends_motion;
     if (place.others) {
       lose(t);
       continue;

@@ -25,6 +25,7 @@ struct OtherWays {
   std::string where;  ///< the first such place, for a sentence; empty where there is none
   /// The first of those at which an impact may happen, or the end of the motion, or may not.
   std::string where_it_happens;
+  bool may_not_end{};                 ///< at one of those, or end there after all
   std::vector<double> stated_before;  ///< errors of the last row before it
   std::uint64_t evaluations{};
 };

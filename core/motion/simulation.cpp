@@ -127,8 +127,7 @@ class Simulator {
   void doubt_side(SectionEnd& end) {
     end.doubt = sections_.doubt_of_instant();
     end.moved = sections_.moved_instant();
-    const double of_instant = time_round_off(end.t) + end.doubt + end.moved;
-    unseen_.doubt_side(end, of_instant + apart_.seconds(end, unseen_.so_far()), request_.grid);
+    unseen_.doubt_side(end, apart_.seconds(end, unseen_.so_far()), request_.grid);
   }
 
   [[nodiscard]] SectionEnd now_ending(decltype(EventFunction::value) g) const {

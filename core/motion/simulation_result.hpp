@@ -39,8 +39,9 @@ struct ApproachRecord {
   Approach place;
   std::string name;  ///< of a kink, the expression that is zero there; of an impact or a condition
   bool is_kink{};
-  bool stays{};    ///< on the kink, up to there
-  double begun{};  ///< when the run began, after an impact or a kink
+  bool ends_motion{};  ///< a condition, or a singularity
+  bool stays{};        ///< on the kink, up to there
+  double begun{};      ///< when the run began, after an impact or a kink
   /// What is zero there, over a box of states.
   std::function<Interval(double t, std::span<const Interval> y)> enclosure;
   /// Of a condition: the same of the event that it decides about.
