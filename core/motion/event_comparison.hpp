@@ -55,7 +55,7 @@ class EventComparison {
   [[nodiscard]] std::vector<double> some_rows_after(double t) const;
   [[nodiscard]] double own_time() const;
   [[nodiscard]] bool is_small(std::span<const double> errors) const;
-  [[nodiscard]] double accumulation_error(std::span<const double> of_state);
+  [[nodiscard]] std::optional<double> accumulation_error(std::span<const double> of_state);
 
   const ComputedMotion& motion_;
   const std::vector<Simulation>& others_;

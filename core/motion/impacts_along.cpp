@@ -30,8 +30,10 @@ std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> s
                                                 const InstantImpacts::Passed& passed) {
   if (sections[longest_].duration < sections.back().duration) longest_ = sections.size() - 1;
   const double lowest = lowest_flight(passed.all.front().impact, sections);
-  if (!passed.is_over) return RestOfImpacts{0, doubt_of_lost(sections, lowest)};
-  return rest_of_impacts(sections, request_.t_end - request_.t_start, lowest);
+  auto rest = passed.is_over ? rest_of_impacts(sections, request_.t_end - request_.t_start, lowest)
+                             : RestOfImpacts{0, doubt_of_lost(sections, lowest)};
+  if (rest) rest->doubt += sections_.resolution();
+  return rest;
 }
 
 /// How short a flight may be before the distance is rounded as much as it is high.
