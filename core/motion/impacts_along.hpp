@@ -2,7 +2,6 @@
 // The impacts of a motion: which have happened at the end of a section, what they leave, and whether they
 // accumulate.
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -23,8 +22,6 @@ class ImpactsAlong {
   /// Watch number `watch` of the section tells of one.
   void meet(std::size_t watch);
   [[nodiscard]] bool has_met(std::size_t impact) const { return met_[impact]; }
-
-  [[nodiscard]] bool has_met_several() const { return std::ranges::count(met_, true) > 1; }
 
   /// What all impacts of this instant leave.
   [[nodiscard]] InstantImpacts::Passed pass(double t, const std::vector<double>& y);

@@ -77,30 +77,36 @@ InstantImpacts::Passed InstantImpacts::in_order(double t, const std::vector<doub
     const bool is_certain = passed.all.empty() || !rules_[k].approach;
     if (is_certain || follows(k, t, passed.after, watches[k])) apply(k, t, passed);
   }
+  if (met.size() > 1) passed.within = resolution_;
   for (;;) {
     std::size_t next = 0;
-    while (next < rules_.size() && !follows(next, t, passed.after, watches[next])) ++next;
+    std::optional<double> later;
+    while (next < rules_.size() && !(later = follows(next, t, passed.after, watches[next]))) ++next;
     if (next == rules_.size()) return passed;
     if (passed.all.size() >= most_in_an_instant) break;
+    passed.within = std::max(passed.within, *later);
     apply(next, t, passed);
   }
   passed.is_over = false;
   return passed;
 }
 
-/// Whether its distance is 0 there and falls, neither in doubt for its rounding.
-bool InstantImpacts::follows(std::size_t impact, double t, const std::vector<double>& y,
-                             const Watch& watch) const {
+/// Where its distance is 0 there and falls, neither in doubt for its rounding: by how many seconds it may be
+/// apart.
+std::optional<double> InstantImpacts::follows(std::size_t impact, double t, const std::vector<double>& y,
+                                              const Watch& watch) const {
   const Rule& rule = rules_[impact];
-  if (!rule.approach || watch.direction == Crossing::either) return false;
+  if (!rule.approach || watch.direction == Crossing::either) return std::nullopt;
   rule.enclosed_approach->set_time(rounded(t));
   Ball values[2];
   (*rule.enclosed_approach)(rounded(y), values);
   const auto& [distance, rate] = values;
-  if (!distance.is_finite() || !rate.is_finite() || rate.contains_zero()) return false;
-  if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return false;
-  if (std::abs(distance.value()) > distance.radius + std::abs(rate.value()) * resolution_) return false;
-  return !watch.condition || watch.condition(t, y) > 0;
+  if (!distance.is_finite() || !rate.is_finite() || rate.contains_zero()) return std::nullopt;
+  if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return std::nullopt;
+  const double speed = std::abs(rate.value()), off = std::abs(distance.value());
+  if (off > distance.radius + speed * resolution_) return std::nullopt;
+  if (watch.condition && !(watch.condition(t, y) > 0)) return std::nullopt;
+  return std::min((off + distance.radius) / speed, resolution_);
 }
 
 std::vector<double> InstantImpacts::repeat(double t, std::vector<double> y,

@@ -9,6 +9,7 @@
 // dynamics with friction and impact, SIAM Review 42 (2000): several contacts.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,7 @@ class InstantImpacts {
     std::vector<double> after;
     bool is_over{true};    ///< false: they start each other again and again
     bool order_matters{};  ///< of those whose events have happened
+    double within{};       ///< seconds, in which they really happen
   };
   /// From (t, y). `met`: the impacts whose events have happened; `watches`: one for each impact.
   [[nodiscard]] Passed pass(double t, const std::vector<double>& y, const std::vector<bool>& met,
@@ -52,8 +54,8 @@ class InstantImpacts {
   };
   [[nodiscard]] Passed in_order(double t, const std::vector<double>& y, std::span<const std::size_t> met,
                                 std::span<const Watch> watches) const;
-  [[nodiscard]] bool follows(std::size_t impact, double t, const std::vector<double>& y,
-                             const Watch& watch) const;
+  [[nodiscard]] std::optional<double> follows(std::size_t impact, double t, const std::vector<double>& y,
+                                              const Watch& watch) const;
   void apply(std::size_t impact, double t, Passed& passed) const;
   void change(std::size_t impact, double t, std::vector<double>& y) const;
 

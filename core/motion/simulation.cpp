@@ -255,7 +255,7 @@ class Simulator {
     is_determined_ = sections_.begin(result_.t, result_.y);
     if (!is_determined_) return true;
     finish(end);
-    unseen_.doubt_instant(end, impacts_.has_met_several() ? sections_.resolution() : time_round_off(end.t));
+    unseen_.doubt_instant(end, std::max(time_round_off(end.t), passed.within));
     apart_.pass(std::move(end));
     return true;
   }
