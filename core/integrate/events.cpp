@@ -137,12 +137,19 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
-    result.is_divided = std::abs(c[0]) <= doubt_at_start(event, piece, rounding) + of_time;
+    const double value = value_at_start(event, c[0]);
+    result.is_divided = std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
     const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
-    if (is_known) result.sign_at_start = sign_of(c[0]);
+    if (is_known) result.sign_at_start = sign_of(value);
   }
   if (result.is_divided) result.first = 1;
   return result;
+}
+
+/// The state there has not been rounded by a series.
+double EventSearch::value_at_start(std::size_t event, double of_series) const {
+  const double value = request_.events[event].value(request_.t_start, request_.y_start);
+  return std::abs(value) < std::abs(of_series) ? value : of_series;
 }
 
 /// What g may be away from its first coefficient: the bound over a very short piece, and rounding, which the
