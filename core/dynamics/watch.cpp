@@ -115,9 +115,8 @@ Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const s
   watch.direction = event.direction;
   watch_function(watch, event.value, request.parameters);
   if (event.when) {
-    const Quantity when = quantity(event.when, request.parameters);
+    watch.condition = quantity(event.when, request.parameters);
     watch.when_enclosure = enclosure_of(event.when, request.parameters);
-    watch.condition = [when](double t, std::span<const double> y) { return when(t, y) > 0; };
   }
   return watch;
 }

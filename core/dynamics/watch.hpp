@@ -32,7 +32,7 @@ struct Watch {
   Crossing direction{Crossing::either};
   std::function<double(double t, std::span<const double> y)> value{};
   decltype(EventFunction::series) series{};
-  std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: where a zero counts
+  decltype(EventFunction::condition) condition{};
   /// Its values over a box of states; the whole line where there may be none.
   std::function<Interval(double t, std::span<const Interval> y)> enclosure{};
   /// The same of what is above zero where a zero counts.

@@ -21,18 +21,25 @@ constexpr int most_corrections = 4;
 constexpr double same_place = 1e-6;
 constexpr double nearby = 1e-4;  // of u: how the multipliers change with it is seen from there
 constexpr double safety = 2;
+/// Of each number on its way through a stride: by the impact, the parameters and the steps.
+constexpr double roundings = 4 * epsilon;
 
 /// The correction of (u, T), and the bound of what rounding makes of it.
 VectorXd correction(const Shooting& shooting) { return solve(shooting.derivative, -shooting.residual); }
 
-VectorXd rounding(const Shooting& shooting, const VectorXd& u) {
-  const Index k = u.size();
+/// What the numbers of a stride bring to its end; that of its time are those of its steps, too.
+VectorXd carried(const Flow& flow, const Recurrence& at) {
+  return flow.derivative.cwiseAbs() * at.u.cwiseAbs() + flow.state.cwiseAbs() +
+         at.duration * flow.rate.cwiseAbs();
+}
+
+VectorXd rounding(const SectionMap& map, const Shooting& shooting, const Recurrence& at) {
+  const Index k = at.u.size();
   VectorXd residual(k + 1);
-  const VectorXd carried =
-      shooting.flow.derivative.cwiseAbs() * u.cwiseAbs() + shooting.flow.state.cwiseAbs();
-  residual.head(k) = u.cwiseAbs() + shooting.derivative.topLeftCorner(k, k).cwiseAbs() * u.cwiseAbs();
-  residual[k] = shooting.flow.surface_slope.normalized().cwiseAbs().dot(carried);
-  return epsilon * (inverse(shooting.derivative).cwiseAbs() * residual);
+  const VectorXd at_end = carried(shooting.flow, at);
+  residual.head(k) = at.u.cwiseAbs() + map.section(at_end);
+  residual[k] = shooting.flow.surface_slope.normalized().cwiseAbs().dot(at_end);
+  return roundings * (inverse(shooting.derivative).cwiseAbs() * residual);
 }
 
 /// The error of the state before the impact, from those of (u, T) and from the difference of two
@@ -45,9 +52,8 @@ VectorXd state_error(const PolishedGait& gait) {
   };
   const VectorXd between = along_surface(flow.state - gait.coarser.state);
   const double late = std::abs(flow.surface / speed) + epsilon * gait.at.duration;
-  const VectorXd carried = flow.derivative.cwiseAbs() * gait.at.u.cwiseAbs() + flow.state.cwiseAbs();
   return along_surface(flow.derivative).cwiseAbs() * gait.error.head(gait.at.u.size()) +
-         safety * between.cwiseAbs() + late * flow.rate.cwiseAbs() + epsilon * carried;
+         safety * between.cwiseAbs() + late * flow.rate.cwiseAbs() + roundings * carried(flow, gait.at);
 }
 
 /// |d(dP/du)/du| along the error of u; none known counts as infinite.
@@ -208,7 +214,7 @@ std::optional<PolishedGait> polished(SectionMap& map, const Recurrence& near) {
     if (step.head(k).norm() > settled * at->u.norm() && i + 1 < most_corrections) continue;
     auto second = shoot(map, *at, coarser);
     if (!second) return std::nullopt;
-    VectorXd error = safety * correction(*second).cwiseAbs() + rounding(*shooting, at->u);
+    VectorXd error = safety * correction(*second).cwiseAbs() + rounding(map, *shooting, *at);
     error.head(k) += step.head(k).cwiseAbs();
     error[k] += std::abs(step[k]) + 4 * epsilon * at->duration;
     MatrixXd section = map.derivative(shooting->flow);

@@ -214,7 +214,7 @@ std::optional<Stride> SectionMap::stride_from(const VectorXd& after, double rtol
 
 bool SectionMap::counts(const VectorXd& state) {
   const Watch& impact = watched().back();
-  return !impact.condition || impact.condition(0, in_si(state));
+  return !impact.condition || impact.condition(0, in_si(state)) > 0;
 }
 
 bool SectionMap::is_impact(const Flow& flow) {

@@ -13,7 +13,6 @@ constexpr double near = 0.05;  ///< of the largest |g|
 constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
-constexpr std::size_t most_approaches = 1000;
 
 double sum_at(double s, std::span<const double> c) {
   double sum = 0;
@@ -120,14 +119,15 @@ void ApproachSearch::note(const Along& g, StepPolynomial& step, double s, double
   const double reach = of_events_[g.event].reach;
   if (!(std::abs(value) <= near * reach) || value < -unseen * g.off) return;
   const double t = step.whole().t + s * step.whole().h;
-  add({.event = g.event, .t = t, .met = met, .sign = g.sign}, step);
+  add({.event = g.event, .t = t, .met = met, .sign = g.sign, .distance = std::abs(value)}, step);
 }
 
-void ApproachSearch::ask_condition(std::size_t event, StepPolynomial& step, double from, bool counts) {
+void ApproachSearch::ask_condition(std::size_t event, StepPolynomial& step, double from, double value) {
   if (of_events_.empty() || !request_.events[event].terminal) return;
   const double t = step.whole().t + from;
-  const std::optional<double> met = counts ? std::optional(t) : std::nullopt;
-  add({.event = event, .t = t, .met = met, .sign = -1, .is_condition = true}, step);
+  const std::optional<double> met = value > 0 ? std::optional(t) : std::nullopt;
+  add({.event = event, .t = t, .met = met, .sign = -1, .is_condition = true, .distance = std::abs(value)},
+      step);
 }
 
 void ApproachSearch::add(Approach approach, StepPolynomial& step) {
@@ -145,8 +145,8 @@ void ApproachSearch::add(Approach approach, StepPolynomial& step) {
   if (is_beyond) approach.shift(approach.t - *approach.met);
   const EventFunction& event = request_.events[approach.event];
   const bool counts =
-      approach.is_condition || !event.condition || event.condition(approach.t, approach.state_at(0));
-  if (counts && ++count_ <= most_approaches) found_.push_back(std::move(approach));
+      approach.is_condition || !event.condition || event.condition(approach.t, approach.state_at(0)) > 0;
+  if (counts) found_.push_back(std::move(approach));
 }
 
 }  // namespace qdot

@@ -41,8 +41,8 @@ class ApproachSearch {
   /// The event was met `from` seconds after the step's beginning; g from there on, in the unit of `length`.
   void pass(const Along& g, StepPolynomial& step, double from, double length);
 
-  /// g was zero `from` seconds after the step's beginning, where that counts or not.
-  void ask_condition(std::size_t event, StepPolynomial& step, double from, bool counts);
+  /// g was zero `from` seconds after the step's beginning, where its condition has that value.
+  void ask_condition(std::size_t event, StepPolynomial& step, double from, double value);
 
   [[nodiscard]] std::vector<Approach> take() { return std::exchange(found_, {}); }
 
@@ -58,7 +58,6 @@ class ApproachSearch {
   const RunRequest& request_;
   std::vector<OfEvent> of_events_;
   std::vector<Approach> found_;
-  std::size_t count_{};
 };
 
 }  // namespace qdot

@@ -136,10 +136,20 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   result.off += rounding;
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
-  result.is_divided = piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time &&
-                      std::abs(c[0]) <= doubt_at_start(event, piece, rounding) + of_time;
+  if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
+    const double value = value_at_start(event, c[0]);
+    result.is_divided = std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
+    const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
+    if (is_known) result.sign_at_start = sign_of(value);
+  }
   if (result.is_divided) result.first = 1;
   return result;
+}
+
+/// The state there has not been rounded by a series.
+double EventSearch::value_at_start(std::size_t event, double of_series) const {
+  const double value = request_.events[event].value(request_.t_start, request_.y_start);
+  return std::abs(value) < std::abs(of_series) ? value : of_series;
 }
 
 /// What g may be away from its first coefficient: the bound over a very short piece, and rounding, which the
@@ -161,6 +171,10 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
+  if (signs_[event] == 0 && sign_at_start_ != 0) {
+    signs_[event] = sign_at_start_;
+    definite_[event] = begin;
+  }
   if (is_coming_back(event, pieces)) {
     if (past_start(event) <= 0) return;
     starts_at_zero_ = true;
@@ -220,6 +234,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const double shortest = 16 * time_round_off(whole.t + whole.h);
   const UnitSeries series = finite_series(event, whole);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
+  if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
   if (is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {
@@ -244,19 +259,20 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   };
   SignChange bracket{crossed.before, g(crossed.before), std::min(crossed.after, stepper.t()), 0};
   bracket.value_after = g(bracket.after);
-  // At t_start g may be zero or have passed it by a rounding error, and at a step's beginning too. Where it
-  // has no value, it has its old sign.
+  // At t_start g may be zero or have passed it by a rounding error, and at a step's beginning too, or not yet
+  // have passed it at the end. Where it has no value, it has its old sign.
   const auto is_bracket = [&] {
     return std::isnan(bracket.value_before) ||
            sign_of(bracket.value_before) * sign_of(bracket.value_after) < 0;
   };
-  const double length = bracket.after - bracket.before;
+  const double length = bracket.after - bracket.before, at_begin = std::abs(bracket.value_before);
   for (int k = 1; k <= halvings && !is_bracket() && !found.failure; ++k) {
     bracket.before = crossed.before + std::ldexp(length, -k);
     bracket.value_before = g(bracket.before);
   }
   if (found.failure) return std::nullopt;
-  if (!is_bracket()) return event.sign_at_start == 0 ? crossed.before : crossed.after;
+  const bool is_after = event.sign_at_start != 0 || std::abs(bracket.value_after) < at_begin;
+  if (!is_bracket()) return is_after ? bracket.after : crossed.before;
   const SignChange place = find_sign_change(g, bracket);
   if (event.sign_at_start == 0 && is_pole(bracket, place)) return std::nullopt;
   return place.after;
@@ -273,9 +289,9 @@ void EventSearch::report(Stepper& stepper, std::vector<std::pair<double, std::si
     for (; first != last && !found.failure; ++first) {
       const EventFunction& event = request_.events[first->second];
       if (event.condition) {
-        const bool counts = event.condition(t, y_);
-        approaches_.ask_condition(first->second, polynomial_, t - polynomial_.whole().t, counts);
-        if (!counts) continue;
+        const double value = event.condition(t, y_);
+        approaches_.ask_condition(first->second, polynomial_, t - polynomial_.whole().t, value);
+        if (!(value > 0)) continue;
       }
       found.events.push_back({first->second, t, y_});
       found.terminal = found.terminal || event.terminal;

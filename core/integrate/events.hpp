@@ -71,6 +71,7 @@ class EventSearch {
     std::size_t first{}, end{};  ///< the coefficients that count
     double off{};                ///< what g may be away from it
     bool is_divided{false};      ///< by that unit: g is zero at t_start
+    int sign_at_start{};         ///< of g at t_start, where it is too near to zero to be seen in `c`
 
     [[nodiscard]] std::span<const double> coefficients() const {
       return std::span(c).subspan(first, end - first);
@@ -79,6 +80,7 @@ class EventSearch {
   };
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
+  [[nodiscard]] double value_at_start(std::size_t event, double of_series) const;
   [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
@@ -95,6 +97,7 @@ class EventSearch {
   std::vector<double> y_;         ///< scratch
   std::size_t looks_{};           ///< at one function in one step
   bool starts_at_zero_{false};
+  int sign_at_start_{};
   bool saw_everything_{true};
 };
 

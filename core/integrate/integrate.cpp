@@ -101,6 +101,9 @@ class Integration {
       approach.unseen.assign(stepper_->unseen().begin(), stepper_->unseen().end());
       run_.approaches.push_back(std::move(approach));
     }
+    if (run_.approaches.size() < most_approaches_) return;
+    take_together(run_.approaches);
+    most_approaches_ = std::max(most_approaches_, 2 * run_.approaches.size());
   }
 
   [[nodiscard]] bool is_given_up(std::size_t first) const {
@@ -168,7 +171,8 @@ class Integration {
   EventSearch events_;
   ProgressGuard progress_;
   std::optional<OwnErrors> own_errors_;
-  std::vector<double> own_;  ///< of the last step
+  std::vector<double> own_;            ///< of the last step
+  std::size_t most_approaches_{2000};  ///< before they are taken together
   Run run_;
 };
 

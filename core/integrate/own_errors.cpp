@@ -1,5 +1,6 @@
 #include "core/integrate/own_errors.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -7,6 +8,10 @@ namespace qdot {
 namespace {
 
 constexpr double rounding = 0x1p-53;
+/// Of what a component has reached: so far away a motion is still one that goes beside it.
+constexpr double small_part = 1e-3;
+
+double sign(RandomBits& random) { return random() % 2 == 0 ? 1 : -1; }
 
 }  // namespace
 
@@ -16,7 +21,11 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
       random_(std::bit_cast<std::uint64_t>(t)),
       terms_(start.by_truncation.size()),
       sizes_(terms_.size()),
-      signs_(sizes_.size()) {}
+      signs_(sizes_.size()) {
+  RandomBits random(std::bit_cast<std::uint64_t>(t));
+  for (std::size_t i = 0; i < sizes_.size() / 2; ++i) always_.push_back(sign(random));
+  always_.insert(always_.end(), always_.begin(), always_.end());
+}
 
 void OwnErrors::follow(const MotionPiece& step) {
   largest_terms(step, terms_);
@@ -24,18 +33,29 @@ void OwnErrors::follow(const MotionPiece& step) {
   by_rounding_.follow(step, terms_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     sizes_[i] = enlarged * rounding * terms_[i] * (0.5 + random_.fraction());
-    signs_[i] = random_() % 2 == 0 ? 1 : -1;
+    signs_[i] = sign(random_);
   }
   by_rounding_.add(sizes_, signs_);
+  if (!step.rounding.empty()) take_forces(step);
   if (step.defect.empty()) return;
-  for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = step.defect[i] * step.h / step.order;
-  const std::size_t n = sizes_.size() - step.rounding.size();
-  for (std::size_t i = 0; i < step.rounding.size(); ++i) {
-    const double of_velocity = step.rounding[i] * step.h;
-    sizes_[n + i] += of_velocity;
-    sizes_[i] += of_velocity * step.h / 2;
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    sizes_[i] = step.defect[i] * step.h / step.order;
+    if (!step.rounding.empty()) sizes_[i] += of_forces_[i];
   }
   by_truncation_.add(sizes_, by_rounding_.now());
+}
+
+/// What rounding of the accelerations does in a step.
+void OwnErrors::take_forces(const MotionPiece& step) {
+  const std::size_t n = step.rounding.size();
+  of_forces_.resize(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    of_forces_[n + i] = step.rounding[i] * step.h;
+    of_forces_[i] = of_forces_[n + i] * step.h / 2;
+  }
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    sizes_[i] = std::min(enlarged * of_forces_[i], small_part * by_rounding_.reached()[i]);
+  by_rounding_.add(sizes_, always_);
 }
 
 }  // namespace qdot

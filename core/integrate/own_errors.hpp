@@ -8,7 +8,8 @@
 // of core/compile/taylor/rounding.hpp that all computations have in common: e h of a velocity, e h^2/2 of its
 // coordinate. By rounding, from a motion whose numbers differ by `enlarged` times as much as rounding makes:
 // of whole last places two or three often cancel to nothing. Each step adds about half a last place of its
-// largest term, enlarged as much, by random numbers.
+// largest term, enlarged as much, by random numbers. It adds the rounding of accelerations as well, always to
+// the same side: in a short motion what goes to and fro with the other sample may cancel.
 
 #include "core/integrate/separation.hpp"
 #include "core/numerics/random_bits.hpp"
@@ -37,9 +38,12 @@ class OwnErrors {
   }
 
  private:
+  void take_forces(const MotionPiece& step);
+
   Separation by_truncation_, by_rounding_;
   RandomBits random_;
-  std::vector<double> terms_, sizes_, signs_;  ///< scratch
+  std::vector<double> always_;                             ///< sides
+  std::vector<double> terms_, sizes_, signs_, of_forces_;  ///< scratch
 };
 
 }  // namespace qdot

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/integrate/approach.hpp"
 #include "core/numerics/crossing.hpp"
 #include "core/numerics/evaluation.hpp"
 
@@ -74,7 +75,8 @@ struct EventFunction {
   Crossing direction{Crossing::either};
   bool terminal{false};
   bool counts_at_start{false};  ///< a zero at t_start that g then leaves in its direction is one
-  std::function<bool(double t, std::span<const double> y)> condition{};  ///< optional: whether a zero counts
+  /// Optional: a zero counts where this is above zero.
+  std::function<double(double t, std::span<const double> y)> condition{};
   int sign_at_start{0};  ///< the strict sign that g counts as having had at t_start, where that is known
   /// What rounding may do to g at t_start, where that is known; it is asked where g is small there.
   std::function<double()> rounding_at_start{};
@@ -129,39 +131,6 @@ struct RunRequest {
   Tolerances tolerances{};  ///< not of gauss
   double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
   Limits limits{};
-};
-
-/// A terminal event that a run nearly meets, or has met and nearly missed (approaches.hpp).
-struct Approach {
-  static constexpr unsigned order = 5;
-  std::size_t event{};          ///< index into RunRequest::events
-  double t{};                   ///< where it turns back
-  std::optional<double> met{};  ///< when it was met
-  int sign{};                   ///< of g before the event
-  double h{};                   ///< of the step that it was seen in
-  /// What is near to zero is not g, which has met zero at t, but whether that counts: below zero it does not.
-  bool is_condition{};
-  /// The motion as it was before the event, around t: coefficients of y_i(t + s), row by row.
-  std::vector<double> rows{};
-  /// Of a run that is compared with an original: as Run::apart and Run::unseen, where the step ends.
-  std::vector<double> apart{}, unseen{};
-
-  [[nodiscard]] double instant() const { return met.value_or(t); }
-  /// The rows around another t, s later.
-  void shift(double s) {
-    for (std::size_t i = 0; i < rows.size(); i += order + 1) {
-      for (unsigned k = 0; k < order; ++k) {
-        for (unsigned j = order; j-- > k;) rows[i + j] += s * rows[i + j + 1];
-      }
-    }
-  }
-  [[nodiscard]] std::vector<double> state_at(double s) const {
-    std::vector<double> y(rows.size() / (order + 1));
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      for (std::size_t k = order + 1; k-- > 0;) y[i] = y[i] * s + rows[i * (order + 1) + k];
-    }
-    return y;
-  }
 };
 
 enum class Ending {

@@ -45,6 +45,9 @@ double short_time(const SectionEnd& end) {
   return speed > 0 ? looked_at / speed : looked_at;
 }
 
+/// As far as slopes tell how the motion goes on.
+double longest_time(const SectionEnd& end) { return farthest_to_event / looked_at * short_time(end); }
+
 /// Positions after tau at the accelerations of before.
 std::vector<double> soon(const SectionEnd& end, double tau) {
   std::vector<double> y = along(end.before, tau, end.slopes_before);
@@ -100,7 +103,7 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
   const double slope = (g_of_other(tau) - g_of_other(-tau)) / (2 * tau);
   double later = 0;
   for (int i = 0; i < looks; ++i) later -= g_of_other(later) / slope;
-  const double farthest = farthest_to_event / looked_at * tau;
+  const double farthest = longest_time(end);
   if (!(std::abs(later) < farthest))
     return end.map ? apart_without_event(end, e, tau) : apart_after_grazing(end, e, farthest);
   std::vector<double> result = state_after(end, along(other, later, end.slopes_before));
@@ -112,7 +115,7 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
 double rounding_of_instant(const SectionEnd& end) {
   if (end.rounding == 0) return 0;
   const double shortest = short_time(end);
-  for (double tau = shortest; tau < farthest_to_event / looked_at * shortest; tau *= longer) {
+  for (double tau = shortest; tau < longest_time(end); tau *= longer) {
     const auto g_after = [&](double later) {
       return end.g(end.t + later, along(end.before, later, end.slopes_before));
     };
@@ -120,7 +123,7 @@ double rounding_of_instant(const SectionEnd& end) {
     const double off = end.rounding / slope;
     if (slope > 0 && off < tau) return off > last_places * time_round_off(end.t) ? off : 0;
   }
-  return farthest_to_event / looked_at * shortest;
+  return longest_time(end);
 }
 
 double seconds_apart(const SectionEnd& end, std::span<const double> errors) {
@@ -138,7 +141,7 @@ double seconds_apart(const SectionEnd& end, std::span<const double> errors) {
     off += std::abs(change(way, step, 0)) / (2 * step) * errors[k];
     way[k] = 0;
   }
-  return off > 0 ? std::min(off / slope, farthest_to_event / looked_at * tau) : 0;
+  return off > 0 ? std::min(off / slope, longest_time(end)) : 0;
 }
 
 std::vector<double> rates_of_instant(const SectionEnd& end) {
@@ -194,7 +197,8 @@ double ApartAlong::seconds(SectionEnd end, std::span<const double> unseen) const
   std::vector<double> errors = at_end();
   for (double& error : errors) error *= safety_of_differences;
   for (std::size_t k = 0; k < unseen.size(); ++k) errors[k] += unseen[k];
-  return seconds_apart(end, errors);
+  const double of_instant = time_round_off(end.t) + end.doubt + end.moved;
+  return std::min(of_instant + seconds_apart(end, errors), longest_time(end));
 }
 
 void ApartAlong::pass(SectionEnd end) {
@@ -203,7 +207,8 @@ void ApartAlong::pass(SectionEnd end) {
   now_.by_truncation = apart_after(end, now_.by_truncation);
   now_.by_rounding = apart_after(end, now_.by_rounding);
   RandomBits random(std::bit_cast<std::uint64_t>(end.t));
-  const double late = OwnErrors::enlarged * (time_round_off(end.t) + end.doubt) * (random.fraction() - 0.5);
+  const double doubt = std::min(time_round_off(end.t) + end.doubt, longest_time(end));
+  const double late = OwnErrors::enlarged * doubt * (random.fraction() - 0.5);
   const std::vector<double> rates = rates_of_instant(end);
   const double in_common = rounding_of_instant(end);
   for (std::size_t i = 0; i < rates.size(); ++i) {

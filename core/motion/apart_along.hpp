@@ -42,7 +42,8 @@ class ApartAlong {
   void ask(RunRequest& run, const Originals& originals) const;
   /// The next run's rows, and where it ended. Where the run says nothing nothing has changed.
   void add(const Run& done);
-  /// The same of the motion that is stood for. `reached` is filled in here, as below.
+  /// The same of the motion that is stood for, and of what rounds the instant. `reached` is filled in here,
+  /// as below.
   [[nodiscard]] double seconds(SectionEnd end, std::span<const double> unseen) const;
   /// Its `reached` is filled in here. The instant is off by its rounding.
   void pass(SectionEnd end);

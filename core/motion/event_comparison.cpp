@@ -43,8 +43,9 @@ std::vector<std::optional<double>> EventComparison::of_events() {
   const EventRecord* last = nullptr;
   for (const EventRecord& event : motion_.simulation.events) {
     const auto [errors, are_of_it] = errors_at(event);
-    result.push_back(errors.empty() ? std::nullopt
-                                    : of_state_.of(event, errors, are_of_it ? std::span(reached_) : scale_));
+    result.push_back(errors.empty() || event.is_in_doubt
+                         ? std::nullopt
+                         : of_state_.of(event, errors, are_of_it ? std::span(reached_) : scale_));
     if (last != nullptr && last->t == event.t) share_with_cause(result);
     last = &event;
   }
@@ -87,7 +88,18 @@ void EventComparison::add_told(const ApproachRecord& approach, std::vector<Appro
   if (are_of_it && !is_after_impact) told = at_events_.as_told(event);
   if (told.empty() && !errors.empty())
     told.push_back({std::vector<double>(event.y.size()), std::move(errors)});
+  if (approach.place.others) widen_for_others(*approach.place.others, told);
   for (StateAsTold& state : told) all.push_back({approach, std::move(state), rows_before(t)});
+}
+
+/// The last of them has the largest errors.
+void EventComparison::widen_for_others(const Approach::Others& others, std::vector<StateAsTold>& told) const {
+  if (rows() == 0 || others.from > motion_.grid.t[rows() - 1]) return;
+  const std::vector<double> last = some_rows_after(std::min(others.to, motion_.grid.t[rows() - 1]));
+  if (told.empty()) told.push_back({std::vector<double>(last.size()), last});
+  for (StateAsTold& state : told) {
+    for (std::size_t k = 0; k < last.size(); ++k) state.errors[k] = std::max(state.errors[k], last[k]);
+  }
 }
 
 EventComparison::OfState EventComparison::errors_at(const EventRecord& event) {
@@ -142,19 +154,27 @@ bool EventComparison::is_small(std::span<const double> errors) const {
   return true;
 }
 
-double EventComparison::accumulation_error(std::span<const double> of_state) {
+/// The last impacts are as near to each other as their errors: those before them tell. None where none does.
+std::optional<double> EventComparison::accumulation_error(std::span<const double> of_state) {
   const Simulation& motion = motion_.simulation;
-  double of_impacts = 0;
-  for (const EventRecord& event : motion.events)
-    of_impacts = std::max(of_impacts, of_state_.of(event, of_state, scale_).value_or(0));
-  return of_impacts + motion.stop->doubt;
+  std::optional<double> of_impacts;
+  std::vector<double> reached(scale_.begin(), scale_.end());  // there may be no row after the first
+  for (const EventRecord& event : motion.events) {
+    for (std::size_t k = 0; k < reached.size(); ++k) reached[k] = std::max(reached[k], std::abs(event.y[k]));
+  }
+  for (const EventRecord& event : motion.events) {
+    const std::optional<double> own = of_state_.of(event, of_state, reached);
+    if (own) of_impacts = std::max(of_impacts.value_or(0), *own);
+  }
+  return of_impacts ? std::optional(*of_impacts + motion.stop->doubt) : std::nullopt;
 }
 
 /// The computations have each its own; they may agree by chance, and the last row is before all of them.
 std::optional<double> EventComparison::of_stop() {
   if (!motion_.simulation.stop || rows() == 0) return std::nullopt;
   const Stop& stop = *motion_.simulation.stop;
-  std::vector<double> of_state = some_rows_after(motion_.grid.t[rows() - 1]);
+  const std::vector<double> of_rows = some_rows_after(motion_.grid.t[rows() - 1]);
+  std::vector<double> of_state = of_rows;
   std::optional<double> error;
   for (const Simulation& other : others_) {
     if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
@@ -162,9 +182,11 @@ std::optional<double> EventComparison::of_stop() {
       of_state[k] = std::max(of_state[k], safety_of_differences * other.apart_at_end[k]);
     error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
   }
-  const auto least = stop.reason == impacts_accumulate ? std::optional(accumulation_error(of_state))
-                                                       : of_state_.of(stop, motion_.simulation.y, of_state);
-  return error && least ? std::optional(std::max(*error, *least)) : std::nullopt;
+  const bool accumulates = stop.reason == impacts_accumulate;
+  auto least =
+      accumulates ? accumulation_error(of_state) : of_state_.of(stop, motion_.simulation.y, of_state);
+  if (accumulates && !least) least = accumulation_error(of_rows);  // flights may be shorter than their errors
+  return error && least && std::isfinite(*least) ? std::optional(std::max(*error, *least)) : std::nullopt;
 }
 
 }  // namespace qdot

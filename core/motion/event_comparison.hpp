@@ -48,13 +48,14 @@ class EventComparison {
   };
   [[nodiscard]] OfState errors_at(const EventRecord& event);
   void add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all);
+  void widen_for_others(const Approach::Others& others, std::vector<StateAsTold>& told) const;
   [[nodiscard]] std::size_t rows() const { return errors_.stated.size() / scale_.size(); }
   [[nodiscard]] std::span<const double> row(std::size_t i) const;
   [[nodiscard]] std::vector<double> rows_before(double t);
   [[nodiscard]] std::vector<double> some_rows_after(double t) const;
   [[nodiscard]] double own_time() const;
   [[nodiscard]] bool is_small(std::span<const double> errors) const;
-  [[nodiscard]] double accumulation_error(std::span<const double> of_state);
+  [[nodiscard]] std::optional<double> accumulation_error(std::span<const double> of_state);
 
   const ComputedMotion& motion_;
   const std::vector<Simulation>& others_;

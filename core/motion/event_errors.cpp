@@ -16,6 +16,7 @@ constexpr double rounding_of_values = 8 * std::numeric_limits<double>::epsilon()
 /// is hit and hits the next one in the same instant.
 constexpr double rounding_of_scale = 1e-3;
 constexpr double tried_first = 1.05, tried_next = 1.5;  ///< of what is tried
+constexpr double nearly_all = 0.9;                      ///< of a doubt, which is rounded itself
 constexpr double shortest_time = 1e-300;
 constexpr double share = 1e-4;          ///< of that time, for slopes along the motion
 constexpr double next_share = 10;       ///< times that, where values are rounded by as much as they change
@@ -97,10 +98,28 @@ std::optional<double> EventErrors::by_slopes(const Watch& watch, const Place& pl
     const double slope = (std::abs(after - before) - 2 * rounding) / (2 * tau);
     const double curvature = (std::abs(after - 2 * now + before) + 4 * rounding) / (tau * tau);
     const double all = doubt + rounding, discriminant = slope * slope - 2 * curvature * all;
-    if (slope > 0 && discriminant >= 0)
-      return 2 * all / (slope + std::sqrt(discriminant)) + time_round_off(place.t);
+    if (!(slope > 0 && discriminant >= 0)) continue;
+    double error = 2 * all / (slope + std::sqrt(discriminant)) + time_round_off(place.t);
+    while (error <= farthest_share * own_time && !is_clear_of_zero(error, watch, place)) error *= tried_next;
+    return error <= farthest_share * own_time ? std::optional(error) : std::nullopt;
   }
   return std::nullopt;
+}
+
+/// Whether g has left zero by what it may be off there, to one side before and to the other after. At a
+/// multiple root slopes over a longer time tell too much.
+bool EventErrors::is_clear_of_zero(double tau, const Watch& watch, const Place& place) {
+  double before = 0;
+  for (const double length : {-tau, tau}) {
+    const std::vector<double> y = state_after(tried_first * length, place);
+    const double t = place.t + tried_first * length, value = watch.value(t, y);
+    const Place there{t, y, accelerations(t, y), place.errors};
+    const double doubt = linear(watch, there).doubt - std::abs(value) + watch.own_rounding(t, y);
+    if (!(std::abs(value) >= nearly_all * doubt)) return false;
+    if (before != 0) return (before < 0) != (value < 0);
+    before = value;
+  }
+  return false;
 }
 
 /// By the midpoint rule: right up to tau^2.

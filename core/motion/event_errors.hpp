@@ -46,6 +46,7 @@ class EventErrors {
   };
   [[nodiscard]] std::optional<double> by_slopes(const Watch& watch, const Place& place, double own_time,
                                                 double doubt);
+  [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> state_after(double tau, const Place& place);
   struct Linear {
     double doubt{};  ///< |g| + sum_k |dg/dy_k| e_k

@@ -42,7 +42,7 @@ std::optional<ExtendedRun> extended_states_through(std::span<const SectionRecord
     const auto event = [&](const DoubleDouble& t, std::span<const DoubleDouble> y) {
       return passage.event_at(t, y).front();
     };
-    if (!pieces.go_to(system, section.t) || !pieces.move_to_zero(system, event, section.duration)) {
+    if (!pieces.go_to(system, section.t) || !pieces.jump_at_zero(system, event, section.duration)) {
       return std::nullopt;
     }
     passage.map.assign(passage.components_at(pieces.t(), pieces.y()), pieces.y());

@@ -49,7 +49,7 @@ ExtendedRun extended_states_along(std::span<const PieceRecord> pieces, const Dyn
     if (!motion.go_to(mode.system, piece.t) || piece.ended_by.size() > 1) break;
     ExtendedFunction& end = mode.end(piece.sides, piece.ended_by.front());
     const auto g = [&](const DoubleDouble& t, std::span<const DoubleDouble> y) { return end(t, y).front(); };
-    if (!motion.move_to_zero(mode.system, g, piece.duration)) break;
+    if (!motion.turn_at_zero(mode.system, g, piece.duration)) break;
   }
   return std::move(motion).run();
 }

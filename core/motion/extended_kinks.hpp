@@ -9,8 +9,8 @@
 
 namespace qdot {
 
-/// The states on the grid, up to where the end of a piece is not found next to the one that is known, where a
-/// row lies between the two, or where several kinks end it: not beyond turns that accumulate.
+/// The states on the grid, up to where the end of a piece is not found next to the one that is known, or
+/// where several kinks end it: not beyond turns that accumulate.
 [[nodiscard]] ExtendedRun extended_states_along(std::span<const PieceRecord> pieces, const Dynamics& dynamics,
                                                 const ExtendedMotionRequest& request);
 

@@ -60,11 +60,19 @@ bool ExtendedPieces::go_to(const ExtendedSystem& system, const DoubleDouble& t) 
     piece_.grid.push_back(grid_[i]);
   piece_.grid.push_back(t);
   if (!go_on(system)) return false;
+  const std::size_t before = (run_.rows - 1) * piece_.y_start.size();
+  apart_at_end_.clear();
+  if (run_.apart.size() > before)
+    apart_at_end_.assign(run_.apart.begin() + static_cast<std::ptrdiff_t>(before), run_.apart.end());
+  drop_last_row();
+  return true;
+}
+
+void ExtendedPieces::drop_last_row() {
   run_.rows -= 1;
   run_.states.resize(run_.rows * piece_.y_start.size());
   run_.passed.resize(run_.states.size());
-  run_.apart.resize(run_.states.size());
-  return true;
+  run_.apart.resize(std::min(run_.apart.size(), run_.states.size()));
 }
 
 bool ExtendedPieces::finish(const ExtendedSystem& system) {
@@ -99,28 +107,49 @@ void ExtendedPieces::pass_on(std::vector<double> passed) {
   run_.passed.insert(run_.passed.end(), passed.begin(), passed.end());
 }
 
-bool ExtendedPieces::move_to_zero(const ExtendedSystem& system, const Function& g, double duration) {
-  const DoubleDouble known = piece_.t_start;
-  const std::vector<DoubleDouble> y_known = piece_.y_start;
-  std::vector<DoubleDouble> c(y_known.size() * (order_beside + 1));
-  if (system.expansion(known, y_known, order_beside, c) != Evaluation::ok) return false;
-  const auto move = [&](const DoubleDouble& d) {
-    piece_.t_start = known + d;
-    for (std::size_t i = 0; i < y_known.size(); ++i) {
-      piece_.y_start[i] = 0.0;
-      for (std::size_t k = order_beside + 1; k-- > 0;)
-        piece_.y_start[i] = piece_.y_start[i] * d + c[i * (order_beside + 1) + k];
-    }
-  };
+bool ExtendedPieces::jump_at_zero(const ExtendedSystem& system, const Function& g, double duration) {
+  const auto d = zero_beside(system, g, duration);
+  if (!d || has_row_within(known_.high, 2 * std::abs(d->high))) return false;
+  move(*d);
+  return true;
+}
+
+bool ExtendedPieces::turn_at_zero(const ExtendedSystem& system, const Function& g, double duration) {
+  const auto d = zero_beside(system, g, duration);
+  if (!d) return false;
+  const DoubleDouble zero = known_ + *d;
+  while (run_.rows > 0 && is_before(zero, grid_[run_.rows - 1])) drop_last_row();
+  for (; run_.rows < grid_.size() && !is_before(zero, grid_[run_.rows]); ++run_.rows) {
+    move(grid_[run_.rows] - known_);
+    run_.states.insert(run_.states.end(), piece_.y_start.begin(), piece_.y_start.end());
+    run_.apart.insert(run_.apart.end(), apart_at_end_.begin(), apart_at_end_.end());
+    run_.passed.insert(run_.passed.end(), largest_.begin(), largest_.end());
+  }
+  move(*d);
+  return true;
+}
+
+/// How much later than the place that is known.
+std::optional<DoubleDouble> ExtendedPieces::zero_beside(const ExtendedSystem& system, const Function& g,
+                                                        double duration) {
+  known_ = piece_.t_start;
+  beside_.resize(piece_.y_start.size() * (order_beside + 1));
+  if (system.expansion(known_, piece_.y_start, order_beside, beside_) != Evaluation::ok) return std::nullopt;
   const auto g_beside = [&](const DoubleDouble& d) {
     move(d);
     return g(piece_.t_start, piece_.y_start);
   };
   const double reach = farthest * duration;
-  const auto d = zero_near(g_beside, reach, as_near_as_can_be * (reach + std::abs(known.high)));
-  if (!d || has_row_within(known.high, 2 * std::abs(d->high))) return false;
-  move(*d);
-  return true;
+  return zero_near(g_beside, reach, as_near_as_can_be * (reach + std::abs(known_.high)));
+}
+
+void ExtendedPieces::move(const DoubleDouble& d) {
+  piece_.t_start = known_ + d;
+  for (std::size_t i = 0; i < piece_.y_start.size(); ++i) {
+    piece_.y_start[i] = 0.0;
+    for (std::size_t k = order_beside + 1; k-- > 0;)
+      piece_.y_start[i] = piece_.y_start[i] * d + beside_[i * (order_beside + 1) + k];
+  }
 }
 
 bool ExtendedPieces::has_row_within(double t, double reach) const {

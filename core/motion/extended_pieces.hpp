@@ -43,10 +43,13 @@ class ExtendedPieces {
   [[nodiscard]] bool go_to(const ExtendedSystem& system, const DoubleDouble& t);
   [[nodiscard]] bool finish(const ExtendedSystem& system);
 
+  using Function = std::function<DoubleDouble(const DoubleDouble& t, std::span<const DoubleDouble> y)>;
   /// To the zero of g beside the place, at most a small part of `duration` away. False where there is none,
   /// or where a row lies between the two, so that it may belong to either side.
-  using Function = std::function<DoubleDouble(const DoubleDouble& t, std::span<const DoubleDouble> y)>;
-  [[nodiscard]] bool move_to_zero(const ExtendedSystem& system, const Function& g, double duration);
+  [[nodiscard]] bool jump_at_zero(const ExtendedSystem& system, const Function& g, double duration);
+  /// The same, where the state goes on without a jump: a row between the two lies where it is in these
+  /// digits.
+  [[nodiscard]] bool turn_at_zero(const ExtendedSystem& system, const Function& g, double duration);
 
   [[nodiscard]] const DoubleDouble& t() const { return piece_.t_start; }
   [[nodiscard]] std::vector<DoubleDouble>& y() { return piece_.y_start; }
@@ -55,12 +58,19 @@ class ExtendedPieces {
  private:
   [[nodiscard]] bool go_on(const ExtendedSystem& system);
   void pass_on(std::vector<double> passed);
+  void drop_last_row();
+  [[nodiscard]] std::optional<DoubleDouble> zero_beside(const ExtendedSystem& system, const Function& g,
+                                                        double duration);
+  void move(const DoubleDouble& d);
   [[nodiscard]] bool has_row_within(double t, double reach) const;
 
   ExtendedMotionRequest piece_;
   std::vector<DoubleDouble> grid_;
   ExtendedRun run_;
   std::vector<double> largest_;  ///< that was passed, of each component
+  std::vector<double> apart_at_end_;
+  DoubleDouble known_;                ///< the place where a piece ended in doubles
+  std::vector<DoubleDouble> beside_;  ///< the series around it
 };
 
 }  // namespace qdot

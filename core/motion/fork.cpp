@@ -15,6 +15,7 @@ constexpr double step_of_slopes = 1e-7;                               ///< relat
 constexpr double small_beside_errors =
     0.1;                               ///< of the errors of velocities: what a jump of forces adds to them
 constexpr double still_turns = 0.5;    ///< as much as before the event
+constexpr double doubt_of_others = 4;  ///< times that of the nearest one: the same errors move them more
 constexpr double clearly = 0.25;       ///< of what g was moved by: so far before the event it begins
 constexpr double first_share = 1e-12;  ///< of the span: how early it is looked for at first
 constexpr double earlier = 1.5;
@@ -34,14 +35,18 @@ Fork::Fork(const ComputedMotion& motion, const ApproachAsTold& approach)
       t_(place_.t),
       value_(value(t_, y_)) {
   const std::vector<double> then = state_at(place_.instant() - place_.t);
-  for (std::size_t k = 0; k < y_.size(); ++k)
+  for (std::size_t k = 0; k < y_.size(); ++k) {
     errors_[k] += rounding_of_numbers * std::max(std::abs(y_[k]), std::abs(then[k]));
+    errors_[k] += time_round_off(t_) * std::abs(place_.rows[k * (Approach::order + 1) + 1]);
+  }
   take_slopes();
   take_doubt();
   if (place_.is_condition) move_to_event();
 }
 
-bool Fork::is_open() const { return !(-side_of_way() * value_ > doubt_); }
+bool Fork::is_open() const {
+  return !(-side_of_way() * value_ > (place_.others ? doubt_of_others * doubt_ : doubt_));
+}
 
 bool Fork::is_negligible() const {
   if (!approach_.is_kink || approach_.stays) return false;

@@ -21,7 +21,7 @@ class Fork {
   /// Keeps references to both.
   Fork(const ComputedMotion& motion, const ApproachAsTold& approach);
 
-  /// Whether the errors allow another way.
+  /// Whether the errors allow another way, there or where others are that it stands for.
   [[nodiscard]] bool is_open() const;
   /// A jump of forces that is over before it has moved the motion as far as it may be off anyway.
   [[nodiscard]] bool is_negligible() const;

@@ -26,18 +26,19 @@ std::span<const Watch> ImpactsAlong::watches() const {
 
 InstantImpacts::Passed ImpactsAlong::pass(double t, const std::vector<double>& y) {
   if (!impacts_) impacts_.emplace(dynamics_, request_.parameters, sections_.resolution());
-  return impacts_->pass(t, y, met_, watches());
+  return impacts_->pass(t, y, met_, watches(), request_.impact_order);
 }
 
 std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> sections,
                                                 const InstantImpacts::Passed& passed) {
   if (sections[longest_].duration < sections.back().duration) longest_ = sections.size() - 1;
   const double lowest = lowest_flight(passed.all.front().impact, sections);
-  if (!passed.is_over) return RestOfImpacts{0, doubt_of_lost(sections, lowest), false};
-  const double span = request_.t_end - request_.t_start;
-  std::optional<RestOfImpacts> rest = rest_of_impacts(sections, span, lowest);
-  if (rest && rest->time == 0 && leaves_contact(passed.all.front().impact, sections))
-    return RestOfImpacts{0, 0, true};
+  auto rest = passed.is_over ? rest_of_impacts(sections, request_.t_end - request_.t_start, lowest)
+                             : RestOfImpacts{0, doubt_of_lost(sections, lowest), false};
+  if (!rest) return rest;
+  if (passed.is_over && rest->time == 0 && leaves_contact(passed.all.front().impact, sections))
+    rest = RestOfImpacts{0, 0, true};
+  rest->doubt += sections_.resolution();
   return rest;
 }
 

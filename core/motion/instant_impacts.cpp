@@ -8,6 +8,7 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_in_an_instant = 1000;
+constexpr double rounding_of_order = 1e-12;  ///< of the largest number
 /// Of a state's numbers: their own rounding, and that of the steps that led to them.
 constexpr double rounding_of_state = 16 * std::numeric_limits<double>::epsilon();
 
@@ -17,6 +18,24 @@ std::vector<Ball> rounded(std::span<const double> numbers) {
   std::vector<Ball> balls;
   for (const double x : numbers) balls.push_back(rounded(x));
   return balls;
+}
+
+/// Whether other impacts have happened, or the same to another end.
+bool is_other(const InstantImpacts::Passed& one, const InstantImpacts::Passed& other,
+              std::span<const double> before) {
+  const auto happened = [](const InstantImpacts::Passed& passed) {
+    std::vector<std::size_t> impacts;
+    for (const auto& [impact, state] : passed.all) impacts.push_back(impact);
+    std::ranges::sort(impacts);
+    return impacts;
+  };
+  if (happened(one) != happened(other)) return true;
+  double size = 0, apart = 0;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    size = std::max({size, std::abs(one.after[k]), std::abs(other.after[k]), std::abs(before[k])});
+    apart = std::max(apart, std::abs(one.after[k] - other.after[k]));
+  }
+  return apart > rounding_of_order * size;
 }
 
 }  // namespace
@@ -36,37 +55,58 @@ InstantImpacts::InstantImpacts(const Dynamics& dynamics, std::span<const double>
 }
 
 InstantImpacts::Passed InstantImpacts::pass(double t, const std::vector<double>& y,
-                                            const std::vector<bool>& met, std::span<const Watch> watches) {
-  Passed passed{{}, y, true};
+                                            const std::vector<bool>& met, std::span<const Watch> watches,
+                                            ImpactOrder order) {
+  std::vector<std::size_t> all;
   for (std::size_t k = 0; k < rules_.size(); ++k) {
-    if (!met[k]) continue;
+    if (met[k]) all.push_back(k);
+  }
+  if (order == ImpactOrder::reverse) std::ranges::reverse(all);
+  Passed passed = in_order(t, y, all, watches);
+  if (all.size() < 2) return passed;
+  std::ranges::reverse(all);
+  passed.order_matters = is_other(passed, in_order(t, y, all, watches), y);
+  return passed;
+}
+
+InstantImpacts::Passed InstantImpacts::in_order(double t, const std::vector<double>& y,
+                                                std::span<const std::size_t> met,
+                                                std::span<const Watch> watches) const {
+  Passed passed{{}, y};
+  for (const std::size_t k : met) {
     const bool is_certain = passed.all.empty() || !rules_[k].approach;
     if (is_certain || follows(k, t, passed.after, watches[k])) apply(k, t, passed);
   }
+  if (met.size() > 1) passed.within = resolution_;
   for (;;) {
     std::size_t next = 0;
-    while (next < rules_.size() && !follows(next, t, passed.after, watches[next])) ++next;
+    std::optional<double> later;
+    while (next < rules_.size() && !(later = follows(next, t, passed.after, watches[next]))) ++next;
     if (next == rules_.size()) return passed;
     if (passed.all.size() >= most_in_an_instant) break;
+    passed.within = std::max(passed.within, *later);
     apply(next, t, passed);
   }
   passed.is_over = false;
   return passed;
 }
 
-/// Whether its distance is 0 there and falls, neither in doubt for its rounding.
-bool InstantImpacts::follows(std::size_t impact, double t, const std::vector<double>& y,
-                             const Watch& watch) const {
+/// Where its distance is 0 there and falls, neither in doubt for its rounding: by how many seconds it may be
+/// apart.
+std::optional<double> InstantImpacts::follows(std::size_t impact, double t, const std::vector<double>& y,
+                                              const Watch& watch) const {
   const Rule& rule = rules_[impact];
-  if (!rule.approach || watch.direction == Crossing::either) return false;
+  if (!rule.approach || watch.direction == Crossing::either) return std::nullopt;
   rule.enclosed_approach->set_time(rounded(t));
   Ball values[2];
   (*rule.enclosed_approach)(rounded(y), values);
   const auto& [distance, rate] = values;
-  if (!distance.is_finite() || !rate.is_finite() || rate.contains_zero()) return false;
-  if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return false;
-  if (std::abs(distance.value()) > distance.radius + std::abs(rate.value()) * resolution_) return false;
-  return !watch.condition || watch.condition(t, y);
+  if (!distance.is_finite() || !rate.is_finite() || rate.contains_zero()) return std::nullopt;
+  if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return std::nullopt;
+  const double speed = std::abs(rate.value()), off = std::abs(distance.value());
+  if (off > distance.radius + speed * resolution_) return std::nullopt;
+  if (watch.condition && !(watch.condition(t, y) > 0)) return std::nullopt;
+  return std::min((off + distance.radius) / speed, resolution_);
 }
 
 std::vector<double> InstantImpacts::repeat(double t, std::vector<double> y,

@@ -4,16 +4,19 @@
 // One may start the next: of three balls in a row the second, hit by the first, hits the third. So after
 // each, an impact with restitution follows in the same instant where its distance is zero but for rounding
 // and falls; the first such in order, until none falls any more. What comes out may depend on the order, as
-// it does in nature on what gives way first (Newton's cradle). Source: D. E. Stewart, Rigid-body dynamics
-// with friction and impact, SIAM Review 42 (2000): several contacts.
+// it does in nature on what gives way first (Newton's cradle). Where several events happen in one instant the
+// true motion may have any order, of which it is told whether that matters. Source: D. E. Stewart, Rigid-body
+// dynamics with friction and impact, SIAM Review 42 (2000): several contacts.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/motion/impact_map.hpp"
+#include "core/motion/simulation_request.hpp"
 #include "core/numerics/ball.hpp"
 
 namespace qdot {
@@ -30,11 +33,13 @@ class InstantImpacts {
   struct Passed {
     std::vector<Happened> all;
     std::vector<double> after;
-    bool is_over{true};  ///< false: they start each other again and again
+    bool is_over{true};    ///< false: they start each other again and again
+    bool order_matters{};  ///< of those whose events have happened
+    double within{};       ///< seconds, in which they really happen
   };
   /// From (t, y). `met`: the impacts whose events have happened; `watches`: one for each impact.
   [[nodiscard]] Passed pass(double t, const std::vector<double>& y, const std::vector<bool>& met,
-                            std::span<const Watch> watches);
+                            std::span<const Watch> watches, ImpactOrder order);
 
   /// What the same impacts, one after the other, do to another state.
   [[nodiscard]] std::vector<double> repeat(double t, std::vector<double> y,
@@ -47,8 +52,10 @@ class InstantImpacts {
     std::shared_ptr<const CompiledFunction> approach;  ///< distance and its rate; null without restitution
     std::unique_ptr<TapeEvaluator<Ball>> enclosed_approach;
   };
-  [[nodiscard]] bool follows(std::size_t impact, double t, const std::vector<double>& y,
-                             const Watch& watch) const;
+  [[nodiscard]] Passed in_order(double t, const std::vector<double>& y, std::span<const std::size_t> met,
+                                std::span<const Watch> watches) const;
+  [[nodiscard]] std::optional<double> follows(std::size_t impact, double t, const std::vector<double>& y,
+                                              const Watch& watch) const;
   void apply(std::size_t impact, double t, Passed& passed) const;
   void change(std::size_t impact, double t, std::vector<double>& y) const;
 

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
 constexpr double unmeasurable = 1e-200;  ///< is no error of a column that is 0 all along: room for underflow
-constexpr double much_larger = 10;       ///< errors than without ways that the motion may have gone as well
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 /// Over more or fewer kinks or impacts, or others.
@@ -177,7 +176,7 @@ bool Measurement::can_be_checked_by(const Simulation& other) {
 
 void Measurement::state(const std::vector<Simulation>& others) {
   RowComparison comparison = compare(motion(), others, doubt_);
-  OtherWays ways = other_ways(motion(), comparison.approaches, left());
+  OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);
   result_.event_errors = std::move(comparison.event_errors);
@@ -195,10 +194,9 @@ RowComparison Measurement::with_other_ways(const RowComparison& without, std::ve
   spent_ += ways.evaluations;
   std::ranges::move(ways.motions, std::back_inserter(others));
   RowComparison all = compare(motion(), others, doubt_, ways.lost_from);
-  bool is_larger = false;
-  for (std::size_t k = 0; k < all.max_abs_error.size(); ++k)
-    is_larger = is_larger || all.max_abs_error[k] > much_larger * without.max_abs_error[k];
-  if (is_larger) result_.reason = ways.where + accuracy_reasons::may_go_otherwise;
+  if (ways.may_not_end) all.stop_error.reset();
+  const std::string reason = what_they_change(ways, without, all);
+  if (!reason.empty()) result_.reason = reason;
   return all;
 }
 

@@ -161,6 +161,17 @@ std::vector<double> rounding_in_common(const ComputedMotion& motion, std::span<c
   return rounding;
 }
 
+/// Impacts, and where a check looks for them, events.
+std::vector<std::string> events_compared(const ComputedMotion& motion) {
+  std::vector<std::string> names;
+  if (motion.has_events_in_doubt()) names = motion.request.events;
+  if (motion.request.impacts == Impacts::ignore) return names;
+  for (const ParsedImpact& impact : motion.dynamics.model().parsed.impacts) {
+    if (std::ranges::find(names, impact.event) == names.end()) names.push_back(impact.event);
+  }
+  return names;
+}
+
 }  // namespace
 
 bool ComputedMotion::is_near_round_off() const {
@@ -245,7 +256,6 @@ const char* not_comparable(const ComputedMotion& motion, const Simulation& check
 }
 
 std::string differing_events(const ComputedMotion& motion, const Simulation& check) {
-  if (!motion.has_events_in_doubt()) return {};
   const double end = std::min(motion.simulation.t, check.t), span = end - motion.request.t_start;
   const auto count = [&](const Simulation& simulation, const std::string& name) {
     return std::ranges::count_if(simulation.events, [&](const EventRecord& event) {
@@ -254,7 +264,7 @@ std::string differing_events(const ComputedMotion& motion, const Simulation& che
       return event.name == name && !is_at_an_end;
     });
   };
-  for (const std::string& name : motion.request.events) {
+  for (const std::string& name : events_compared(motion)) {
     const auto own = count(motion.simulation, name), others = count(check, name);
     if (own == others) continue;
     return "The second computation meets " + name + " " + std::to_string(others) + " times, this one " +

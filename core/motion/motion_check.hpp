@@ -50,9 +50,9 @@ inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is 
 /// Why the check does not tell the error of the motion; nullptr where it does.
 [[nodiscard]] const char* not_comparable(const ComputedMotion& motion, const Simulation& check);
 
-/// Which event a check that looks for them meets more or less often than the motion, in a sentence; empty:
-/// none. Checks look where the method's steps hide more than its error, or where that is large: the motion
-/// may come so near to an event that it happens in one and not in the other.
+/// Which impact a check meets more or less often than the motion, or which event, where it looks for them, in
+/// a sentence; empty: none. Checks look where the method's steps hide more than its error, or where that is
+/// large: the motion may come so near to an event that it happens in one and not in the other.
 [[nodiscard]] std::string differing_events(const ComputedMotion& motion, const Simulation& check);
 
 struct SharperMotion {

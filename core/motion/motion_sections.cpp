@@ -187,6 +187,7 @@ ApproachRecord MotionSections::approach(Approach place, double begun) const {
   if (record.place.event < watches().size()) {
     const Watch& watch = watches()[record.place.event];
     record.name = watch.name;
+    record.ends_motion = watch.kind != Watch::Kind::impact;
     record.enclosure = record.place.is_condition ? watch.when_enclosure : watch.enclosure;
     if (record.place.is_condition) record.of_event = watch.enclosure;
     return record;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/base/error.hpp"
+#include "core/motion/accuracy_reasons.hpp"
 #include "core/motion/fork.hpp"
 #include "core/motion/simulation.hpp"
 
@@ -15,11 +17,13 @@ namespace {
 
 constexpr std::size_t most_ways = 4;
 constexpr Tolerances of_checks{1e-12, 1e-15};
+constexpr double much_larger = 10;  ///< errors than without
 
 /// As another computation of the motion, from its first row on.
 class OtherWay {
  public:
-  OtherWay(const ComputedMotion& motion, double begin) : motion_(motion), begin_(begin) {
+  OtherWay(const ComputedMotion& motion, double begin, ImpactOrder order = ImpactOrder::of_scene)
+      : motion_(motion), begin_(begin), order_(order) {
     const std::vector<double>& all = motion.event_rows.instants();
     first_ = static_cast<std::size_t>(std::ranges::lower_bound(all, begin) - all.begin());
   }
@@ -52,6 +56,7 @@ class OtherWay {
     request.columns.clear();
     request.events.clear();
     request.end_after_impacts.reset();
+    request.impact_order = order_;
     request.method = motion_.is_stiff ? Method::bdf : Method::taylor;
     request.tolerances = request.method == motion_.simulation.method ? motion_.tolerances : of_checks;
     request.limits.max_evaluations = std::min(request.limits.max_evaluations, evaluations_left);
@@ -88,31 +93,69 @@ class OtherWay {
 
   const ComputedMotion& motion_;
   double begin_;
+  ImpactOrder order_;
   std::size_t first_{};  ///< of the instants
   std::uint64_t spent_{};
 };
 
-std::string place_in_words(const ApproachRecord& approach) {
+std::string at_time(double t) {
   std::array<char, 32> number{};
-  const auto end = std::to_chars(number.data(), number.data() + number.size(), approach.place.instant(),
-                                 std::chars_format::general, 6);
-  const std::string t(number.data(), end.ptr);
-  return "At t = " + t + " the motion comes as near to " +
+  const auto end =
+      std::to_chars(number.data(), number.data() + number.size(), t, std::chars_format::general, 6);
+  return "At t = " + std::string(number.data(), end.ptr);
+}
+
+std::string place_in_words(const ApproachRecord& approach) {
+  return at_time(approach.place.instant()) + " the motion comes as near to " +
          (approach.is_kink ? approach.name + " = 0" : "'" + approach.name + "'") + " as its error";
+}
+
+/// Once more with the impacts of each instant in the opposite order.
+void add_other_order(const ComputedMotion& motion, std::span<const Simulation> others,
+                     std::uint64_t& evaluations_left, OtherWays& result) {
+  std::optional<double> t = motion.simulation.order_in_doubt;
+  for (const Simulation& other : others) {
+    if (other.order_in_doubt) t = std::min(t.value_or(infinity), *other.order_in_doubt);
+  }
+  if (!t) return;
+  result.where = result.where_it_happens =
+      at_time(*t) + " several impacts happen within one instant, and their order is not known";
+  result.stated_before.resize(motion.width());
+  try {
+    OtherWay way(motion, motion.request.t_start, ImpactOrder::reverse);
+    Simulation& other = result.motions.emplace_back(way.from(motion.request.y_start, evaluations_left));
+    result.evaluations += way.spent();
+    evaluations_left -= std::min(evaluations_left, way.spent());
+    if (other.rows < motion.simulation.rows) result.lost_from = std::max(*t, other.t);
+  } catch (const Error&) {
+    result.lost_from = *t;
+  }
 }
 
 }  // namespace
 
-OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTold> approaches,
-                     std::uint64_t evaluations_left) {
+OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> others,
+                     std::span<const ApproachAsTold> approaches, std::uint64_t evaluations_left) {
   OtherWays result;
+  add_other_order(motion, others, evaluations_left, result);
   const auto lose = [&](double t) { result.lost_from = std::min(result.lost_from, t); };
   for (const ApproachAsTold& approach : approaches) {
-    const double t = approach.approach.place.instant();
-    if (t > result.lost_from) break;
+    const Approach& place = approach.approach.place;
+    const double t = place.others ? place.others->from : place.instant();
+    if (t > result.lost_from) continue;
     const Fork fork(motion, approach);
-    if (!fork.is_open() || fork.is_negligible()) continue;
-    if (result.where.empty()) result.where = place_in_words(approach.approach);
+    if (!fork.is_open() || (!place.others && fork.is_negligible())) continue;
+    if (result.where.empty()) {
+      result.where = place_in_words(approach.approach);
+      result.stated_before = approach.stated;
+    }
+    if (!approach.approach.is_kink && result.where_it_happens.empty())
+      result.where_it_happens = place_in_words(approach.approach);
+    result.may_not_end = result.may_not_end || approach.approach.ends_motion;
+    if (place.others) {
+      lose(t);
+      continue;
+    }
     const double begin = fork.begin();
     const auto start = fork.start(begin);
     if (!start || result.motions.size() == most_ways) {
@@ -130,6 +173,18 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTol
     }
   }
   return result;
+}
+
+/// Computations that have gone both ways differ without others, too.
+std::string what_they_change(const OtherWays& ways, const RowComparison& without, const RowComparison& with) {
+  if (!ways.where_it_happens.empty()) return ways.where_it_happens + accuracy_reasons::may_go_otherwise;
+  for (std::size_t k = 0; k < with.max_abs_error.size(); ++k) {
+    const double now = with.max_abs_error[k];
+    const bool is_lost = with.horizon && now > much_larger * ways.stated_before[k];
+    if (is_lost || now > much_larger * without.max_abs_error[k])
+      return ways.where + accuracy_reasons::may_go_otherwise;
+  }
+  return {};
 }
 
 }  // namespace qdot

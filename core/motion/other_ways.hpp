@@ -4,7 +4,8 @@
 // At a fork (fork.hpp) the true motion may do otherwise, and be far away afterwards however small the error
 // was. All its computations may do the same there, by chance, so that their differences do not tell. So the
 // motion is computed once more on the other way. What that differs by is in the errors then: little at a kink
-// over which forces are continuous, much where they jump.
+// over which forces are continuous, much where they jump. So it is where several impacts happen within one
+// instant, with the opposite order of them.
 
 #include <span>
 #include <string>
@@ -22,11 +23,20 @@ struct OtherWays {
   /// Where one of them ends, or cannot be followed: later rows may be anywhere.
   double lost_from{infinity};
   std::string where;  ///< the first such place, for a sentence; empty where there is none
+  /// The first of those at which an impact may happen, or the end of the motion, or may not.
+  std::string where_it_happens;
+  bool may_not_end{};                 ///< at one of those, or end there after all
+  std::vector<double> stated_before;  ///< errors of the last row before it
   std::uint64_t evaluations{};
 };
 
-/// `evaluations_left`: for all together.
-[[nodiscard]] OtherWays other_ways(const ComputedMotion& motion, std::span<const ApproachAsTold> approaches,
+/// `others` have been compared with the motion; `evaluations_left`: for all together.
+[[nodiscard]] OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> others,
+                                   std::span<const ApproachAsTold> approaches,
                                    std::uint64_t evaluations_left);
+
+/// A sentence on what they do to the errors; empty where that is little, and where nothing else may happen.
+[[nodiscard]] std::string what_they_change(const OtherWays& ways, const RowComparison& without,
+                                           const RowComparison& with);
 
 }  // namespace qdot

@@ -85,8 +85,10 @@ void SectionRun::mark_impacts_of_now(const Simulation& so_far, std::vector<Event
   const std::size_t first = sections_.watches().size() - dynamics_.model().parsed.impacts.size();
   for (const std::size_t impact : last.impacts) {
     EventFunction& event = events[first + impact];
-    event.is_zero_at_start = event.direction != Crossing::either &&
-                             event.value(last.t, last.before) == event.value(last.t, last.after);
+    if (event.value(last.t, last.before) != event.value(last.t, last.after)) continue;
+    event.is_zero_at_start = event.direction != Crossing::either;
+    event.counts_at_start =
+        event.is_zero_at_start;  // without a direction g leaves it as it has come, or beyond
   }
 }
 

@@ -12,6 +12,7 @@
 #include "core/motion/simulation_output.hpp"
 #include "core/motion/start_conditions.hpp"
 #include "core/motion/unseen_along.hpp"
+#include "core/numerics/root.hpp"
 
 namespace qdot {
 namespace {
@@ -52,6 +53,7 @@ class Simulator {
     }
     record_piece({});
     sections_.finish(result_.t);
+    doubt_last_row();
     result_.stays = std::move(sections_.stays());
     std::ranges::stable_sort(result_.approaches, {}, [](const auto& a) { return a.place.instant(); });
     result_.unseen = unseen_.take_rows();
@@ -90,11 +92,12 @@ class Simulator {
       if (result_.stop) return false;
       if (run_.leaves_rest(done)) continue;
       if (done.ending != Ending::event) return false;
+      std::vector<bool> met = kinks_met(done);
       if (done.t >= request_.t_end) {
         result_.ending = Ending::reached_end;
+        met_at_end_ = std::move(met);
         return false;
       }
-      const std::vector<bool> met = kinks_met(done);
       record_piece(met);
       pass_kinks(met);
     }
@@ -112,10 +115,25 @@ class Simulator {
     is_determined_ = sections_.pass(result_.t, result_.y, met);
     if (!is_determined_) return;
     finish(end);
+    doubt_side(end);
+    apart_.pass(std::move(end));
+  }
+
+  /// A kink that is met where the motion ends is not passed, but may be.
+  void doubt_last_row() {
+    const auto first = static_cast<std::size_t>(std::ranges::find(met_at_end_, true) - met_at_end_.begin());
+    if (!apart_.is_wanted() || first == met_at_end_.size()) return;
+    SectionEnd end = now_ending(sections_.ends()[first].value);
+    end.after = result_.y;
+    if (!sections_.pass(result_.t, end.after, met_at_end_)) return;
+    end.slopes_after = sections_.slopes(result_.t, end.after);
+    doubt_side(end);
+  }
+
+  void doubt_side(SectionEnd& end) {
     end.doubt = sections_.doubt_of_instant();
     end.moved = sections_.moved_instant();
-    unseen_.doubt_side(end, end.moved + apart_.seconds(end, unseen_.so_far()), request_.grid);
-    apart_.pass(std::move(end));
+    unseen_.doubt_side(end, apart_.seconds(end, unseen_.so_far()), request_.grid);
   }
 
   [[nodiscard]] SectionEnd now_ending(decltype(EventFunction::value) g) const {
@@ -204,7 +222,15 @@ class Simulator {
         record_event({dynamics_.model().parsed.impacts[impact].event, result_.t, before});
       told[impact] = true;
     }
+    if (passed.order_matters) doubt_order();
     return passed;
+  }
+
+  void doubt_order() {
+    if (!result_.order_in_doubt) result_.order_in_doubt = result_.t;
+    for (auto event = result_.events.rbegin(); event != result_.events.rend() && event->t == result_.t;
+         ++event)
+      event->is_in_doubt = true;
   }
 
   /// Goes on from the state after the impact; false when the motion is over there anyway.
@@ -236,7 +262,7 @@ class Simulator {
     is_determined_ = sections_.begin(result_.t, result_.y);
     if (!is_determined_) return true;
     finish(end);
-    unseen_.doubt_instant(end);
+    unseen_.doubt_instant(end, std::max(time_round_off(end.t), passed.within));
     apart_.pass(std::move(end));
     return true;
   }
@@ -248,6 +274,7 @@ class Simulator {
   SectionRun run_;
   ImpactsAlong impacts_;
   bool is_determined_{true};
+  std::vector<bool> met_at_end_;           ///< kinks
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;
   UnseenAlong unseen_;

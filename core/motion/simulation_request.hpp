@@ -15,6 +15,9 @@
 
 namespace qdot {
 
+/// In which impacts of one instant happen.
+enum class ImpactOrder { of_scene, reverse };
+
 struct SimulationRequest {
   Reals parameters;  ///< all of them, in order
   Reals y_start;     ///< q, then q'
@@ -28,6 +31,7 @@ struct SimulationRequest {
   std::vector<std::string> events;  ///< "theta = 0+", or names of the scene's events
   OnInvalid on_invalid{OnInvalid::stop};
   Impacts impacts{Impacts::apply};
+  ImpactOrder impact_order{ImpactOrder::of_scene};
   std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one
   Method method{Method::adams};
   unsigned taylor_order{};       ///< 0: by the tolerance

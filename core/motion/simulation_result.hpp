@@ -18,6 +18,7 @@ struct EventRecord {
   std::string name;
   double t{};
   std::vector<double> y;  ///< before the impact, where the event is one
+  bool is_in_doubt{};     ///< in another order of the impacts of its instant it may not happen
 };
 
 /// Why a motion ended before t_end in the nature of the system.
@@ -38,8 +39,9 @@ struct ApproachRecord {
   Approach place;
   std::string name;  ///< of a kink, the expression that is zero there; of an impact or a condition
   bool is_kink{};
-  bool stays{};    ///< on the kink, up to there
-  double begun{};  ///< when the run began, after an impact or a kink
+  bool ends_motion{};  ///< a condition, or a singularity
+  bool stays{};        ///< on the kink, up to there
+  double begun{};      ///< when the run began, after an impact or a kink
   /// What is zero there, over a box of states.
   std::function<Interval(double t, std::span<const Interval> y)> enclosure;
   /// Of a condition: the same of the event that it decides about.
@@ -55,6 +57,7 @@ struct Simulation {
   std::vector<PieceRecord> pieces;         ///< of a motion with kinks, in order
   std::vector<StayRecord> stays;           ///< in order of their ends
   std::vector<ApproachRecord> approaches;  ///< where the request wants them
+  std::optional<double> order_in_doubt;    ///< the first instant where it matters which impact is the first
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/numerics/root.hpp"
-
 namespace qdot {
 
 void UnseenAlong::add(const Run& done) {
@@ -19,9 +17,8 @@ void UnseenAlong::add(const Run& done) {
   for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
 }
 
-void UnseenAlong::doubt_instant(const SectionEnd& impact) {
+void UnseenAlong::doubt_instant(const SectionEnd& impact, double late) {
   const std::size_t n = impact.before.size() / 2;
-  const double late = time_round_off(impact.t);
   unseen_.resize(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
     unseen_[i] += late * std::abs(impact.after[n + i] - impact.before[n + i]);

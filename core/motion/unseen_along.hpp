@@ -13,8 +13,8 @@ class UnseenAlong {
  public:
   /// The next run's rows, and what it hides up to its end.
   void add(const Run& done);
-  /// An impact may have been a round-off of t earlier or later, alike in all computations of this motion.
-  void doubt_instant(const SectionEnd& impact);
+  /// An impact may have been so much earlier or later, alike in all computations of this motion.
+  void doubt_instant(const SectionEnd& impact, double late);
 
   /// Rows within `near` seconds of a kink may be on the wrong side of it.
   void doubt_side(const SectionEnd& kink, double near, std::span<const double> grid);

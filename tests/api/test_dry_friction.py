@@ -186,6 +186,19 @@ class DryFriction(Service):
                                      **accuracy}, truth)
                 self.assertLess(answer["accuracy"]["max_abs_error"]["x0_dot"], 2e-6*4*float(w))
 
+    def test_a_drive_that_is_hardly_stronger_moves_it_hardly(self):
+        """By 9.6e-17 of the force, for 18 ns: x = 9/4 A s^2 where the drive is A (1 - (t/s)^2) beyond friction; then back."""
+        friction = mpf("0.7619999999999999040926")
+        beyond = mpf("0.762") - friction
+        moved = mpf(9)/4*beyond*2*beyond/(mpf("0.762")*mpf("2.652")**2)
+        for accuracy in ACCURACIES[:4]:
+            answer = self.ask("simulate", {"system": mass("-1.539*x0/L + 0.762*sin(2.652*t/T) - 0.7619999999999999040926*sign(x0_dot)"), "t_end": 2.053, "samples": 3, **accuracy})
+            error = answer["accuracy"]["max_abs_error"]["x0"]
+            self.assertIsNotNone(error, answer["accuracy"])
+            self.assertLess(error, 1e-30)
+            self.assertLessEqual(abs(answer["trajectory"]["x0"][1] - moved), error)
+            self.assertIn("comes as near to", answer["accuracy"]["reason"])
+
     def test_two_masses_stick_each_by_itself(self):
         scene = mass("0.5*x1/L - 0.5*x0/L - 2*sign(x0_dot)", "0.5*x0/L - 0.5*x1/L - 1*sign(x1_dot)")
         answer = self.ask("simulate", {"system": scene, "initial": {"x0_dot": 1, "x1_dot": 0.4}, "t_end": 30, "samples": 4})

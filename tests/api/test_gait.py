@@ -6,6 +6,8 @@ import random
 import sys
 import unittest
 
+import mpmath
+
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, reference_cases  # noqa: E402
 from short_scene import G, particle, rigid, scene  # noqa: E402
@@ -171,6 +173,24 @@ class WhereStridesSettle(Service):
             self.near(gait["step_time"], 2*c/(1 - e)/9.81, gait["error"]["step_time"])
             self.near(gait["multipliers"][0]["re"], e, gait["error"]["multipliers"][0])
             self.assertIs(gait["stable"], True)
+
+    def test_what_rounding_makes_of_strides_that_hardly_settle_is_in_the_errors(self):
+        """A kicked ball on a spring that is shaken by each bounce, nearly in resonance with them: x by its 2x2 map."""
+        for e, c, k, r, s in (("0.586", "2.348", "28.14", "-0.3472", "0.6037"), ("0.2363", "1.606", "859.4834812957871", "0.9168", "0.541"),
+                              ("0.1855", "1.64", "2132.10100484412899", "0.8008", "-0.413"), ("0.8379", "0.2367", "439.227546397268308", "0.7214", "-0.7682")):
+            ball = scene("shaken", f"m kg 1; {G}; e 1 {e}; c m/s {c}; k N/m {k}; r 1 {r}; s m/s {s}", "x m 0 0.3; y m 0 1", gravity=["0", "-g"],
+                         bodies=[particle("m", "x", "y")], forces=[{"name": "f", "value": "-k*x", "along": "x"}],
+                         events=[{"name": "floor", "expression": "y", "direction": "falling"}],
+                         impact={"event": "floor", "map": {"y_dot": "c - e*y_dot", "x_dot": "r*x_dot + s"}})
+            with mpmath.workdps(40):
+                e, c, k, r, s = map(mpmath.mpf, (e, c, k, r, s))
+                speed, omega = c/(1 - e), mpmath.sqrt(k)
+                turn = omega*2*speed/mpmath.mpf("9.81")
+                stride = mpmath.matrix([[mpmath.cos(turn), mpmath.sin(turn)/omega], [-r*omega*mpmath.sin(turn), r*mpmath.cos(turn)]])
+                x = mpmath.lu_solve(mpmath.eye(2) - stride, mpmath.matrix([0, s]))
+                [gait] = self.ask("gait", {"system": ball})["gaits"]
+                for name, true in (("x", x[0]), ("x_dot", x[1]), ("y_dot", speed)):
+                    self.assertLessEqual(abs(gait["state"][name] - true), gait["error"]["state"][name], (k, name))
 
     def test_a_clock_ticks_where_it_hangs_down(self):
         """An impact that leaves the place on its surface: w = w r + J, r what a swing leaves of a linear one's rate."""

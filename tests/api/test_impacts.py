@@ -7,11 +7,13 @@ import random
 import sys
 import unittest
 
+import mpmath
 import numpy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from constrained_scenes import coordinates, parameters  # noqa: E402
 from service import ROOT, Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
 
 BALL = {
     "name": "bouncing_ball",
@@ -55,6 +57,45 @@ class Restitution(Service):
                 self.assertIn("constant between impacts", one["why"])
         for one in self.ask("equations", {"system": {name: free[name] for name in free if name != "impact"}})["conserved"]:
             self.assertNotIn("impact", one["why"])
+
+    def test_what_is_met_just_after_the_start_is_met(self):
+        """From a height that is far less than what rounds the motion later on."""
+        for distance in ("0.00000000000000013", "1.3e-17", "2e-19"):
+            floor = lagrangian("floor", "", f"x - {distance} -1", "x_dot^2/2", events=[{"name": "hit", "expression": "x", "direction": "falling"}],
+                               impacts=[{"event": "hit", "restitution": 0.5}])
+            answer = self.ask("simulate", {"system": floor, "t_end": 0.3, "samples": 2})
+            self.assertEqual([e["name"] for e in answer["events"]], ["hit"], distance)
+            self.assertAlmostEqual(answer["trajectory"]["x"][-1], 0.15, 14)
+            ending = lagrangian("ending", "", "x - 0 1", "x_dot^2/2", valid_while=[{"name": "room", "expression": f"{distance} - x", "reason": "touch", "message": "It touches."}])
+            self.assertAlmostEqual(self.ask("simulate", {"system": ending, "t_end": 0.3, "samples": 2})["stop"]["t"] / float(distance), 1, 9)
+            passed = self.ask("simulate", {"system": lagrangian("passing", "", "x - 0 1", "x_dot^2/2"), "t_end": 0.3, "samples": 2, "events": [f"x = {distance}"]})
+            self.assertEqual(len(passed["events"]), 1, distance)
+
+    def test_a_ball_that_is_let_go_as_high_as_rounding_has_an_error_or_a_reason(self):
+        """It rests after three times its fall, or twice its first flight's third."""
+        mpmath.mp.dps = 40
+        for floor in ("0.3", "0"):
+            for power in range(8, 20):
+                for height, speed in ((mpmath.mpf(f"1e-{power}"), 0), (0, f"1e-{power}")):
+                    ball = lagrangian("ball", "", "y - 0 0", "y_dot^2/2 - 9.81*y", events=[{"name": "hit", "expression": f"y - {floor}", "direction": "falling"}],
+                                      impacts=[{"event": "hit", "restitution": 0.5}])
+                    ball["coordinates"][0] = {"name": "y", "initial": str(mpmath.mpf(floor) + height), "initial_rate": speed}
+                    start = float(f"1e-{power}")
+                    true = 4*start/9.81 if speed else 3*math.sqrt(2*start/9.81)
+                    answer = self.ask("simulate", {"system": ball, "t_end": 0.2, "samples": 2})
+                    error = answer["stop"].get("error")
+                    if error is None:
+                        self.assertTrue(answer["accuracy"]["reason"], (floor, power))
+                    else:
+                        self.assertLessEqual(abs(answer["stop"]["t"] - true), error, (floor, power, height, speed))
+
+    def test_an_event_without_a_direction_is_met_once_from_either_side(self):
+        for speed in (1, -1):
+            wall = lagrangian("wall", "", f"x - 0 {speed}", "x_dot^2/2", events=[{"name": "hit", "expression": f"x - {0.5*speed}"}],
+                              impacts=[{"event": "hit", "restitution": 0.5}])
+            answer = self.ask("simulate", {"system": wall, "t_end": 1, "samples": 2})
+            self.assertEqual((answer["status"], len(answer["events"])), ("complete", 1))
+            self.assertAlmostEqual(answer["trajectory"]["x"][-1], 0.25*speed, 12)
 
     def after(self, scene, state):
         """Velocities just after an impact at which the state is."""

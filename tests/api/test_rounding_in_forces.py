@@ -48,6 +48,33 @@ class RoundingInForces(Service):
                 with self.subTest(c=c, goal=goal):
                     self.judge(self.ask(force, "", 0, 8.65, goal), truth)
 
+    def test_of_equal_ones_beside_a_kink_that_they_make(self):
+        """x = x_0 cos(w t) down to -a, where K - K ends: rows there, and where it is carried to from there."""
+        for square, x0, a, k in (("3.178", "1.119", "0.0186717", "-8117000"), ("2.984", "1.532", "-0.224135", "-62570"), ("3.651", "0.474", "0.0208098", "-79.5"),
+                                 ("0.919", "1.963", "0.686645", "39970"), ("2.949", "0.352", "0.0142777", "-84810"), ("0.743", "1.498", "0.884474", "-5610"),
+                                 ("1.676", "1.983", "0.0448979", "97170"), ("3.748", "1.204", "1.03546", "1416000"), ("1.084", "0.985", "0.0437785", "15740"),
+                                 ("2.461", "2.427", "0.0786817", "-4622000"), ("1.954", "2.419", "0.0645959", "45330")):
+            rate = mpmath.sqrt(mpf(square))
+            met = mpmath.acos(-mpf(a)/mpf(x0))/rate
+            speed, centre = -rate*mpf(x0)*mpmath.sin(rate*met), 2*mpf(k)/mpf(square)
+            force = f"-{square}*x - {k}*(sign(x + {a}) - 1)".replace("- -", "+ ")
+
+            def truth(t):
+                if t <= met:
+                    return mpf(x0)*mpmath.cos(rate*t), -rate*mpf(x0)*mpmath.sin(rate*t)
+                c, s, x = mpmath.cos(rate*(t - met)), mpmath.sin(rate*(t - met)), -mpf(a) - centre
+                return centre + x*c + speed/rate*s, speed*c - rate*x*s
+
+            later = met + min(mpf("0.05"), abs(speed/(2*mpf(k))))  # it is still there, where it is carried back
+            for goal in GOALS:
+                for times in ([float(met)], [float(met), float(later)], [float(met)*(1 - 1e-15), float(later)]):
+                    request = {"system": forced(force), "initial": {"x": float(x0), "x_dot": 0}, "times": times, **goal}
+                    answer = strict_json(self.post("simulate", request).data)
+                    for i, t in enumerate(answer["trajectory"]["t"]):
+                        for name, true in zip(("x", "x_dot"), truth(mpf(t))):
+                            stated = answer["accuracy"]["max_abs_error"][name]
+                            self.assertLessEqual(abs(mpf(answer["trajectory"][name][i]) - true), mpf(stated), (force, goal, times, t, name))
+
     def test_the_error_of_such_a_pulse_is_measured_not_only_bounded(self):
         force = "exp(-(t^2 - 7.158*t + 12.809241)/0.000000000841) - 0.86*x"
         answer = self.ask(force, "", 0, 8.65, {"method": "taylor", "rtol": 1e-11})

@@ -62,6 +62,24 @@ class SeveralImpacts(Service):
         for name, value in (("x", 1.5), ("y", 1.5), ("x_dot", -1), ("y_dot", -1)):
             self.assertAlmostEqual(at[name], value, 12)
 
+    def test_an_order_that_cannot_be_told_is_told_and_both_are_in_the_errors(self):
+        """Two walls, one behind the other by less than rounding, and a corner that is met beside its edge."""
+        for nearer in (1, -1):
+            walls = [("near", "x + 0.5"), ("far", "x + 0.50000000000000000003" if nearer > 0 else "x + 0.49999999999999999997")]
+            scene = {"name": "walls", "units": "none", "lagrangian": "x_dot^2/2",
+                     "coordinates": [{"name": "x", "initial": "0.7", "initial_rate": "-1.3"}]} | bounces(*walls)
+            scene["impacts"][0]["restitution"], scene["impacts"][1]["restitution"] = "0.2", "1"
+            at, answer = self.last(scene, t_end=1.5)
+            met = mp.mpf("1.2") / mp.mpf("1.3")
+            speed = mp.mpf("1.3") * (mp.mpf("0.2") if nearer > 0 else 1)
+            for name, true in (("x", -mp.mpf("0.5") + speed * (mp.mpf("1.5") - met)), ("x_dot", speed)):
+                self.assertLessEqual(abs(at[name] - true), answer["accuracy"]["max_abs_error"][name])
+            self.assertIn("their order is not known", answer["accuracy"]["reason"])
+            self.assertEqual([e["error"] for e in answer["events"]], [None, None])
+        corner = ROOM | bounces(("right", "b - x"), ("slope", "2*b - x - y"), restitution="e")
+        at, answer = self.last(corner, initial={"x": 1, "y": 1, "x_dot": 1, "y_dot": 1}, t_end=1.5)
+        self.assertIn("their order is not known", answer["accuracy"]["reason"])
+
     def test_a_cradle_hands_the_push_on(self):
         for count in (3, 5):
             scene = balls([1] * count, [-1] + [0] * (count - 1), [2] + [0] * (count - 1))

@@ -80,13 +80,58 @@ TEST(Approaches, AreWhereTheRunEndsJustBeforeAnEvent) {
 TEST(Approaches, AreToWhatDecidesWhetherAnEventCounts) {
   for (const double when : {1e-9, -1e-9}) {
     EventFunction event = level_of(0.5);
-    event.condition = [when](double, auto) { return when > 0; };
+    event.condition = [when](double, auto) { return when; };
     const auto found = approaches(event, Method::erk, 2.5);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(found[0].is_condition);
     EXPECT_EQ(found[0].met.has_value(), when > 0);
     EXPECT_NEAR(found[0].t, std::acos(-0.5), 1e-6);
   }
+}
+
+TEST(Approaches, AreTakenTogetherWhereTheyAreMany) {
+  // 1.02 + cos(t/4000) / 100 is nearest to 1 half-way, after 2000 periods.
+  EventFunction event = level_of(1.02);
+  event.series = [](const MotionPiece& piece, unsigned order, std::span<double> c) {
+    for (unsigned k = 0; k <= order; ++k) c[k] = k <= piece.order ? piece.rows[k] : 0;
+    c[0] += 1.02 + 0.01 * std::cos(piece.t / 4000);
+    return 1e-5;
+  };
+  const double t_end = 8000 * std::numbers::pi;
+  const auto found = approaches(event, Method::erk, t_end);
+  ASSERT_GE(found.size(), 1000U);
+  ASSERT_LT(found.size(), 2000U);
+  const Approach* nearest = &found[0];
+  double before = 0;
+  for (const Approach& approach : found) {
+    const Approach::Others all = approach.others.value_or(Approach::Others{approach.t, approach.t});
+    EXPECT_LE(all.from, approach.t);
+    EXPECT_GE(all.to, approach.t);
+    EXPECT_NEAR(all.from, before + (before > 0 ? 2 : 1) * std::numbers::pi, 1e-2);  // none is left out
+    before = all.to;
+    if (approach.distance < nearest->distance) nearest = &approach;
+  }
+  EXPECT_GT(before, t_end - 2 * std::numbers::pi);
+  EXPECT_NEAR(nearest->t, t_end / 2, 20);
+}
+
+TEST(Approaches, ThatAreTakenTogetherHaveTheErrorsOfAll) {
+  std::vector<Approach> all;
+  for (const double distance : {3.0, 1.0, 4.0, 1.5})
+    all.push_back({.t = 10 - distance, .distance = distance, .apart = {distance}, .unseen = {1 / distance}});
+  all.push_back({.event = 1, .t = 20, .distance = 2});
+  all.push_back({.t = 21, .met = 20});
+  take_together(all);
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].t, 9);
+  EXPECT_EQ(all[0].apart, std::vector{3.0});
+  EXPECT_EQ(all[0].unseen, std::vector{1.0});
+  EXPECT_EQ(all[0].others->from, 7);
+  EXPECT_EQ(all[0].others->to, 9);
+  EXPECT_EQ(all[1].distance, 1.5);
+  EXPECT_EQ(all[1].apart, std::vector{4.0});
+  EXPECT_FALSE(all[2].others);
+  EXPECT_FALSE(all[3].others);
 }
 
 }  // namespace

@@ -160,6 +160,43 @@ TEST(EventSearch, ExactlyZeroFromTheStartOnNeverFires) {
   expect_times(times([](double) { return 0.; }, {0, 1, 2}), {});
 }
 
+/// x = cos t is 1/2 at pi/3. Values are rounded above that, series below.
+TEST(EventSearch, ZeroThatValuesDoNotShowIsAtTheEndOfItsStep) {
+  const EventFunction event{.value = [](double, auto y) { return y[0] - 0.5 + 1e-14; },
+                            .series =
+                                [](const MotionPiece& piece, unsigned order, std::span<double> c) {
+                                  for (unsigned k = 0; k <= order; ++k)
+                                    c[k] = k <= piece.order ? piece.rows[k] : 0;
+                                  c[0] -= 0.5 + 1e-13;
+                                  return 0.0;
+                                },
+                            .direction = Crossing::falling};
+  for (const Method method : all_methods) {
+    const RunRequest request{.y_start = {1, 0}, .t_end = pi / 3, .events = {event}, .method = method};
+    const auto run = integrate(oscillator(), request);
+    if (run.events.empty()) continue;  // by the error of the method
+    EXPECT_NEAR(run.events[0].t, pi / 3, 1e-6) << name(method);
+  }
+}
+
+TEST(EventSearch, WhatIsMetJustAfterTheStartIsMet) {
+  for (const double level : {1.3e-16, 1e-18}) {
+    EventFunction event{.value = [level](double, auto y) { return y[1] - level; },
+                        .series =
+                            [level](const MotionPiece& piece, unsigned order, std::span<double> c) {
+                              for (unsigned k = 0; k <= order; ++k)
+                                c[k] = k <= piece.order ? piece.rows[piece.order + 1 + k] : 0;
+                              c[0] -= level;
+                              return 0.0;
+                            }};
+    event.rounding_at_start = [] { return 1e-30; };
+    const RunRequest request{.y_start = {-1, 0}, .t_end = 1, .events = {event}, .method = Method::erk};
+    const auto run = integrate(oscillator(), request);
+    ASSERT_EQ(run.events.size(), 1U) << level;
+    EXPECT_NEAR(run.events[0].t, level, 1e-3 * level);
+  }
+}
+
 TEST(EventSearch, PolesAreNoZeros) {
   expect_times(times([](double t) { return std::tan(t); }, {1, 2, 3, 4}), {pi});
   expect_times(times([](double t) { return 1 / (t - 1.1); }, {0, 1, 2}), {});

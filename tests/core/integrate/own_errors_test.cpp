@@ -45,6 +45,25 @@ TEST(OwnErrors, SayWhatTheSecondSampleShowsWithoutItsEnlargement) {
   EXPECT_NEAR(off[0], e * std::cosh(h * steps), 1e-3 * off[0]);
 }
 
+/// x'' = -x for a quarter of a period: a force that is off by e all along moves x by e.
+TEST(OwnErrors, CountARoundingOfForcesThatIsTheSameAllAlong) {
+  constexpr double e = 1e-10, start = 1e-16, short_h = 0.4;
+  const std::vector rounding{e};
+  for (const double x : {start, -start}) {
+    for (const double v : {start, -start}) {
+      const Originals originals{pulled_by(-1), pulled_by(-1)};
+      OwnErrors errors(originals, {{0, 0}, {x, v}}, 0);
+      take_steps(pulled_by(-1), {2, 0}, short_h, 4, std::vector{0.0, 0.0}, [&](MotionPiece step) {
+        step.rounding = rounding;
+        errors.follow(step);
+      });
+      EXPECT_GT(errors.in_last_step(0), 0.8 * e) << x << " " << v;
+      EXPECT_LT(errors.in_last_step(0), 4 * e) << x << " " << v;
+      EXPECT_GT(errors.in_last_step(1), 0.8 * e) << x << " " << v;
+    }
+  }
+}
+
 /// A motion at rest whose force is rounded by e: its speed may be e t, whatever the samples have reached.
 TEST(OwnErrors, CountWhatRoundingDoesToAForceThatIsZero) {
   constexpr double e = 1e3, rest = 0;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/motions.hpp"
 
 namespace qdot {
@@ -33,6 +35,21 @@ TEST(EventErrors, AreThoseOfTheStateByItsSpeedWhateverTheSlopeOfTheEvent) {
     EXPECT_GE(*error, off / speed) << event;
     EXPECT_LE(*error, 2 * off / speed) << event;
   }
+}
+
+/// Written out they are small differences of large numbers, and rounded to zero near their roots.
+TEST(EventErrors, CountTheWidthOfMultipleRootsThatAreWrittenOut) {
+  constexpr double of_terms = 0x1p-53;  // x = 0.7 + 2 tau - 3 tau^2/2
+  const auto of_cube = error_of("x^3 - 2.1*L*x^2 + 1.47*L^2*x - 0.343*L^3 = 0", speed, "-3*F*x/L", 0.3, 0);
+  ASSERT_TRUE(of_cube);
+  EXPECT_GE(*of_cube * speed, std::cbrt(of_terms));
+  EXPECT_LE(*of_cube * speed, 20 * std::cbrt(of_terms));
+  const auto of_fifth =
+      error_of("x^5 - 3.5*L*x^4 + 4.9*L^2*x^3 - 3.43*L^3*x^2 + 1.2005*L^4*x - 0.16807*L^5 = 0", speed,
+               "-3*F*x/L", 0.3, 0);
+  ASSERT_TRUE(of_fifth);
+  EXPECT_GE(*of_fifth * speed, std::pow(of_terms, 0.2));
+  EXPECT_LE(*of_fifth * speed, 20 * std::pow(of_terms, 0.2));
 }
 
 TEST(EventErrors, GrowWhereTheEventIsNearlyTouched) {
