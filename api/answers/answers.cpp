@@ -6,6 +6,7 @@
 #include "api/answers/units_of.hpp"
 #include "api/contract/version.hpp"
 #include "core/dynamics/consistent_state.hpp"
+#include "core/expr/parse.hpp"
 
 namespace qdot::api {
 
@@ -56,10 +57,38 @@ WrittenTexts written_texts(const SystemChoice& choice) {
   return texts;
 }
 
-ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models,
-                               std::optional<double> t) {
+namespace {
+
+/// The rational number that a parameter is by its text.
+std::optional<Number> exact_parameter(const Model& model, const WrittenTexts& written, std::size_t i) {
+  const auto text = written.find(model.scene.parameters[i].name);
+  Graph graph;
+  const Expression by_default = model.parsed.parameter_defaults[i];
+  const auto given = text == written.end() ? std::nullopt : parse_all(text->second, graph, {}).expression;
+  const Number* number = text == written.end() ? by_default.number() : given ? given->number() : nullptr;
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+ExponentValues known_exponents(const Model& model, const SystemChoice& choice, const std::string& varied) {
+  ExponentValues known;
+  if (model.parsed.exponents.empty()) return known;
+  const WrittenTexts written = written_texts(choice);
+  for (std::size_t i = 0; i < model.scene.parameters.size(); ++i) {
+    const std::string& name = model.scene.parameters[i].name;
+    if (name == varied || !model.parsed.exponents.contains(name)) continue;
+    if (const auto value = exact_parameter(model, written, i)) known[name] = *value;
+  }
+  return known;
+}
+
+}  // namespace
+
+ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models, std::optional<double> t,
+                               const std::string& varied) {
   ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};
   system.state = resolved_state(system.model(), choice);
+  const ExponentValues exponents = known_exponents(system.model(), choice, varied);
+  if (!exponents.empty()) system.dynamics = Models::of(choice, exponents);
   if (t) {
     system.state.y = consistent_state(*system.dynamics, system.state.parameters, *t, system.state.y,
                                       given_values(system.scene(), choice));

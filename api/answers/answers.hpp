@@ -40,9 +40,10 @@ struct ResolvedSystem {
 };
 
 /// With the state at time t, which obeys the constraints; without one it is where a search begins, and need
-/// not. Throws as resolved_state, consistent_state and Models::of do.
+/// not. Parameters that are exponents are put in, but for `varied`, which the answer has many values of.
+/// Throws as resolved_state, consistent_state and Models::of do.
 [[nodiscard]] ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models,
-                                             std::optional<double> t = 0.0);
+                                             std::optional<double> t = 0.0, const std::string& varied = {});
 
 /// {"q": ..., "q_dot": ...}: a state by name, in the scene's order.
 [[nodiscard]] Json state_json(const Scene& scene, std::span<const double> y);

@@ -58,6 +58,10 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
   return std::make_shared<const Dynamics>(plain->shared_model(), inputs);
 }
 
+std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice, const ExponentValues& exponents) {
+  return std::make_shared<const Dynamics>(build_model(*choice.scene, exponents), inputs_in_order(choice));
+}
+
 Json Models::remembered(const Scene& scene, const std::string& name, const std::function<Json()>& make) {
   if (shared_ != nullptr) return shared_->remembered(scene, name, make);
   return is_kept(scene) ? documents_.get({&scene, name}, make) : make();

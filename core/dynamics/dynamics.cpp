@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/numerics/linear_system.hpp"
-
 namespace qdot {
 namespace {
 
@@ -15,16 +13,6 @@ namespace {
       "This is undetermined, as the scene has constraints (" + names +
           "). Ask simulate, energy, modes, equations, bifurcations or equilibria, or write the scene in coordinates "
           "that need none.");
-}
-
-/// Their linear equations for the accelerations and the multipliers are solved as one system.
-void refuse_too_many(const Model& model) {
-  const std::size_t coordinates = model.degrees_of_freedom(), constraints = model.scene.constraints.size();
-  if (coordinates + constraints <= largest_system) return;
-  throw Error(ErrorCode::too_large, "This scene has " + std::to_string(coordinates) + " coordinates and " +
-                                        std::to_string(constraints) + " constraints: together there may be " +
-                                        std::to_string(largest_system) +
-                                        " at most. Write it in coordinates that need fewer constraints.");
 }
 
 }  // namespace
@@ -49,7 +37,6 @@ const CanonicalFunctions* Dynamics::canonical() const {
 
 const ConstraintSurface* Dynamics::constraint_surface() const {
   if (!model_->has_constraints()) return nullptr;
-  refuse_too_many(*model_);
   return constraint_surface_
       .get({}, [&] { return std::make_unique<const ConstraintSurface>(*model_, inputs_); })
       .get();

@@ -7,24 +7,24 @@
 
 #include "core/expr/calculus.hpp"
 #include "core/numerics/ball.hpp"
+#include "core/numerics/random_bits.hpp"
 
 namespace qdot {
 namespace {
 
-constexpr int states = 6;
+constexpr unsigned enough = 6, most_tried = 60;  // states that have a value, and others
 constexpr double sharp = 1e-18;  ///< of what it is the difference of: twice the digits leave some 1e-30
 
 using Rows = std::vector<std::vector<Ball>>;
 
-/// Between 0.3 and 1.3, in the later states of both signs; always the same: fractional parts of multiples of
-/// the golden ratio.
-double value_of(int state, std::size_t symbol) {
-  const double x = (static_cast<double>(symbol) * 5 + state * 11 + 1) * 0.6180339887498949;
-  const double size = 0.3 + (x - std::floor(x));
-  return state >= states / 2 && (static_cast<int>(symbol) + state) % 2 == 0 ? -size : size;
-}
-
-std::vector<RealAssignment> state_number(int state, const Matrix& matrix) {
+/// Sizes from 0.1 to 3.2, every second time of both signs: a Lagrangian may have values for small or large
+/// velocities only.
+std::vector<RealAssignment> state_number(unsigned state, const Matrix& matrix) {
+  RandomBits random(state);
+  const auto value = [&random, state] {
+    const double size = 0.1 * std::exp2(5 * random.fraction());
+    return random.fraction() < 0.5 && state % 2 == 1 ? -size : size;
+  };
   std::vector<NodeId> roots;
   for (const auto& row : matrix) {
     for (const Expression& e : row) roots.push_back(e.id());
@@ -33,8 +33,7 @@ std::vector<RealAssignment> state_number(int state, const Matrix& matrix) {
   std::vector<RealAssignment> values;
   for (const NodeId id : reachable(graph, roots)) {
     const auto* symbol = std::get_if<Symbol>(&graph.node(id));
-    if (symbol != nullptr && symbol->name != "pi")
-      values.emplace_back(Expression(graph, id), value_of(state, values.size()));
+    if (symbol != nullptr && symbol->name != "pi") values.emplace_back(Expression(graph, id), value());
   }
   return values;
 }
@@ -96,11 +95,12 @@ bool has_no_inertia(const std::vector<Ball>& row) {
 
 std::optional<InertiaFault> inertia_fault(const Matrix& mass_matrix) {
   std::optional<InertiaFault> fault;
-  for (int state = 0; state < states; ++state) {
+  unsigned singular = 0;
+  for (unsigned state = 0; state < most_tried && singular < enough; ++state) {
     const auto rows = scaled_rows(mass_matrix, state_number(state, mass_matrix));
     if (!rows) continue;
     if (!is_singular(*rows)) return std::nullopt;
-    if (fault) continue;
+    if (singular++ > 0) continue;
     fault.emplace();
     for (std::size_t i = 0; i < rows->size(); ++i) {
       if (has_no_inertia((*rows)[i])) fault->coordinates.push_back(i);

@@ -47,8 +47,10 @@ struct Model {
   [[nodiscard]] bool has_constraints() const { return !scene.constraints.empty(); }
 };
 
-/// Throws SceneError with every mistake in the scene.
-[[nodiscard]] std::shared_ptr<const Model> build_model(const Scene& scene);
+/// Throws SceneError with every mistake in the scene. With `exponents` the model is that of the scene where
+/// these parameters have these values (exponents.hpp).
+[[nodiscard]] std::shared_ptr<const Model> build_model(const Scene& scene,
+                                                       const ExponentValues& exponents = {});
 
 /// Values by name.
 using Values = std::map<std::string, double>;

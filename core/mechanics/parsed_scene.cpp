@@ -11,9 +11,10 @@ namespace {
 
 class SceneParser {
  public:
-  SceneParser(const Scene& scene, std::vector<Diagnostic>& diagnostics)
+  SceneParser(const Scene& scene, std::vector<Diagnostic>& diagnostics, const ExponentValues& exponents)
       : scene_(scene),
-        text_(*parsed_.graph, diagnostics, scene.without_units ? Dimensions::none : Dimensions::checked) {}
+        text_(*parsed_.graph, diagnostics, scene.without_units ? Dimensions::none : Dimensions::checked,
+              exponents) {}
 
   ParsedScene parse() {
     declare_symbols();
@@ -24,6 +25,7 @@ class SceneParser {
     read_forces();
     read_conditions();
     check_whole();
+    parsed_.exponents = text_.exponents();
     return std::move(parsed_);
   }
 
@@ -274,8 +276,9 @@ class SceneParser {
 
 }  // namespace
 
-ParsedScene parse_scene(const Scene& scene, std::vector<Diagnostic>& diagnostics) {
-  return SceneParser(scene, diagnostics).parse();
+ParsedScene parse_scene(const Scene& scene, std::vector<Diagnostic>& diagnostics,
+                        const ExponentValues& exponents) {
+  return SceneParser(scene, diagnostics, exponents).parse();
 }
 
 }  // namespace qdot

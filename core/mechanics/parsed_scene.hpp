@@ -3,9 +3,12 @@
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <variant>
 #include <vector>
 
+#include "core/mechanics/exponents.hpp"
 #include "core/mechanics/parsed_body.hpp"
 #include "core/mechanics/parsed_force.hpp"
 #include "core/mechanics/parsed_impact.hpp"
@@ -51,10 +54,13 @@ struct ParsedScene {
   std::vector<ParsedSceneEvent> events;
   std::vector<ParsedImpact> impacts;
   std::optional<ParsedScales> scales;
+  std::set<std::string> exponents;  ///< parameters that are exponents of what varies
 };
 
 /// Reads all texts of a scene. Every mistake is added to `diagnostics`: syntax, unknown symbols, dimensions,
-/// names used twice, missing parts. The result is complete only when there was none.
-[[nodiscard]] ParsedScene parse_scene(const Scene& scene, std::vector<Diagnostic>& diagnostics);
+/// names used twice, missing parts. The result is complete only when there was none. `exponents`: values of
+/// parameters that are exponents (exponents.hpp).
+[[nodiscard]] ParsedScene parse_scene(const Scene& scene, std::vector<Diagnostic>& diagnostics,
+                                      const ExponentValues& exponents = {});
 
 }  // namespace qdot

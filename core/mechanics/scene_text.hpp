@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/mechanics/dimension_check.hpp"
+#include "core/mechanics/exponents.hpp"
 #include "core/mechanics/scene.hpp"
 #include "core/mechanics/symbols.hpp"
 
@@ -28,8 +29,10 @@ enum class Dimensions { checked, none };
 /// Reads texts into one graph and collects what is wrong with them.
 class SceneText {
  public:
-  SceneText(Graph& graph, std::vector<Diagnostic>& diagnostics, Dimensions dimensions)
-      : graph_(graph), diagnostics_(diagnostics), dimensions_kind_(dimensions) {}
+  /// `exponents`: parameters to be put in where they are exponents.
+  SceneText(Graph& graph, std::vector<Diagnostic>& diagnostics, Dimensions dimensions,
+            const ExponentValues& exponents)
+      : graph_(graph), diagnostics_(diagnostics), dimensions_kind_(dimensions), exponents_(exponents) {}
 
   void complain(const std::string& place, const std::string& code, const std::string& message);
   [[nodiscard]] bool has_complaint(const std::string& place) const;
@@ -67,6 +70,9 @@ class SceneText {
   }
   Vector read_position(const Position& position, const std::string& place);
 
+  /// The parameters that were met as exponents of what varies.
+  [[nodiscard]] const std::set<std::string>& exponents() const { return found_exponents_; }
+
   /// No value: any fits, or there is a mistake.
   [[nodiscard]] std::optional<Dimension> dimension(const Expression& e) const {
     return dimension_of(e, dimensions_).dimension;
@@ -84,6 +90,9 @@ class SceneText {
   Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
   Dimensions dimensions_kind_;
+  ExponentValues exponents_;
+  std::set<std::string> found_exponents_;
+  std::vector<Expression> parameters_;
   std::set<std::string> declared_;
   std::vector<std::string> allowed_[5];
   SymbolDimensions dimensions_;

@@ -185,11 +185,29 @@ Ball sqrt(const Ball& a) {
 Ball sin(const Ball& a) { return sine_wave(a, 0); }
 Ball cos(const Ball& a) { return sine_wave(a, 1); }
 
+namespace {
+
+/// a^c by twice the digits of doubles, for bases that are positive for certain.
+Ball power_of_positive(const Ball& a, const Ball& exponent) {
+  const Interval x = a.interval(), c = exponent.interval();
+  const Interval log_x = evaluate(Function::log, x);
+  const double by_base = a.radius == 0 ? 0 : a.radius * (c * power(x, c - Interval(1))).magnitude();
+  const double by_exponent = exponent.radius == 0 ? 0 : exponent.radius * (log_x * power(x, c)).magnitude();
+  const double relative = function_unit * (1 + (c * log_x).magnitude());
+  const double spread = slightly_above(by_base + by_exponent);
+  if (!std::isfinite(spread) || !std::isfinite(relative)) return Ball::of(power(x, c));
+  return rounded(power(a.middle, exponent.middle), spread, slightly_above(relative));
+}
+
+}  // namespace
+
 Ball power(const Ball& a, const Ball& exponent) {
   const double twice = 2 * exponent.middle.high;
   const bool exact = exponent.middle.low == 0 && exponent.radius == 0;
   if (!exact || twice != std::nearbyint(twice) || std::abs(twice) > 64) {
-    return a.is_finite() ? Ball::of(power(a.interval(), exponent.interval())) : a;
+    if (!a.is_finite()) return a;
+    const bool is_positive = a.interval().lower > 0;
+    return is_positive ? power_of_positive(a, exponent) : Ball::of(power(a.interval(), exponent.interval()));
   }
   const auto halves = static_cast<unsigned>(std::abs(twice));
   Ball result = whole_power(a, halves / 2);

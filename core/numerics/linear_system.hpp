@@ -7,7 +7,8 @@
 
 namespace qdot {
 
-inline constexpr std::size_t largest_system = 16;
+/// Twelve coordinates and eight constraints.
+inline constexpr std::size_t largest_system = 20;
 
 /// The order of the rows that pivoting chose.
 using RowOrder = std::array<std::size_t, largest_system>;

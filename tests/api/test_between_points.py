@@ -4,6 +4,7 @@ Every truth is a closed form: the speed that a pulse gives a free mass, on which
 a sine crosses a level, when a ball has bounced out.
 """
 
+import json
 import math
 import pathlib
 import random
@@ -81,6 +82,41 @@ class BetweenPoints(Service):
                 error = abs(mpf(answer["trajectory"]["x_dot"][-1]) - speed(mpf(a), mpf(c), mpf(w), mpf(10)))
                 self.assertLessEqual(error, answer["accuracy"]["max_abs_error"]["x_dot"])
                 self.assertIs(answer["accuracy"]["bounded"], True)
+
+    def test_a_pulse_of_a_billionth_of_the_time_is_seen(self):
+        """Its exponent is rounded by more than an exponential lets pass: -1e20 at the start, 0 in the pulse."""
+        draw, seen = random.Random(13), 0
+        for i in range(48):
+            c, w = f"{draw.uniform(0.5, 9):.5g}", f"{10**draw.uniform(-13, -8):.3g}"
+            a = f"{1/float(w):.8g}"
+            text, speed = (("{a}*exp(-((t-{c})/{w})^2)", gauss), ("{a}/cosh((t-{c})/{w})^2", bell))[i % 2]
+            with self.subTest(c=c, w=w, text=text):
+                response = self.post("simulate", {"system": particle(force=True), "inputs": {"F": text.format(a=a, c=c, w=w)},
+                                                  "t_end": 10, "samples": 2, **draw.choice(ACCURACIES)})
+                if response.status != 200:  # cosh^2 is too large for a double
+                    self.assertIn("cosh", text)
+                    self.assertIn(json.loads(response.data)["reason"], ("nonfinite", "blow-up"))
+                    continue
+                answer = json.loads(response.data)
+                accuracy, true = answer["accuracy"], speed(mpf(a), mpf(c), mpf(w), mpf(10))
+                if not accuracy.get("bounded"):
+                    self.assertTrue(accuracy["reason"])
+                    continue
+                seen += 1
+                self.assertLessEqual(abs(mpf(answer["trajectory"]["x_dot"][-1]) - true), accuracy["max_abs_error"]["x_dot"])
+        self.assertGreater(seen, 20)
+
+    def test_a_thin_wall_turns_back_what_cannot_pass_it(self):
+        draw = random.Random(14)
+        wall = particle("V0*exp(-((x-c)/w)^2)", parameters=[parameter("V0", "J", "2"), parameter("w", "m", "0.3"),
+                                                            parameter("c", "m", "5")])
+        for _ in range(16):
+            c, w = draw.uniform(0.5, 9), 10**draw.uniform(-12, -8)
+            with self.subTest(c=c, w=w):
+                answer = self.ask("simulate", {"system": wall, "parameters": {"c": c, "w": w}, "initial": {"x": 0, "x_dot": 1},
+                                               "t_end": 1.5*c, "samples": 2})
+                if answer["accuracy"]["bounded"]:
+                    self.assertLessEqual(abs(answer["trajectory"]["x_dot"][-1] + 1), answer["accuracy"]["max_abs_error"]["x_dot"])
 
     def test_what_a_pulse_takes_back_leaves_its_rounding(self):
         """The speed after it is 0, and was a million times the rounding that is left."""

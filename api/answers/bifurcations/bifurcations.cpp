@@ -163,7 +163,7 @@ class BifurcationsAnswer {
 
 Response answer_bifurcations(const Resolved<BifurcationsRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
-  const ResolvedSystem system = resolved_system(request.system, echo, models);
+  const ResolvedSystem system = resolved_system(request.system, echo, models, 0.0, request.parameter);
   const Json body = BifurcationsAnswer(*system.dynamics, system.state, request).body();
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, request.digits);

@@ -314,7 +314,8 @@ std::vector<FieldError> unread_initial(const Json& body, const EquilibriaRequest
 
 Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& call, Models& models) {
   const EquilibriaRequest& request = resolved.request;
-  ResolvedSystem system = resolved_system(request.system, resolved.echo, models, std::nullopt);
+  ResolvedSystem system =
+      resolved_system(request.system, resolved.echo, models, std::nullopt, request.solve_for.value_or(""));
   const Dynamics& dynamics = *system.dynamics;
   const int digits = request.digits.value_or(shortest_digits);
   if (request.solve_for) {

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/numerics/double_double.hpp"
+#include "core/numerics/linear_system.hpp"
 
 namespace qdot::extended {
 

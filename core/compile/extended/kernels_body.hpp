@@ -82,7 +82,7 @@ namespace {
 
 /// M_0 x_k = f_k - sum_{j>=1} M_j x_{k-j}
 [[gnu::noinline]] void solve(const System& system, unsigned k) {
-  DoubleDouble b[16];
+  DoubleDouble b[largest_system];
   for (std::size_t i = 0; i < system.n; ++i) {
     b[i] = coefficient(system.right[i], k);
     for (std::size_t j = 0; j < system.n; ++j) {

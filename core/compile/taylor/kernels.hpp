@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/numerics/linear_system.hpp"
+
 namespace qdot::taylor {
 
 inline constexpr unsigned highest_order = 24;

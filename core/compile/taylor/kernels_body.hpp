@@ -195,7 +195,7 @@ template <unsigned K>
 /// M_0 x_K = f_K - sum_{j>=1} M_j x_{K-j}
 template <unsigned K>
 [[gnu::always_inline]] inline void solve(const Solve& system, unsigned n) {
-  double b[16];
+  double b[largest_system];
 #pragma GCC unroll 3
   for (unsigned i = 0; i < n; ++i) {
     double lagged = 0;

@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 #include <vector>
@@ -29,6 +30,9 @@
 #include "core/compile/taylor/range.hpp"
 
 namespace qdot::taylor {
+
+/// Of a polynomial, as a share of its terms: (t/w)^8 is 0 somewhere.
+inline constexpr double rounding_of_sums = 8 * std::numeric_limits<double>::epsilon();
 
 class Remainder {
  public:

@@ -46,11 +46,12 @@ void Remainder::meet(Row& row, const Range& by_operation) const {
   if (distance < row.r) row.r = distance;
 }
 
+/// From -1e20 to 0 is rounded by more than an exponential lets pass.
 Range Remainder::argument(const Rule& rule) const {
   const Row& rate = rows_[rule.x];
   const Range moved = variation(rate);
-  const Range by_rate =
-      range(*rule.argument + moved.lower - rate.argument_r, *rule.argument + moved.upper + rate.argument_r);
+  const double more = rate.argument_r + rounding_of_sums * (std::abs(*rule.argument) + h_ * rate.t0);
+  const Range by_rate = range(*rule.argument + moved.lower - more, *rule.argument + moved.upper + more);
   return range(std::max(by_rate.lower, rate.of_argument.lower),
                std::min(by_rate.upper, rate.of_argument.upper));
 }

@@ -11,8 +11,6 @@
 namespace qdot::taylor {
 namespace {
 
-constexpr double rounding_of_sums = 8 * std::numeric_limits<double>::epsilon();  // (t/w)^8 is 0 somewhere
-
 using Two [[gnu::vector_size(16)]] = double;
 
 Two pair_at(const double* x) {

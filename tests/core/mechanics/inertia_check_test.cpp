@@ -38,6 +38,15 @@ TEST_F(InertiaOf, AHomogeneousLagrangianIsSingularInEveryState) {
   }
 }
 
+TEST_F(InertiaOf, ALagrangianThatHasNoValueInMostStatesIsLookedAtWhereItHas) {
+  for (const char* l : {"-m*sqrt(v0^2 - v1^2)", "-m*sqrt(v1^2 - v0^2)", "sqrt(1 - q0)*sqrt(v0^2 - v1^2)",
+                        "(v0^3 + v1^3)^(1/3)", "-m*sqrt(v0^2 - v1^2) - m*sqrt(4*v0^2 - v1^2) - q0*v0",
+                        "-m*sqrt(v0^2 - 4*v1^2)"})
+    EXPECT_TRUE(inertia_fault(mass_matrix(l, 2))) << l;
+  EXPECT_FALSE(inertia_fault(mass_matrix("-m*sqrt(1 - v0^2 - v1^2)", 2)));
+  EXPECT_FALSE(inertia_fault(mass_matrix("-m*sqrt(v0^2 - v1^2 - q1)", 2)));
+}
+
 TEST_F(InertiaOf, AnIdentityOfAnglesIsSeen) {
   EXPECT_TRUE(inertia_fault(mass_matrix("m*(v0*cos(q0) + v1*sin(q0))^2", 2)));
   EXPECT_FALSE(inertia_fault(mass_matrix("m*(v0*cos(q0) + v1*sin(q0))^2 + 0.001*m*v1^2", 2)));

@@ -31,6 +31,22 @@ TEST(Ball, FollowsTheLawsOfArithmetic) {
   }
 }
 
+TEST(Ball, HasPowersOfAnyExponentToTwiceTheDigits) {
+  test::Random random(5);
+  const Ball third = Ball(1) / Ball(3);
+  for (int i = 0; i < 500; ++i) {
+    const Ball a = random.real(0.1, 3) * std::exp(random.real(-20, 20)), c = random.real(-3, 3),
+               d = random.real(-3, 3);
+    const Ball root = power(a, third), wide = Ball(a.middle, 1e-9 * a.value());
+    expect_same(root * root * root, a, 1e-27);
+    expect_same(power(a, c) * power(a, d), power(a, c + d), 1e-27);
+    EXPECT_LE((power(wide, c) - power(a, c)).magnitude(), 1e-8 * power(a, c).value());
+    EXPECT_GE(power(wide, c).radius, 0.9e-9 * std::abs(c.value()) * power(a, c).value());
+  }
+  expect_same(power(Ball(-8), Ball(3)), Ball(-512), 1e-29);
+  EXPECT_FALSE(power(Ball(-8), third).is_finite());
+}
+
 TEST(Ball, KeepsTheSmallPartBesideTheLarge) {
   const Ball sum = Ball(0.7) + Ball(0.7e-14);
   expect_same(sum - Ball(0.7), Ball(0.7e-14), 1e-15);
