@@ -225,8 +225,8 @@ Slot TapeBuilder::emitted_call(NodeId id, const Call& call) {
 std::vector<std::vector<Slot>> TapeBuilder::solve(const LinearSystem& system) {
   const std::size_t n = system.matrix.size();
   if (n > largest_system) {
-    throw Error(ErrorCode::too_large,
-                "There are more than " + std::to_string(largest_system) + " coordinates and constraints together.");
+    throw Error(ErrorCode::too_large, "There are more than " + std::to_string(largest_system) +
+                                          " coordinates and constraints together.");
   }
   std::vector<std::vector<Slot>> solutions(system.right_hand_sides.size(), std::vector<Slot>(n));
   for (const std::vector<std::size_t>& group : coupled_groups(system.matrix)) {
