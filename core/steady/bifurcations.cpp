@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/base/work.hpp"
 #include "core/dynamics/missing_values.hpp"
 #include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
@@ -194,6 +195,8 @@ class CriticalSearch {
     if (gave_up_ || std::ranges::any_of(result_.degenerate, is_there)) return {};
     try {
       Equilibria found = all_.at(p);
+      spend_work(found.states.size() *
+                 found.states.size());  // each is compared with those of the column before
       if (!found.complete) end_branches(p, "where not all equilibria are found: " + found.reason);
       return std::move(found.states);
     } catch (const Error& error) {

@@ -94,6 +94,25 @@ class Tracer {
     return x;
   }
 
+  struct Pair {
+    double distance;
+    std::size_t open, point;
+  };
+
+  /// Open branches with points they may go on to, the closest pair first.
+  [[nodiscard]] std::vector<Pair> pairs(std::span<const SampledState> points, double p) const {
+    std::vector<Pair> all;
+    for (std::size_t b = 0; b < open_.size(); ++b) {
+      const std::vector<double> ahead = extrapolated(result_[open_[b]], p);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const double d = distance(result_[open_[b]], ahead, points[i]);
+        if (std::isfinite(d)) all.push_back({d, b, i});
+      }
+    }
+    std::ranges::stable_sort(all, {}, &Pair::distance);
+    return all;
+  }
+
   void add_column(double p) {
     std::vector<SampledState> points;
     for (const SteadyState& state : equilibria_at_(p)) {
@@ -101,29 +120,16 @@ class Tracer {
       points.push_back({{state.y.begin(), state.y.begin() + half}, state.stability.stability});
     }
     std::vector<std::size_t> still_open;
-    std::vector<bool> used(points.size());
-    std::vector<std::size_t> waiting = open_;
-    while (!waiting.empty()) {  // the closest pair first
-      double best = std::numeric_limits<double>::infinity();
-      std::size_t branch = 0, point = 0;
-      for (std::size_t b = 0; b < waiting.size(); ++b) {
-        const std::vector<double> ahead = extrapolated(result_[waiting[b]], p);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-          if (used[i]) continue;
-          if (const double d = distance(result_[waiting[b]], ahead, points[i]); d < best) {
-            best = d;
-            branch = b;
-            point = i;
-          }
-        }
-      }
-      if (!std::isfinite(best)) break;
-      used[point] = true;
-      append(result_[waiting[branch]], p, points[point]);
-      still_open.push_back(waiting[branch]);
-      waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(branch));
+    std::vector<bool> used(points.size()), goes_on(open_.size());
+    for (const Pair& pair : pairs(points, p)) {
+      if (used[pair.point] || goes_on[pair.open]) continue;
+      used[pair.point] = goes_on[pair.open] = true;
+      append(result_[open_[pair.open]], p, points[pair.point]);
+      still_open.push_back(open_[pair.open]);
     }
-    for (const std::size_t ended : waiting) end_at_critical(ended, p);
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (!goes_on[i]) end_at_critical(open_[i], p);
+    }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!used[i]) still_open.push_back(begin(p, points[i]));
     }
