@@ -91,7 +91,7 @@ std::optional<Ending> ExtendedStepper::step() {
     const double part = bounded_part(whole);
     bounded_ = part > 0;
     if (part > 0 && part < whole) h = part;
-    if (part > 0 && rounding_is_followed) bound_rounding();
+    if (part > 0 && rounding_is_followed) bounded_ = !bound_rounding() || shows_forces();
   }
   for (int i = 0; i < attempts_at_a_step; ++i, h = std::min(h, left.high) / 2) {
     const DoubleDouble t = h < left.high ? t_ + DoubleDouble(h) : request_.t_end;
@@ -247,6 +247,11 @@ bool ExtendedStepper::bound_rounding() {
   in_double_doubles_.resize(y_.size() / 2);
   system_.rounding(in_doubles_, in_double_doubles_);
   return true;
+}
+
+/// Where rounding of series in doubles has no bound, their remainder says nothing of the forces.
+bool ExtendedStepper::shows_forces() const {
+  return std::ranges::all_of(in_doubles_, [](double e) { return std::isfinite(e); });
 }
 
 bool ExtendedStepper::try_step(const DoubleDouble& t) {

@@ -97,6 +97,7 @@ class ExtendedStepper {
   /// A length up to h over which a step hides nothing; 0 where there is none.
   [[nodiscard]] double bounded_part(double h);
   bool bound_rounding();
+  [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] bool try_step(const DoubleDouble& t);
   [[nodiscard]] bool holds_until(const DoubleDouble& h) const;
   [[nodiscard]] std::span<const DoubleDouble> row(const std::vector<DoubleDouble>& c, std::size_t i) const {

@@ -18,6 +18,9 @@ inline constexpr const char* may_go_otherwise =
 inline constexpr const char* not_bounded =
     "The error was measured, but not every step has a bound of what it may hide between the places that were "
     "looked at.";
+inline constexpr const char* forces_are_rounding =
+    "Forces are small differences of numbers so large that their rounding has no bound: nothing is known of them where "
+    "that is so.";
 inline constexpr const char* went_on =
     "The second computation went on beyond the end of this one: that it stops here is no more certain than its "
     "error allows.";

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
 constexpr double unmeasurable = 1e-200;  ///< is no error of a column that is 0 all along: room for underflow
+constexpr double without_bound = 1e299;  ///< are errors that follow from what has none
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
 /// Over more or fewer kinks or impacts, or others.
@@ -185,6 +186,8 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.at_impacts = std::move(comparison.at_impacts);
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
     result_.reason = accuracy_reasons::may_not_stop;
+  if (result_.reason.empty() && std::ranges::max(result_.max_abs_error) > without_bound)
+    result_.reason = accuracy_reasons::forces_are_rounding;
   contradicts_ = !comparison.changed.empty();
   if (contradicts_) result_.reason = accuracy_reasons::contradiction(comparison.changed);
 }

@@ -1,12 +1,16 @@
 #include "core/motion/section_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/integrate.hpp"
 
 namespace qdot {
 namespace {
+
+constexpr double share_of_section = 1e-6;
+constexpr double rest_of_rate = 1e-9;  ///< is rounding
 
 void shorten(RunRequest& run, double step) {
   run.method = Method::erk;
@@ -86,10 +90,27 @@ void SectionRun::mark_impacts_of_now(const Simulation& so_far, std::vector<Event
   for (const std::size_t impact : last.impacts) {
     EventFunction& event = events[first + impact];
     if (event.value(last.t, last.before) != event.value(last.t, last.after)) continue;
-    event.is_zero_at_start = event.direction != Crossing::either;
-    event.counts_at_start =
-        event.is_zero_at_start;  // without a direction g leaves it as it has come, or beyond
+    const bool turns = dynamics_.model().parsed.impacts[impact].has_restitution() || last.impacts.size() > 1;
+    event.is_zero_at_start = event.direction != Crossing::either && (turns || !goes_through(event, last));
+    event.counts_at_start = event.is_zero_at_start;
   }
+}
+
+/// Whether the motion goes on through the surface of an impact, as after a kick.
+bool SectionRun::goes_through(const EventFunction& event, const SectionRecord& impact) const {
+  const double tau = share_of_section * std::max(impact.duration, sections_.resolution());
+  const auto rate = [&](const std::vector<double>& y) {
+    const std::vector<double> slopes = sections_.slopes(impact.t, y);
+    const auto after = [&](double later) {
+      std::vector<double> moved = y;
+      for (std::size_t i = 0; i < y.size(); ++i) moved[i] += later * slopes[i];
+      return event.value(impact.t + later, moved);
+    };
+    return after(tau) - after(-tau);
+  };
+  const double past = event.direction == Crossing::rising ? 1 : -1;
+  const double before = past * rate(impact.before), now = past * rate(impact.after);
+  return before > 0 && now > rest_of_rate * before;
 }
 
 /// A step away from rest is not Taylor's; what it may be off by is known otherwise.

@@ -27,6 +27,7 @@ class SectionRun {
   [[nodiscard]] RunRequest request_from(const Simulation& so_far) const;
   [[nodiscard]] std::vector<EventFunction> events_from(const Simulation& so_far) const;
   void mark_impacts_of_now(const Simulation& so_far, std::vector<EventFunction>& events) const;
+  [[nodiscard]] bool goes_through(const EventFunction& event, const SectionRecord& impact) const;
   void enclose(const RunRequest& run, Run& done) const;
 
   const Dynamics& dynamics_;

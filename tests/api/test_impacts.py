@@ -71,6 +71,14 @@ class Restitution(Service):
             passed = self.ask("simulate", {"system": lagrangian("passing", "", "x - 0 1", "x_dot^2/2"), "t_end": 0.3, "samples": 2, "events": [f"x = {distance}"]})
             self.assertEqual(len(passed["events"]), 1, distance)
 
+    def test_a_kick_after_which_it_goes_on_through_the_surface_is_one(self):
+        for event, kick, x in (("x - 0.5", "x_dot/2", 1.3), ("t - 0.4", "x_dot + 1", 3.7), ("(x - 0.5)*(1 + x^2)", "3*x_dot", 5.3)):
+            scene = lagrangian("kicked", "", "x - 0.1 1", "x_dot^2/2", events=[{"name": "kick", "expression": event, "direction": "rising"}],
+                               impact={"event": "kick", "map": {"x_dot": kick}})
+            answer = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 3})
+            self.assertEqual((answer["status"], [e["name"] for e in answer["events"]]), ("complete", ["kick"]))
+            self.assertAlmostEqual(answer["trajectory"]["x"][-1], x, 12)
+
     def test_a_ball_that_is_let_go_as_high_as_rounding_has_an_error_or_a_reason(self):
         """It rests after three times its fall, or twice its first flight's third."""
         mpmath.mp.dps = 40

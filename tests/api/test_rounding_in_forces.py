@@ -48,6 +48,22 @@ class RoundingInForces(Service):
                 with self.subTest(c=c, goal=goal):
                     self.judge(self.ask(force, "", 0, 8.65, goal), truth)
 
+    def test_a_pulse_or_a_wall_so_narrow_that_rounding_hides_it_is_not_passed_in_silence(self):
+        for centre, width in (("4.3445", "0.00000000000248"), ("9.4341", "0.000000000556"), ("0.88603", "0.0000000000198"), ("2.5", "0.0001")):
+            height = mpmath.nstr(1/mpf(width), 20)
+            pulse = forced(f"{height}*exp(-((t - {centre})/{width})^2)")
+            wall = lagrangian("wall", "", "x - 0 1", f"x_dot^2/2 - 2*exp(-((x - {centre})/{width})^2)")
+            for goal in GOALS[:5]:
+                for system, v in ((pulse, mpmath.sqrt(mpmath.pi)), (wall, mpf(-1))):
+                    request = {"system": system, "t_end": 1.5*float(centre), "samples": 2, **goal}
+                    response = self.post("simulate", request)
+                    if response.status != 200:
+                        continue
+                    answer = strict_json(response.data)
+                    stated = answer["accuracy"]["max_abs_error"]["x_dot"]
+                    self.assertLessEqual(abs(mpf(answer["trajectory"]["x_dot"][-1]) - v), mpf(stated), (centre, width, goal, float(v)))
+                    self.assertTrue(stated < 1e10 or answer["accuracy"].get("reason"), (centre, width, goal, stated))
+
     def test_of_equal_ones_beside_a_kink_that_they_make(self):
         """x = x_0 cos(w t) down to -a, where K - K ends: rows there, and where it is carried to from there."""
         for square, x0, a, k in (("3.178", "1.119", "0.0186717", "-8117000"), ("2.984", "1.532", "-0.224135", "-62570"), ("3.651", "0.474", "0.0208098", "-79.5"),
