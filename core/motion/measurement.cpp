@@ -8,6 +8,7 @@
 #include "core/motion/accuracy_reasons.hpp"
 #include "core/motion/error_growth.hpp"
 #include "core/motion/rounded_events.hpp"
+#include "core/motion/rounded_forces.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
 
@@ -150,6 +151,7 @@ bool Measurement::add_check(std::vector<Simulation>& others, double direction) {
   }
   Simulation& other = others.emplace_back(run(std::move(request)));
   event_rows_->set_apart(other, request_.y_start.size());
+  add_rounding_of_forces(now, other);
   if (other.ending != Ending::given_up) return can_be_checked_by(other);
   expected_excess_ = growth->expected();
   return false;

@@ -12,7 +12,7 @@
 #include "core/integrate/own_errors.hpp"
 #include "core/motion/extended_impacts.hpp"
 #include "core/motion/extended_kinks.hpp"
-#include "core/motion/extended_pieces.hpp"
+#include "core/motion/rounded_forces.hpp"
 #include "core/motion/typed_start.hpp"
 #include "core/numerics/random_bits.hpp"
 
@@ -30,7 +30,6 @@ constexpr double much_better = 0.05;
 constexpr double farther_than_samples = 50;  ///< one sample of rounding in fifty is as small by chance
 constexpr double much_more = 10;             ///< than rounding of which a sample is known
 constexpr double at_an_end = 1e-9;           ///< of the span: there an event may be a rounding away
-constexpr std::size_t rows_looked_at = 8;    ///< each costs an evaluation in double-doubles
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
 constexpr double common_rounding = 0x1p-53;
@@ -90,20 +89,9 @@ bool keeps_better(const Simulation& motion, const Simulation& check) {
 /// What rounding of the accelerations does to the velocities in a step, as some rows show. Where a motion
 /// begins all runs have it in common, and in few steps they may have it by chance.
 std::vector<double> rounding_of_a_step(const ComputedMotion& motion) {
-  const std::size_t width = motion.width(), n = width / 2, rows = motion.simulation.rows;
-  std::vector<double> rounding(n), rounded(n);
-  const CompiledFunction& function = motion.dynamics.accelerations();
-  if (rows == 0 || motion.simulation.steps == 0) return rounding;
-  Workspace workspace = function.bind(motion.request.parameters);
-  ExtendedFunction exact(function, double_doubles(motion.request.parameters));
-  for (std::size_t row = 0; row < rows; row += 1 + (rows - 1) / rows_looked_at) {
-    const double t = motion.grid.t[row];
-    const auto y = std::span(motion.simulation.states).subspan(row * width, width);
-    if (function.evaluate(t, y, workspace, rounded) != Evaluation::ok) continue;
-    const auto right = exact(t, std::vector<DoubleDouble>(y.begin(), y.end()));
-    for (std::size_t i = 0; i < n; ++i)
-      rounding[i] = std::max(rounding[i], std::abs((right[i] - rounded[i]).value()));
-  }
+  if (motion.simulation.rows == 0 || motion.simulation.steps == 0)
+    return std::vector<double>(motion.width() / 2);
+  std::vector<double> rounding = rounding_of_forces(motion);
   const double duration = motion.simulation.t - motion.request.t_start;
   for (double& x : rounding) x *= duration / static_cast<double>(motion.simulation.steps);
   return rounding;

@@ -48,6 +48,15 @@ class RoundingInForces(Service):
                 with self.subTest(c=c, goal=goal):
                     self.judge(self.ask(force, "", 0, 8.65, goal), truth)
 
+    def test_of_a_motion_whose_damping_rules_its_steps(self):
+        """x'' = -c x' - x^2 from rest creeps as 1/x = 1 + (t - 1/c)/c but for 1/c^3."""
+        for c in (20000, 100000, 1000000):
+            true = 1/(1 + (1 - mpf(1)/c)/c)
+            for goal in ({}, {"accuracy": "accurate"}, {"method": "bdf", "rtol": 1e-8}):
+                answer = self.ask(f"-{c}*x_dot - (cosh(x*1e-7) - 1)*2e14", "", 1, 1, goal)
+                self.judge(answer, (true, -true**2/c), 10/mpf(c)**3)
+                self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-5)
+
     def test_a_pulse_or_a_wall_so_narrow_that_rounding_hides_it_is_not_passed_in_silence(self):
         for centre, width in (("4.3445", "0.00000000000248"), ("9.4341", "0.000000000556"), ("0.88603", "0.0000000000198"), ("2.5", "0.0001")):
             height = mpmath.nstr(1/mpf(width), 20)

@@ -1,0 +1,69 @@
+#include "core/motion/rounded_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/motion/extended_pieces.hpp"
+#include "core/motion/typed_start.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr std::size_t rows_tried = 8;  ///< each costs an evaluation in double-doubles
+
+/// Calls take(t, y) for some rows.
+template <class Take>
+void at_some_rows(const ComputedMotion& motion, const Take& take) {
+  const std::size_t width = motion.width(), rows = motion.simulation.rows;
+  for (std::size_t row = 0; row < rows; row += 1 + (rows - 1) / rows_tried)
+    take(motion.grid.t[row], std::span(motion.simulation.states).subspan(row * width, width));
+}
+
+/// c of each coordinate, the least; none counts as 0.
+std::vector<double> damping(const ComputedMotion& motion) {
+  const std::size_t width = motion.width(), n = width / 2;
+  std::vector<double> least(n, infinity), jacobian(width * width);
+  const CompiledFunction& function = motion.dynamics.jacobian();
+  Workspace workspace = function.bind(motion.request.parameters);
+  at_some_rows(motion, [&](double t, std::span<const double> y) {
+    const bool is_known = function.evaluate(t, y, workspace, jacobian) == Evaluation::ok;
+    for (std::size_t i = 0; i < n; ++i)
+      least[i] = std::min(least[i], is_known ? std::max(0.0, -jacobian[(n + i) * width + n + i]) : 0);
+  });
+  return least;
+}
+
+}  // namespace
+
+std::vector<double> rounding_of_forces(const ComputedMotion& motion) {
+  const std::size_t n = motion.width() / 2;
+  std::vector<double> rounding(n), rounded(n);
+  const CompiledFunction& function = motion.dynamics.accelerations();
+  Workspace workspace = function.bind(motion.request.parameters);
+  ExtendedFunction exact(function, double_doubles(motion.request.parameters));
+  at_some_rows(motion, [&](double t, std::span<const double> y) {
+    if (function.evaluate(t, y, workspace, rounded) != Evaluation::ok) return;
+    const auto right = exact(t, std::vector<DoubleDouble>(y.begin(), y.end()));
+    for (std::size_t i = 0; i < n; ++i)
+      rounding[i] = std::max(rounding[i], std::abs((right[i] - rounded[i]).value()));
+  });
+  return rounding;
+}
+
+void add_rounding_of_forces(const ComputedMotion& motion, Simulation& check) {
+  if (check.method != Method::bdf || motion.dynamics.kinks() != nullptr || check.rows == 0) return;
+  const std::size_t width = motion.width(), n = width / 2;
+  const std::vector<double> off = rounding_of_forces(motion), c = damping(motion);
+  check.unseen.resize(check.rows * width);
+  for (std::size_t row = 0; row < check.rows; ++row) {
+    const double t = motion.grid.t[row] - motion.request.t_start;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double of_velocity = off[i] * (c[i] * t > 1 ? 1 / c[i] : t);
+      check.unseen[row * width + n + i] += of_velocity;
+      check.unseen[row * width + i] += of_velocity * t;
+    }
+  }
+}
+
+}  // namespace qdot
