@@ -24,8 +24,7 @@ constexpr double rung = 1e-2;  ///< a check's tolerance over that of the run it 
 constexpr double check_of_others = 1e-3;
 constexpr unsigned order_of_checks = 22;
 constexpr unsigned order_of_loose_checks = 18;  ///< of runs that have order 16
-constexpr double loose = 1e-6;
-constexpr double drift_of_rounding = 1e-14;  ///< relative
+constexpr double drift_of_rounding = 1e-14;     ///< relative
 constexpr double much_better = 0.05;
 constexpr double farther_than_samples = 50;  ///< one sample of rounding in fifty is as small by chance
 constexpr double much_more = 10;             ///< than rounding of which a sample is known
@@ -162,15 +161,6 @@ std::vector<std::string> events_compared(const ComputedMotion& motion) {
 
 }  // namespace
 
-bool ComputedMotion::is_near_round_off() const {
-  return record_of(simulation.method).has_fixed_step() || tolerances.rtol <= near_round_off;
-}
-
-bool ComputedMotion::has_events_in_doubt() const {
-  const bool is_far_off = !record_of(simulation.method).expands() || tolerances.rtol >= loose;
-  return is_far_off && !request.events.empty();
-}
-
 SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   SimulationRequest request = motion.request;
   request.grid = motion.event_rows.instants();
@@ -178,7 +168,7 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   if (!motion.has_events_in_doubt()) request.events.clear();
   request.method = motion.is_stiff ? Method::bdf : Method::taylor;
   const bool is_loose =
-      !record_of(motion.simulation.method).has_fixed_step() && motion.tolerances.rtol >= loose;
+      !record_of(motion.simulation.method).has_fixed_step() && motion.tolerances.rtol >= loose_tolerance;
   request.taylor_order = is_loose ? order_of_loose_checks : order_of_checks;
   request.is_reference = true;
   request.notes_approaches = true;

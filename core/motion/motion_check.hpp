@@ -10,30 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/dynamics.hpp"
-#include "core/motion/dense_grid.hpp"
-#include "core/motion/event_rows.hpp"
+#include "core/motion/computed_motion.hpp"
 
 namespace qdot {
-
-/// A motion that was computed on a grid, and how.
-struct ComputedMotion {
-  const Dynamics& dynamics;
-  const SimulationRequest& request;  ///< what was asked for
-  const DenseGrid& grid;
-  const EventRows& event_rows;   ///< on that grid
-  const Simulation& simulation;  ///< on all of the grid
-  Tolerances tolerances;         ///< of the simulation
-  bool is_stiff;                 ///< explicit methods are of no use
-
-  [[nodiscard]] std::size_t width() const { return request.y_start.size(); }
-  [[nodiscard]] bool is_near_round_off() const;
-  [[nodiscard]] bool has_events_in_doubt() const;
-};
-
-/// Tolerances from which on round-off counts beside them.
-inline constexpr double near_round_off = 1e-12;
-inline constexpr double tightest_tolerance = 1e-15;  ///< rtol of a run that is returned
 
 /// Its rows are those of event_rows. Numbers are moved up (1) or down (-1).
 [[nodiscard]] SimulationRequest check_of(const ComputedMotion& motion, double direction);

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "core/motion/motion_check.hpp"
+#include "core/motion/computed_motion.hpp"
 
 namespace qdot {
 
