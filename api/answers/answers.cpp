@@ -71,11 +71,11 @@ std::optional<Number> exact_parameter(const Model& model, const WrittenTexts& wr
 
 ExponentValues known_exponents(const Model& model, const SystemChoice& choice, const std::string& varied) {
   ExponentValues known;
-  if (model.parsed.exponents.empty()) return known;
+  if (model.parsed.exponents.names.empty()) return known;
   const WrittenTexts written = written_texts(choice);
   for (std::size_t i = 0; i < model.scene.parameters.size(); ++i) {
     const std::string& name = model.scene.parameters[i].name;
-    if (name == varied || !model.parsed.exponents.contains(name)) continue;
+    if (name == varied || !model.parsed.exponents.names.contains(name)) continue;
     if (const auto value = exact_parameter(model, written, i)) known[name] = *value;
   }
   return known;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/node.hpp"
 
 namespace qdot {
 namespace {
@@ -67,20 +68,45 @@ std::optional<Number> value_of(const Expression& exponent, const std::set<std::s
   return *number;
 }
 
+class Positive {
+ public:
+  explicit Positive(const ExponentSymbols& symbols) : symbols_(symbols) {}
+
+  [[nodiscard]] bool operator()(const Expression& e) const {
+    Graph& graph = e.graph();
+    const auto is = [&](NodeId id) { return (*this)({graph, id}); };
+    return std::visit(
+        overloaded{
+            [](const Literal& x) { return x.value.value() > 0; },
+            [&](const Symbol& x) { return x.name == "pi" || symbols_.positive.contains(x.name); },
+            [&](const Sum& x) { return std::ranges::all_of(x.terms, is); },
+            [&](const Product& x) { return x.coefficient.value() > 0 && std::ranges::all_of(x.factors, is); },
+            [&](const Power& x) { return is(x.base); },
+            [](const Call& x) { return x.function == Function::exp || x.function == Function::cosh; }},
+        e.node());
+  }
+
+ private:
+  const ExponentSymbols& symbols_;
+};
+
 }  // namespace
 
-Expression with_exponents(const Expression& e, std::span<const Expression> parameters,
-                          const ExponentValues& values, std::set<std::string>& found) {
+Expression with_exponents(const Expression& e, const ExponentSymbols& symbols, const ExponentValues& values,
+                          FoundExponents& found) {
   Graph& graph = e.graph();
+  const Positive is_positive(symbols);
   std::vector<Replacement> replaced;
   const NodeId root[]{e.id()};
   for (const NodeId id : reachable(graph, root)) {  // what is inside comes first
     const auto power = symbolic_power({graph, id});
-    if (!power || !names_in(power->base, parameters).empty() || power->base.number() != nullptr) continue;
-    const std::set<std::string> names = names_in(power->exponent, parameters);
-    found.insert(names.begin(), names.end());
+    if (!power || is_positive(power->base)) continue;
+    const std::set<std::string> names = names_in(power->exponent, symbols.parameters);
+    found.names.insert(names.begin(), names.end());
     const auto value = names.empty() ? std::nullopt : value_of(power->exponent, names, values);
-    if (value) replaced.emplace_back(Expression(graph, id), pow(substitute(power->base, replaced), *value));
+    if (!value) continue;
+    replaced.emplace_back(Expression(graph, id), pow(substitute(power->base, replaced), *value));
+    for (const std::string& name : names) found.put_in[name] = values.at(name);
   }
   return replaced.empty() ? e : substitute(e, replaced);
 }

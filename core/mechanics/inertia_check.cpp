@@ -17,12 +17,13 @@ constexpr double sharp = 1e-18;  ///< of what it is the difference of: twice the
 
 using Rows = std::vector<std::vector<Ball>>;
 
-/// Sizes from 0.1 to 3.2, every second time of both signs: a Lagrangian may have values for small or large
+/// Sizes from 0.1 to 3.1, every second time of both signs: a Lagrangian may have values for small or large
 /// velocities only.
 std::vector<RealAssignment> state_number(unsigned state, const Matrix& matrix) {
   RandomBits random(state);
   const auto value = [&random, state] {
-    const double size = 0.1 * std::exp2(5 * random.fraction());
+    const double part = random.fraction();
+    const double size = 0.1 + 3 * part * part;
     return random.fraction() < 0.5 && state % 2 == 1 ? -size : size;
   };
   std::vector<NodeId> roots;

@@ -9,6 +9,10 @@
 namespace qdot {
 namespace {
 
+bool is_positive(const Domain& domain) {
+  return domain.lower > 0 || (domain.lower == 0 && domain.lower_open);
+}
+
 class SceneParser {
  public:
   SceneParser(const Scene& scene, std::vector<Diagnostic>& diagnostics, const ExponentValues& exponents)
@@ -40,6 +44,7 @@ class SceneParser {
     each(scene_.coordinates, "/coordinates", [&](const Coordinate& q, const std::string& place) {
       text_.declare_varying(symbols.coordinates, q.name, text_.unit(q.unit, place), Context::configuration,
                             Context::state, place);
+      if (is_positive(q.domain)) text_.declare_positive(q.name);
     });
     symbols.t = text_.declare("t", dimension_of_unit("s"), Context::time, "");
     each(scene_.inputs, "/inputs", [&](const Input& input, const std::string& place) {
@@ -53,6 +58,7 @@ class SceneParser {
     each(scene_.parameters, "/parameters", [&](const Parameter& p, const std::string& place) {
       symbols.parameters.push_back(
           text_.declare(p.name, text_.unit(p.unit, place), Context::parameters, place + "/name"));
+      if (is_positive(p.domain)) text_.declare_positive(p.name);
     });
   }
 

@@ -54,7 +54,7 @@ struct ParsedScene {
   std::vector<ParsedSceneEvent> events;
   std::vector<ParsedImpact> impacts;
   std::optional<ParsedScales> scales;
-  std::set<std::string> exponents;  ///< parameters that are exponents of what varies
+  FoundExponents exponents;
 };
 
 /// Reads all texts of a scene. Every mistake is added to `diagnostics`: syntax, unknown symbols, dimensions,

@@ -47,7 +47,7 @@ Expression SceneText::declare(const std::string& name, const std::optional<Dimen
     complain(place, "duplicate_name", "The name '" + name + "' is used twice.");
   }
   if (dimension) dimensions_[symbol.id()] = *dimension;
-  if (context == Context::parameters) parameters_.push_back(symbol);
+  if (context == Context::parameters) exponent_symbols_.parameters.push_back(symbol);
   for (int c = static_cast<int>(context); c <= static_cast<int>(Context::motion); ++c)
     allowed_[c].push_back(name);
   return symbol;
@@ -98,7 +98,7 @@ Expression SceneText::read(const std::string& text, Context context, const std::
   }
   if (!result.expression) return graph_.number(0);
   check_dimension(*result.expression, place, expected);
-  return with_exponents(*result.expression, parameters_, exponents_, found_exponents_);
+  return with_exponents(*result.expression, exponent_symbols_, exponents_, found_exponents_);
 }
 
 std::optional<Expression> SceneText::read_optional(const std::string& text, Context context,

@@ -70,8 +70,9 @@ class SceneText {
   }
   Vector read_position(const Position& position, const std::string& place);
 
-  /// The parameters that were met as exponents of what varies.
-  [[nodiscard]] const std::set<std::string>& exponents() const { return found_exponents_; }
+  /// Its domain has no other values.
+  void declare_positive(const std::string& name) { exponent_symbols_.positive.insert(name); }
+  [[nodiscard]] const FoundExponents& exponents() const { return found_exponents_; }
 
   /// No value: any fits, or there is a mistake.
   [[nodiscard]] std::optional<Dimension> dimension(const Expression& e) const {
@@ -91,8 +92,8 @@ class SceneText {
   std::vector<Diagnostic>& diagnostics_;
   Dimensions dimensions_kind_;
   ExponentValues exponents_;
-  std::set<std::string> found_exponents_;
-  std::vector<Expression> parameters_;
+  ExponentSymbols exponent_symbols_;
+  FoundExponents found_exponents_;
   std::set<std::string> declared_;
   std::vector<std::string> allowed_[5];
   SymbolDimensions dimensions_;

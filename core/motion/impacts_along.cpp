@@ -8,6 +8,7 @@ namespace {
 
 constexpr double short_flight = 1e-2;      ///< of the longest
 constexpr double moment_of_flight = 1e-6;  ///< in which a speed is measured
+constexpr double of_twice = 0.1;           ///< where rounding is larger than a way, its double is another
 constexpr double no_speed = 1e-5;          ///< of that before an impact
 
 }  // namespace
@@ -42,20 +43,23 @@ std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> s
   return rest;
 }
 
-/// Whether the last impact after a flight took all speed from the distance, or there was none.
+/// Whether the last impact after a flight took all speed from the distance, as far as rounding lets that be
+/// seen, or there was none.
 bool ImpactsAlong::leaves_contact(std::size_t impact, std::span<const SectionRecord> sections) const {
   const double span = request_.t_end - request_.t_start;
   std::size_t last = sections.size() - 1;
   while (last > 0 && !(sections[last].duration > short_flight * sections[longest_].duration)) --last;
   const SectionRecord& hit = sections[last];
   const double tau = moment_of_flight * (hit.duration > 0 ? hit.duration : span);
-  const auto rate = [&](std::vector<double> y) {
+  const auto way = [&](std::vector<double> y, double time) {
     const double now = watches()[impact].value(hit.t, y);
     const std::size_t n = y.size() / 2;
-    for (std::size_t i = 0; i < n; ++i) y[i] += tau * y[n + i];
-    return std::abs(watches()[impact].value(hit.t + tau, y) - now);
+    for (std::size_t i = 0; i < n; ++i) y[i] += time * y[n + i];
+    return std::abs(watches()[impact].value(hit.t + time, y) - now);
   };
-  return rate(hit.after) <= no_speed * rate(hit.before);
+  const double before = way(hit.before, tau), twice = way(hit.before, 2 * tau);
+  const bool is_seen = std::abs(twice - 2 * before) <= of_twice * before;
+  return is_seen && way(hit.after, tau) <= no_speed * before;
 }
 
 /// How short a flight may be before the distance is rounded as much as it is high.

@@ -62,6 +62,10 @@ class ParametersAsExponents(Service):
         for n, x in places.items():
             self.assertAlmostEqual(x, (4/n)**(1/(n - 2)), 9)
 
+    def test_formulas_say_which_exponent_they_are_for(self):
+        mode = self.ask("modes", {"system": well("k*x^n")})["modes"][0]["exact"]
+        self.assertEqual((mode["text"], mode["assumes"]), ("2*k", ["k > 0", "n = 2"]))
+
     def test_the_equations_keep_the_letter(self):
         self.assertIn("x^n", self.ask("equations", {"system": well("k*x^n")})["L"])
 

@@ -9,6 +9,13 @@ def plane(name, parameters, potential):
                  bodies=[particle("m", "r*cos(theta)", "r*sin(theta)")])
 
 
+def positive(found, *names):
+    for symbol in found["parameters"] + found["coordinates"]:
+        if symbol["name"] in names:
+            symbol["domain"] = "> 0"
+    return found
+
+
 def surface(name, parameters, coordinates, x, height):
     """A particle on a surface of revolution, x from its axis."""
     return scene(name, f"m kg 1; {parameters}; {G}", coordinates, gravity=DOWN_3D,
@@ -88,7 +95,7 @@ PROBLEMS = [
          "k*exp(-r/a)*(1 + r/a - r^2/a^2)/(m*r^3)")]),
     ("a spring about a centre", plane("spring_about_a_centre", "k N/m 3", "k*r^2/2"), [
         ("holds", "theta_dot", {"r": 1}, "sqrt(k/m)", "4*k/m")]),
-    ("a power of the distance; Landau and Lifshitz", plane("power_law", "k J 1; n 1 3; a m 1", "k*(r/a)^n/n"), [
+    ("a power of the distance; Landau and Lifshitz", positive(plane("power_law", "k J 1; n 1 3; a m 1", "k*(r/a)^n/n"), "r", "a"), [
         ("holds", "theta_dot", {"r": 1}, "sqrt(k*exp(n*log(r/a))/m)/r", "k*(n + 2)*exp(n*log(r/a))/(m*r^2)")]),
     ("a bead on a whirled hoop; Taylor", HOOP, [
         ("holds", "Omega", {"theta": "30deg"}, "sqrt(g/(r*cos(theta)))", "g*sin(theta)^2/(r*cos(theta))")]),
