@@ -58,7 +58,7 @@ bool ImpactsAlong::leaves_contact(std::size_t impact, std::span<const SectionRec
     return std::abs(watches()[impact].value(hit.t + time, y) - now);
   };
   const double before = way(hit.before, tau), twice = way(hit.before, 2 * tau);
-  const bool is_seen = std::abs(twice - 2 * before) <= of_twice * before;
+  const bool is_seen = hit.duration == 0 || (before > 0 && std::abs(twice - 2 * before) <= of_twice * before);
   return is_seen && way(hit.after, tau) <= no_speed * before;
 }
 
