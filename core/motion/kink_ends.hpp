@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/integrate/run.hpp"
 #include "core/motion/kink_modes.hpp"
 
 namespace qdot {
