@@ -43,25 +43,16 @@ class Measurement {
  private:
   Simulation run(SimulationRequest request);
   [[nodiscard]] ComputedMotion motion() const;
-  /// Where rounding may be as large as the difference, and both are far below what is wanted, the same check
-  /// tells the error of a looser run, and no more digits are needed. False, and all as it was, where that run
-  /// does not meet what is wanted.
   bool is_measured_looser(const std::vector<Simulation>& checks);
-  /// None where the error of the run is not far below what is wanted, or would still be rounding, and where
-  /// the check has rows at its events: another run has them at other instants.
   [[nodiscard]] std::optional<Tolerances> looser_than_needed(const std::vector<Simulation>& checks) const;
   std::optional<Simulation> sharper_motion();
-  /// False where it does not tell the error of the first.
   bool add_check(std::vector<Simulation>& others, double direction);
-  /// Where a tighter run can be expected to do, and rows at impacts do not differ for another reason.
   [[nodiscard]] bool can_give_up() const;
   bool can_be_checked_by(const Simulation& other);
   void state(const std::vector<Simulation>& others);
   [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
                                               OtherWays ways);
-  /// The error wanted of each column.
   [[nodiscard]] std::vector<double> wanted() const;
-  /// The largest error in units of what is wanted; 1 is met.
   [[nodiscard]] double excess(const std::vector<double>& error) const;
 
   const Dynamics& dynamics_;
