@@ -1,11 +1,10 @@
 #include "server/lanes.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
+
+#include "server/priority.hpp"
 
 namespace qdot::server {
 namespace {
@@ -86,8 +85,7 @@ bool Lanes::next_may_begin(Lane lane) const {
 }
 
 void Lanes::work(Lane lane) {
-  // On Linux each thread has its own niceness.
-  if (lane == Lane::heavy) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
+  lane == Lane::heavy ? give_way() : wake_at_once();
   State& it = state(lane);
   std::unique_lock lock(mutex_);
   for (;;) {

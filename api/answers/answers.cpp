@@ -7,6 +7,7 @@
 #include "api/contract/version.hpp"
 #include "core/dynamics/consistent_state.hpp"
 #include "core/expr/parse.hpp"
+#include "core/mechanics/restitution.hpp"
 
 namespace qdot::api {
 
@@ -18,9 +19,10 @@ ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
   for (std::size_t i = 0; i < state.parameters.size(); ++i) {
     const Parameter& p = model.scene.parameters[i];
     if (std::isfinite(state.parameters[i]) && p.domain.contains(state.parameters[i])) continue;
-    throw Error(ErrorCode::invalid_state,
+    throw Error(ErrorCode::invalid_parameters,
                 "The default of " + p.name + " has no valid value here: give " + p.name + ".");
   }
+  refuse_wrong_restitutions(model.parsed, state.parameters);
   state.y = initial_state(model, state.parameters, initial);
   for (std::size_t i = 0; i < state.y.size(); ++i) {
     if (std::isfinite(state.y[i])) continue;

@@ -74,6 +74,8 @@ Problem problem_of(const Error& error, const Place& whole) {
       return invalid_request({whole.error("syntax", error.what())});
     case ErrorCode::unknown_symbol:
       return invalid_request({whole.error("unknown_symbol", error.what())});
+    case ErrorCode::invalid_parameters:
+      return invalid_request({whole.below("parameters").error("domain", error.what())});
     case ErrorCode::invalid_state:
       if (const auto* state = dynamic_cast<const InconsistentState*>(&error))
         return inconsistent(*state, whole);

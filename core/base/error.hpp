@@ -8,12 +8,13 @@
 namespace qdot {
 
 enum class ErrorCode {
-  syntax,          ///< an expression does not parse; `offset` says where
-  unknown_symbol,  ///< an expression names something that is not declared
-  too_large,       ///< an expression passes a size, depth or node bound
-  invalid_scene,   ///< the scene has mistakes (SceneError lists them)
-  invalid_state,   ///< the coordinates describe no configuration, or a quantity has no value there
-  not_applicable   ///< the question makes no sense for this scene
+  syntax,              ///< an expression does not parse; `offset` says where
+  unknown_symbol,      ///< an expression names something that is not declared
+  too_large,           ///< an expression passes a size, depth or node bound
+  invalid_scene,       ///< the scene has mistakes (SceneError lists them)
+  invalid_parameters,  ///< the scene makes no sense with these parameters
+  invalid_state,       ///< the coordinates describe no configuration, or a quantity has no value there
+  not_applicable       ///< the question makes no sense for this scene
 };
 
 class Error : public std::runtime_error {

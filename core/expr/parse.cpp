@@ -227,7 +227,10 @@ class Parser {
     const bool noted =
         std::any_of(unknown_.begin(), unknown_.end(), [&](const auto& e) { return e.symbol == name; });
     if (noted) return;
-    const char* const advice = name == "e" ? ": the exponential function is exp(...)" : "";
+    const char* advice = "";
+    if (name == "e") advice = ": the exponential function is exp(...)";
+    if (name.ends_with("_dot") && is_known(name.substr(0, name.size() - 4)))
+      advice = ": there are no velocities here";
     unknown_.push_back({ErrorCode::unknown_symbol, offset, "unknown symbol " + excerpt(name) + advice, name});
   }
 
@@ -237,8 +240,12 @@ class Parser {
     if (is_unit && token().text != "deg")
       fail("a number in an expression is in SI, with no unit behind it; " + excerpt(token().text) +
            " is none of the symbols");
-    const std::string right = at(TokenKind::name) ? std::string(token().text.substr(0, 17)) : "(...)";
-    fail("write " + left + "*" + right + ", not " + left + right);
+    if (!at(TokenKind::name)) fail("write " + left + "*(...), not " + left + "(...)");
+    const std::string right(token().text.substr(0, 17));
+    std::string message = "write " + left + "*" + right + ", not " + left + right;
+    if (token().offset > number.offset + number.text.size())
+      message += "; if " + right + " is a unit, leave it out: numbers in expressions are in SI";
+    fail(message);
   }
 
   [[noreturn]] void reject_call(const Token& name) const {

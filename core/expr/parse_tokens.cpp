@@ -77,14 +77,37 @@ constexpr auto signs_of_books = std::to_array<std::pair<std::string_view, std::s
     {"¾", "write 3/4 for the fraction"},
     {"√", "write sqrt(...) for the root"},
     {"—", "write - for a minus"},
+    {"–", "write - for a minus"},
+    {"−", "write - for a minus"},
     {"÷", "write / for a division"},
+    {"×", "write * for a product"},
+    {"·", "write * for a product"},
+    {"⋅", "write * for a product"},
+    {"∗", "write * for a product"},
+    {"²", "write ^2 for the square"},
+    {"³", "write ^3 for the cube"},
+    {"°", "write 30*deg for 30 degrees"},
+    {"′", "write theta_dot for the velocity of theta"},
+    {"’", "write theta_dot for the velocity of theta"},
+    {"ẋ", "write x_dot for the velocity of x"},
+    {"ẏ", "write y_dot for the velocity of y"},
+    {"ż", "write z_dot for the velocity of z"},
+    {"\xcc\x87", "write x_dot for the velocity of x"},  // the dot above the letter before
+    {"∞", "there is no number for infinity"},
 });
+
+/// The first bytes of U+0370 to U+03FF.
+bool is_greek(std::string_view rest) {
+  const auto first = static_cast<unsigned char>(rest.front());
+  return first == 0xce || first == 0xcf || (first == 0xcd && static_cast<unsigned char>(rest[1]) >= 0xb0);
+}
 
 std::string advice_on(std::string_view rest) {
   const auto sign =
       std::ranges::find_if(signs_of_books, [&](const auto& pair) { return rest.starts_with(pair.first); });
-  return sign == signs_of_books.end() ? "expressions are ASCII: write theta for the Greek letter"
-                                      : std::string(sign->second);
+  if (sign != signs_of_books.end()) return std::string(sign->second);
+  return is_greek(rest) ? "expressions are ASCII: write theta for the Greek letter"
+                        : "expressions are ASCII: this sign is not";
 }
 
 [[noreturn]] void reject_character(std::string_view rest, std::size_t offset) {
@@ -94,7 +117,9 @@ std::string advice_on(std::string_view rest) {
   if (c == '\\') message = "leave out LaTeX's backslashes: names stand alone, pi, theta or sin(...)";
   if (c == '|') message = "write abs(...) for the absolute value";
   if (c == '<' || c == '>')
-    message = "an expression compares nothing; (1 + sign(t - 1))/2 is 0 before t = 1 and 1 after it";
+    message =
+        "an expression compares nothing: 1 - x is not negative while x <= 1, and (1 + sign(t - 1))/2 is 0 "
+        "before t = 1 and 1 after it";
   if (c == '=') message = "expected an expression, not an equation: '='";
   if (c == '[' || c == '{') message = "write ( and ) for brackets";
   if (c == ',') message = "every function takes one argument: unexpected ','; decimals have a point";

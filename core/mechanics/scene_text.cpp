@@ -19,6 +19,13 @@ std::string error_code(const ParseError& error) {
   }
 }
 
+constexpr std::size_t short_text = 24;  ///< bytes: one sees at once what is meant
+
+std::string sentence(const ParseError& error, const std::string& text) {
+  const bool has_place = error.code != ErrorCode::unknown_symbol && text.size() > short_text;
+  return error.message + (has_place ? ", at byte " + std::to_string(error.offset) + "." : ".");
+}
+
 }  // namespace
 
 std::optional<Dimension> dimension_of_unit(const std::string& text) {
@@ -91,7 +98,7 @@ Expression SceneText::read(const std::string& text, Context context, const std::
   const ParseResult result = parse_all(text, graph_, allowed_[static_cast<int>(context)]);
   const std::vector<std::string>& allowed = allowed_[static_cast<int>(context)];
   for (const ParseError& error : result.errors) {
-    complain(place, error_code(error), error.message + ".");
+    complain(place, error_code(error), sentence(error, text));
     if (error.code != ErrorCode::unknown_symbol) continue;
     diagnostics_.back().symbol = error.symbol;
     diagnostics_.back().allowed = allowed;

@@ -157,6 +157,14 @@ TEST(ParseErrors, SayWhatToWriteAndWhere) {
   expect_error("sin(x, y)", syntax, 5,
                "every function takes one argument: unexpected ','; decimals have a point");
   expect_error("x + \xce\xb8", syntax, 4, "expressions are ASCII: write theta for the Greek letter");
+  expect_error("x + \xc3\xa9", syntax, 4, "expressions are ASCII: this sign is not");
+  expect_error("x \xe2\x88\x92 y", syntax, 2, "write - for a minus");
+  expect_error("x\xc2\xb7y", syntax, 1, "write * for a product");
+  expect_error("30\xc2\xb0", syntax, 2, "write 30*deg for 30 degrees");
+  expect_error("\xe1\xba\x8b^2/2", syntax, 0, "write x_dot for the velocity of x");
+  expect_error("y\xcc\x87^2/2", syntax, 1, "write x_dot for the velocity of x");
+  expect_error("9.81 x/y", syntax, 5,
+               "write 9.81*x, not 9.81x; if x is a unit, leave it out: numbers in expressions are in SI");
   expect_error("theta'", syntax, 5, "write theta_dot for the velocity of theta");
   expect_error("[x]", syntax, 0, "write ( and ) for brackets");
   expect_error("x & y", syntax, 2, "an expression cannot contain '&'");
