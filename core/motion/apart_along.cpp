@@ -9,6 +9,7 @@
 #include "core/motion/row_errors.hpp"
 #include "core/numerics/random_bits.hpp"
 #include "core/numerics/root.hpp"
+#include "core/numerics/rough_powers.hpp"
 
 namespace qdot {
 namespace {
@@ -89,6 +90,19 @@ std::vector<double> apart_after_grazing(const SectionEnd& end, std::span<const d
   return result;
 }
 
+/// Of tau, up to where g is rounding: |g| grows as tau^m there, m > 1 next to a multiple root. 1 and more
+/// where g does not grow clear of its rounding until then.
+double rounded_share(const SectionEnd& end, double tau) {
+  const auto g_after = [&](double later) {
+    return end.g(end.t + later, along(end.before, later, end.slopes_before));
+  };
+  const auto grown = [&](double to) { return std::abs(g_after(to) - g_after(-to)) / 2 - end.rounding; };
+  const double whole = grown(tau), half = grown(tau / 2);
+  if (!(half > end.rounding && whole > end.rounding)) return 1;
+  const double m = std::max(1.0, rough_log2(whole) - rough_log2(half));
+  return rough_exp2((rough_log2(end.rounding) - rough_log2(whole)) / m);
+}
+
 }  // namespace
 
 std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e) {
@@ -116,12 +130,8 @@ double rounding_of_instant(const SectionEnd& end) {
   if (end.rounding == 0) return 0;
   const double shortest = short_time(end);
   for (double tau = shortest; tau < longest_time(end); tau *= longer) {
-    const auto g_after = [&](double later) {
-      return end.g(end.t + later, along(end.before, later, end.slopes_before));
-    };
-    const double slope = (std::abs(g_after(tau) - g_after(-tau)) - 2 * end.rounding) / (2 * tau);
-    const double off = end.rounding / slope;
-    if (slope > 0 && off < tau) return off > last_places * time_round_off(end.t) ? off : 0;
+    const double off = tau * rounded_share(end, tau);
+    if (off < tau) return off > last_places * time_round_off(end.t) ? off : 0;
   }
   return longest_time(end);
 }
@@ -197,7 +207,8 @@ double ApartAlong::seconds(SectionEnd end, std::span<const double> unseen) const
   std::vector<double> errors = at_end();
   for (double& error : errors) error *= safety_of_differences;
   for (std::size_t k = 0; k < unseen.size(); ++k) errors[k] += unseen[k];
-  const double of_instant = time_round_off(end.t) + end.doubt + end.moved;
+  const double of_instant =
+      time_round_off(end.t) + end.doubt + end.moved + (end.map ? 0 : rounding_of_instant(end));
   return std::min(of_instant + seconds_apart(end, errors), longest_time(end));
 }
 

@@ -16,9 +16,12 @@ constexpr int refinements = 4;  ///< of where a kink was passed, each much close
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
 constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
 
+/// As at a multiple root, or where the argument turns: a slope does not tell where its zero is.
+bool is_hardly_crossed(double c0, double c1, double c2) { return std::abs(4 * c0 * c2) > hardly * c1 * c1; }
+
 /// A zero of c0 + c1 s + c2 s^2 next to 0; far away where it is hardly crossed.
 double zero_beside(double c0, double c1, double c2) {
-  if (std::abs(4 * c0 * c2) > hardly * c1 * c1) return std::sqrt(std::abs(c0 / c2)) / hardly;
+  if (is_hardly_crossed(c0, c1, c2)) return std::sqrt(std::abs(c0 / c2)) / hardly;
   return -2 * c0 / (c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1));
 }
 
@@ -65,10 +68,12 @@ class Passing {
         now = std::move(next);
         continue;
       }
-      const bool is_near = std::abs(s) <= farthest;
+      const bool is_crossed = !is_hardly_crossed(here.u, old[kink][1], old[kink][2]);
+      const bool is_near = is_crossed && std::abs(s) <= farthest;
       passage.doubt = std::max(passage.doubt, of_state * size_[kink] / std::abs(old[kink][1]));
       if (!is_near) passage.doubt = std::max(passage.doubt, std::abs(s));
-      if (!(is_near || std::abs(here.u) <= here.explained) || !motions_.series(next)) return passage;
+      const bool is_explained = is_crossed && std::abs(here.u) <= here.explained;
+      if (!(is_near || is_explained) || !motions_.series(next)) return passage;
       for (auto& [k, other] : ahead_) other.u += s * (old[k][1] - (*motions_.series(next))[k][1]);
       for (std::size_t i = 0; i < move.size(); ++i) move[i] += s * (rate(now, i) - rate(next, i));
       passage.early = std::max(passage.early, std::abs(s));

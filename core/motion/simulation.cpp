@@ -112,6 +112,7 @@ class Simulator {
       return;
     }
     SectionEnd end = now_ending(sections_.ends()[first].value);
+    end.rounding = sections_.rounding_of_end(first, end.t, end.before);
     is_determined_ = sections_.pass(result_.t, result_.y, met);
     if (!is_determined_) return;
     finish(end);
@@ -124,6 +125,7 @@ class Simulator {
     const auto first = static_cast<std::size_t>(std::ranges::find(met_at_end_, true) - met_at_end_.begin());
     if (!apart_.is_wanted() || first == met_at_end_.size()) return;
     SectionEnd end = now_ending(sections_.ends()[first].value);
+    end.rounding = sections_.rounding_of_end(first, end.t, end.before);
     end.after = result_.y;
     if (!sections_.pass(result_.t, end.after, met_at_end_)) return;
     end.slopes_after = sections_.slopes(result_.t, end.after);
