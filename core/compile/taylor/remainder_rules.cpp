@@ -160,11 +160,16 @@ void Remainder::apply_power(const Rule& rule) {
   if (effort_ == Effort::careful) meet(out, values);
 }
 
+/// z = sqrt(u): |u - p^2| = |z - p| (z + p) <= d. Where p may be as small as -z, continuity tells: |z - p|
+/// begins with 0 and has (2 z - |z - p|) |z - p| <= d.
 void Remainder::apply_root(const Rule& rule) {
   const Row& u = rows_[rule.x];
   Row& out = rows_[rule.out];
-  const double least = std::sqrt(std::max(0.0, u.of_value.lower)) + std::max(0.0, out.of_row.lower);
-  conclude(out, (u.r + u.own_top + tail(out, out)) / least);
+  const double d = u.r + u.own_top + tail(out, out), least = std::max(0.0, u.of_value.lower);
+  double of_sum = 0;
+  if (d <= least) of_sum = std::sqrt(least) + std::sqrt(least - d);
+  if (out.of_row.lower > 0) of_sum = std::max(of_sum, std::sqrt(least) + out.of_row.lower);
+  conclude(out, of_sum > 0 ? d / of_sum : infinity);
   if (effort_ == Effort::careful && u.of_value.lower >= 0) {
     meet(out, range(std::sqrt(u.of_value.lower) / slack, std::sqrt(u.of_value.upper) * slack));
   }
