@@ -106,6 +106,7 @@ bool EventSearch::is_quiet(std::size_t event) {
   if (signs_[event] == 0 && !request_.notes_approaches) return false;
   const MotionPiece& piece = polynomial_.whole();
   const UnitSeries series = unit_series(event, piece, low_order);
+  if (series.is_nowhere) return true;
   const std::span<const double> c = series.coefficients();
   double lower = c[0], upper = c[0];
   for (std::size_t k = 1; k < c.size(); ++k) {
@@ -126,6 +127,8 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   result.end = order + 1;
   const std::span<double> c = std::span(result.c).first(result.end);
   result.off = request_.events[event].series(piece, order, c);
+  result.is_nowhere = std::isnan(result.off);
+  if (result.is_nowhere) return result;
   double power = 1, size = 0;
   for (double& coefficient : c) {
     coefficient *= power;
@@ -216,14 +219,14 @@ double EventSearch::past_start(std::size_t event) const {
 bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
   for (const double c : series.coefficients()) size += std::abs(c);
-  if (series.is_divided || size > of_doubt * series.off) return false;
+  if (series.is_divided || !series.is_finite() || size > of_doubt * series.off) return false;
   return series.off <= 2 * doubt_at_start(event, piece, of_values * size);
 }
 
 /// In as many coefficients as are numbers with a bound that is one: near overflow high ones are not.
 EventSearch::UnitSeries EventSearch::finite_series(std::size_t event, const MotionPiece& piece) const {
   UnitSeries series = unit_series(event, piece, full_order);
-  return series.is_finite() ? series : unit_series(event, piece, low_order);
+  return series.is_finite() || series.is_nowhere ? series : unit_series(event, piece, low_order);
 }
 
 /// The pieces of [from, to], in times since the step's beginning.
@@ -235,7 +238,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const UnitSeries series = finite_series(event, whole);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
   if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
-  if (is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
+  if (series.is_nowhere || is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;

@@ -70,6 +70,7 @@ class EventSearch {
     std::array<double, largest_degree + 1> c{};
     std::size_t first{}, end{};  ///< the coefficients that count
     double off{};                ///< what g may be away from it
+    bool is_nowhere{false};      ///< g has no value in all of the piece
     bool is_divided{false};      ///< by that unit: g is zero at t_start
     int sign_at_start{};         ///< of g at t_start, where it is too near to zero to be seen in `c`
 

@@ -70,7 +70,7 @@ struct EventFunction {
   std::function<double(double t, std::span<const double> y)> value{};
   /// g along a piece of a motion: `order` + 1 coefficients of a polynomial in s, order <= largest_degree
   /// (core/numerics/sign_search.hpp). Returns a bound of its distance from g over the piece, infinite where
-  /// there is none.
+  /// there is none, and no number where g has no value in all of the piece.
   std::function<double(const MotionPiece& piece, unsigned order, std::span<double> coefficients)> series{};
   Crossing direction{Crossing::either};
   bool terminal{false};

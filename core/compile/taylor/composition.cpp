@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/compile/taylor/translation.hpp"
 
@@ -34,7 +35,8 @@ double TaylorComposition::expand(double t, std::span<const double> rows, unsigne
   for (std::size_t i = given; i < start_.size(); ++i)
     start_[i] = rows[(i - coordinates_) * (rows_order + 1) + 1];
   double value{};
-  if (function_->evaluate(t, start_, workspace_, {&value, 1}) != Evaluation::ok) return infinity;
+  const Evaluation evaluation = function_->evaluate(t, start_, workspace_, {&value, 1});
+  if (evaluation == Evaluation::singular_mass) return infinity;
   if (!translation_->start(workspace_)) return infinity;
   put_variables(rows, rows_order, h, order, defect);
   taylor::Program alone = translation_->composition();
@@ -44,7 +46,8 @@ double TaylorComposition::expand(double t, std::span<const double> rows, unsigne
   const double r = remainder_->distance(row, h, order, left_out_);
   std::copy_n(row, order, coefficients.begin());
   coefficients[order] = translation_->is_of_state(row) ? row[order] : 0;
-  return r;
+  if (!(r < infinity) && remainder_->is_without_value()) return std::numeric_limits<double>::quiet_NaN();
+  return evaluation == Evaluation::ok ? r : infinity;
 }
 
 void TaylorComposition::put_variables(std::span<const double> rows, unsigned rows_order, double h,

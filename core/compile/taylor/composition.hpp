@@ -36,7 +36,7 @@ class TaylorComposition {
   /// `rows`: rows_order + 1 coefficients of each of (q, v) about t; those beyond `order` count as unknown,
   /// and so do the last digits of the first. Accelerations are the slopes of v within `defect`, the second
   /// half of its numbers. Writes order + 1 coefficients of g, order <= highest_order. Returns r, infinite
-  /// where there is none.
+  /// where there is none, and no number where g has no value in all of the piece.
   double expand(double t, std::span<const double> rows, unsigned rows_order, double h, unsigned order,
                 std::span<double> coefficients, std::span<const double> defect = {});
 

@@ -3,6 +3,9 @@
 // Functions by a differential equation w' = f(w) d, d the rate of the argument u: a residual of the rows of
 // order N - 1 and more grows over the step to no more than h/N times its bound, since it starts as s^(N-1).
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/compile/taylor/remainder.hpp"
 
 namespace qdot::taylor {
@@ -31,6 +34,14 @@ Range power(const Range& u, double p) {
 }
 
 }  // namespace
+
+bool Remainder::is_without_value() const {
+  return std::ranges::any_of(rules_, [this](const Rule& rule) {
+    const bool is_partial = rule.kind == Kind::root || rule.kind == Kind::logarithm ||
+                            (rule.kind == Kind::power && *rule.constant != std::floor(*rule.constant));
+    return is_partial && rows_[rule.x].of_value.upper < 0;
+  });
+}
 
 void Remainder::conclude(Row& row, double r) const {
   row.r = std::isnan(r) ? infinity : r * slack;
