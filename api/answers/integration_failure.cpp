@@ -20,7 +20,8 @@ Failure failure_of(Ending ending) {
               "The motion needs more steps than a request may take; ask for a shorter one, for less "
               "accuracy, or with method gauss for a longer h."};
     case Ending::nonfinite:
-      return {"nonfinite", "The equations of motion became infinite or undefined."};
+      return {"nonfinite",
+              "The equations of motion, or a condition that has to hold, became infinite or undefined."};
     case Ending::singular_mass:
       return {"singular-mass", "The mass matrix lost its inverse, so the accelerations are undetermined."};
     case Ending::tolerance:

@@ -195,7 +195,9 @@ double Watch::own_rounding(double t, std::span<const double> y) const {
 }
 
 EventFunction Watch::event() const {
-  return {value, series, direction, kind != Kind::event, kind == Kind::impact, condition};
+  EventFunction event{value, series, direction, kind != Kind::event, kind == Kind::impact, condition};
+  event.must_have_value = kind == Kind::validity;
+  return event;
 }
 
 std::vector<Watch> watches(const Dynamics& dynamics, const WatchRequest& request) {

@@ -52,6 +52,7 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   found.failure = polynomial_.take(stepper, StepPolynomial::Look::rough);
   std::vector<std::size_t> open;
   near_.clear();
+  nowhere_from_ = infinity;
   for (std::size_t i = 0; i < signs_.size() && !found.failure; ++i) {
     if (!is_quiet(i)) open.push_back(i);
   }
@@ -68,6 +69,8 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
     if (const auto t = locate(stepper, crossing, found)) zeros.emplace_back(*t, crossing.event);
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
+  if (nowhere_from_ < (found.terminal ? found.events.back().t - polynomial_.whole().t : infinity))
+    found.failure = Ending::nonfinite;
   if (!found.failure && !near_.empty()) look_for_approaches(stepper, found);
   return found;
 }
@@ -106,7 +109,7 @@ bool EventSearch::is_quiet(std::size_t event) {
   if (signs_[event] == 0 && !request_.notes_approaches) return false;
   const MotionPiece& piece = polynomial_.whole();
   const UnitSeries series = unit_series(event, piece, low_order);
-  if (series.is_nowhere) return true;
+  if (series.is_nowhere) return !request_.events[event].must_have_value;
   const std::span<const double> c = series.coefficients();
   double lower = c[0], upper = c[0];
   for (std::size_t k = 1; k < c.size(); ++k) {
@@ -238,6 +241,8 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   const UnitSeries series = finite_series(event, whole);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
   if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
+  if (series.is_nowhere && request_.events[event].must_have_value)
+    nowhere_from_ = std::min(nowhere_from_, from);
   if (series.is_nowhere || is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
   const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {

@@ -100,6 +100,7 @@ class EventSearch {
   bool starts_at_zero_{false};
   int sign_at_start_{};
   bool saw_everything_{true};
+  double nowhere_from_{};  ///< since the step's beginning: where a function that must have a value has none
 };
 
 }  // namespace qdot

@@ -80,6 +80,7 @@ struct EventFunction {
   int sign_at_start{0};  ///< the strict sign that g counts as having had at t_start, where that is known
   /// What rounding may do to g at t_start, where that is known; it is asked where g is small there.
   std::function<double()> rounding_at_start{};
+  bool must_have_value{false};   ///< where g has none for a while, the run ends before it
   bool is_zero_at_start{false};  ///< g is zero at t_start, however far from it the error of y leaves it
 };
 
