@@ -97,7 +97,12 @@ const char* const formulas[]{"-sin(q)",
                              "sinh((t - 2)/0.01)/cosh((t - 2)/0.01)^3",
                              "exp((t - 2)/0.002)/(1 + exp((t - 2)/0.002))^2",
                              "exp(-cosh((t - 2)/0.001))",
-                             "tanh(sinh((t - 2)/0.001))"};
+                             "tanh(sinh((t - 2)/0.001))",
+                             "sqrt((t - 2)^2 + 1e-12)",
+                             "sqrt((t - 1.5)^2 + 1e-4)",
+                             "q_dot*sqrt((q - 0.3)^2 + 1e-10)",
+                             "((t - 2)^2 + 1e-8)^(3/2)",
+                             "asin(1 - (t - 2)^2/5 - 1e-9)"};
 
 TEST(Remainder, IsNeverBelowTheDefect) {
   test::Random random(8);
