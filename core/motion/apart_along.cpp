@@ -19,6 +19,7 @@ constexpr double looked_at =
 constexpr double farthest_to_event = 0.1;  ///< as far as the other may go until it meets the event
 constexpr int looks = 3;                   ///< at where that is
 constexpr double longer = 10;              ///< times a time in which a rounded g tells no slope
+constexpr double beyond_rounding = 4;      ///< times what rounding of g moves an instant: g tells there
 constexpr double last_places = 16;         ///< of an instant, which rounding of the motion counts
 
 std::vector<double> along(const std::vector<double>& y, double factor, std::span<const double> direction) {
@@ -106,14 +107,15 @@ double rounded_share(const SectionEnd& end, double tau) {
 }  // namespace
 
 std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e) {
-  const double part = largest_part(e, end);
-  const double factor = part > 0 ? std::max(1.0, looked_at / part) : 1;
+  const double part = largest_part(e, end), shortest = short_time(end);
+  const double tau = std::max(shortest, beyond_rounding * rounding_of_instant(end));
+  const double looked = looked_at * (tau / shortest);
+  const double factor = part > 0 ? std::max(1.0, looked / part) : 1;
   const std::vector<double> other = along(end.before, -factor, e);
   const double g = end.g(end.t, end.before);
   const auto g_of_other = [&](double later) {
     return end.g(end.t + later, along(other, later, end.slopes_before)) - g;
   };
-  const double tau = short_time(end);
   const double slope = (g_of_other(tau) - g_of_other(-tau)) / (2 * tau);
   double later = 0;
   for (int i = 0; i < looks; ++i) later -= g_of_other(later) / slope;

@@ -50,6 +50,12 @@ class Restitution(Service):
         bouncing = self.ask("simulate", {"system": BALL, "parameters": {"e": 0.01}, "t_end": 10, "samples": 11})
         self.assertIn("faster and faster", bouncing["stop"]["message"])
 
+    def test_a_restitution_is_between_0_and_1(self):
+        for e in (-0.1, 1.01, -1e-300):
+            problem = self.refused_at("simulate", {"system": BALL, "parameters": {"e": e}, "t_end": 1}, "#/parameters")
+            self.assertIn("'bounce' is not between 0 and 1", problem["errors"][0]["detail"])
+        self.ask("simulate", {"system": BALL, "parameters": {"e": 1}, "t_end": 1})
+
     def test_what_is_kept_is_kept_between_impacts(self):
         free = BALL | {"gravity": [0, 0]}
         for scene in (BALL, free):

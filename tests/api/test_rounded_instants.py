@@ -2,6 +2,7 @@
 all computations have in common. The truths are polynomials of the time and an oscillation."""
 
 import pathlib
+import random
 import sys
 import unittest
 
@@ -101,6 +102,24 @@ class RoundedInstants(Service):
         rounded, exact = (self.motion(scene, {"x": 0, "x_dot": 1}, max_error=1e-12)["trajectory"] for scene in (kinked, plain))
         for name in ("x", "x_dot"):
             self.assertLess(abs(rounded[name][-1] - exact[name][-1]), 1e-11)
+
+    def test_a_kink_at_a_multiple_root_is_passed_within_what_rounding_leaves_open(self):
+        source, close = random.Random(7), 0
+        for _ in range(60):
+            m, start, speed, fall = (source.choice((3, 5)), *(f"{source.uniform(0.3, 2):.3f}" for _ in range(3)))
+            place, force, end = f"{source.uniform(0.05, 1.5):.4f}", f"{source.uniform(0.1, 0.5):.2f}", mpf(start) / mpf(speed) + mpf(fall)
+            c = mpf(start) - mpf(place)  # passed at a time that is the quotient of two decimals
+            power = " + ".join(f"({mpmath.nstr(mpmath.binomial(m, k) * (-c) ** (m - k), 30)})*x^{k}" for k in range(m + 1))
+            scene = lagrangian("passing", "", f"x - {start} -{speed}", "x_dot^2/2",
+                               forces=[{"name": "f", "value": f"-{force}*(1 - sign({power}))", "along": "x"}])
+            later = mpf(float(end)) - mpf(place) / mpf(speed)
+            truth = (mpf(start) - mpf(speed) * mpf(float(end)) - mpf(force) * later**2, -mpf(speed) - 2 * mpf(force) * later)
+            answer = self.motion(scene, {}, t_end=float(end))
+            for name, true in zip(("x", "x_dot"), truth):
+                error = answer["accuracy"]["max_abs_error"][name]
+                self.judge(answer["trajectory"][name][-1], error, true, (power, start, speed))
+                close += error < 0.1
+        self.assertGreater(close, 110)
 
     def test_an_argument_that_vanishes_altogether_has_no_instant(self):
         """abs(abs(x + 1) - x - 1) is 0 on one side, and -2 (x + 1) on the other."""
