@@ -154,10 +154,11 @@ class ModesAnswer {
     return json;
   }
 
-  /// The formula of omega^2, or of rate^2, and what follows from it.
+  /// The formula of omega^2 or of rate^2, of the rate where friction makes it creep, and what follows from
+  /// it.
   [[nodiscard]] Json exact_mode_json(const Mode& mode, const ExactMode& exact) const {
     const std::string name = mode.omega != 0 ? "omega" : "rate";
-    Json json{{"of", name + "^2"}};
+    Json json{{"of", exact.creeps ? name : name + "^2"}};
     json.update(exact_json(exact.square));
     if (exact.rate) json[name] = formula_json(*exact.rate);
     if (exact.damping) json["rate"] = formula_json(*exact.damping);
