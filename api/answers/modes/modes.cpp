@@ -248,6 +248,14 @@ ExactModes no_formulas(const Modes& modes) {
   return none;
 }
 
+void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Json& body) {
+  for (const std::size_t i : limits)
+    body["notes"].push_back(
+        "With parameters that are 0 the equation of " + scene.coordinates[i].name +
+        " vanishes. Its limit stands for it, and its rows of the matrices are those of the "
+        "equation divided by the factor that vanishes.");
+}
+
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
@@ -260,7 +268,9 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
       wants(call, "exact") ? exact_modes(*system.dynamics, parameters, written_texts(request.system), modes)
                            : no_formulas(modes);
   const int digits = request.digits.value_or(shortest_digits);
-  const Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
+  Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
+  if (!is_constrained)
+    note_limits(system.scene(), system.dynamics->statics(parameters)->reduction.limits, body);
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
