@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/base/error.hpp"
-#include "core/mechanics/followers.hpp"
 #include "core/mechanics/equations_of_motion.hpp"
+#include "core/mechanics/followers.hpp"
 #include "core/mechanics/lagrangian.hpp"
 #include "core/mechanics/parsed_scene.hpp"
 #include "core/mechanics/partial_quantities.hpp"
