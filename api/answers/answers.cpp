@@ -83,6 +83,18 @@ ExponentValues known_exponents(const Model& model, const SystemChoice& choice, c
   return known;
 }
 
+/// The scene with the start that a request writes, whose momenta may follow the parameter that moves.
+Scene scene_as_asked(const SystemChoice& choice, const std::string& varied) {
+  Scene scene = *choice.scene;
+  if (varied.empty()) return scene;
+  const WrittenTexts written = written_texts(choice);
+  for (Coordinate& q : scene.coordinates) {
+    if (const auto text = written.find(q.name); text != written.end()) q.initial = text->second;
+    if (const auto text = written.find(q.name + "_dot"); text != written.end()) q.initial_rate = text->second;
+  }
+  return scene;
+}
+
 }  // namespace
 
 ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models, std::optional<double> t,
@@ -90,7 +102,11 @@ ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& mo
   ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};
   system.state = resolved_state(system.model(), choice);
   const ExponentValues exponents = known_exponents(system.model(), choice, varied);
-  if (!exponents.empty()) system.dynamics = Models::of(choice, exponents);
+  const Followers followers =
+      varied.empty() ? Followers{} : followers_of(system.model(), written_texts(choice), varied);
+  const bool starts_elsewhere = !varied.empty() && !choice.initial.empty();
+  if (!exponents.empty() || !followers.empty() || starts_elsewhere)
+    system.dynamics = Models::of(choice, scene_as_asked(choice, varied), exponents, followers);
   if (t) {
     system.state.y = consistent_state(*system.dynamics, system.state.parameters, *t, system.state.y,
                                       given_values(system.scene(), choice));

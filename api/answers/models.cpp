@@ -58,8 +58,9 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
   return std::make_shared<const Dynamics>(plain->shared_model(), inputs);
 }
 
-std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice, const ExponentValues& exponents) {
-  return std::make_shared<const Dynamics>(build_model(*choice.scene, exponents), inputs_in_order(choice));
+std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice, const Scene& scene,
+                                           const ExponentValues& exponents, const Followers& followers) {
+  return std::make_shared<const Dynamics>(build_model(scene, exponents, followers), inputs_in_order(choice));
 }
 
 Json Models::remembered(const Scene& scene, const std::string& name, const std::function<Json()>& make) {

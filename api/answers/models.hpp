@@ -32,8 +32,10 @@ class Models {
   /// Throws SceneError for a wrong scene, and Error for an input that does not parse.
   [[nodiscard]] std::shared_ptr<const Dynamics> of(const SystemChoice& choice);
   /// With values of parameters that are exponents put in, for this request.
-  [[nodiscard]] static std::shared_ptr<const Dynamics> of(const SystemChoice& choice,
-                                                          const ExponentValues& exponents);
+  /// With `followers` put in for parameters that they give.
+  [[nodiscard]] static std::shared_ptr<const Dynamics> of(const SystemChoice& choice, const Scene& scene,
+                                                          const ExponentValues& exponents,
+                                                          const Followers& followers = {});
 
   /// A document about one of the catalogue's systems, made once.
   [[nodiscard]] Json remembered(const Scene& scene, const std::string& name,

@@ -61,7 +61,7 @@ class ExchangeSearch {
 
   /// The entries of coordinate i and of those that have their places stay as they are.
   [[nodiscard]] bool holds(std::size_t i) const {
-    for (const Entries* a : {&matrices_.mass, &matrices_.stiffness}) {
+    for (const Entries* a : {&matrices_.mass, &matrices_.damping, &matrices_.stiffness}) {
       for (std::size_t j = 0; j < group_.size(); ++j) {
         if (!is_placed(j)) continue;
         const std::size_t to_i = group_[found_.to[i]], to_j = group_[found_.to[j]];
@@ -165,12 +165,12 @@ FallenApart fallen_apart(LinearMatrices matrices) {
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     for (const Group& group : coupled_groups(result.matrices)) {
-      if (group.size() < 3 || group.size() > most_exchanged || is_damped(result.matrices, group)) continue;
+      if (group.size() < 3 || group.size() > most_exchanged) continue;
       const auto exchange = ExchangeSearch(result.matrices, group).run();
       if (!exchange) continue;
       const auto b = sums_and_differences(n, group, *exchange);
-      result.matrices.mass = changed(result.matrices.mass, b);
-      result.matrices.stiffness = changed(result.matrices.stiffness, b);
+      for (Entries* a : {&result.matrices.mass, &result.matrices.damping, &result.matrices.stiffness})
+        *a = changed(*a, b);
       result.basis = product(result.basis, b);
       is_changed = true;
       break;

@@ -9,13 +9,15 @@
 namespace qdot {
 
 struct ExactMode {
-  ClosedForm square;                  ///< omega^2, or rate^2 where lambda < 0
-  std::optional<ClosedForm> general;  ///< the same before relations between parameters were put in
-  std::optional<ClosedForm> rate;     ///< omega, or the rate
-  std::optional<ClosedForm> period;   ///< of an oscillation
-  std::optional<ClosedForm> lambda;   ///< lambda times the square of the scene's unit of time, where a number
-  std::vector<ClosedForm> shape, scaled_shape;  ///< of all coordinates, or empty
-  std::optional<ClosedForm> damping{};          ///< the rate at which an oscillation decays or grows
+  ClosedForm square;  ///< omega^2, or rate^2 where lambda < 0; of the rate itself where the mode creeps
+  std::optional<ClosedForm> general{};  ///< the same before relations between parameters were put in
+  std::optional<ClosedForm> rate{};     ///< omega, or the rate
+  std::optional<ClosedForm> period{};   ///< of an oscillation
+  std::optional<ClosedForm>
+      lambda{};  ///< lambda times the square of the scene's unit of time, where a number
+  std::vector<ClosedForm> shape{}, scaled_shape{};  ///< of all coordinates, or empty
+  std::optional<ClosedForm> damping{};              ///< the rate at which an oscillation decays or grows
+  bool creeps{};                                    ///< friction leaves no oscillation
 };
 
 }  // namespace qdot

@@ -8,7 +8,6 @@
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/allowed_motions.hpp"
-#include "core/closed/damped_mode.hpp"
 #include "core/closed/mode_options.hpp"
 #include "core/closed/place_search.hpp"
 #include "core/closed/steady_modes.hpp"
@@ -19,10 +18,14 @@ namespace {
 
 constexpr std::size_t most_coordinates = 6;
 
+/// Where the number of a coordinate or multiplier has no bound: of a place among others, a body that may be
+/// anywhere.
+double rounding_at(double x) { return 1e-12 * std::max(1.0, std::abs(x)); }
+
 std::vector<Interval> enclosed_state(const Modes& found) {
   std::vector<Interval> near;
   for (std::size_t i = 0; i < found.y.size() / 2; ++i) {
-    const double error = found.y_error[i].value_or(0);
+    const double error = found.y_error[i].value_or(rounding_at(found.y[i]));
     near.emplace_back(found.y[i] - error, found.y[i] + error);
   }
   return near;
@@ -34,8 +37,7 @@ struct Prepared {
   std::vector<Expression> x, momenta, place;
   std::vector<ModeForms> options;
   std::vector<std::optional<ClosedForm>> state;
-  std::optional<DampedForms> damped;  ///< of one coordinate
-  ExactValues::Signs signs;           ///< of what the forms assume
+  ExactValues::Signs signs;  ///< of what the forms assume
 };
 
 /// Where the system rests, or moves steadily with these momenta.
@@ -72,7 +74,6 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
   if (!motions) return;
   result.place = place.x();
   result.options = mode_options(*motions, place, values);
-  result.damped = damped_forms(*motions, place, values);
   for (std::size_t k = 0; k < all.moving.size(); ++k) {
     auto& state = result.state[all.moving[k]];
     state = closed_form(values, place.x()[k], {}, all.momenta);
@@ -82,7 +83,7 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
 
 Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlace& near,
                   const Reals& parameters, const WrittenTexts& written) {
-  Prepared result{all.graph, all.x, all.momenta, {}, {}, {}, {}, {}};
+  Prepared result{all.graph, all.x, all.momenta, {}, {}, {}, {}};
   result.state.resize(model.scene.coordinates.size());
   ExactValues values(model, all.graph, written, parameters);
   set_momenta(values, all.momenta, near);
@@ -153,8 +154,6 @@ ExactModes chosen(const Prepared& forms, const SteadyPlace& near, const ExactVal
   if (is_empty(forms) || !fits(forms, near, values)) return result;
   const ExactValues here = values_near(forms, near, values);
   result.state = forms.state;
-  if (forms.damped && found.modes.size() == 1 && agrees(*forms.damped, found.modes[0], here))
-    result.modes[0] = forms.damped->form;
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
     const ModeForms* option = option_of_mode(forms.options, found.modes[i], here);
     if (option == nullptr) continue;
@@ -173,12 +172,10 @@ bool rests(const Modes& found) {
 
 /// With the multipliers that hold the system there; one that is nearly 0 may be 0, which is then proven.
 std::vector<Interval> enclosed_place(const Dynamics& dynamics, const Reals& parameters, const Modes& found) {
-  constexpr double rounding = 1e-12;
   std::vector<Interval> near = enclosed_state(found);
   const std::vector<double> all = with_multipliers(dynamics, parameters, found.y);
   for (std::size_t j = near.size(); j < all.size(); ++j) {
-    const double error = rounding * std::max(1.0, std::abs(all[j]));
-    near.emplace_back(all[j] - error, all[j] + error);
+    near.emplace_back(all[j] - rounding_at(all[j]), all[j] + rounding_at(all[j]));
   }
   return near;
 }
@@ -186,8 +183,7 @@ std::vector<Interval> enclosed_place(const Dynamics& dynamics, const Reals& para
 /// Of a scene with constraints.
 ExactModes forms_within_constraints(const Dynamics& dynamics, const Reals& parameters,
                                     const WrittenTexts& written, const Modes& found) {
-  if (!rests(found) || !found.damping.empty() || found.modes.size() > most_coordinates)
-    return no_forms(found);
+  if (!rests(found) || found.modes.size() > most_coordinates) return no_forms(found);
   const SteadyPlace near{enclosed_place(dynamics, parameters, found), {}};
   const Prepared forms = within_budget([&] {
     const auto motions = motions_with_multipliers(dynamics.model(), parameters);
@@ -208,7 +204,7 @@ ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const 
     return forms_within_constraints(dynamics, parameters, written, found);
   const auto statics = dynamics.statics(parameters);
   const std::vector<std::size_t>& kept = statics->reduction.kept;
-  if (kept.size() > most_coordinates || (kept.size() > 1 && !found.damping.empty())) return no_forms(found);
+  if (kept.size() > most_coordinates) return no_forms(found);
   const SteadyPlace near = steady_place(found, kept);
   const ExactValues values(dynamics.model(), parameters);
   const auto make = [&](const Statics& from) {

@@ -19,17 +19,18 @@ namespace qdot {
 
 /// What is looked for: x with g(x) = 0 near a place that is known by numbers.
 struct PlaceProblem {
-  /// A parameter and its value.
+  /// A parameter, or an expression of them, and its value.
   struct Known {
     Expression symbol;
     double value;
   };
   std::vector<Expression> x;
   std::vector<bool> is_angle;
-  std::vector<std::vector<Known>> alike;  ///< for each x the parameters of its unit
-  std::vector<Expression> forces;         ///< g
-  std::vector<Interval> near;             ///< encloses x
-  SignOf sign;                            ///< also of what holds x
+  std::vector<std::vector<Known>> alike;     ///< for each x the parameters of its unit
+  std::vector<std::optional<Known>> starts;  ///< for each x, where the scene tells it
+  std::vector<Expression> forces;            ///< g
+  std::vector<Interval> near;                ///< encloses x
+  SignOf sign;                               ///< also of what holds x
 };
 
 class ExactPlace {

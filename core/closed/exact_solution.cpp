@@ -10,6 +10,7 @@
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/place_search.hpp"
 #include "core/closed/trial.hpp"
+#include "core/steady/followed_momenta.hpp"
 #include "core/steady/growing_oscillations.hpp"
 #include "core/steady/surface_statics.hpp"
 
@@ -278,8 +279,8 @@ CriticalValue with_multipliers_of(const Dynamics& dynamics, const Reals& there, 
 
 /// The formula of a critical value. With constraints det K of (q, lambda) is used, which vanishes where that
 /// of the displacements on their surface does.
-std::optional<ClosedForm> critical_form(const Dynamics& dynamics, const Reals& there, const Reals& y,
-                                        std::size_t index, const WrittenTexts& written,
+std::optional<ClosedForm> critical_form(const Dynamics& dynamics, const Reals& given, const Reals& there,
+                                        const Reals& y, std::size_t index, const WrittenTexts& written,
                                         const CriticalValue& critical) {
   if (dynamics.model().has_constraints()) {
     const SurfaceStatics whole = surface_statics(dynamics, there);
@@ -288,10 +289,11 @@ std::optional<ClosedForm> critical_form(const Dynamics& dynamics, const Reals& t
     const CriticalValue place = with_multipliers_of(dynamics, there, critical);
     return CriticalForm(*whole.dynamics, *whole.statics, there, index, written, place).form();
   }
-  const auto statics = dynamics.statics(there);
-  if (statics->reduction.degrees_of_freedom() > largest_written_system ||
-      !momenta_vanish(dynamics, *statics, there, y))
-    return std::nullopt;
+  auto statics = dynamics.statics(there);
+  if (statics->reduction.degrees_of_freedom() > largest_written_system) return std::nullopt;
+  if (!momenta_vanish(dynamics, *statics, there, y))
+    statics = with_written_momenta(dynamics, there, {given, y});
+  if (!statics) return std::nullopt;
   return CriticalForm(dynamics, *statics, there, index, written, critical).form();
 }
 
@@ -306,7 +308,7 @@ Forms exact_critical_values(const Dynamics& dynamics, const Reals& parameters, c
     const Reals there = with(parameters, index, critical.value);
     try {
       const WorkScope budget(most_algebra);
-      result.back() = critical_form(dynamics, there, y, index, written, critical);
+      result.back() = critical_form(dynamics, parameters, there, y, index, written, critical);
     } catch (const Error&) {  // as above
     }
   }

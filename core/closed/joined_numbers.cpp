@@ -44,6 +44,10 @@ bool has_numbers(const Graph& graph, const Polynomial& a) {
 
 }  // namespace
 
+Polynomial joined_numbers(const Graph& graph, const Polynomial& a) {
+  return has_numbers(graph, a) ? joined(graph, a) : a;
+}
+
 Surd joined_numbers(const Graph& graph, const Surd& x) {
   const auto parts = {&x.p.above, &x.p.below, &x.q.above, &x.q.below, &x.n};
   if (std::ranges::none_of(parts, [&](const Polynomial* part) { return has_numbers(graph, *part); }))

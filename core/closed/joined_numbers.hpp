@@ -8,5 +8,7 @@ namespace qdot {
 
 /// The same with whole powers of numbers in the coefficients, and squares taken out of the root.
 [[nodiscard]] Surd joined_numbers(const Graph& graph, const Surd& x);
+/// The same of a polynomial.
+[[nodiscard]] Polynomial joined_numbers(const Graph& graph, const Polynomial& a);
 
 }  // namespace qdot

@@ -1,7 +1,9 @@
 #include "core/closed/linear_modes.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "core/closed/characteristic_roots.hpp"
 #include "core/closed/equal_parts.hpp"
 #include "core/closed/joined_numbers.hpp"
 
@@ -31,7 +33,7 @@ class Pair {
     std::vector<LinearMode> found;
     for (Surd& lambda : quadratic_roots(a, b, c)) {
       std::vector<Surd> shape = gyroscopic.is_zero() ? shape_of(lambda) : std::vector<Surd>{};
-      found.push_back({std::move(lambda), std::move(shape), {i_, j_}});
+      found.push_back({std::move(lambda), std::move(shape), {i_, j_}, {}});
     }
     return found;
   }
@@ -60,79 +62,74 @@ class Pair {
   std::size_t i_, j_;
 };
 
-/// Three coordinates that can move together without a force, det K = 0. What else they do has
-///
-///   det(K - lambda M) = lambda (b + c lambda + d lambda^2).
-class FreeTriple {
- public:
-  FreeTriple(const LinearMatrices& matrices, const std::vector<std::size_t>& group)
-      : m_(matrices.mass), k_(matrices.stiffness), group_(group) {}
+/// Of more than two coordinates, as far as the determinant falls into short factors.
+std::vector<LinearMode> modes_of_several(Graph& graph, const LinearMatrices& matrices,
+                                         const std::vector<std::size_t>& group) {
+  std::vector<LinearMode> found;
+  for (const Surd& lambda : characteristic_roots(graph, matrices, group)) {
+    std::vector<Surd> shape = null_vector(graph, matrices, group, lambda);
+    if (!shape.empty()) found.push_back({lambda, std::move(shape), group, {}});
+  }
+  return found;
+}
 
-  [[nodiscard]] bool is_free() const { return with_masses({}).is_zero(); }
+std::vector<LinearMode> undamped_modes(Graph& graph, const LinearMatrices& matrices,
+                                       const std::vector<std::size_t>& group) {
+  if (group.size() > 2) return modes_of_several(graph, matrices, group);
+  if (group.size() == 2) return Pair(matrices, group[0], group[1]).modes();
+  const std::size_t i = group[0];
+  LinearMode mode{
+      matrices.stiffness[i][i] / matrices.mass[i][i], std::vector<Surd>(matrices.mass.size()), group, {}};
+  mode.shape[i] = number_one;
+  return {std::move(mode)};
+}
 
-  [[nodiscard]] std::vector<LinearMode> modes() const {
-    const RationalFunction d = -with_masses({0, 1, 2});
-    const RationalFunction c = with_masses({0, 1}) + with_masses({0, 2}) + with_masses({1, 2});
-    const RationalFunction b = -(with_masses({0}) + with_masses({1}) + with_masses({2}));
-    std::vector<LinearMode> found;
-    for (Surd& lambda : quadratic_roots(d, c, b)) {
-      std::vector<Surd> shape = shape_of(lambda);
-      if (!shape.empty()) found.push_back({std::move(lambda), std::move(shape), group_});
+std::vector<Surd> product(const Entries& a, const std::vector<Surd>& v) {
+  std::vector<Surd> result(v.size());
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    for (std::size_t j = 0; j < v.size(); ++j) {
+      if (!a[i][j].is_zero() && !v[j].is_zero()) result[i] = result[i] + Surd(a[i][j]) * v[j];
     }
-    return found;
   }
+  return result;
+}
 
- private:
-  /// det K with some rows those of M.
-  [[nodiscard]] RationalFunction with_masses(const std::vector<std::size_t>& rows) const {
-    const auto e = [&](std::size_t i, std::size_t j) -> const RationalFunction& {
-      const Entries& from = std::ranges::find(rows, i) == rows.end() ? k_ : m_;
-      return from[group_[i]][group_[j]];
-    };
-    return e(0, 0) * (e(1, 1) * e(2, 2) - e(1, 2) * e(2, 1)) +
-           e(0, 1) * (e(1, 2) * e(2, 0) - e(1, 0) * e(2, 2)) +
-           e(0, 2) * (e(1, 0) * e(2, 1) - e(1, 1) * e(2, 0));
+/// d with D v = d M v.
+std::optional<Surd> decay_along(Graph& graph, const LinearMatrices& matrices, const std::vector<Surd>& v) {
+  const std::vector<Surd> forces = product(matrices.damping, v), momenta = product(matrices.mass, v);
+  const auto known = std::ranges::find_if_not(momenta, &Surd::is_zero);
+  if (known == momenta.end()) return std::nullopt;
+  const auto simple = [&](const Surd& x) { return joined_numbers(graph, x); };
+  const Surd decay = simple(forces[static_cast<std::size_t>(known - momenta.begin())] / simple(*known));
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    if (!simple(forces[i] - decay * momenta[i]).is_zero()) return std::nullopt;
   }
+  return decay;
+}
 
-  /// The cross product of two rows of K - lambda M.
-  [[nodiscard]] std::vector<Surd> shape_of(const Surd& lambda) const {
-    const auto e = [&](std::size_t i, std::size_t j) {
-      return Surd(k_[group_[i]][group_[j]]) - lambda * Surd(m_[group_[i]][group_[j]]);
-    };
-    for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
-      std::vector<Surd> shape(m_.size());
-      bool is_found = false;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        shape[group_[i]] = e(a, j) * e(b, k) - e(a, k) * e(b, j);
-        is_found = is_found || !shape[group_[i]].is_zero();
-      }
-      if (is_found) return shape;
-    }
-    return {};
+/// Those that damping leaves in shape.
+std::vector<LinearMode> damped_modes(Graph& graph, const LinearMatrices& matrices,
+                                     const std::vector<std::size_t>& group) {
+  LinearMatrices without = matrices;
+  for (auto& row : without.damping) row.assign(row.size(), RationalFunction{});
+  std::vector<LinearMode> found;
+  for (LinearMode& mode : undamped_modes(graph, without, group)) {
+    const auto decay = decay_along(graph, matrices, mode.shape);
+    if (!decay) continue;
+    mode.decay = *decay;
+    found.push_back(std::move(mode));
   }
+  return found;
+}
 
-  const Entries& m_;
-  const Entries& k_;
-  const std::vector<std::size_t>& group_;
-};
-
-std::vector<LinearMode> modes_of(const LinearMatrices& matrices, const std::vector<std::size_t>& group) {
-  if (group.size() == 1) {
-    const std::size_t i = group[0];
-    if (!matrices.damping[i][i].is_zero()) return {};
-    LinearMode mode{matrices.stiffness[i][i] / matrices.mass[i][i], std::vector<Surd>(matrices.mass.size()),
-                    group};
-    mode.shape[i] = number_one;
-    return {std::move(mode)};
-  }
+std::vector<LinearMode> modes_of(Graph& graph, const LinearMatrices& matrices,
+                                 const std::vector<std::size_t>& group) {
+  if (!is_damped(matrices, group)) return undamped_modes(graph, matrices, group);
   if (group.size() == 2) {
     const Pair pair(matrices, group[0], group[1]);
-    return pair.is_even() ? pair.modes() : std::vector<LinearMode>{};
+    if (pair.is_even()) return pair.modes();
   }
-  if (group.size() != 3 || is_damped(matrices, group)) return {};
-  const FreeTriple triple(matrices, group);
-  return triple.is_free() ? triple.modes() : std::vector<LinearMode>{};
+  return damped_modes(graph, matrices, group);
 }
 
 Entries entries(const Matrix& matrix, const ExactPlace& place, std::span<const Replacement> relations) {
@@ -167,9 +164,10 @@ std::vector<LinearMode> modes_at(const LinearMotions& motions, const ExactPlace&
       fallen_apart({at_place(motions.mass), at_place(motions.damping), at_place(motions.stiffness)});
   std::vector<LinearMode> found;
   for (const std::vector<std::size_t>& group : coupled_groups(parts.matrices)) {
-    for (LinearMode& mode : modes_of(parts.matrices, group)) {
+    for (LinearMode& mode : modes_of(*motions.graph, parts.matrices, group)) {
       mode.shape = in_given_coordinates(parts.basis, mode.shape);
       mode.lambda = joined_numbers(*motions.graph, mode.lambda);
+      mode.decay = joined_numbers(*motions.graph, mode.decay);
       for (Surd& component : mode.shape) component = joined_numbers(*motions.graph, component);
       found.push_back(std::move(mode));
     }

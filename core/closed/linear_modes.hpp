@@ -4,7 +4,8 @@
 //
 //   (k11 - lambda m11)(k22 - lambda m22) - (k12 - lambda m12)^2 - lambda g^2 = 0,   g = g12 = -g21
 //
-// (Goldstein, Classical Mechanics, 5.7: the top).
+// (Goldstein, Classical Mechanics, 5.7: the top). Damping D leaves the shapes of the undamped motion where
+// each has D v = decay M v (Meirovitch, Fundamentals of Vibrations, 7.15: proportional damping).
 
 #include <vector>
 
@@ -18,10 +19,12 @@ struct LinearMode {
   Surd lambda;
   std::vector<Surd> shape;
   std::vector<std::size_t> group;  ///< the coordinates that it moves, after they fell apart
+  Surd decay;                      ///< D v = decay M v: s^2 + decay s + lambda = 0
 };
 
-/// All modes at a place, `relations` put in. Those of damped coordinates are missing, and of more than two
-/// that do not fall apart (equal_parts.hpp), unless they are three that move together without a force.
+/// All modes at a place, `relations` put in. Of damped coordinates those are missing whose shape damping
+/// changes, and of more than two that do not fall apart (equal_parts.hpp) those of long factors of their
+/// determinant (characteristic_roots.hpp).
 [[nodiscard]] std::vector<LinearMode> modes_at(const LinearMotions& motions, const ExactPlace& place,
                                                std::span<const Replacement> relations);
 

@@ -62,7 +62,7 @@ bool momenta_vanish(const Dynamics& dynamics, const Statics& statics, const Real
 
 PlaceProblem place_problem(const LinearMotions& motions, ExactValues& values,
                            std::span<const Interval> near) {
-  PlaceProblem problem{motions.x, {}, {}, motions.surface, {near.begin(), near.end()}, values.sign_of()};
+  PlaceProblem problem{motions.x, {}, {}, {}, motions.surface, {near.begin(), near.end()}, values.sign_of()};
   problem.forces.insert(problem.forces.end(), motions.forces.begin(), motions.forces.end());
   const std::vector<Parameter>& parameters = values.model().scene.parameters;
   for (std::size_t k = 0; k < motions.x.size(); ++k) {
@@ -73,6 +73,9 @@ PlaceProblem place_problem(const LinearMotions& motions, ExactValues& values,
       if (parameters[p].unit == motions.units[k])
         problem.alike.back().push_back({values.symbols()[p], values.parameters()[p]});
     }
+    problem.starts.emplace_back();
+    const auto start = k < motions.moving.size() ? values.coordinate(motions.moving[k]) : std::nullopt;
+    if (start) problem.starts.back() = {*start, values.value(*start).value};
   }
   return problem;
 }

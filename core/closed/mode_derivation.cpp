@@ -45,7 +45,9 @@ ModeDerivation::ModeDerivation(const LinearMotions& motions, const ExactPlace& p
       given_(place.undecided()),
       modes_(modes_at(motions, place, relations.replacements)) {
   given_.insert(given_.end(), motions.momenta.begin(), motions.momenta.end());
-  std::erase_if(modes_, [&](const LinearMode& mode) { return mode.lambda.is_zero() || !is_true(mode); });
+  std::erase_if(modes_, [&](const LinearMode& mode) {
+    return (mode.lambda.is_zero() && mode.decay.is_zero()) || !is_true(mode);
+  });
 }
 
 double ModeDerivation::value(const LinearMode& mode) const {
@@ -71,16 +73,58 @@ std::optional<ClosedForm> ModeDerivation::form(const LinearMode& mode) { return 
 ModeForms ModeDerivation::forms(const LinearMode& mode) {
   const bool is_oscillation = oscillates(mode);
   const Surd square = is_oscillation ? mode.lambda : -mode.lambda;
-  ModeForms result{
-      sqrt(plain_expression(graph_, square)), is_oscillation, {*form(mode), {}, {}, {}, {}, {}, {}}, {}};
+  ModeForms result{sqrt(plain_expression(graph_, square)), is_oscillation, {.square = *form(mode)}, {}, {}};
   result.form.rate = formula(root(square));
   if (is_oscillation) result.form.period = period(square);
   result.form.lambda = scaled_lambda(mode.lambda);
+  add_shape(mode, result);
+  return result;
+}
+
+void ModeDerivation::add_shape(const LinearMode& mode, ModeForms& result) {
   const std::vector<Surd> shape = whole_shape(mode);
   for (const Surd& component : shape) result.shape.push_back(plain_expression(graph_, component));
   result.form.shape = closed_forms(shape);
   if (!shape.empty()) result.form.scaled_shape = closed_forms(scaled(shape));
+}
+
+std::vector<ModeForms> ModeDerivation::damped_forms(const LinearMode& mode) {
+  const Number half = Number::ratio(1, 2);
+  const Expression rate = simplify(half * written(mode.decay)), stiffness = written(mode.lambda);
+  const Expression square = stiffness - pow(rate, Number(2));
+  std::vector<std::optional<ModeForms>> found;
+  if (mode.lambda.is_zero()) {
+    found.push_back(creeping(written(mode.decay)));
+  } else if (const int sign = values_.sign(square); sign > 0) {
+    found.push_back(swinging(square, rate));
+  } else if (sign < 0) {
+    for (const int side : {1, -1}) found.push_back(creeping(rate + Number(side) * sqrt(-square)));
+  }
+  std::vector<ModeForms> result;
+  for (auto& forms : found) {
+    if (!forms) continue;
+    add_shape(mode, *forms);
+    result.push_back(*std::move(forms));
+  }
   return result;
+}
+
+/// -decay +- i omega.
+std::optional<ModeForms> ModeDerivation::swinging(const Expression& square, const Expression& decay) {
+  const int sign = values_.sign(decay);
+  const Expression omega = sqrt(square);
+  const auto of_square = formula(square), of_omega = formula(omega),
+             of_rate = formula(sign < 0 ? -decay : decay);
+  if (sign == 0 || !of_square || !of_omega || !of_rate) return std::nullopt;
+  return ModeForms{omega, true, {.square = *of_square, .rate = of_omega, .damping = of_rate}, {}, decay};
+}
+
+std::optional<ModeForms> ModeDerivation::creeping(const Expression& decay) {
+  const int sign = values_.sign(decay);
+  const Expression size = sign < 0 ? -decay : decay;
+  const auto form = formula(size);
+  if (sign == 0 || !form) return std::nullopt;
+  return ModeForms{size, false, {.square = *form, .creeps = true}, {}, decay};
 }
 
 Expression ModeDerivation::root_of(const Polynomial& n) {
@@ -146,16 +190,20 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
     trial.vanishes(characteristic_terms(mode.group[0], mode.group[1], lambda));
     return trial.passes();
   }
+  const Expression decay = plain_expression(graph_, mode.decay);
   const std::size_t size = motions_.mass.size();
   for (std::size_t i = 0; i < size; ++i) {
-    std::vector<Expression> terms;
+    std::vector<Expression> terms, friction;
     for (std::size_t j = 0; j < size; ++j) {
       if (mode.shape[j].is_zero()) continue;
       const Expression v = plain_expression(graph_, mode.shape[j]);
       terms.push_back(motions_.stiffness[i][j] * v);
       terms.push_back(-(motions_.mass[i][j] * lambda * v));
+      friction.push_back(motions_.damping[i][j] * v);
+      friction.push_back(-(motions_.mass[i][j] * decay * v));
     }
     trial.vanishes(std::move(terms));
+    trial.vanishes(std::move(friction));
   }
   return trial.passes();
 }

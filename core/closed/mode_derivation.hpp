@@ -15,10 +15,11 @@ namespace qdot {
 
 /// One eigenvalue with its forms.
 struct ModeForms {
-  Expression root;  ///< sqrt(|lambda|)
+  Expression root;  ///< omega, or the size of the rate
   bool oscillates{};
   ExactMode form;
-  std::vector<Expression> shape;  ///< of all coordinates, or empty
+  std::vector<Expression> shape;      ///< of all coordinates, or empty
+  std::optional<Expression> decay{};  ///< with friction, -Re s: negative where it grows
 };
 
 class ModeDerivation {
@@ -26,18 +27,23 @@ class ModeDerivation {
   ModeDerivation(const LinearMotions& motions, const ExactPlace& place, const ExactValues& values,
                  const Relations& relations);
 
-  /// Those whose equations hold; lambda is not 0.
+  /// Those whose equations hold; lambda is not 0 where nothing is damped.
   [[nodiscard]] const std::vector<LinearMode>& modes() const { return modes_; }
   [[nodiscard]] double value(const LinearMode& mode) const;              ///< lambda
   [[nodiscard]] Expression square(const LinearMode& mode);               ///< |lambda|
   [[nodiscard]] std::optional<ClosedForm> form(const LinearMode& mode);  ///< |lambda|
-  /// All forms of a mode whose square has one.
+  /// All forms of a mode without damping whose square has one.
   [[nodiscard]] ModeForms forms(const LinearMode& mode);
+  /// Of a damped one, which is an oscillation or creeps at two rates, where lambda = 0 at one beside rest.
+  [[nodiscard]] std::vector<ModeForms> damped_forms(const LinearMode& mode);
 
  private:
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const;
   [[nodiscard]] bool oscillates(const LinearMode& mode) const;
   [[nodiscard]] bool is_true(const LinearMode& mode) const;
+  void add_shape(const LinearMode& mode, ModeForms& result);
+  [[nodiscard]] std::optional<ModeForms> swinging(const Expression& square, const Expression& decay);
+  [[nodiscard]] std::optional<ModeForms> creeping(const Expression& decay);
   [[nodiscard]] std::vector<Expression> characteristic_terms(std::size_t i, std::size_t j,
                                                              const Expression& lambda) const;
   [[nodiscard]] Expression root_of(const Polynomial& n);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace qdot {
@@ -30,6 +31,7 @@ Relations relevant(const Relations& relations, const LinearMotions& motions) {
 /// The same mode with other relations put in; null where that has no form.
 const LinearMode* same_mode(ModeDerivation& derivation, double value) {
   for (const LinearMode& mode : derivation.modes()) {
+    if (!mode.decay.is_zero()) continue;
     if (std::abs(derivation.value(mode) - value) > shapes_agree * std::abs(value)) continue;
     return derivation.form(mode) ? &mode : nullptr;
   }
@@ -40,6 +42,10 @@ std::vector<ModeForms> options_of(ModeDerivation& general, ModeDerivation* relat
                                   const ExactValues& values) {
   std::vector<ModeForms> options;
   for (const LinearMode& mode : general.modes()) {
+    if (!mode.decay.is_zero()) {
+      std::ranges::move(general.damped_forms(mode), std::back_inserter(options));
+      continue;
+    }
     const double value = general.value(mode);
     const std::optional<ClosedForm> plain = general.form(mode);
     std::size_t length = plain ? written_length(general.square(mode)) : longest_closed_form + 1;
@@ -77,18 +83,40 @@ std::vector<ModeForms> mode_options(const LinearMotions& motions, const ExactPla
   return options_of(general, related ? &*related : nullptr, by_scale ? &*by_scale : nullptr, values);
 }
 
+namespace {
+
+bool grows_or_decays(const Mode& mode) {
+  return mode.kind == ModeKind::growth || mode.kind == ModeKind::decay;
+}
+
+/// Of a motion without friction: omega, or the rate that it and its mirror image have.
+bool is_undamped_mode(const ModeForms& option, const Mode& mode, const ExactValues& values) {
+  const bool oscillates = mode.kind == ModeKind::oscillation;
+  if (option.oscillates != oscillates || (!oscillates && !(grows_or_decays(mode) && mode.lambda)))
+    return false;
+  const std::optional<double>& error = oscillates ? mode.omega_error : mode.rate_error;
+  return error && agrees(values.value(option.root), oscillates ? mode.omega : mode.rate, *error);
+}
+
+bool is_damped_mode(const ModeForms& option, const Mode& mode, const ExactValues& values) {
+  if (!grows_or_decays(mode) || !mode.rate_error || option.oscillates != (mode.omega != 0)) return false;
+  if (option.oscillates &&
+      !(mode.omega_error && agrees(values.value(option.root), mode.omega, *mode.omega_error)))
+    return false;
+  const double rate = mode.kind == ModeKind::decay ? mode.rate : -mode.rate;
+  return agrees(values.value(*option.decay), rate, *mode.rate_error);
+}
+
+}  // namespace
+
 const ModeForms* option_of_mode(const std::vector<ModeForms>& options, const Mode& mode,
                                 const ExactValues& values) {
-  const bool oscillates = mode.kind == ModeKind::oscillation;
-  const bool grows = mode.kind == ModeKind::growth || mode.kind == ModeKind::decay;
-  if (!oscillates && !(grows && mode.lambda)) return nullptr;
-  const std::optional<double>& error = oscillates ? mode.omega_error : mode.rate_error;
-  if (!error) return nullptr;
-  const double number = oscillates ? mode.omega : mode.rate;
   const ModeForms* only = nullptr;
   for (const ModeForms& option : options) {
-    if (option.oscillates != oscillates || !agrees(values.value(option.root), number, *error)) continue;
-    if (only != nullptr && only->root != option.root) return nullptr;
+    const bool is_it =
+        option.decay ? is_damped_mode(option, mode, values) : is_undamped_mode(option, mode, values);
+    if (!is_it) continue;
+    if (only != nullptr && (only->root != option.root || only->decay != option.decay)) return nullptr;
     only = &option;
   }
   return only;

@@ -50,6 +50,15 @@ class PlaceSearch {
     }
   }
 
+  /// Proposes that all start where they rest, as the corners of a triangle do.
+  void take_starts() {
+    for (std::size_t k = 0; k < problem_.x.size(); ++k) {
+      const auto& start = problem_.starts[k];
+      if (start && problem_.near[k].width() < widest_place && is_near(problem_.near[k], start->value))
+        place_.settle(k, start->symbol);
+    }
+  }
+
   [[nodiscard]] bool solve_one() {
     for (std::size_t k = 0; k < problem_.x.size(); ++k) {
       if (place_.is_known(k)) continue;
@@ -263,14 +272,18 @@ class PlaceSearch {
 }  // namespace
 
 std::optional<ExactPlace> exact_place(const PlaceProblem& problem) {
-  PlaceSearch search(problem);
-  search.take_special_values();
-  while (search.solve_one() || search.take_parameter()) {
+  for (const bool from_starts : {false, true}) {
+    PlaceSearch search(problem);
+    if (from_starts) search.take_starts();
+    search.take_special_values();
+    while (search.solve_one() || search.take_parameter()) {
+    }
+    const bool rests = std::ranges::all_of(problem.forces, [&](const Expression& force) {
+      return rational_function(search.place().at(force)).is_zero();
+    });
+    if (rests) return search.place();
   }
-  for (const Expression& force : problem.forces) {
-    if (!rational_function(search.place().at(force)).is_zero()) return std::nullopt;
-  }
-  return search.place();
+  return std::nullopt;
 }
 
 ExactPlace special_place(const PlaceProblem& problem) {

@@ -67,7 +67,7 @@ class ModeByPlace {
     const auto root = [&](const Expression& e) {
       return positive_root(graph_, rational_function(e), values_.sign_of());
     };
-    ModeForms result{sqrt(square), oscillates, {*std::move(form), {}, {}, {}, {}, {}, {}}, {}};
+    ModeForms result{sqrt(square), oscillates, {.square = *std::move(form)}, {}, {}};
     result.form.rate = formula(root(square));
     if (oscillates)
       result.form.period = formula(Number(2) * graph_.symbol("pi") * root(graph_.number(1) / square));

@@ -81,7 +81,15 @@ CompiledFunction compiled_at_rest(const Reduction& reduction, Graph& graph,
 }
 
 Statics derive_statics(const Lagrangian& lagrangian, const std::vector<Expression>& divided) {
-  Statics statics{derive_reduction(lagrangian, divided), {}, {}, {}, {}, {}, {}, {}, {}};
+  Statics statics = statics_of(derive_reduction(lagrangian, divided));
+  const Reduction& reduction = statics.reduction;
+  if (!reduction.ignored.empty())
+    statics.linearized = compiled_at_rest(reduction, *reduction.graph, linearized(lagrangian, reduction));
+  return statics;
+}
+
+Statics statics_of(Reduction of) {
+  Statics statics{std::move(of), {}, {}, {}, {}, {}, {}, {}, {}};
   const Reduction& reduction = statics.reduction;
   if (!reduction.autonomous) {
     throw Error(ErrorCode::not_applicable,
@@ -101,7 +109,6 @@ Statics derive_statics(const Lagrangian& lagrangian, const std::vector<Expressio
   if (reduction.conservative) {
     statics.potential = compiled({simplify(Number(-1) * at_rest(reduction, reduction.routhian))});
   }
-  if (!reduction.ignored.empty()) statics.linearized = compiled(linearized(lagrangian, reduction));
   statics.quadratic = has_quadratic_energy(reduction);
   return statics;
 }

@@ -35,6 +35,9 @@ struct Statics {
 [[nodiscard]] Statics derive_statics(const Lagrangian& lagrangian,
                                      const std::vector<Expression>& divided = {});
 
+/// The same of a reduction, without the matrices of all coordinates.
+[[nodiscard]] Statics statics_of(Reduction reduction);
+
 /// Expressions of the reduction's graph, or of a copy of it, as one more function of the constants and x.
 [[nodiscard]] CompiledFunction compiled_at_rest(const Reduction& reduction, Graph& graph,
                                                 std::span<const Expression> expressions);

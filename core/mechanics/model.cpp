@@ -75,9 +75,10 @@ Expression quantity_of(const Lagrangian& lagrangian, const ParsedCondition& cond
 SceneError::SceneError(std::vector<Diagnostic> diagnostics)
     : Error(ErrorCode::invalid_scene, summary(diagnostics)), diagnostics_(std::move(diagnostics)) {}
 
-std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValues& exponents) {
+std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValues& exponents,
+                                         const Followers& followers) {
   std::vector<Diagnostic> diagnostics;
-  ParsedScene parsed = parse_scene(scene, diagnostics, exponents);
+  ParsedScene parsed = parse_scene(scene, diagnostics, exponents, followers);
   if (diagnostics.empty()) diagnostics = write_sizes_of_reactions(scene, parsed);
   if (!diagnostics.empty()) throw SceneError(diagnostics);
   auto model = std::make_shared<Model>();

@@ -12,6 +12,7 @@
 
 #include "core/base/error.hpp"
 #include "core/mechanics/equations_of_motion.hpp"
+#include "core/mechanics/followers.hpp"
 #include "core/mechanics/lagrangian.hpp"
 #include "core/mechanics/parsed_scene.hpp"
 #include "core/mechanics/partial_quantities.hpp"
@@ -50,7 +51,8 @@ struct Model {
 /// Throws SceneError with every mistake in the scene. With `exponents` the model is that of the scene where
 /// these parameters have these values (exponents.hpp).
 [[nodiscard]] std::shared_ptr<const Model> build_model(const Scene& scene,
-                                                       const ExponentValues& exponents = {});
+                                                       const ExponentValues& exponents = {},
+                                                       const Followers& followers = {});
 
 /// Values by name.
 using Values = std::map<std::string, double>;

@@ -15,10 +15,11 @@ bool is_positive(const Domain& domain) {
 
 class SceneParser {
  public:
-  SceneParser(const Scene& scene, std::vector<Diagnostic>& diagnostics, const ExponentValues& exponents)
+  SceneParser(const Scene& scene, std::vector<Diagnostic>& diagnostics, const ExponentValues& exponents,
+              const Followers& followers)
       : scene_(scene),
         text_(*parsed_.graph, diagnostics, scene.without_units ? Dimensions::none : Dimensions::checked,
-              exponents) {}
+              exponents, followers) {}
 
   ParsedScene parse() {
     declare_symbols();
@@ -283,8 +284,8 @@ class SceneParser {
 }  // namespace
 
 ParsedScene parse_scene(const Scene& scene, std::vector<Diagnostic>& diagnostics,
-                        const ExponentValues& exponents) {
-  return SceneParser(scene, diagnostics, exponents).parse();
+                        const ExponentValues& exponents, const Followers& followers) {
+  return SceneParser(scene, diagnostics, exponents, followers).parse();
 }
 
 }  // namespace qdot

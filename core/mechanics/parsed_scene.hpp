@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/mechanics/exponents.hpp"
+#include "core/mechanics/followers.hpp"
 #include "core/mechanics/parsed_body.hpp"
 #include "core/mechanics/parsed_force.hpp"
 #include "core/mechanics/parsed_impact.hpp"
@@ -59,8 +60,8 @@ struct ParsedScene {
 
 /// Reads all texts of a scene. Every mistake is added to `diagnostics`: syntax, unknown symbols, dimensions,
 /// names used twice, missing parts. The result is complete only when there was none. `exponents`: values of
-/// parameters that are exponents (exponents.hpp).
+/// parameters that are exponents (exponents.hpp). `followers`: parameters that others are put in for.
 [[nodiscard]] ParsedScene parse_scene(const Scene& scene, std::vector<Diagnostic>& diagnostics,
-                                      const ExponentValues& exponents = {});
+                                      const ExponentValues& exponents = {}, const Followers& followers = {});
 
 }  // namespace qdot

@@ -84,6 +84,7 @@ Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expre
     Expression equation = simplify(lagrange(result, own.symbols, k) - force);
     if (equation.is_zero() && result.kept[k] < divided.size()) {
       equation = simplify(substitute(own.graph->adopt(divided[result.kept[k]]), replacements));
+      if (!equation.is_zero()) result.limits.push_back(result.kept[k]);
     }
     result.equations.push_back(equation);
     result.forces_at_rest.push_back(force_at_rest(result, k, force));

@@ -22,6 +22,7 @@ struct Reduction {
   std::vector<Expression> constants;
   Expression routhian;                ///< R [J]; L where nothing is ignorable
   std::vector<Expression> equations;  ///< E_i(x, x', x''), undivided unless it vanishes
+  std::vector<std::size_t> limits;  ///< coordinates whose equation vanishes, so that its limit stands for it
   /// E_i(x, 0, 0) as -dR/dx_i - Q_i gives it, where it loses digits multiplied out (kept_terms.hpp).
   std::vector<Expression> forces_at_rest;
   std::vector<Expression> ignored_rates;  ///< q_c'(x, x'; p)

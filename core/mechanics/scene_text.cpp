@@ -105,7 +105,14 @@ Expression SceneText::read(const std::string& text, Context context, const std::
   }
   if (!result.expression) return graph_.number(0);
   check_dimension(*result.expression, place, expected);
-  return with_exponents(*result.expression, exponent_symbols_, exponents_, found_exponents_);
+  return with_exponents(with_followers(*result.expression), exponent_symbols_, exponents_, found_exponents_);
+}
+
+Expression SceneText::with_followers(const Expression& e) {
+  if (followers_.empty()) return e;
+  if (following_.empty())
+    following_ = follower_replacements(graph_, followers_, allowed_[static_cast<int>(Context::parameters)]);
+  return substitute(e, following_);
 }
 
 std::optional<Expression> SceneText::read_optional(const std::string& text, Context context,

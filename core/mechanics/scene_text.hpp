@@ -9,6 +9,7 @@
 
 #include "core/mechanics/dimension_check.hpp"
 #include "core/mechanics/exponents.hpp"
+#include "core/mechanics/followers.hpp"
 #include "core/mechanics/scene.hpp"
 #include "core/mechanics/symbols.hpp"
 
@@ -29,10 +30,14 @@ enum class Dimensions { checked, none };
 /// Reads texts into one graph and collects what is wrong with them.
 class SceneText {
  public:
-  /// `exponents`: parameters to be put in where they are exponents.
+  /// `exponents`: parameters to be put in where they are exponents; `followers` wherever they are.
   SceneText(Graph& graph, std::vector<Diagnostic>& diagnostics, Dimensions dimensions,
-            const ExponentValues& exponents)
-      : graph_(graph), diagnostics_(diagnostics), dimensions_kind_(dimensions), exponents_(exponents) {}
+            const ExponentValues& exponents, const Followers& followers)
+      : graph_(graph),
+        diagnostics_(diagnostics),
+        dimensions_kind_(dimensions),
+        exponents_(exponents),
+        followers_(followers) {}
 
   void complain(const std::string& place, const std::string& code, const std::string& message);
   [[nodiscard]] bool has_complaint(const std::string& place) const;
@@ -85,6 +90,7 @@ class SceneText {
   }
 
  private:
+  [[nodiscard]] Expression with_followers(const Expression& e);
   void check_dimension(const Expression& e, const std::string& place,
                        const std::optional<Dimension>& expected);
 
@@ -92,6 +98,8 @@ class SceneText {
   std::vector<Diagnostic>& diagnostics_;
   Dimensions dimensions_kind_;
   ExponentValues exponents_;
+  Followers followers_;
+  std::vector<Replacement> following_;  ///< made when it is first wanted
   ExponentSymbols exponent_symbols_;
   FoundExponents found_exponents_;
   std::set<std::string> declared_;

@@ -28,6 +28,7 @@ EventErrors::EventErrors(const Dynamics& dynamics, const SimulationRequest& requ
                          std::span<const double> scale)
     : dynamics_(dynamics),
       scale_(scale),
+      t_start_(request.t_start),
       watches_(watches(dynamics, {.parameters = request.parameters,
                                   .events = request.events,
                                   .on_invalid = request.on_invalid,
@@ -46,9 +47,22 @@ std::optional<double> EventErrors::of(const Stop& stop, std::span<const double> 
   const auto distance = [&](const Watch& watch) { return std::abs(watch.value(stop.t, y)); };
   for (const Watch& watch : watches_) {
     const bool fits = watch.reason == stop.reason && watch.message == stop.message;
+    if (fits && stop.t == t_start_ && is_away_from_zero(watch, stop.t, y, errors)) return 0;
     if (fits && (ended == nullptr || distance(watch) < distance(*ended))) ended = &watch;
   }
   return ended == nullptr ? std::nullopt : of(*ended, stop.t, y, errors, scale_);
+}
+
+/// As a condition is that does not hold at the start: by no error of the state the motion goes on.
+bool EventErrors::is_away_from_zero(const Watch& watch, double t, std::span<const double> y,
+                                    std::span<const double> errors) {
+  std::vector<Interval> state;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const double error = errors[k] + rounding_of_values * std::abs(y[k]);
+    state.emplace_back(y[k] - error, y[k] + error);
+  }
+  const Interval value = watch.enclosure(t, state);
+  return value.lower > 0 || value.upper < 0;
 }
 
 std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<const double> y,

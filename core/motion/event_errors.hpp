@@ -38,6 +38,8 @@ class EventErrors {
  private:
   [[nodiscard]] std::optional<double> of(const Watch& watch, double t, std::span<const double> y,
                                          std::span<const double> errors, std::span<const double> reached);
+  [[nodiscard]] static bool is_away_from_zero(const Watch& watch, double t, std::span<const double> y,
+                                              std::span<const double> errors);
   /// A motion at t with its accelerations, and bounds of what its components may be off there.
   struct Place {
     double t{};
@@ -58,6 +60,7 @@ class EventErrors {
 
   const Dynamics& dynamics_;
   std::span<const double> scale_;
+  double t_start_;
   std::vector<Watch> watches_;
   Workspace workspace_;
 };

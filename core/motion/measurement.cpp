@@ -214,9 +214,20 @@ std::vector<double> Measurement::wanted() const {
   return wanted;
 }
 
+/// A column that is 0 to within its error, such as a height above the floor, has no size of its own.
+void Measurement::forgive_rounding_of_zeros(const std::vector<double>& error,
+                                            std::vector<double>& wanted) const {
+  const std::vector<double> size = largest_magnitudes(motion(), Rows::wanted),
+                            of_kind = largest_of_kind(motion());
+  for (std::size_t k = 0; k < error.size(); ++k) {
+    if (size[k] <= error[k]) wanted[k] = std::max(wanted[k], near_round_off * of_kind[k]);
+  }
+}
+
 /// The largest error in units of what is wanted; 1 is met.
 double Measurement::excess(const std::vector<double>& error) const {
-  const std::vector<double> wanted = this->wanted();
+  std::vector<double> wanted = this->wanted();
+  if (goal_.kind == AccuracyGoal::Kind::relative) forgive_rounding_of_zeros(error, wanted);
   double largest = 0;
   for (std::size_t k = 0; k < error.size(); ++k) {
     if (error[k] > 0) largest = std::max(largest, error[k] / wanted[k]);

@@ -53,6 +53,7 @@ class Measurement {
   [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
                                               OtherWays ways);
   [[nodiscard]] std::vector<double> wanted() const;
+  void forgive_rounding_of_zeros(const std::vector<double>& error, std::vector<double>& wanted) const;
   [[nodiscard]] double excess(const std::vector<double>& error) const;
 
   const Dynamics& dynamics_;

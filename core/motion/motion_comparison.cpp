@@ -33,17 +33,9 @@ void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::ve
 /// What errors of each column are large or small beside: its largest magnitude, or where that is rounding of
 /// other coordinates of its kind, such as of a ball that lies between others, a small part of theirs.
 std::vector<double> scales_of(const ComputedMotion& motion) {
-  const std::vector<double> largest = largest_magnitudes(motion, Rows::all);
-  std::vector<double> scales = largest;
-  const auto& coordinates = motion.dynamics.model().scene.coordinates;
-  const std::size_t n = coordinates.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      if (coordinates[i].unit != coordinates[j].unit) continue;
-      for (const std::size_t of_kind : {std::size_t{0}, n})
-        scales[of_kind + i] = std::max(scales[of_kind + i], only_rounding * largest[of_kind + j]);
-    }
-  }
+  std::vector<double> scales = largest_magnitudes(motion, Rows::all);
+  const std::vector<double> of_kind = largest_of_kind(motion);
+  for (std::size_t k = 0; k < scales.size(); ++k) scales[k] = std::max(scales[k], only_rounding * of_kind[k]);
   return scales;
 }
 
@@ -242,6 +234,21 @@ std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which)
     for (std::size_t k = 0; k < width; ++k) most[k] = std::max(most[k], std::abs(y[k]));
   }
   return largest;
+}
+
+std::vector<double> largest_of_kind(const ComputedMotion& motion) {
+  const std::vector<double> largest = largest_magnitudes(motion, Rows::all);
+  std::vector<double> scales = largest;
+  const auto& coordinates = motion.dynamics.model().scene.coordinates;
+  const std::size_t n = coordinates.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (coordinates[i].unit != coordinates[j].unit) continue;
+      for (const std::size_t rates : {std::size_t{0}, n})
+        scales[rates + i] = std::max(scales[rates + i], largest[rates + j]);
+    }
+  }
+  return scales;
 }
 
 RowComparison compare(const ComputedMotion& motion, const std::vector<Simulation>& others, double doubt,

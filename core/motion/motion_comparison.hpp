@@ -38,5 +38,7 @@ enum class Rows { all, wanted };
 
 /// The largest magnitude of each column.
 [[nodiscard]] std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which);
+/// Of each column, that of all coordinates of its unit, or of all their velocities.
+[[nodiscard]] std::vector<double> largest_of_kind(const ComputedMotion& motion);
 
 }  // namespace qdot

@@ -5,7 +5,7 @@
 // makes curves meet, as with several coordinates, that search is given up: `complete` is false then, and
 // critical values at which a curve changes its stability are found by bisection along it.
 //
-// Ignorable coordinates keep their momenta while the parameter moves.
+// Ignorable coordinates have the momenta of the start for each value of the parameter (followed_momenta.hpp).
 
 #include <span>
 #include <string>

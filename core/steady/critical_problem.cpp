@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/steady/followed_momenta.hpp"
+
 namespace qdot {
 namespace {
 
@@ -19,6 +21,8 @@ CriticalProblem::CriticalProblem(const Dynamics& dynamics, const Reals& given, c
   const Reals parameters = not_vanishing(given, index, range);
   if (dynamics.model().has_constraints()) surface_.emplace(surface_problem(dynamics, parameters, y));
   problem_ = surface_ ? surface_->steady : steady_problem(dynamics, parameters, y);
+  const auto followed = surface_ ? nullptr : with_followed_momenta(dynamics, parameters, {given, y}, index);
+  if (followed) follow(followed);
   kept_ = problem_.statics->reduction.kept;
   if (surface_) {
     kept_.resize(surface_->whole.coordinates);
@@ -29,6 +33,14 @@ CriticalProblem::CriticalProblem(const Dynamics& dynamics, const Reals& given, c
     charts_.push_back({problem_, nullptr, {}});
     return;
   }
+  if (followed) {
+    const Reduction& reduction = problem_.statics->reduction;
+    charts_.push_back({problem_,
+                       std::make_shared<const BifurcationSystems>(derive_bifurcation_systems(
+                           dynamics.model().scene, reduction, *problem_.forces, index)),
+                       {}});
+    return;
+  }
   const std::span momenta = std::span(problem_.constants).subspan(parameters.size());
   const std::string key = "bifurcations " + dynamics.model().scene.parameters[index].name +
                           vanishing_momenta(*problem_.statics, momenta).key;
@@ -36,6 +48,13 @@ CriticalProblem::CriticalProblem(const Dynamics& dynamics, const Reals& given, c
     return derive_bifurcation_systems(dynamics.model().scene, statics.reduction, *problem_.forces, index);
   });
   charts_.push_back({problem_, systems, {}});
+}
+
+/// Momenta that are expressions of the parameter, instead of numbers.
+void CriticalProblem::follow(std::shared_ptr<const Statics> statics) {
+  problem_.statics = std::move(statics);
+  problem_.forces =
+      std::make_shared<const SteadyForces>(derive_steady_forces(dynamics_.model(), *problem_.statics, {}));
 }
 
 /// Charts with the same equations are one.

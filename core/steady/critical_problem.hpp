@@ -41,6 +41,7 @@ class CriticalProblem {
   [[nodiscard]] Place place_in(const CriticalChart& chart, const CriticalZero& zero) const;
 
  private:
+  void follow(std::shared_ptr<const Statics> statics);
   void add_charts(std::shared_ptr<const SteadyForces> forces, const Dynamics& dynamics);
 
   const Dynamics& dynamics_;

@@ -112,6 +112,18 @@ constexpr const char* no_inertia =
     "The mass matrix has no inverse here, as where a coordinate fails: no acceleration follows from the "
     "equations, and they do not tell whether anything can rest here.";
 
+constexpr const char* negative_mass =
+    "The mass is negative, and the eigenvalues of the linearized equations are zero: the terms beyond are not looked "
+    "at.";
+
+/// The same equations with all signs turned, for those of a negative mass.
+LinearizedForces turned(LinearizedForces at) {
+  for (auto* matrix : {&at.mass, &at.rates, &at.stiffness}) {
+    for (Interval& entry : *matrix) entry = -entry;
+  }
+  return at;
+}
+
 /// M and K positive definite, g = dU/dx: the energy 1/2 x'.M x' + U has a minimum at rest, and falls.
 bool loses_energy(const LinearizedForces& at) {
   return at.symmetric && inertia_of(at.mass, at.n).positive == at.n &&
@@ -148,6 +160,8 @@ bool has_potential(const LinearizedForces& at) {
 }
 
 SteadyStability linear_stability(const LinearizedForces& at, const NextTerms& next_terms) {
+  if (at.n > 0 && inertia_of(at.mass, at.n).negative == at.n)
+    return linear_stability(turned(at), [] { return negative_mass; });
   const bool gyroscopic = !vanishes(at.rates);
   const bool potential = has_potential(at);
   SteadyStability result;

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t most_coordinates_of_growth = 4;
 
-using Powers = PowerCoefficients<Interval>;
+using IntervalPowers = PowerCoefficients<Interval>;
 using Rows = std::vector<std::vector<Interval>>;
 
 /// Sylvester's matrix of b and its derivative: its determinant is the discriminant but for the leading
 /// coefficient and a sign.
-Rows discriminant_matrix(const Powers& b) {
+Rows discriminant_matrix(const IntervalPowers& b) {
   const std::size_t n = b.size() - 1;
   Rows rows(2 * n - 1, std::vector<Interval>(2 * n - 1, Interval(0)));
   for (std::size_t i = 0; i + 1 < n; ++i) {
@@ -68,8 +68,8 @@ class StayingEquilibrium {
     const std::size_t n = x_.size();
     PolynomialRows<Interval> rows(n);
     for (std::size_t i = 0; i < n * n; ++i) rows[i / n].push_back({k[i], d[i], m[i]});
-    const Powers c = expanded_determinant(rows, Interval(0));
-    Powers even;
+    const IntervalPowers c = expanded_determinant(rows, Interval(0));
+    IntervalPowers even;
     for (std::size_t i = 0; i < c.size(); i += 2) even.push_back(c[i]);
     const Interval value =
         determinant_of(is_damped_ ? hurwitz_matrix(c, Interval(0)) : discriminant_matrix(even));

@@ -26,6 +26,12 @@ ComplexBall disc_of(const Exponent& e) {
   return s;
 }
 
+constexpr const char* coincide =
+    "Eigenvalues of the small motions coincide to within rounding, and no bound of any of them could be proven.";
+constexpr const char* no_bound =
+    "No bound of an eigenvalue of the small motions could be proven: entries of the mass matrix are too small or "
+    "too large for it.";
+
 class ModeSearch {
  public:
   explicit ModeSearch(const Linearization& linearization) : at_(linearization) {}
@@ -170,9 +176,7 @@ class ModeSearch {
   void from_clusters(const Eigensystem<ComplexBall>& vectors, std::size_t zeros) {
     for (Exponent e : spectrum(at_.reduced)) {
       if (!std::isfinite(e.radius)) {
-        throw Error(ErrorCode::not_applicable,
-                    "Eigenvalues of the small motions coincide to within rounding, and no bound of any of "
-                    "them could be proven.");
+        throw Error(ErrorCode::not_applicable, at_.reduced.size() > 1 ? coincide : no_bound);
       }
       e.undamped = e.undamped || (at_.reduced.undamped() && held_by_potential(at_.reduced));
       std::vector<Shape> shapes = kernel(dynamic_stiffness(at_.reduced, disc_of(e)));

@@ -10,6 +10,7 @@
 #include "core/expr/full_turn.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/turning/energy_problem.hpp"
+#include "core/turning/impacts_on_the_way.hpp"
 #include "core/turning/oscillation_period.hpp"
 #include "core/turning/rest.hpp"
 #include "core/turning/turning_search.hpp"
@@ -178,8 +179,9 @@ class Question {
       answer_.notes.push_back("The equilibrium is unstable, and " + name +
                               " is the nearest number to it: the least push carries the system away.");
     }
-    if (!beside_.along) return;
     const PeriodicWay here{energy_.start(), energy_.start(), true};
+    answer_.impact = impact_on(here);
+    if (!beside_.along) return;
     answer_.validity = minima_along([this](double) { return std::pair(x0_, 0.0); }, here);
   }
 
@@ -195,19 +197,45 @@ class Question {
     if (answer_.initial == InitialPlace::maximum) answer_.maximum = {x0_, energy_.distance_from_start(), ""};
     answer_.motion = kind_of(bounds);
     if (!answer_.motion) answer_.motion_reason = why_kind_is_open(bounds, answer_);
+    const std::optional<PeriodicWay> way = way_of(bounds);
+    answer_.impact = way ? impact_on(*way) : impact_between(bounds);
+    if (!answer_.impact.empty()) return;
     if (beside_.period) answer_.period = period_of(energy_, answer_, bounds);
     if (!beside_.along) return;
-    if (answer_.motion == MotionKind::libration) {
-      const PeriodicWay way{bounds.down.place, bounds.up.place, true};
-      answer_.validity = minima_along(libration_path(energy_, way.from, way.to), way);
-      note_singular_places(way);
-    } else if (answer_.motion == MotionKind::rotation) {
-      const PeriodicWay way{energy_.start(), energy_.start() + turn, false, std::copysign(1.0, x0_dot_)};
-      answer_.validity = minima_along(rotation_path(energy_, x0_dot_), way);
-      note_singular_places(way);
-    } else {
+    if (!way) {
       answer_.validity = no_minima(dynamics_.model(), "The motion is not periodic.");
+      return;
     }
+    answer_.validity = minima_along(
+        way->turns_back ? libration_path(energy_, way->from, way->to) : rotation_path(energy_, x0_dot_),
+        *way);
+    note_singular_places(*way);
+  }
+
+  [[nodiscard]] std::optional<PeriodicWay> way_of(const MotionBounds& bounds) const {
+    if (answer_.motion == MotionKind::libration) return PeriodicWay{bounds.down.place, bounds.up.place, true};
+    if (answer_.motion == MotionKind::rotation)
+      return PeriodicWay{energy_.start(), energy_.start() + turn, false, std::copysign(1.0, x0_dot_)};
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string impact_on(const PeriodicWay& way) {
+    if (!beside_.impacts || dynamics_.model().parsed.impacts.empty()) return "";
+    const std::vector<Column> columns = impact_columns(dynamics_.model());
+    const auto values = dynamics_.columns(columns);
+    EnclosedMotion motion = motion_along(way, *values);
+    return impact_along(motion, columns);
+  }
+
+  /// Of a motion that does not come back, which may have any velocity.
+  [[nodiscard]] std::string impact_between(const MotionBounds& bounds) const {
+    if (!beside_.impacts || dynamics_.model().parsed.impacts.empty()) return "";
+    const auto end = [](const MotionBound& bound, double otherwise) {
+      return bound.kind == MotionBound::Kind::turning ? bound.place : Interval(otherwise);
+    };
+    Box states(y0_.size(), Interval(-infinity, infinity));
+    states[problem_.coordinate] = hull(end(bounds.down, -infinity), end(bounds.up, infinity));
+    return impact_within(dynamics_, parameters_, states, impact_columns(dynamics_.model()));
   }
 
   [[nodiscard]] EnclosedMotion motion_along(const PeriodicWay& way, const CompiledFunction& values) {

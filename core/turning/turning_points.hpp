@@ -34,12 +34,16 @@ struct TurningPoints {
   Finding period;
   std::vector<ValidityMinimum> validity;
   std::vector<std::string> notes;
+  /// The first of the scene's events with an impact that the motion comes to, as far as is known: the energy
+  /// integral does not lead beyond it. Empty: it comes to none.
+  std::string impact;
 };
 
 /// What is found beside the extrema; it costs several times as much.
 struct BesideExtrema {
   bool period{true};
-  bool along{true};  ///< what happens on the way: validity, and notes on singular places
+  bool along{true};     ///< what happens on the way: validity, and notes on singular places
+  bool impacts{false};  ///< whether there is one on the way; nothing else is found then
 };
 
 /// By the energy integral, for the one coordinate that is left. y0 = (q, q'). Throws Error(not_applicable)

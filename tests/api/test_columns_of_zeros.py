@@ -7,6 +7,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
+from short_scene import DOWN, lagrangian, particle, scene  # noqa: E402
 
 
 def parameter(name, unit, default):
@@ -23,6 +24,19 @@ STACK = {"name": "stack", "gravity": ["0", "-g"],
          "constraints": [{"name": "on", "expression": "h", "multiplier": "N"}],
          "forces": [{"value": "-mu*N*sign(x_dot-X_dot)", "along": "x-X"}, {"value": "F", "along": "X"}]}
 
+OFF_A_BALL = scene("off", "m kg 1; R m 2; g m/s^2 9.81", "x m 0 1; y m R", bodies=[particle("m", "x", "y")], gravity=DOWN,
+                   constraints=[{"name": "ball", "expression": "sqrt(x^2 + y^2) - R", "multiplier": "N"}],
+                   valid_while=[{"name": "push", "unit": "N", "expression": "N", "reason": "lift_off", "message": "leaves"}])
+DUMBBELL = scene("dumbbell", "m kg 1; l m 1; g m/s^2 9.81", "x1 m 0; y1 m l*cos(0.1); x2 m l*sin(0.1); y2 m 0", gravity=DOWN,
+                 bodies=[particle("m", "x1", "y1"), particle("m", "x2", "y2")],
+                 constraints=[{"name": "wall", "expression": "x1"}, {"name": "floor", "expression": "y2"},
+                              {"name": "rod", "expression": "(x1 - x2)^2 + (y1 - y2)^2 - l^2"}])
+CRADLE = lagrangian("cradle", "l - 1; g - 9.81; e - 1", "a - -0.8; b - 0; c - 0.002",
+                    "(a_dot^2 + b_dot^2 + c_dot^2)/2 + g*(cos(a) + cos(b) + cos(c))",
+                    events=[{"name": "left", "expression": "b - a", "direction": "falling"},
+                            {"name": "right", "expression": "c - b", "direction": "falling"}],
+                    impacts=[{"event": "left", "restitution": "e"}, {"event": "right", "restitution": "e"}])
+
 
 class ColumnsOfZeros(Service):
     def test_the_promise_is_met_beside_a_column_of_zeros(self):
@@ -32,6 +46,18 @@ class ColumnsOfZeros(Service):
             self.assertLess(error["h"], 1e-200)
             self.assertLess(error["X"], 1e-12)
             self.assertTrue(found["meets_request"], found.get("reason"))
+
+    def test_the_promise_is_met_beside_rounding_of_zero(self):
+        for scene, end in ((OFF_A_BALL, 5), (OFF_A_BALL, 0.8), (DUMBBELL, 0.5), (CRADLE, 2.9)):
+            for accuracy in ("fast", "balanced", "accurate"):
+                found = self.ask("simulate", {"system": scene, "t_end": end, "samples": 2, "accuracy": accuracy})["accuracy"]
+                self.assertTrue(found["meets_request"], (scene["name"], found.get("reason"), found["max_abs_error"]))
+
+    def test_a_column_that_is_not_zero_keeps_its_promise(self):
+        two = lagrangian("two", "k - 4; e - 1e-9", "x - 1; y - 0", "(x_dot^2 + y_dot^2)/2 - k*x^2/2 - y^2/2 + e*x*y")
+        answer = self.ask("simulate", {"system": two, "t_end": 20, "samples": 40, "accuracy": "fast"})
+        size = max(abs(y) for y in answer["trajectory"]["y"])
+        self.assertLessEqual(answer["accuracy"]["max_abs_error"]["y"], 1e-3 * size)
 
 
 if __name__ == "__main__":

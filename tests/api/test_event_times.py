@@ -12,6 +12,7 @@ import mpmath
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, strict_json  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
 
 mpmath.mp.dps = 40
 CASES = int(os.environ.get("QDOT_EVENT_CASES", "30"))
@@ -200,6 +201,18 @@ class EventTimes(Service):
                     self.assertTrue(event["reason"])
                 else:
                     self.judge(event, t, request)
+
+    def test_what_is_broken_at_the_start_stops_there(self):
+        hill = dict(valid_while=[{"name": "push", "expression": "9.81 - v^2/2 + x", "reason": "lift_off", "message": "It leaves."}])
+        for speed, stops in ((6, True), ("sqrt(19.62)", None)):
+            scene = lagrangian("hill", "g - 9.81; a - 2; v - 6", "x - 0 v", "(1 + x^2/a^2)*x_dot^2/2 + g*x^2/(2*a)", **hill)
+            answer = self.ask("simulate", {"system": scene, "parameters": {"v": speed}, "t_end": 3, "samples": 4})
+            stop = answer.get("stop") or {}
+            if stops:
+                self.assertEqual((stop["t"], stop["error"]), (0, 0))
+                self.assertNotIn("reason", answer["accuracy"])
+            elif stop.get("t") == 0:  # to within rounding it holds or is broken
+                self.assertNotEqual(stop.get("error"), 0)
 
 
 if __name__ == "__main__":

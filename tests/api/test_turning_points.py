@@ -7,6 +7,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, reference_cases, textbook_scene  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
 
 PLANE = textbook_scene("plane_pendulum")
 
@@ -84,6 +85,28 @@ class TurningPoints(Service):
             self.assertLess(answer["error"][name], 1e-8)
         self.assertIsNone(answer["motion"])
         self.assertIn("more than one coordinate", answer["reason"]["motion"])
+
+    def test_an_impact_turns_a_motion(self):
+        wall = {"events": [{"name": "wall", "expression": "x + b", "direction": "falling"}],
+                "impacts": [{"event": "wall", "restitution": "e"}]}
+        spring = lagrangian("spring", "b - 0.3; e - 1", "x - 1", "x_dot^2/2 - x^2/2", **wall)
+        for restitution in (1, 0.5):
+            request = {"system": spring, "parameters": {"e": restitution}}
+            self.refused_at("turning_points", request, "#/t_end")
+            answer = self.ask("turning_points", request | {"t_end": 8})
+            self.assertEqual(answer["method"], "trajectory")
+            self.within(answer, "x_min", -0.3, 1e-12)
+            self.assertIn("'wall'", answer["reason"]["motion"])
+            free = self.ask("turning_points", request | {"impacts": False})
+            self.assertEqual((free["method"], round(free["x_min"], 12)), ("energy", -1))
+        short = self.ask("turning_points", {"system": spring, "initial": {"x": 0.2}})  # it does not come to the wall
+        self.assertEqual((short["method"], short["motion"]), ("energy", "libration"))
+        self.refused_at("turning_points", {"system": "bouncing_ball"}, "#/t_end")
+        self.within(self.ask("turning_points", {"system": "bouncing_ball", "t_end": 2}) | {}, "z_max", 1)
+
+    def test_an_end_that_is_not_used_is_called_so(self):
+        self.assertIn("'t_end' is not used", self.ask("turning_points", {"system": PLANE, "t_end": 1})["notes"][0])
+        self.assertNotIn("notes", self.ask("turning_points", {"system": PLANE}))
 
     def test_what_a_request_lacks(self):
         self.refused_at("turning_points", {"system": "cart_pendulum"}, "#/coordinate")

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "api/answers/energy/request.hpp"
 #include "api/answers/stated.hpp"
 #include "core/motion/column_errors.hpp"
@@ -60,6 +62,20 @@ class EnergyAnswer {
       all.insert(all.end(), columns.begin(), columns.end());
     }
     stated_ = values_at_kinks(dynamics_, all, state_.parameters, t_, state_.y);
+    refuse_poles(all, energies(model).size() + momentum_columns(model).size());
+  }
+
+  /// A number of which nothing is known is none: tan(q) at pi/2, to the nearest double.
+  void refuse_poles(const std::vector<qdot::Column>& columns, std::size_t count) const {
+    std::string names;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!std::isfinite(stated_.errors[i])) names += (names.empty() ? "" : ", ") + columns[i].name;
+    }
+    if (names.empty()) return;
+    throw Error(
+        ErrorCode::invalid_state,
+        "In this state nothing is known of " + names +
+            ": it is where they have no finite value, or next to such a place by no more than rounding.");
   }
 
   [[nodiscard]] Json written_error(double value, double error) const {

@@ -154,10 +154,11 @@ class ModesAnswer {
     return json;
   }
 
-  /// The formula of omega^2, or of rate^2, and what follows from it.
+  /// The formula of omega^2 or of rate^2, of the rate where friction makes it creep, and what follows from
+  /// it.
   [[nodiscard]] Json exact_mode_json(const Mode& mode, const ExactMode& exact) const {
     const std::string name = mode.omega != 0 ? "omega" : "rate";
-    Json json{{"of", name + "^2"}};
+    Json json{{"of", exact.creeps ? name : name + "^2"}};
     json.update(exact_json(exact.square));
     if (exact.rate) json[name] = formula_json(*exact.rate);
     if (exact.damping) json["rate"] = formula_json(*exact.damping);
@@ -247,6 +248,14 @@ ExactModes no_formulas(const Modes& modes) {
   return none;
 }
 
+void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Json& body) {
+  for (const std::size_t i : limits)
+    body["notes"].push_back(
+        "With parameters that are 0 the equation of " + scene.coordinates[i].name +
+        " vanishes. Its limit stands for it, and its rows of the matrices are those of the "
+        "equation divided by the factor that vanishes.");
+}
+
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
@@ -259,7 +268,9 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
       wants(call, "exact") ? exact_modes(*system.dynamics, parameters, written_texts(request.system), modes)
                            : no_formulas(modes);
   const int digits = request.digits.value_or(shortest_digits);
-  const Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
+  Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
+  if (!is_constrained)
+    note_limits(system.scene(), system.dynamics->statics(parameters)->reduction.limits, body);
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);
 }

@@ -87,9 +87,10 @@ class TurningPointsAnswer {
     }
     coordinate_ = request_.coordinate.empty() ? candidates[0] : index_of(request_.coordinate);
     system_.echo["coordinate"] = coordinate().name;
-    const std::string why_not = why_not_by_energy(dynamics(), system_.state.parameters, coordinate_);
+    std::string why_not = why_not_by_energy(dynamics(), system_.state.parameters, coordinate_);
+    if (why_not.empty()) why_not = answer_by_energy();
     if (why_not.empty()) {
-      answer_by_energy();
+      note_unused_end();
     } else if (!request_.t_end) {
       return missing(call_, "t_end",
                      "Here " + why_not +
@@ -173,10 +174,22 @@ class TurningPointsAnswer {
     if (!motion) reasons_["motion"] = reason;
   }
 
-  void answer_by_energy() {
+  void note_unused_end() {
+    if (!request_.t_end) return;
+    body_["notes"].push_back(
+        "'t_end' is not used: the energy integral tells the turning points of the whole motion, however long it "
+        "takes to come to them.");
+  }
+
+  /// Or why it does not.
+  std::string answer_by_energy() {
     const BesideExtrema beside{.period = wants(call_, "period") || wants(call_, "error"),
-                               .along = wants(call_, "validity") || wants(call_, "notes")};
+                               .along = wants(call_, "validity") || wants(call_, "notes"),
+                               .impacts = request_.impacts};
     const TurningPoints found = turning_points(dynamics(), system_.state.parameters, system_.state.y, beside);
+    if (!found.impact.empty())
+      return "the motion comes to the impact '" + found.impact +
+             "', or may come to it, of which the energy integral knows nothing";
     body_["coordinate"] = coordinate().name;
     put_motion(found.motion, found.motion_reason);
     body_["method"] = "energy";
@@ -188,6 +201,7 @@ class TurningPointsAnswer {
     if (wants(call_, "exact")) put_exact(found);
     put_validity(found);
     if (!found.notes.empty()) body_["notes"] = found.notes;
+    return "";
   }
 
   void put_constants(const TurningPoints& found) {

@@ -63,7 +63,7 @@ TEST_F(EqualParts, MayPointInOppositeDirections) {
   EXPECT_THAT(sizes(fallen_apart(chain({"m", "m", "m"}, opposed)).matrices), ElementsAre(1, 2));
 }
 
-TEST_F(EqualParts, AreNotThoseOfOtherMassesOrWithDamping) {
+TEST_F(EqualParts, AreNotThoseOfOtherMassesOrDamping) {
   EXPECT_THAT(sizes(fallen_apart(chain({"m", "m", "M"}, between_walls)).matrices), ElementsAre(3));
   LinearMatrices damped = chain({"m", "M", "m"}, between_walls);
   damped.damping = read({{"k", "0", "0"}, {"0", "0", "0"}, {"0", "0", "0"}});
