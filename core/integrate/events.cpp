@@ -17,6 +17,8 @@ constexpr std::size_t most_looks = 4000;
 constexpr std::size_t looks_in_doubt = 200;  ///< once not everything was seen: the rest is worth less work
 constexpr int halvings = 60;
 constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
+constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
+constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
@@ -77,20 +79,44 @@ void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found
   const double end = found.terminal ? found.events.back().t : stepper.t();
   const bool is_last = found.terminal || end >= request_.t_end;
   for (const std::size_t i : near_) {
-    const auto met = std::ranges::find_if(
+    const bool is_met = std::ranges::any_of(
         found.events, [&](const EventOccurrence& event) { return event.event == i && event.t == end; });
-    const bool is_met = met != found.events.end();
-    const UnitSeries series = finite_series(i, polynomial_.whole());
+    look_along(i, h > 0 ? end - begin : h, is_last, is_met);
     const int sign = sign_before(i, is_met);
-    if (sign == 0) continue;
-    const std::span<const double> c = std::span(series.c).first(series.end);
-    approaches_.look({i, sign, c, series.off}, polynomial_, h > 0 ? (end - begin) / h : 1,
-                     is_last && !is_met);
-    if (!is_met) continue;
-    const double length = begin + h - end + beyond_step * h;
-    const UnitSeries past = finite_series(i, polynomial_.piece(end - begin, length));
-    approaches_.pass({i, sign, std::span(past.c).first(past.end), past.off}, polynomial_, end - begin,
-                     length);
+    if (!is_met || !request_.events[i].terminal || sign == 0) continue;
+    const double beyond = begin + h - end + beyond_step * h;
+    const auto [past, length] = told_series(i, end - begin, beyond, beyond * shortest_piece);
+    approaches_.pass({i, end - begin, length, sign, past.in_whole(), past.off}, polynomial_);
+  }
+}
+
+/// In pieces that its coefficients tell of.
+void EventSearch::look_along(std::size_t event, double until, bool is_last, bool is_met) {
+  const int sign = sign_before(event, is_met);
+  const bool is_terminal = request_.events[event].terminal;
+  if (is_terminal && sign == 0) return;
+  for (double from = 0, left = until;; left = until - from) {
+    const auto [series, length] = told_series(event, from, left, until * shortest_piece);
+    const bool is_end = !(length < left);
+    const bool nearly_ends = is_last && is_end && !is_met;
+    const ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off};
+    if (is_terminal)
+      approaches_.look(g, polynomial_, nearly_ends);
+    else
+      approaches_.look_at_both_sides(g, polynomial_, nearly_ends);
+    if (is_end) return;
+    from += length;
+  }
+}
+
+/// g from there on, in the unit of a length that is halved until coefficients tell where g turns.
+std::pair<EventSearch::UnitSeries, double> EventSearch::told_series(std::size_t event, double from,
+                                                                    double length, double shortest) {
+  for (;; length /= 2) {
+    UnitSeries series = finite_series(event, polynomial_.piece(from, length));
+    double size = 0;
+    for (const double c : series.in_whole()) size += std::abs(c);
+    if (series.off <= well_known * size || !(length > shortest)) return {std::move(series), length};
   }
 }
 

@@ -76,6 +76,7 @@ class EventSearch {
     [[nodiscard]] std::span<const double> coefficients() const {
       return std::span(c).subspan(first, end - first);
     }
+    [[nodiscard]] std::span<const double> in_whole() const { return std::span(c).first(end); }
     [[nodiscard]] bool is_finite() const;
   };
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
@@ -85,6 +86,9 @@ class EventSearch {
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void look_for_approaches(const Stepper& stepper, const Found& found);
+  void look_along(std::size_t event, double until, bool is_last, bool is_met);
+  [[nodiscard]] std::pair<UnitSeries, double> told_series(std::size_t event, double from, double length,
+                                                          double shortest);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 

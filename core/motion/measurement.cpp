@@ -179,6 +179,8 @@ bool Measurement::can_be_checked_by(const Simulation& other) {
 
 void Measurement::state(const std::vector<Simulation>& others) {
   RowComparison comparison = compare(motion(), others, doubt_);
+  if (result_.events_in_doubt.empty())
+    result_.events_in_doubt = event_that_may_happen(motion(), comparison.near_events);
   OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);

@@ -37,6 +37,10 @@ class MotionSections {
   [[nodiscard]] std::vector<EventFunction> ends() const;
   /// Of such an end, or of a watch before it, in the run that began then.
   [[nodiscard]] ApproachRecord approach(Approach place, double begun) const;
+  /// Whether that one changes nothing: an event that is reported and no more.
+  [[nodiscard]] bool only_reports(std::size_t event) const {
+    return event < watches().size() && watches()[event].kind == Watch::Kind::event;
+  }
   [[nodiscard]] std::size_t kinks() const { return names_.size(); }
   /// Of the section.
   [[nodiscard]] const Sides& sides() const { return way_.sides; }

@@ -55,7 +55,8 @@ class Simulator {
     sections_.finish(result_.t);
     doubt_last_row();
     result_.stays = std::move(sections_.stays());
-    std::ranges::stable_sort(result_.approaches, {}, [](const auto& a) { return a.place.instant(); });
+    for (auto* approaches : {&result_.approaches, &result_.near_events})
+      std::ranges::stable_sort(*approaches, {}, [](const auto& a) { return a.place.instant(); });
     result_.unseen = unseen_.take_rows();
     result_.apart_at_end = apart_.at_end();
     auto [apart, by_rounding] = apart_.take_rows();
@@ -175,7 +176,9 @@ class Simulator {
       const std::vector<double>& before = unseen_.so_far();
       approach.unseen.resize(before.empty() ? approach.unseen.size() : before.size());
       for (std::size_t k = 0; k < before.size(); ++k) approach.unseen[k] += before[k];
-      result_.approaches.push_back(sections_.approach(std::move(approach), result_.t));
+      const bool is_reported_only = sections_.only_reports(approach.event);
+      auto& all = is_reported_only ? result_.near_events : result_.approaches;
+      all.push_back(sections_.approach(std::move(approach), result_.t));
     }
   }
 

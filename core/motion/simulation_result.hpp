@@ -57,6 +57,7 @@ struct Simulation {
   std::vector<PieceRecord> pieces;         ///< of a motion with kinks, in order
   std::vector<StayRecord> stays;           ///< in order of their ends
   std::vector<ApproachRecord> approaches;  ///< where the request wants them
+  std::vector<ApproachRecord> near_events;  ///< the same of events that are reported only
   std::optional<double> order_in_doubt;    ///< the first instant where it matters which impact is the first
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
