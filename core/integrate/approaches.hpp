@@ -40,7 +40,8 @@ class ApproachSearch {
   };
   /// Of a step's pieces, one after the other; `is_last`: the run ends with this one, by another event.
   void look(const Along& g, StepPolynomial& step, bool is_last);
-  /// The same of an event that does not end the run; g may have been met in the step: its sign does not count.
+  /// The same of an event that does not end the run; g may have been met in the step: its sign does not
+  /// count.
   void look_at_both_sides(Along g, StepPolynomial& step, bool is_last);
   /// The event was met where the piece begins.
   void pass(const Along& g, StepPolynomial& step);

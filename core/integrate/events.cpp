@@ -44,8 +44,10 @@ EventSearch::EventSearch(const RunRequest& request)
       approaches_(request),
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
+      pieces_(request.events.size()),
       y_(request.y_start.size()) {
   for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = request.events[i].sign_at_start;
+  signs_of_begin_ = signs_;
 }
 
 EventSearch::Found EventSearch::search(Stepper& stepper) {
@@ -54,6 +56,8 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   found.failure = polynomial_.take(stepper, StepPolynomial::Look::rough);
   std::vector<std::size_t> open;
   near_.clear();
+  signs_of_begin_ = signs_;
+  for (auto& pieces : pieces_) pieces.clear();
   for (std::size_t i = 0; i < signs_.size() && !found.failure; ++i) {
     if (!is_quiet(i)) open.push_back(i);
   }
@@ -72,6 +76,17 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   if (!found.failure) report(stepper, std::move(zeros), found);
   if (!found.failure && !near_.empty()) look_for_approaches(stepper, found);
   return found;
+}
+
+std::vector<int> EventSearch::signs_before(double t) const {
+  const double begin = polynomial_.whole().t, instant = 16 * time_round_off(t);
+  std::vector<int> signs = signs_of_begin_;
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    for (const SignPiece& piece : pieces_[i]) {
+      if (piece.sign != 0 && begin + piece.from < t - instant) signs[i] = piece.sign;
+    }
+  }
+  return signs;
 }
 
 void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found) {
@@ -164,7 +179,8 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
     const double value = value_at_start(event, c[0]);
-    result.is_divided = std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
+    result.is_divided = !request_.events[event].is_beside_zero &&
+                        std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
     const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
     if (is_known) result.sign_at_start = sign_of(value);
   }
@@ -193,7 +209,7 @@ double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double 
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const Crossing direction = request_.events[event].direction;
-  std::vector<SignPiece> pieces;
+  std::vector<SignPiece>& pieces = pieces_[event];
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);

@@ -51,6 +51,9 @@ class EventSearch {
   /// False once the signs of a function were not found within the work allowed.
   [[nodiscard]] bool saw_everything() const { return saw_everything_; }
 
+  /// The strict sign that each function had last before the instant t, which lies in the last step.
+  [[nodiscard]] std::vector<int> signs_before(double t) const;
+
   [[nodiscard]] std::vector<Approach> take_approaches() { return approaches_.take(); }
 
  private:
@@ -98,8 +101,11 @@ class EventSearch {
   std::vector<std::size_t> near_;  ///< events to which the step may come near
   std::vector<int> signs_;  ///< the strict sign that each had last: 0 while it has had none since t_start
   std::vector<double> definite_;  ///< when it had it
-  std::vector<double> y_;         ///< scratch
-  std::size_t looks_{};           ///< at one function in one step
+  /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
+  std::vector<int> signs_of_begin_;
+  std::vector<std::vector<SignPiece>> pieces_;
+  std::vector<double> y_;  ///< scratch
+  std::size_t looks_{};    ///< at one function in one step
   bool starts_at_zero_{false};
   int sign_at_start_{};
   bool saw_everything_{true};

@@ -120,8 +120,7 @@ void add_other_order(const ComputedMotion& motion, std::span<const Simulation> o
     if (other.order_in_doubt) t = std::min(t.value_or(infinity), *other.order_in_doubt);
   }
   if (!t) return;
-  result.where = result.where_it_happens =
-      at_time(*t) + " several impacts happen within one instant, and their order is not known";
+  result.where = result.where_it_happens = several_at_once(*t);
   result.stated_before.resize(motion.width());
   try {
     OtherWay way(motion, motion.request.t_start, ImpactOrder::reverse);
@@ -135,6 +134,10 @@ void add_other_order(const ComputedMotion& motion, std::span<const Simulation> o
 }
 
 }  // namespace
+
+std::string several_at_once(double t) {
+  return at_time(t) + " several impacts happen within one instant, and their order is not known";
+}
 
 OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> others,
                      std::span<const ApproachAsTold> approaches, std::uint64_t evaluations_left) {

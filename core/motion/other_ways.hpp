@@ -35,8 +35,11 @@ struct OtherWays {
                                    std::span<const ApproachAsTold> approaches,
                                    std::uint64_t evaluations_left);
 
-/// A sentence on the first event that the errors allow to happen where the motion nearly meets it; empty where
-/// there is none.
+/// The beginning of a sentence on impacts at that time.
+[[nodiscard]] std::string several_at_once(double t);
+
+/// A sentence on the first event that the errors allow to happen where the motion nearly meets it; empty
+/// where there is none.
 [[nodiscard]] std::string event_that_may_happen(const ComputedMotion& motion,
                                                 std::span<const ApproachAsTold> near_events);
 
