@@ -316,7 +316,8 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   const bool is_after = event.sign_at_start != 0 || std::abs(bracket.value_after) < at_begin;
   if (!is_bracket()) return is_after ? bracket.after : crossed.before;
   const SignChange place = find_sign_change(g, bracket);
-  if (event.sign_at_start == 0 && is_pole(bracket, place)) return std::nullopt;
+  const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
+  if (is_of_g && is_pole(bracket, place)) return std::nullopt;
   return place.after;
 }
 

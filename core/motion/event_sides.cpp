@@ -47,8 +47,10 @@ void EventSides::take(const Run& done) {
   for (const EventOccurrence& occurrence : done.events) {
     if (occurrence.event < count && occurrence.t == done.t) is_crossed_[occurrence.event] = true;
   }
-  if (done.ending == Ending::event) return;
-  for (std::size_t i = 0; i < count; ++i) {
+}
+
+void EventSides::go_on() {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (is_crossed_[i]) sides_[i] = -sides_[i];
   }
 }
@@ -69,7 +71,7 @@ void EventSides::mark(double t, std::span<const double> y, const SectionRecord* 
   for (std::size_t i = 0; i < watches.size(); ++i) {
     if (sides_.empty())
       events[i].sign_at_start = at_start(watches[i]);
-    else if (sides_[i] != 0 && is_near_zero(watches[i], t, y))
+    else if (sides_[i] != 0 && (sides_[i] * watches[i].value(t, y) > 0 || is_near_zero(watches[i], t, y)))
       events[i].sign_at_start = sides_[i];
     events[i].is_beside_zero = events[i].sign_at_start != 0;
   }

@@ -31,7 +31,9 @@ class EventSides {
 
   /// A section has ended.
   void take(const Run& done);
-  /// So it did by this impact.
+  /// The motion goes on through what it has met there.
+  void go_on();
+  /// The section ended by this impact.
   void pass(const SectionRecord& impact);
 
   /// What begins at (t, y), with an event for each watch. `impact`: that one began it.

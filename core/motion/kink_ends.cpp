@@ -65,7 +65,8 @@ std::vector<EventFunction> kink_ends(const KinkModes& modes, const KinkModes::Wa
                     .terminal = true,
                     .counts_at_start = false,
                     .condition = {},
-                    .sign_at_start = 1});
+                    .sign_at_start = 1,
+                    .rounding_at_start = [rounding = some_round_off * way.size[k]] { return rounding; }});
   }
   return ends;
 }

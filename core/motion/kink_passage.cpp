@@ -12,13 +12,16 @@ namespace {
 
 constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
 constexpr double several = 4;
+constexpr int halvings = 60;    ///< of the time in which the sign of an argument changes
 constexpr int refinements = 4;  ///< of where a kink was passed, each much closer than the one before
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
 constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
 
+bool is_hardly_crossed(double c0, double c1, double c2) { return std::abs(4 * c0 * c2) > hardly * c1 * c1; }
+
 /// A zero of c0 + c1 s + c2 s^2 next to 0; far away where it is hardly crossed.
 double zero_beside(double c0, double c1, double c2) {
-  if (std::abs(4 * c0 * c2) > hardly * c1 * c1) return std::sqrt(std::abs(c0 / c2)) / hardly;
+  if (is_hardly_crossed(c0, c1, c2)) return std::sqrt(std::abs(c0 / c2)) / hardly;
   return -2 * c0 / (c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1));
 }
 
@@ -56,7 +59,7 @@ class Passing {
       };
       const auto first = std::ranges::min_element(ahead_, {}, zero_of);
       const auto [kink, here] = *first;
-      const double s = zero_of(*first);
+      double s = zero_of(*first);
       Sides next = now;
       next[kink] = after_[kink];
       ahead_.erase(first);
@@ -65,14 +68,22 @@ class Passing {
         now = std::move(next);
         continue;
       }
+      const std::vector<double>& u = old[kink];
+      const auto change = is_one && is_hardly_crossed(here.u, u[1], u[2])
+                              ? sign_change(kink, now, std::abs(s), farthest)
+                              : std::nullopt;
+      if (change) {
+        s = change->middle;
+        passage.doubt = std::max(passage.doubt, change->doubt);
+      }
       const bool is_near = std::abs(s) <= farthest;
-      passage.doubt = std::max(passage.doubt, of_state * size_[kink] / std::abs(old[kink][1]));
+      if (!change) passage.doubt = std::max(passage.doubt, of_state * size_[kink] / std::abs(u[1]));
       if (!is_near) passage.doubt = std::max(passage.doubt, std::abs(s));
       if (!(is_near || std::abs(here.u) <= here.explained) || !motions_.series(next)) return passage;
       for (auto& [k, other] : ahead_) other.u += s * (old[k][1] - (*motions_.series(next))[k][1]);
       for (std::size_t i = 0; i < move.size(); ++i) move[i] += s * (rate(now, i) - rate(next, i));
       passage.early = std::max(passage.early, std::abs(s));
-      if (is_one && std::abs(s) > motions_.resolution()) refine(now, next, kink, s, move);
+      if (is_one && std::abs(s) > motions_.resolution()) refine(now, next, kink, s, change.has_value(), move);
       now = std::move(next);
     }
     passage.move = std::move(move);
@@ -91,6 +102,34 @@ class Passing {
     return true;
   }
 
+  struct SignChange {
+    double middle{}, doubt{};
+  };
+  /// Where the argument changes its sign along the old way, beyond the rounding of doubles: at a multiple
+  /// root its coefficients do not tell.
+  std::optional<SignChange> sign_change(std::size_t kink, const Sides& sides, double guess, double farthest) {
+    const std::vector<double> old = motions_.rows(sides);
+    const auto sign = [&](double s) {
+      const auto y = sums_at(s, old, SidedMotions::order + 1);
+      return before_[kink] * motions_.argument_sign(kink, sides, motions_.t() + s, y);
+    };
+    double reach = std::max(guess, motions_.resolution());
+    while (!(sign(-reach) > 0 && sign(reach) < 0)) {
+      reach *= 2;
+      if (!(reach <= std::max(farthest, guess))) return std::nullopt;
+    }
+    const auto edge = [&](const auto& is_before) {
+      double from = -reach, to = reach;
+      for (int i = 0; i < halvings; ++i) {
+        const double middle = (from + to) / 2;
+        (is_before(sign(middle)) ? from : to) = middle;
+      }
+      return to;
+    };
+    const double first = edge([](int s) { return s > 0; }), last = edge([](int s) { return s >= 0; });
+    return SignChange{(first + last) / 2, (last - first) / 2};
+  }
+
   /// Whether an argument vanishes altogether, as that of ||x| - x| does where x > 0: it has any side there,
   /// and no instant.
   bool vanishes(std::size_t kink, const Sides& sides) {
@@ -106,7 +145,7 @@ class Passing {
   }
 
   /// Where s is long, linear terms are not all. The argument has no more rounding at t + s than at t.
-  void refine(const Sides& before, const Sides& after, std::size_t kink, const double first,
+  void refine(const Sides& before, const Sides& after, std::size_t kink, const double first, bool is_known,
               std::vector<double>& move) {
     constexpr std::size_t terms = SidedMotions::order + 1;
     const std::vector<double>& old = motions_.rows(before);
@@ -115,8 +154,9 @@ class Passing {
     std::vector<double> better = move;
     double s = first;
     for (int i = 0; i < refinements; ++i) {
-      s -= motions_.exact_argument(kink, before, motions_.t() + s, sums_at(s, old, terms)) /
-           (u[1] + 2 * s * u[2]);
+      if (!is_known)
+        s -= motions_.exact_argument(kink, before, motions_.t() + s, sums_at(s, old, terms)) /
+             (u[1] + 2 * s * u[2]);
       std::vector<double> from = motions_.y();
       for (std::size_t k = 0; k < from.size(); ++k) from[k] += better[k];
       const std::optional<std::vector<double>> rows = motions_.rows_from(after, from);

@@ -92,6 +92,7 @@ class Simulator {
     while (is_determined_) {
       const Run done = section();
       if (record_events(done)) return true;
+      sides_.go_on();
       if (result_.stop) return false;
       if (run_.leaves_rest(done)) continue;
       if (done.ending != Ending::event) return false;
