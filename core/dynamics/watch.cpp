@@ -56,10 +56,25 @@ Interval around(double number) {
   return {std::nextafter(number, -infinity), std::nextafter(number, infinity)};
 }
 
+/// Parameters beyond those that are known so, such as the sides of kinks, are exact.
+decltype(Watch::exact) exact_of(const SharedFunction& function, std::span<const double> parameters) {
+  return [function, all = std::vector<double>(parameters.begin(), parameters.end())](
+             const Reals& known, const Real& t, const Reals& y) {
+    std::vector<Ball> numbers = known.as<Ball>();
+    for (std::size_t i = numbers.size(); i < all.size(); ++i) numbers.emplace_back(all[i]);
+    TapeEvaluator<Ball> evaluate(*function, numbers);
+    evaluate.set_time(Ball::literal(t));
+    Ball value;
+    evaluate(y.as<Ball>(), {&value, 1});
+    return value;
+  };
+}
+
 void watch_function(Watch& watch, const Watched& watched, std::span<const double> parameters) {
   watch.value = quantity(watched.value, parameters);
   watch.series = series_of(watched, parameters);
   watch.enclosure = enclosure_of(watched.value, parameters);
+  watch.exact = exact_of(watched.value, parameters);
 }
 
 /// A scene's own functions are compiled once for all motions.

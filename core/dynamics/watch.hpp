@@ -9,7 +9,9 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/integrate/run.hpp"
+#include "core/numerics/ball.hpp"
 #include "core/numerics/interval.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot {
 
@@ -37,6 +39,9 @@ struct Watch {
   std::function<Interval(double t, std::span<const Interval> y)> enclosure{};
   /// The same of what is above zero where a zero counts.
   std::function<Interval(double t, std::span<const Interval> y)> when_enclosure{};
+
+  /// The value at a state that may be known beyond doubles, as what was typed is.
+  std::function<Ball(const Reals& parameters, const Real& t, const Reals& y)> exact{};
 
   /// How far values at a state that was rounded may be from each other, by their enclosure.
   [[nodiscard]] double rounding(double t, std::span<const double> y) const;

@@ -53,7 +53,7 @@ ApproachSearch::ApproachSearch(const RunRequest& request)
     : request_(request), of_events_(request.notes_approaches ? request.events.size() : 0) {}
 
 bool ApproachSearch::is_near(std::size_t event, double lower, double upper) {
-  if (of_events_.empty() || !request_.events[event].terminal) return false;
+  if (of_events_.empty()) return false;
   OfEvent& of_event = of_events_[event];
   of_event.reach = std::max({of_event.reach, std::abs(lower), std::abs(upper)});
   const bool is_small = !(std::min(std::abs(lower), std::abs(upper)) > near * of_event.reach);
@@ -62,9 +62,9 @@ bool ApproachSearch::is_near(std::size_t event, double lower, double upper) {
   return is_near;
 }
 
-void ApproachSearch::look(const Along& g, StepPolynomial& step, double end, bool is_last) {
+void ApproachSearch::look(const Along& g, StepPolynomial& step, bool is_last) {
   const Slopes slopes(g);
-  const double before = end * (1 - of_coefficients);  // what is met at the end is not nearly met
+  constexpr double before = 1 - of_coefficients;  // what is met at the end is not nearly met
   int slope = of_events_[g.event].slope;
   double since = 0;
   for (const SignPiece& piece : slopes.signs) {
@@ -74,16 +74,36 @@ void ApproachSearch::look(const Along& g, StepPolynomial& step, double end, bool
     }
     slope = piece.sign;
     since = piece.to;
-    if (piece.to >= end) break;
   }
   of_events_[g.event].slope = slope;
-  if (is_last && slope < 0) note(g, step, end, g.sign * sum_at(end, g.c), {});
+  if (is_last && slope < 0) note(g, step, 1, g.sign * sum_at(1, g.c), {});
+}
+
+/// Where g turns it is on the side to which it turns back, or past zero by no more than is seen.
+void ApproachSearch::look_at_both_sides(Along g, StepPolynomial& step, bool is_last) {
+  g.sign = 1;
+  const Slopes slopes(g);
+  const auto note_turn = [&](double place, int sign) {
+    g.sign = sign;
+    note(g, step, place, sign * sum_at(place, g.c), {});
+  };
+  int slope = of_events_[g.event].slope;
+  double since = 0;
+  for (const SignPiece& piece : slopes.signs) {
+    if (slope * piece.sign < 0)
+      note_turn(since == piece.from ? since : change_between(since, piece.from, slopes.c, piece.sign),
+                piece.sign);
+    slope = piece.sign;
+    since = piece.to;
+  }
+  of_events_[g.event].slope = slope;
+  if (is_last && slope != 0) note_turn(1, -slope);
 }
 
 /// It would have missed where g comes back before it has gone far: the deepest place up to there tells.
-void ApproachSearch::pass(const Along& g, StepPolynomial& step, double from, double length) {
+void ApproachSearch::pass(const Along& g, StepPolynomial& step) {
   const Slopes slopes(g);
-  const double begin = from / step.whole().h, unit = length / step.whole().h, met = step.whole().t + from;
+  const double met = step.whole().t + g.from;
   double since = 0, place = 0, deepest = 0;
   int slope = -1;
   for (const SignPiece& piece : slopes.signs) {
@@ -100,25 +120,25 @@ void ApproachSearch::pass(const Along& g, StepPolynomial& step, double from, dou
     slope = piece.sign;
     since = piece.to;
   }
-  if (slope > 0) note(g, step, begin + unit * place, deepest, met);
-  if (slope < 0 && since == 1) pass_slowly(g, step, from, length);
+  if (slope > 0) note(g, step, place, deepest, met);
+  if (slope < 0 && since == 1) pass_slowly(g, step);
 }
 
 /// Short steps do not tell how far it would go: a parabola does, as long as that is not far.
-void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step, double from, double length) {
+void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step) {
   const double reach = of_events_[g.event].reach, c1 = g.sign * g.c[1], c2 = g.sign * g.c[2];
   if (!(-g.sign * sum_at(1, g.c) <= near * reach && c1 < 0 && c2 > 0)) return;
-  const double turn = -c1 / (2 * c2), met = step.whole().t + from;
+  const double turn = -c1 / (2 * c2), met = step.whole().t + g.from;
   if (!(c2 * turn * turn <= near * reach)) return;
-  add({.event = g.event, .t = met + turn * length, .met = met, .sign = g.sign}, step);
+  add({.event = g.event, .t = met + turn * g.length, .met = met, .sign = g.sign}, step);
 }
 
-/// `s`: in the unit of the step; `value`: of |g|, below zero by rounding at most.
+/// `s`: in the unit of the piece; `value`: of |g|, below zero by rounding at most.
 void ApproachSearch::note(const Along& g, StepPolynomial& step, double s, double value,
                           std::optional<double> met) {
   const double reach = of_events_[g.event].reach;
   if (!(std::abs(value) <= near * reach) || value < -unseen * g.off) return;
-  const double t = step.whole().t + s * step.whole().h;
+  const double t = step.whole().t + g.from + s * g.length;
   add({.event = g.event, .t = t, .met = met, .sign = g.sign, .distance = std::abs(value)}, step);
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // Where a run comes so near to a terminal event that another computation of the same motion may do otherwise:
 // it turns back just before the event, or has met it and, had it gone on as before, would have turned back
-// just after it. Where a run ends it may also be just before an event.
+// just after it. Where a run ends it may also be just before an event. Of an event that does not end the run
+// these are places where it may happen twice more, or at the run's end once.
 //
 // With g along a step as a polynomial these are places where |g| has a minimum, or, past the event, where it
 // turns; g is small there beside what it was since t_start. Whether it is small beside the error of the
@@ -29,17 +30,21 @@ class ApproachSearch {
   /// in it, or becomes larger than before. Nothing is, where nobody asks.
   [[nodiscard]] bool is_near(std::size_t event, double lower, double upper);
 
-  /// g in the unit of a step.
+  /// g along a piece of a step, in the unit of the piece.
   struct Along {
     std::size_t event{};
+    double from{}, length{};    ///< of the piece, in seconds since the step's beginning
     int sign{};                 ///< that g has had up to there
     std::span<const double> c;  ///< coefficients
     double off{};               ///< what g may be away from it
   };
-  /// In a step, up to `end` of its length; `is_last`: the run ends there by another event.
-  void look(const Along& g, StepPolynomial& step, double end, bool is_last);
-  /// The event was met `from` seconds after the step's beginning; g from there on, in the unit of `length`.
-  void pass(const Along& g, StepPolynomial& step, double from, double length);
+  /// Of a step's pieces, one after the other; `is_last`: the run ends with this one, by another event.
+  void look(const Along& g, StepPolynomial& step, bool is_last);
+  /// The same of an event that does not end the run; g may have been met in the step: its sign does not
+  /// count.
+  void look_at_both_sides(Along g, StepPolynomial& step, bool is_last);
+  /// The event was met where the piece begins.
+  void pass(const Along& g, StepPolynomial& step);
 
   /// g was zero `from` seconds after the step's beginning, where its condition has that value.
   void ask_condition(std::size_t event, StepPolynomial& step, double from, double value);
@@ -49,9 +54,10 @@ class ApproachSearch {
  private:
   struct OfEvent {
     double reach{};  ///< the largest |g|
-    int slope{};     ///< the sign of |g|' where the step before ended; 0 where that does not count
+    int slope{};     ///< the sign of |g|' where the step before ended; 0 where that does not count. Of an
+                     ///< event that does not end the run that of g'.
   };
-  void pass_slowly(const Along& g, StepPolynomial& step, double from, double length);
+  void pass_slowly(const Along& g, StepPolynomial& step);
   void add(Approach approach, StepPolynomial& step);
   void note(const Along& g, StepPolynomial& step, double s, double value, std::optional<double> met);
 

@@ -16,7 +16,10 @@ constexpr double short_share = 1e-9;
 constexpr std::size_t most_looks = 4000;
 constexpr std::size_t looks_in_doubt = 200;  ///< once not everything was seen: the rest is worth less work
 constexpr int halvings = 60;
+constexpr double growing = 1.01;  ///< towards a pole, where it is sixteen times nearer
 constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
+constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
+constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
@@ -25,10 +28,14 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
 
-// At a pole both sides outgrow what the bracket began with; at a zero or a jump they do not.
-bool is_pole(const SignChange& begin, const SignChange& end) {
+// At a pole both sides outgrow what the bracket began with, and what they are a little farther away; at a
+// zero they do not, and at a jump they do not grow towards it.
+bool is_pole(const SignChange& begin, const SignChange& end, const std::function<double(double)>& g) {
   const double bound = std::max(std::abs(begin.value_before), std::abs(begin.value_after));
-  return std::abs(end.value_before) > bound && std::abs(end.value_after) > bound;
+  if (!(std::abs(end.value_before) > bound && std::abs(end.value_after) > bound)) return false;
+  const double near = std::max(end.after - end.before, 16 * time_round_off(end.after)), far = 16 * near;
+  return std::abs(g(end.before - near)) > growing * std::abs(g(end.before - far)) &&
+         std::abs(g(end.after + near)) > growing * std::abs(g(end.after + far));
 }
 
 }  // namespace
@@ -42,8 +49,10 @@ EventSearch::EventSearch(const RunRequest& request)
       approaches_(request),
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
+      pieces_(request.events.size()),
       y_(request.y_start.size()) {
   for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = request.events[i].sign_at_start;
+  signs_of_begin_ = signs_;
 }
 
 EventSearch::Found EventSearch::search(Stepper& stepper) {
@@ -53,6 +62,8 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   std::vector<std::size_t> open;
   near_.clear();
   nowhere_from_ = infinity;
+  signs_of_begin_ = signs_;
+  for (auto& pieces : pieces_) pieces.clear();
   for (std::size_t i = 0; i < signs_.size() && !found.failure; ++i) {
     if (!is_quiet(i)) open.push_back(i);
   }
@@ -75,25 +86,60 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   return found;
 }
 
+std::vector<int> EventSearch::signs_before(double t) const {
+  const double begin = polynomial_.whole().t, instant = 16 * time_round_off(t);
+  std::vector<int> signs = signs_of_begin_;
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    for (const SignPiece& piece : pieces_[i]) {
+      if (piece.sign != 0 && begin + piece.from < t - instant) signs[i] = piece.sign;
+    }
+  }
+  return signs;
+}
+
 void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const double end = found.terminal ? found.events.back().t : stepper.t();
   const bool is_last = found.terminal || end >= request_.t_end;
   for (const std::size_t i : near_) {
-    const auto met = std::ranges::find_if(
+    const bool is_met = std::ranges::any_of(
         found.events, [&](const EventOccurrence& event) { return event.event == i && event.t == end; });
-    const bool is_met = met != found.events.end();
-    const UnitSeries series = finite_series(i, polynomial_.whole());
+    look_along(i, h > 0 ? end - begin : h, is_last, is_met);
     const int sign = sign_before(i, is_met);
-    if (sign == 0) continue;
-    const std::span<const double> c = std::span(series.c).first(series.end);
-    approaches_.look({i, sign, c, series.off}, polynomial_, h > 0 ? (end - begin) / h : 1,
-                     is_last && !is_met);
-    if (!is_met) continue;
-    const double length = begin + h - end + beyond_step * h;
-    const UnitSeries past = finite_series(i, polynomial_.piece(end - begin, length));
-    approaches_.pass({i, sign, std::span(past.c).first(past.end), past.off}, polynomial_, end - begin,
-                     length);
+    if (!is_met || !request_.events[i].terminal || sign == 0) continue;
+    const double beyond = begin + h - end + beyond_step * h;
+    const auto [past, length] = told_series(i, end - begin, beyond, beyond * shortest_piece);
+    approaches_.pass({i, end - begin, length, sign, past.in_whole(), past.off}, polynomial_);
+  }
+}
+
+/// In pieces that its coefficients tell of.
+void EventSearch::look_along(std::size_t event, double until, bool is_last, bool is_met) {
+  const int sign = sign_before(event, is_met);
+  const bool is_terminal = request_.events[event].terminal;
+  if (is_terminal && sign == 0) return;
+  for (double from = 0, left = until;; left = until - from) {
+    const auto [series, length] = told_series(event, from, left, until * shortest_piece);
+    const bool is_end = !(length < left);
+    const bool nearly_ends = is_last && is_end && !is_met;
+    const ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off};
+    if (is_terminal)
+      approaches_.look(g, polynomial_, nearly_ends);
+    else
+      approaches_.look_at_both_sides(g, polynomial_, nearly_ends);
+    if (is_end) return;
+    from += length;
+  }
+}
+
+/// g from there on, in the unit of a length that is halved until coefficients tell where g turns.
+std::pair<EventSearch::UnitSeries, double> EventSearch::told_series(std::size_t event, double from,
+                                                                    double length, double shortest) {
+  for (;; length /= 2) {
+    UnitSeries series = finite_series(event, polynomial_.piece(from, length));
+    double size = 0;
+    for (const double c : series.in_whole()) size += std::abs(c);
+    if (series.off <= well_known * size || !(length > shortest)) return {std::move(series), length};
   }
 }
 
@@ -144,7 +190,8 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
     const double value = value_at_start(event, c[0]);
-    result.is_divided = std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
+    result.is_divided = !request_.events[event].is_beside_zero &&
+                        std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
     const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
     if (is_known) result.sign_at_start = sign_of(value);
   }
@@ -173,7 +220,7 @@ double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double 
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const Crossing direction = request_.events[event].direction;
-  std::vector<SignPiece> pieces;
+  std::vector<SignPiece>& pieces = pieces_[event];
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
@@ -282,7 +329,8 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   const bool is_after = event.sign_at_start != 0 || std::abs(bracket.value_after) < at_begin;
   if (!is_bracket()) return is_after ? bracket.after : crossed.before;
   const SignChange place = find_sign_change(g, bracket);
-  if (event.sign_at_start == 0 && is_pole(bracket, place)) return std::nullopt;
+  const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
+  if (is_of_g && is_pole(bracket, place, g)) return std::nullopt;
   return place.after;
 }
 

@@ -7,7 +7,7 @@
 // down to the round-off of t. A function that touches zero and turns back does not count, nor does one that
 // passes zero and comes back by less than some round-off of its values; one that is zero at a step's end is
 // decided when it leaves zero. A pole, such as tan has, changes sign too, but its values grow towards the
-// place, and so it does not count.
+// place, and so it does not count; a jump through zero does.
 //
 // A zero at t_start counts only where that is asked for: there a motion goes on after the same event has
 // ended an earlier one. There g(s) = s (c_1 + c_2 s + ...), and later zeros are those of the bracket, however
@@ -51,6 +51,9 @@ class EventSearch {
   /// False once the signs of a function were not found within the work allowed.
   [[nodiscard]] bool saw_everything() const { return saw_everything_; }
 
+  /// The strict sign that each function had last before the instant t, which lies in the last step.
+  [[nodiscard]] std::vector<int> signs_before(double t) const;
+
   [[nodiscard]] std::vector<Approach> take_approaches() { return approaches_.take(); }
 
  private:
@@ -77,6 +80,7 @@ class EventSearch {
     [[nodiscard]] std::span<const double> coefficients() const {
       return std::span(c).subspan(first, end - first);
     }
+    [[nodiscard]] std::span<const double> in_whole() const { return std::span(c).first(end); }
     [[nodiscard]] bool is_finite() const;
   };
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
@@ -86,6 +90,9 @@ class EventSearch {
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void look_for_approaches(const Stepper& stepper, const Found& found);
+  void look_along(std::size_t event, double until, bool is_last, bool is_met);
+  [[nodiscard]] std::pair<UnitSeries, double> told_series(std::size_t event, double from, double length,
+                                                          double shortest);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 
@@ -95,8 +102,11 @@ class EventSearch {
   std::vector<std::size_t> near_;  ///< events to which the step may come near
   std::vector<int> signs_;  ///< the strict sign that each had last: 0 while it has had none since t_start
   std::vector<double> definite_;  ///< when it had it
-  std::vector<double> y_;         ///< scratch
-  std::size_t looks_{};           ///< at one function in one step
+  /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
+  std::vector<int> signs_of_begin_;
+  std::vector<std::vector<SignPiece>> pieces_;
+  std::vector<double> y_;  ///< scratch
+  std::size_t looks_{};    ///< at one function in one step
   bool starts_at_zero_{false};
   int sign_at_start_{};
   bool saw_everything_{true};

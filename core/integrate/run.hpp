@@ -78,6 +78,7 @@ struct EventFunction {
   /// Optional: a zero counts where this is above zero.
   std::function<double(double t, std::span<const double> y)> condition{};
   int sign_at_start{0};  ///< the strict sign that g counts as having had at t_start, where that is known
+  bool is_beside_zero{false};  ///< that sign is known of g itself, which is no zero, however small it is
   /// What rounding may do to g at t_start, where that is known; it is asked where g is small there.
   std::function<double()> rounding_at_start{};
   bool must_have_value{false};   ///< where g has none for a while, the run ends before it
@@ -183,6 +184,8 @@ struct Run {
   std::vector<double> apart{}, apart_by_rounding{};
   Apart apart_at_end{};                ///< where the run ended
   std::vector<Approach> approaches{};  ///< to events, in order of time but for those of one step
+  /// The strict sign that each event's function had last, before the instant in which the run ended; 0: none.
+  std::vector<int> signs{};
 };
 
 }  // namespace qdot

@@ -15,6 +15,8 @@ inline constexpr const char* may_not_stop =
     "error.";
 inline constexpr const char* may_go_otherwise =
     ": it may go on otherwise from there, and the errors stated are of both ways.";
+inline constexpr const char* may_go_anywhere =
+    ": it may go on in several ways from there, of which this is one, and no error of it is known.";
 inline constexpr const char* not_bounded =
     "The error was measured, but not every step has a bound of what it may hide between the places that were "
     "looked at.";

@@ -209,8 +209,7 @@ double ApartAlong::seconds(SectionEnd end, std::span<const double> unseen) const
   std::vector<double> errors = at_end();
   for (double& error : errors) error *= safety_of_differences;
   for (std::size_t k = 0; k < unseen.size(); ++k) errors[k] += unseen[k];
-  const double of_instant =
-      time_round_off(end.t) + end.doubt + end.moved + (end.map ? 0 : rounding_of_instant(end));
+  const double of_instant = time_round_off(end.t) + end.doubt + end.moved;
   return std::min(of_instant + seconds_apart(end, errors), longest_time(end));
 }
 

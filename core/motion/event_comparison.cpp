@@ -77,6 +77,12 @@ std::vector<ApproachAsTold> EventComparison::approaches() {
   return all;
 }
 
+std::vector<ApproachAsTold> EventComparison::near_events() {
+  std::vector<ApproachAsTold> all;
+  for (const ApproachRecord& approach : motion_.simulation.near_events) add_told(approach, all);
+  return all;
+}
+
 /// Of the motion's own. Others tell of an instant what is before all its impacts.
 void EventComparison::add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all) {
   const double t = approach.place.instant();

@@ -37,6 +37,8 @@ class EventComparison {
   [[nodiscard]] std::vector<std::optional<double>> of_events();
   /// Where the true motion nearly meets what would change its way, in order of time.
   [[nodiscard]] std::vector<ApproachAsTold> approaches();
+  /// The same of events that are reported only.
+  [[nodiscard]] std::vector<ApproachAsTold> near_events();
   /// None where there is no stop, or where no other computation has it.
   [[nodiscard]] std::optional<double> of_stop();
 

@@ -61,9 +61,11 @@ EventRows::EventRows(std::span<const double> grid, const Simulation& motion) {
 }
 
 void EventRows::add_approaches(std::span<const double> grid, const Simulation& motion) {
-  for (const ApproachRecord& approach : motion.approaches) {
-    const double t = approach.place.instant();
-    if (motion.rows > 0 && t <= grid[motion.rows - 1]) events_.push_back(t);
+  for (const auto* approaches : {&motion.approaches, &motion.near_events}) {
+    for (const ApproachRecord& approach : *approaches) {
+      const double t = approach.place.instant();
+      if (motion.rows > 0 && t <= grid[motion.rows - 1]) events_.push_back(t);
+    }
   }
   std::ranges::sort(events_);
   events_.erase(std::unique(events_.begin(), events_.end()), events_.end());

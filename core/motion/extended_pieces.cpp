@@ -10,11 +10,30 @@ constexpr unsigned order_beside = 6;  ///< of the series from a known instant to
 constexpr double farthest = 1e-3;     ///< of a piece's duration: where these few terms do
 constexpr int most_secants = 12;
 constexpr double as_near_as_can_be = 0x1p-90;  ///< of the instant
+constexpr double clearly_beside = 0x1p30;      ///< times that
+constexpr int looks_beside = 4;
 
 std::vector<Ball> balls(std::span<const DoubleDouble> numbers) {
   std::vector<Ball> result;
   for (const DoubleDouble& x : numbers) result.emplace_back(x, 0.0);
   return result;
+}
+
+/// Whether g goes through zero there, farther and farther on both sides: at a multiple root all of it may be
+/// rounding.
+template <class Function>
+bool is_crossed(const Function& g, const DoubleDouble& place, double step) {
+  const double first = g(place - DoubleDouble(step)).value(), next = g(place + DoubleDouble(step)).value();
+  if (!(first < 0 ? next > 0 : next < 0)) return false;
+  double before = first, after = next;
+  for (int k = 2; k <= looks_beside; ++k) {
+    const double earlier = g(place - DoubleDouble(k * step)).value(),
+                 later = g(place + DoubleDouble(k * step)).value();
+    if (!(first < 0 ? earlier < before && later > after : earlier > before && later < after)) return false;
+    before = earlier;
+    after = later;
+  }
+  return true;
 }
 
 /// A zero of g(d), |d| <= reach.
@@ -30,7 +49,8 @@ std::optional<DoubleDouble> zero_near(const Function& g, double reach, double ac
     at_a = at_b;
     b = b - step;
     if (std::abs(b.high) > reach) return std::nullopt;
-    if (std::abs(step.high) <= accuracy) return b;
+    if (std::abs(step.high) <= accuracy)
+      return is_crossed(g, b, clearly_beside * accuracy) ? std::optional(b) : std::nullopt;
   }
   return std::nullopt;
 }

@@ -25,9 +25,9 @@ std::span<const Watch> ImpactsAlong::watches() const {
   return std::span(sections_.watches()).last(dynamics_.model().parsed.impacts.size());
 }
 
-InstantImpacts::Passed ImpactsAlong::pass(double t, const std::vector<double>& y) {
+InstantImpacts::Passed ImpactsAlong::pass(double t, const std::vector<double>& y, const EventSides& sides) {
   if (!impacts_) impacts_.emplace(dynamics_, request_.parameters, sections_.resolution());
-  return impacts_->pass(t, y, met_, watches(), request_.impact_order);
+  return impacts_->pass(t, y, met_, watches(), sides, request_.impact_order);
 }
 
 std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> sections,

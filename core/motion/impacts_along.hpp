@@ -24,7 +24,7 @@ class ImpactsAlong {
   [[nodiscard]] bool has_met(std::size_t impact) const { return met_[impact]; }
 
   /// What all impacts of this instant leave.
-  [[nodiscard]] InstantImpacts::Passed pass(double t, const std::vector<double>& y);
+  [[nodiscard]] InstantImpacts::Passed pass(double t, const std::vector<double>& y, const EventSides& sides);
   /// The same ones on another state.
   [[nodiscard]] std::vector<double> repeat(double t, const std::vector<double>& y,
                                            std::span<const InstantImpacts::Happened> all) const {

@@ -8,6 +8,8 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_in_an_instant = 1000;
+constexpr std::size_t most_in_all_orders = 4;
+constexpr double stopped_rate = 1e-9;        ///< is rounding
 constexpr double rounding_of_order = 1e-12;  ///< of the largest number
 /// Of a state's numbers: their own rounding, and that of the steps that led to them.
 constexpr double rounding_of_state = 16 * std::numeric_limits<double>::epsilon();
@@ -56,48 +58,72 @@ InstantImpacts::InstantImpacts(const Dynamics& dynamics, std::span<const double>
 
 InstantImpacts::Passed InstantImpacts::pass(double t, const std::vector<double>& y,
                                             const std::vector<bool>& met, std::span<const Watch> watches,
-                                            ImpactOrder order) {
+                                            const EventSides& sides, ImpactOrder order) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < rules_.size(); ++k) {
     if (met[k]) all.push_back(k);
   }
   if (order == ImpactOrder::reverse) std::ranges::reverse(all);
-  Passed passed = in_order(t, y, all, watches);
-  if (all.size() < 2) return passed;
-  std::ranges::reverse(all);
-  passed.order_matters = is_other(passed, in_order(t, y, all, watches), y);
+  const Instant now{t, y, watches, sides};
+  Passed passed = in_order(now, all);
+  if (all.size() > 1) compare_orders(now, std::move(all), passed);
   return passed;
 }
 
-InstantImpacts::Passed InstantImpacts::in_order(double t, const std::vector<double>& y,
-                                                std::span<const std::size_t> met,
-                                                std::span<const Watch> watches) const {
-  Passed passed{{}, y};
+/// Two orders may have two ends; where a surface is passed both ways, or where there are more orders, there
+/// are others, too.
+void InstantImpacts::compare_orders(const Instant& now, std::vector<std::size_t> met, Passed& passed) const {
+  const bool are_many = met.size() > most_in_all_orders;
+  std::vector<std::size_t> order = met;
+  std::ranges::reverse(order);
+  passed.order_matters = is_other(passed, in_order(now, order), now.y);
+  std::ranges::sort(order);
+  for (bool goes_on = met.size() > 2 && !are_many; goes_on;
+       goes_on = std::ranges::next_permutation(order).found)
+    passed.order_matters = passed.order_matters || is_other(passed, in_order(now, order), now.y);
+  const bool turns_freely =
+      std::ranges::any_of(met, [&](std::size_t k) { return now.watches[k].direction == Crossing::either; });
+  passed.is_unclear = passed.order_matters && (met.size() > 2 || turns_freely);
+}
+
+InstantImpacts::Passed InstantImpacts::in_order(const Instant& now, std::span<const std::size_t> met) const {
+  Passed passed{{}, now.y};
   for (const std::size_t k : met) {
-    const bool is_certain = passed.all.empty() || !rules_[k].approach;
-    if (is_certain || follows(k, t, passed.after, watches[k])) apply(k, t, passed);
+    if (passed.all.empty() || still_comes(now, k, passed.after)) apply(k, now.t, passed);
   }
   if (met.size() > 1) passed.within = resolution_;
   for (;;) {
     std::size_t next = 0;
     std::optional<double> later;
-    while (next < rules_.size() && !(later = follows(next, t, passed.after, watches[next]))) ++next;
+    while (next < rules_.size() && !(later = follows(next, now, passed.after))) ++next;
     if (next == rules_.size()) return passed;
     if (passed.all.size() >= most_in_an_instant) break;
     passed.within = std::max(passed.within, *later);
-    apply(next, t, passed);
+    apply(next, now.t, passed);
   }
   passed.is_over = false;
   return passed;
 }
 
+/// What was met, after others: where they have turned the motion away it is not reached.
+bool InstantImpacts::still_comes(const Instant& now, std::size_t impact, const std::vector<double>& y) const {
+  const Watch& watch = now.watches[impact];
+  if (rules_[impact].approach && watch.direction != Crossing::either)
+    return follows(impact, now, y).has_value();
+  if (watch.value(now.t, y) != watch.value(now.t, now.y)) return true;
+  const double before = now.sides.rate(watch, now.t, now.y), then = now.sides.rate(watch, now.t, y);
+  return before * then > 0 && std::abs(then) > stopped_rate * std::abs(before);
+}
+
 /// Where its distance is 0 there and falls, neither in doubt for its rounding: by how many seconds it may be
 /// apart.
-std::optional<double> InstantImpacts::follows(std::size_t impact, double t, const std::vector<double>& y,
-                                              const Watch& watch) const {
+std::optional<double> InstantImpacts::follows(std::size_t impact, const Instant& now,
+                                              const std::vector<double>& y) const {
   const Rule& rule = rules_[impact];
+  const Watch& watch = now.watches[impact];
   if (!rule.approach || watch.direction == Crossing::either) return std::nullopt;
-  rule.enclosed_approach->set_time(rounded(t));
+  if (now.sides.is_behind_start(watch, now.t)) return std::nullopt;
+  rule.enclosed_approach->set_time(rounded(now.t));
   Ball values[2];
   (*rule.enclosed_approach)(rounded(y), values);
   const auto& [distance, rate] = values;
@@ -105,7 +131,7 @@ std::optional<double> InstantImpacts::follows(std::size_t impact, double t, cons
   if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return std::nullopt;
   const double speed = std::abs(rate.value()), off = std::abs(distance.value());
   if (off > distance.radius + speed * resolution_) return std::nullopt;
-  if (watch.condition && !(watch.condition(t, y) > 0)) return std::nullopt;
+  if (watch.condition && !(watch.condition(now.t, y) > 0)) return std::nullopt;
   return std::min((off + distance.radius) / speed, resolution_);
 }
 

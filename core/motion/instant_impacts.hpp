@@ -15,6 +15,7 @@
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/dynamics/watch.hpp"
+#include "core/motion/event_sides.hpp"
 #include "core/motion/impact_map.hpp"
 #include "core/motion/simulation_request.hpp"
 #include "core/numerics/ball.hpp"
@@ -35,11 +36,12 @@ class InstantImpacts {
     std::vector<double> after;
     bool is_over{true};    ///< false: they start each other again and again
     bool order_matters{};  ///< of those whose events have happened
+    bool is_unclear{};     ///< so that the opposite order is not the only other way
     double within{};       ///< seconds, in which they really happen
   };
   /// From (t, y). `met`: the impacts whose events have happened; `watches`: one for each impact.
   [[nodiscard]] Passed pass(double t, const std::vector<double>& y, const std::vector<bool>& met,
-                            std::span<const Watch> watches, ImpactOrder order);
+                            std::span<const Watch> watches, const EventSides& sides, ImpactOrder order);
 
   /// What the same impacts, one after the other, do to another state.
   [[nodiscard]] std::vector<double> repeat(double t, std::vector<double> y,
@@ -52,10 +54,18 @@ class InstantImpacts {
     std::shared_ptr<const CompiledFunction> approach;  ///< distance and its rate; null without restitution
     std::unique_ptr<TapeEvaluator<Ball>> enclosed_approach;
   };
-  [[nodiscard]] Passed in_order(double t, const std::vector<double>& y, std::span<const std::size_t> met,
-                                std::span<const Watch> watches) const;
-  [[nodiscard]] std::optional<double> follows(std::size_t impact, double t, const std::vector<double>& y,
-                                              const Watch& watch) const;
+  /// The instant, and the motion that comes to it.
+  struct Instant {
+    double t{};
+    const std::vector<double>& y;
+    std::span<const Watch> watches;
+    const EventSides& sides;
+  };
+  [[nodiscard]] Passed in_order(const Instant& now, std::span<const std::size_t> met) const;
+  [[nodiscard]] bool still_comes(const Instant& now, std::size_t impact, const std::vector<double>& y) const;
+  void compare_orders(const Instant& now, std::vector<std::size_t> met, Passed& passed) const;
+  [[nodiscard]] std::optional<double> follows(std::size_t impact, const Instant& now,
+                                              const std::vector<double>& y) const;
   void apply(std::size_t impact, double t, Passed& passed) const;
   void change(std::size_t impact, double t, std::vector<double>& y) const;
 

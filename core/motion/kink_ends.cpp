@@ -66,6 +66,7 @@ std::vector<EventFunction> kink_ends(const KinkModes& modes, const KinkModes::Wa
                     .counts_at_start = false,
                     .condition = {},
                     .sign_at_start = 1,
+                    .rounding_at_start = [rounding = some_round_off * way.size[k]] { return rounding; },
                     .must_have_value = true});
   }
   return ends;

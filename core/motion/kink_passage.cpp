@@ -12,6 +12,7 @@ namespace {
 
 constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
 constexpr double several = 4;
+constexpr int halvings = 60;    ///< of the time in which the sign of an argument changes
 constexpr int refinements = 4;  ///< of where a kink was passed, each much closer than the one before
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
 constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
@@ -59,7 +60,7 @@ class Passing {
       };
       const auto first = std::ranges::min_element(ahead_, {}, zero_of);
       const auto [kink, here] = *first;
-      const double s = zero_of(*first);
+      double s = zero_of(*first);
       Sides next = now;
       next[kink] = after_[kink];
       ahead_.erase(first);
@@ -68,16 +69,23 @@ class Passing {
         now = std::move(next);
         continue;
       }
-      const bool is_crossed = !is_hardly_crossed(here.u, old[kink][1], old[kink][2]);
+      const std::vector<double>& u = old[kink];
+      const bool is_hard = is_hardly_crossed(here.u, u[1], u[2]);
+      const auto change = is_one && is_hard ? sign_change(kink, now, std::abs(s), farthest) : std::nullopt;
+      const bool is_crossed = change || !is_hard;
+      if (change) {
+        s = change->middle;
+        passage.doubt = std::max(passage.doubt, change->doubt);
+      }
       const bool is_near = is_crossed && std::abs(s) <= farthest;
-      passage.doubt = std::max(passage.doubt, of_state * size_[kink] / std::abs(old[kink][1]));
+      if (!change) passage.doubt = std::max(passage.doubt, of_state * size_[kink] / std::abs(u[1]));
       if (!is_near) passage.doubt = std::max(passage.doubt, std::abs(s));
       const bool is_explained = is_crossed && std::abs(here.u) <= here.explained;
       if (!(is_near || is_explained) || !motions_.series(next)) return passage;
       for (auto& [k, other] : ahead_) other.u += s * (old[k][1] - (*motions_.series(next))[k][1]);
       for (std::size_t i = 0; i < move.size(); ++i) move[i] += s * (rate(now, i) - rate(next, i));
       passage.early = std::max(passage.early, std::abs(s));
-      if (is_one && std::abs(s) > motions_.resolution()) refine(now, next, kink, s, move);
+      if (is_one && std::abs(s) > motions_.resolution()) refine(now, next, kink, s, change.has_value(), move);
       now = std::move(next);
     }
     passage.move = std::move(move);
@@ -96,6 +104,34 @@ class Passing {
     return true;
   }
 
+  struct SignChange {
+    double middle{}, doubt{};
+  };
+  /// Where the argument changes its sign along the old way, beyond the rounding of doubles: at a multiple
+  /// root its coefficients do not tell.
+  std::optional<SignChange> sign_change(std::size_t kink, const Sides& sides, double guess, double farthest) {
+    const std::vector<double> old = motions_.rows(sides);
+    const auto sign = [&](double s) {
+      const auto y = sums_at(s, old, SidedMotions::order + 1);
+      return before_[kink] * motions_.argument_sign(kink, sides, motions_.t() + s, y);
+    };
+    double reach = std::max(guess, motions_.resolution());
+    while (!(sign(-reach) > 0 && sign(reach) < 0)) {
+      reach *= 2;
+      if (!(reach <= std::max(farthest, guess))) return std::nullopt;
+    }
+    const auto edge = [&](const auto& is_before) {
+      double from = -reach, to = reach;
+      for (int i = 0; i < halvings; ++i) {
+        const double middle = (from + to) / 2;
+        (is_before(sign(middle)) ? from : to) = middle;
+      }
+      return to;
+    };
+    const double first = edge([](int s) { return s > 0; }), last = edge([](int s) { return s >= 0; });
+    return SignChange{(first + last) / 2, (last - first) / 2};
+  }
+
   /// Whether an argument vanishes altogether, as that of ||x| - x| does where x > 0: it has any side there,
   /// and no instant.
   bool vanishes(std::size_t kink, const Sides& sides) {
@@ -111,7 +147,7 @@ class Passing {
   }
 
   /// Where s is long, linear terms are not all. The argument has no more rounding at t + s than at t.
-  void refine(const Sides& before, const Sides& after, std::size_t kink, const double first,
+  void refine(const Sides& before, const Sides& after, std::size_t kink, const double first, bool is_known,
               std::vector<double>& move) {
     constexpr std::size_t terms = SidedMotions::order + 1;
     const std::vector<double>& old = motions_.rows(before);
@@ -120,8 +156,9 @@ class Passing {
     std::vector<double> better = move;
     double s = first;
     for (int i = 0; i < refinements; ++i) {
-      s -= motions_.exact_argument(kink, before, motions_.t() + s, sums_at(s, old, terms)) /
-           (u[1] + 2 * s * u[2]);
+      if (!is_known)
+        s -= motions_.exact_argument(kink, before, motions_.t() + s, sums_at(s, old, terms)) /
+             (u[1] + 2 * s * u[2]);
       std::vector<double> from = motions_.y();
       for (std::size_t k = 0; k < from.size(); ++k) from[k] += better[k];
       const std::optional<std::vector<double>> rows = motions_.rows_from(after, from);

@@ -25,7 +25,7 @@ struct MeasuredSimulation {
   std::optional<double> horizon;
   std::optional<bool> meets_request;  ///< no value where no error was wanted
   std::string reason;                 ///< why the error is not known, or not met
-  std::string events_in_doubt;        ///< another computation has more or fewer of them; empty: none has
+  std::string events_in_doubt;        ///< why there may be more or fewer of them; empty: there are not
   /// Whether nothing lies hidden between the places that the computations looked at: every step of all of
   /// them has a bound of its defect. An error without it is what the places looked at say.
   bool bounded{false};

@@ -178,7 +178,16 @@ bool Measurement::can_be_checked_by(const Simulation& other) {
 }
 
 void Measurement::state(const std::vector<Simulation>& others) {
+  std::optional<double> unclear = result_.simulation.unclear_from;
+  for (const Simulation& other : others)
+    unclear = std::min(unclear.value_or(infinity), other.unclear_from.value_or(infinity));
+  if (unclear && *unclear < infinity) {
+    result_.reason = several_at_once(*unclear) + accuracy_reasons::may_go_anywhere;
+    return;
+  }
   RowComparison comparison = compare(motion(), others, doubt_);
+  if (result_.events_in_doubt.empty())
+    result_.events_in_doubt = event_that_may_happen(motion(), comparison.near_events);
   OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);

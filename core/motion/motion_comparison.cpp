@@ -81,6 +81,9 @@ class Comparing {
     add_rows_at_impacts(rows, result);
     result.approaches =
         EventComparison(motion_, others_, {stated, doubt, largest_}, at_impacts_).approaches();
+    if (!motion_.simulation.near_events.empty())
+      result.near_events =
+          EventComparison(motion_, others_, {stated, doubt, largest_}, at_impacts_).near_events();
     return result;
   }
 

@@ -24,7 +24,7 @@ struct RowComparison {
   std::optional<double> stop_error;  ///< of the time of the stop
   /// Rows asked for that are at an impact to within its error, each on the motion's side of it.
   std::vector<double> at_impacts;
-  std::vector<ApproachAsTold> approaches;
+  std::vector<ApproachAsTold> approaches, near_events;
   std::string changed;  ///< a conserved quantity that changes by more than the errors explain; empty: none
 };
 

@@ -193,31 +193,15 @@ ApproachRecord MotionSections::approach(Approach place, double begun) const {
     return record;
   }
   const std::size_t kink = record.place.event - watches().size();
+  const std::shared_ptr<const KinkedMotion> functions = modes_->motion(way_.sides);
   record.name = names_[kink];
   record.is_kink = true;
   record.stays = way_.sides[kink] == 0;
-  const auto u = enclosure_of_end(kink);
+  const auto u = enclosure_of(record.stays ? functions->holds[kink] : functions->arguments[kink],
+                              modes_->parameters(way_.sides));
   const Interval factor = way_.sides[kink] < 0 ? -1 : 1;  // as in kink_ends.cpp
   record.enclosure = [=](double t, std::span<const Interval> y) { return factor * u(t, y); };
   return record;
-}
-
-/// Of what ends the stay on a kink, or of its argument.
-decltype(Watch::enclosure) MotionSections::enclosure_of_end(std::size_t kink) const {
-  auto& enclosures = now_->enclosures;
-  enclosures.resize(names_.size());
-  if (!enclosures[kink]) {
-    const std::shared_ptr<const KinkedMotion> functions = modes_->motion(way_.sides);
-    const bool stays = way_.sides[kink] == 0;
-    enclosures[kink] = enclosure_of(stays ? functions->holds[kink] : functions->arguments[kink],
-                                    modes_->parameters(way_.sides));
-  }
-  return enclosures[kink];
-}
-
-double MotionSections::rounding_of_end(std::size_t kink, double t, std::span<const double> y) const {
-  const Interval values = enclosure_of_end(kink)(t, std::vector<Interval>(y.begin(), y.end()));
-  return values.upper - values.lower;
 }
 
 MotionSections::Columns& MotionSections::columns_in(std::size_t section) {

@@ -35,10 +35,12 @@ class MotionSections {
   [[nodiscard]] const std::vector<Watch>& watches() const { return now_->watches; }
   /// Where the section ends by itself: one event for each kink.
   [[nodiscard]] std::vector<EventFunction> ends() const;
-  /// What the argument of a kink that is passed may be rounded by in a state.
-  [[nodiscard]] double rounding_of_end(std::size_t kink, double t, std::span<const double> y) const;
   /// Of such an end, or of a watch before it, in the run that began then.
   [[nodiscard]] ApproachRecord approach(Approach place, double begun) const;
+  /// Whether that one changes nothing: an event that is reported and no more.
+  [[nodiscard]] bool only_reports(std::size_t event) const {
+    return event < watches().size() && watches()[event].kind == Watch::Kind::event;
+  }
   [[nodiscard]] std::size_t kinks() const { return names_.size(); }
   /// Of the section.
   [[nodiscard]] const Sides& sides() const { return way_.sides; }
@@ -69,10 +71,8 @@ class MotionSections {
     std::vector<double> parameters;
     Staying staying;
     Columns columns;
-    std::vector<decltype(Watch::enclosure)> enclosures;  ///< of what ends it, made when first wanted
   };
   [[nodiscard]] bool go_on(double t, std::span<const double> y);
-  [[nodiscard]] decltype(Watch::enclosure) enclosure_of_end(std::size_t kink) const;
   void note_size(std::span<const double> y);
   [[nodiscard]] bool come_together(double t, std::vector<double>& y);
   void take_back(const Sides& before, double begun, double t, std::vector<double>& y);

@@ -85,9 +85,11 @@ class OtherWay {
     const auto& events = motion_.simulation.events;
     const auto event = std::ranges::find(events, t, &EventRecord::t);
     if (event != events.end()) return event->y;
-    const auto& approaches = motion_.simulation.approaches;
-    const auto approach =
-        std::ranges::find(approaches, t, [](const ApproachRecord& a) { return a.place.instant(); });
+    const auto instant = [](const ApproachRecord& a) { return a.place.instant(); };
+    const auto& near_events = motion_.simulation.near_events;
+    auto approach = std::ranges::find(motion_.simulation.approaches, t, instant);
+    if (approach == motion_.simulation.approaches.end())
+      approach = std::ranges::find(near_events, t, instant);
     return approach->place.state_at(t - approach->place.t);
   }
 
@@ -118,8 +120,7 @@ void add_other_order(const ComputedMotion& motion, std::span<const Simulation> o
     if (other.order_in_doubt) t = std::min(t.value_or(infinity), *other.order_in_doubt);
   }
   if (!t) return;
-  result.where = result.where_it_happens =
-      at_time(*t) + " several impacts happen within one instant, and their order is not known";
+  result.where = result.where_it_happens = several_at_once(*t);
   result.stated_before.resize(motion.width());
   try {
     OtherWay way(motion, motion.request.t_start, ImpactOrder::reverse);
@@ -133,6 +134,10 @@ void add_other_order(const ComputedMotion& motion, std::span<const Simulation> o
 }
 
 }  // namespace
+
+std::string several_at_once(double t) {
+  return at_time(t) + " several impacts happen within one instant, and their order is not known";
+}
 
 OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> others,
                      std::span<const ApproachAsTold> approaches, std::uint64_t evaluations_left) {
@@ -173,6 +178,14 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
     }
   }
   return result;
+}
+
+std::string event_that_may_happen(const ComputedMotion& motion, std::span<const ApproachAsTold> near_events) {
+  for (const ApproachAsTold& near : near_events) {
+    if (Fork(motion, near).is_open())
+      return place_in_words(near.approach) + ": whether it happens there cannot be told.";
+  }
+  return {};
 }
 
 /// Computations that have gone both ways differ without others, too.

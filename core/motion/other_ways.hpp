@@ -35,6 +35,14 @@ struct OtherWays {
                                    std::span<const ApproachAsTold> approaches,
                                    std::uint64_t evaluations_left);
 
+/// The beginning of a sentence on impacts at that time.
+[[nodiscard]] std::string several_at_once(double t);
+
+/// A sentence on the first event that the errors allow to happen where the motion nearly meets it; empty
+/// where there is none.
+[[nodiscard]] std::string event_that_may_happen(const ComputedMotion& motion,
+                                                std::span<const ApproachAsTold> near_events);
+
 /// A sentence on what they do to the errors; empty where that is little, and where nothing else may happen.
 [[nodiscard]] std::string what_they_change(const OtherWays& ways, const RowComparison& without,
                                            const RowComparison& with);

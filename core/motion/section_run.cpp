@@ -9,9 +9,6 @@
 namespace qdot {
 namespace {
 
-constexpr double share_of_section = 1e-6;
-constexpr double rest_of_rate = 1e-9;  ///< is rounding
-
 void shorten(RunRequest& run, double step) {
   run.method = Method::erk;
   run.t_end = std::min(run.t_end, run.t_start + step);
@@ -22,11 +19,12 @@ void shorten(RunRequest& run, double step) {
 }  // namespace
 
 SectionRun::SectionRun(const Dynamics& dynamics, const SimulationRequest& request,
-                       const MotionSections& sections, const ApartAlong& apart)
+                       const MotionSections& sections, const ApartAlong& apart, const EventSides& sides)
     : dynamics_(dynamics),
       request_(request),
       sections_(sections),
       apart_(apart),
+      sides_(sides),
       from_rest_(dynamics, request) {}
 
 Run SectionRun::from(const Simulation& so_far) const {
@@ -77,40 +75,10 @@ std::vector<EventFunction> SectionRun::events_from(const Simulation& so_far) con
     if (so_far.t > request_.t_start) continue;  // the state is off by more than that
     events.back().rounding_at_start = [&] { return watch.rounding(request_.t_start, request_.y_start); };
   }
-  mark_impacts_of_now(so_far, events);
+  const bool begins_by_impact = !so_far.sections.empty() && so_far.sections.back().t == so_far.t;
+  sides_.mark(so_far.t, so_far.y, begins_by_impact ? &so_far.sections.back() : nullptr, events);
   for (EventFunction& end : sections_.ends()) events.push_back(std::move(end));
   return events;
-}
-
-/// An impact that has just happened, and left its distance as it was, begins at distance zero.
-void SectionRun::mark_impacts_of_now(const Simulation& so_far, std::vector<EventFunction>& events) const {
-  if (so_far.sections.empty() || so_far.sections.back().t != so_far.t) return;
-  const SectionRecord& last = so_far.sections.back();
-  const std::size_t first = sections_.watches().size() - dynamics_.model().parsed.impacts.size();
-  for (const std::size_t impact : last.impacts) {
-    EventFunction& event = events[first + impact];
-    if (event.value(last.t, last.before) != event.value(last.t, last.after)) continue;
-    const bool turns = dynamics_.model().parsed.impacts[impact].has_restitution() || last.impacts.size() > 1;
-    event.is_zero_at_start = event.direction != Crossing::either && (turns || !goes_through(event, last));
-    event.counts_at_start = event.is_zero_at_start;
-  }
-}
-
-/// Whether the motion goes on through the surface of an impact, as after a kick.
-bool SectionRun::goes_through(const EventFunction& event, const SectionRecord& impact) const {
-  const double tau = share_of_section * std::max(impact.duration, sections_.resolution());
-  const auto rate = [&](const std::vector<double>& y) {
-    const std::vector<double> slopes = sections_.slopes(impact.t, y);
-    const auto after = [&](double later) {
-      std::vector<double> moved = y;
-      for (std::size_t i = 0; i < y.size(); ++i) moved[i] += later * slopes[i];
-      return event.value(impact.t + later, moved);
-    };
-    return after(tau) - after(-tau);
-  };
-  const double past = event.direction == Crossing::rising ? 1 : -1;
-  const double before = past * rate(impact.before), now = past * rate(impact.after);
-  return before > 0 && now > rest_of_rate * before;
 }
 
 /// A step away from rest is not Taylor's; what it may be off by is known otherwise.

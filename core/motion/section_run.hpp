@@ -6,6 +6,7 @@
 
 #include "core/integrate/run.hpp"
 #include "core/motion/apart_along.hpp"
+#include "core/motion/event_sides.hpp"
 #include "core/motion/motion_sections.hpp"
 #include "core/motion/simulation_result.hpp"
 #include "core/motion/start_from_rest.hpp"
@@ -16,7 +17,7 @@ class SectionRun {
  public:
   /// Keeps the references.
   SectionRun(const Dynamics& dynamics, const SimulationRequest& request, const MotionSections& sections,
-             const ApartAlong& apart);
+             const ApartAlong& apart, const EventSides& sides);
 
   [[nodiscard]] Run from(const Simulation& so_far) const;
 
@@ -26,14 +27,13 @@ class SectionRun {
  private:
   [[nodiscard]] RunRequest request_from(const Simulation& so_far) const;
   [[nodiscard]] std::vector<EventFunction> events_from(const Simulation& so_far) const;
-  void mark_impacts_of_now(const Simulation& so_far, std::vector<EventFunction>& events) const;
-  [[nodiscard]] bool goes_through(const EventFunction& event, const SectionRecord& impact) const;
   void enclose(const RunRequest& run, Run& done) const;
 
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
   const MotionSections& sections_;
   const ApartAlong& apart_;
+  const EventSides& sides_;
   StartFromRest from_rest_;
 };
 

@@ -74,6 +74,17 @@ double SidedMotions::exact_argument(std::size_t kink, const Sides& sides, double
   return u(t, std::vector<DoubleDouble>(y.begin(), y.end())).front().value();
 }
 
+int SidedMotions::argument_sign(std::size_t kink, const Sides& sides, double t, std::span<const double> y) {
+  const Mode& with = *mode(sides);
+  const std::vector<Ball> constants(with.parameters.begin(), with.parameters.end());
+  TapeEvaluator<Ball> u(*with.motion->arguments[kink], constants);
+  u.set_time(t);
+  Ball value;
+  u(std::vector<Ball>(y.begin(), y.end()), {&value, 1});
+  if (!value.is_finite() || value.contains_zero()) return 0;
+  return value.value() > 0 ? 1 : -1;
+}
+
 void SidedMotions::look_from(double t, std::span<const double> y) {
   t_ = t;
   y_.assign(y.begin(), y.end());

@@ -40,6 +40,9 @@ class SidedMotions {
   [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides, double t,
                                       std::span<const double> y);
 
+  /// Its sign; 0 where that is not seen in twice the digits.
+  [[nodiscard]] int argument_sign(std::size_t kink, const Sides& sides, double t, std::span<const double> y);
+
   /// From here on what follows is of the place (t, y).
   void look_from(double t, std::span<const double> y);
   [[nodiscard]] double t() const { return t_; }

@@ -32,7 +32,8 @@ class Simulator {
         request_(request),
         sections_(dynamics, request),
         apart_(request),
-        run_(dynamics, request, sections_, apart_),
+        sides_(dynamics, request, sections_),
+        run_(dynamics, request, sections_, apart_, sides_),
         impacts_(dynamics, request, sections_) {
     result_.t = request.t_start;
     result_.y = request.y_start;
@@ -55,7 +56,8 @@ class Simulator {
     sections_.finish(result_.t);
     doubt_last_row();
     result_.stays = std::move(sections_.stays());
-    std::ranges::stable_sort(result_.approaches, {}, [](const auto& a) { return a.place.instant(); });
+    for (auto* approaches : {&result_.approaches, &result_.near_events})
+      std::ranges::stable_sort(*approaches, {}, [](const auto& a) { return a.place.instant(); });
     result_.unseen = unseen_.take_rows();
     result_.apart_at_end = apart_.at_end();
     auto [apart, by_rounding] = apart_.take_rows();
@@ -72,7 +74,8 @@ class Simulator {
   }
 
   bool stopped_at_start() {
-    const Watch* failing = failing_at_start(sections_.watches(), sections_.system(), start());
+    const Watch* failing = failing_at_start(sections_.watches(), sections_.system(), start(),
+                                            [&](const Watch& watch) { return sides_.at_start(watch); });
     if (failing == nullptr) return false;
     result_.stop = Stop{failing->reason, result_.t, failing->message};
     result_.ending = Ending::event;
@@ -89,6 +92,7 @@ class Simulator {
     while (is_determined_) {
       const Run done = section();
       if (record_events(done)) return true;
+      sides_.go_on();
       if (result_.stop) return false;
       if (run_.leaves_rest(done)) continue;
       if (done.ending != Ending::event) return false;
@@ -112,7 +116,6 @@ class Simulator {
       return;
     }
     SectionEnd end = now_ending(sections_.ends()[first].value);
-    end.rounding = sections_.rounding_of_end(first, end.t, end.before);
     is_determined_ = sections_.pass(result_.t, result_.y, met);
     if (!is_determined_) return;
     finish(end);
@@ -125,7 +128,6 @@ class Simulator {
     const auto first = static_cast<std::size_t>(std::ranges::find(met_at_end_, true) - met_at_end_.begin());
     if (!apart_.is_wanted() || first == met_at_end_.size()) return;
     SectionEnd end = now_ending(sections_.ends()[first].value);
-    end.rounding = sections_.rounding_of_end(first, end.t, end.before);
     end.after = result_.y;
     if (!sections_.pass(result_.t, end.after, met_at_end_)) return;
     end.slopes_after = sections_.slopes(result_.t, end.after);
@@ -167,6 +169,7 @@ class Simulator {
     add_approaches(done);
     unseen_.add(done);
     apart_.add(done);
+    sides_.take(done);
     append(done, result_);
     row_sections_.resize(result_.rows, sections_.section());
     return done;
@@ -177,7 +180,9 @@ class Simulator {
       const std::vector<double>& before = unseen_.so_far();
       approach.unseen.resize(before.empty() ? approach.unseen.size() : before.size());
       for (std::size_t k = 0; k < before.size(); ++k) approach.unseen[k] += before[k];
-      result_.approaches.push_back(sections_.approach(std::move(approach), result_.t));
+      const bool is_reported_only = sections_.only_reports(approach.event);
+      auto& all = is_reported_only ? result_.near_events : result_.approaches;
+      all.push_back(sections_.approach(std::move(approach), result_.t));
     }
   }
 
@@ -192,6 +197,7 @@ class Simulator {
 
   bool record_events(const Run& done) {
     bool impact = false;
+    ended_by_ = nullptr;
     impacts_.begin_instant();
     for (const EventOccurrence& occurrence : done.events) {
       if (occurrence.event >= sections_.watches().size()) continue;  // a kink
@@ -202,11 +208,30 @@ class Simulator {
         if (watch.kind != Watch::Kind::impact) continue;
         impact = true;
         impacts_.meet(occurrence.event);
-      } else if (last && !result_.stop) {
-        result_.stop = Stop{watch.reason, occurrence.t, watch.message};
+      } else if (last && ended_by_ == nullptr) {
+        ended_by_ = &watch;
       }
     }
+    if (ended_by_ != nullptr && !impact) stop_by(*ended_by_);
     return impact && !result_.stop;
+  }
+
+  void stop_by(const Watch& watch) { result_.stop = Stop{watch.reason, result_.t, watch.message}; }
+
+  /// What an impact of the same instant turns the motion away from may lie behind it, and does where both are
+  /// one surface.
+  bool ends_in_instant(const SectionRecord& impact) {
+    if (ended_by_ == nullptr) return false;
+    const Watch& met = impacts_.watches()[impact.impacts.front()];
+    const bool is_left_alone =
+        ended_by_->value(impact.t, impact.before) == ended_by_->value(impact.t, impact.after);
+    const bool turns = is_left_alone && !sides_.goes_through(*ended_by_, impact);
+    if (!turns || ended_by_->kind != Watch::Kind::validity) {
+      stop_by(*ended_by_);
+    } else if (!sides_.are_same_surface(*ended_by_, met, impact.t, impact.before) && !result_.unclear_from) {
+      result_.unclear_from = impact.t;
+    }
+    return result_.stop.has_value();
   }
 
   void record_event(EventRecord event) {
@@ -217,7 +242,7 @@ class Simulator {
 
   /// All impacts of this instant. Those that others have started are told as events here.
   [[nodiscard]] InstantImpacts::Passed pass_impacts() {
-    InstantImpacts::Passed passed = impacts_.pass(result_.t, result_.y);
+    InstantImpacts::Passed passed = impacts_.pass(result_.t, result_.y, sides_);
     std::vector<bool> told(impacts_.watches().size());
     for (const auto& [impact, before] : passed.all) {
       if (told[impact] || !impacts_.has_met(impact))
@@ -225,6 +250,7 @@ class Simulator {
       told[impact] = true;
     }
     if (passed.order_matters) doubt_order();
+    if (passed.is_unclear && !result_.unclear_from) result_.unclear_from = result_.t;
     return passed;
   }
 
@@ -235,12 +261,31 @@ class Simulator {
       event->is_in_doubt = true;
   }
 
+  /// Events of this instant, from which the impact has turned the motion away: they may be behind it.
+  void doubt_events_beside(const SectionRecord& impact) {
+    for (auto event = result_.events.rbegin(); event != result_.events.rend() && event->t == impact.t;
+         ++event) {
+      const auto watch = std::ranges::find(sections_.watches(), event->name, &Watch::name);
+      if (watch == sections_.watches().end() || watch->kind != Watch::Kind::event) continue;
+      const Watch& met = impacts_.watches()[impact.impacts.front()];
+      const bool is_certain = sides_.goes_through(*watch, impact) ||
+                              sides_.are_same_surface(*watch, met, impact.t, impact.before);
+      if (!is_certain) event->is_in_doubt = true;
+    }
+  }
+
   /// Goes on from the state after the impact; false when the motion is over there anyway.
   bool apply_impact() {
     InstantImpacts::Passed passed = pass_impacts();
     const double begin = result_.sections.empty() ? request_.t_start : result_.sections.back().t;
     result_.sections.push_back({result_.t, result_.t - begin, result_.y, passed.after, {}});
     for (const auto& [impact, before] : passed.all) result_.sections.back().impacts.push_back(impact);
+    sides_.pass(result_.sections.back());
+    doubt_events_beside(result_.sections.back());
+    if (ends_in_instant(result_.sections.back())) {
+      result_.ending = Ending::event;
+      return false;
+    }
     if (result_.t >= request_.t_end || result_.sections.size() == request_.end_after_impacts) {
       result_.ending = Ending::reached_end;
       return false;
@@ -255,6 +300,7 @@ class Simulator {
       throw Error(ErrorCode::invalid_state,
                   "The state after an impact, as its map says, does not obey the constraints.");
     const std::size_t first = passed.all.front().impact;
+    const double late = sides_.late_at_begin(impacts_.watches()[first], result_.sections.back());
     SectionEnd end = now_ending(impacts_.watches()[first].value);
     end.rounding = impacts_.watches()[first].own_rounding(result_.t, result_.y);
     end.map = [this, t = end.t, all = passed.all](const std::vector<double>& y) {
@@ -264,18 +310,30 @@ class Simulator {
     is_determined_ = sections_.begin(result_.t, result_.y);
     if (!is_determined_) return true;
     finish(end);
-    unseen_.doubt_instant(end, std::max(time_round_off(end.t), passed.within));
+    doubt_instant(end, passed, std::max({time_round_off(end.t), passed.within, late}));
     apart_.pass(std::move(end));
     return true;
+  }
+
+  /// The motion may go on for so long as each of several impacts has left it.
+  void doubt_instant(const SectionEnd& end, const InstantImpacts::Passed& passed, double late) {
+    unseen_.doubt_instant(end, late);
+    SectionEnd between = end;
+    for (std::size_t i = 1; i < passed.all.size(); ++i) {
+      between.after = passed.all[i].before;
+      unseen_.doubt_instant(between, late);
+    }
   }
 
   const Dynamics& dynamics_;
   const SimulationRequest& request_;
   MotionSections sections_;
   ApartAlong apart_;
+  EventSides sides_;
   SectionRun run_;
   ImpactsAlong impacts_;
   bool is_determined_{true};
+  const Watch* ended_by_{};                ///< in this instant
   std::vector<bool> met_at_end_;           ///< kinks
   std::vector<std::size_t> row_sections_;  ///< for each row
   std::vector<Segment> segments_;

@@ -53,11 +53,13 @@ struct Simulation {
   std::vector<double> states;   ///< rows x 2n, row-major
   std::vector<double> columns;  ///< rows x request.columns, row-major
   std::vector<EventRecord> events;
-  std::vector<SectionRecord> sections;     ///< in order, one that an impact at t_end itself ended included
-  std::vector<PieceRecord> pieces;         ///< of a motion with kinks, in order
-  std::vector<StayRecord> stays;           ///< in order of their ends
-  std::vector<ApproachRecord> approaches;  ///< where the request wants them
-  std::optional<double> order_in_doubt;    ///< the first instant where it matters which impact is the first
+  std::vector<SectionRecord> sections;      ///< in order, one that an impact at t_end itself ended included
+  std::vector<PieceRecord> pieces;          ///< of a motion with kinks, in order
+  std::vector<StayRecord> stays;            ///< in order of their ends
+  std::vector<ApproachRecord> approaches;   ///< where the request wants them
+  std::vector<ApproachRecord> near_events;  ///< the same of events that are reported only
+  std::optional<double> order_in_doubt;     ///< the first instant where it matters which impact is the first
+  std::optional<double> unclear_from;       ///< the first where there are more ways than two orders
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};

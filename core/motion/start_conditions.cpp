@@ -29,9 +29,11 @@ void check_configuration(std::span<const Watch> watches, const MotionStart& star
 }
 
 const Watch* failing_at_start(std::span<const Watch> watches, const RightHandSide& system,
-                              const MotionStart& start) {
+                              const MotionStart& start, const std::function<int(const Watch&)>& exact) {
   for (const Watch& watch : watches) {
-    if (watch.kind == Watch::Kind::validity && !holds(watch, system, start)) return &watch;
+    if (watch.kind != Watch::Kind::validity) continue;
+    const int sign = exact(watch);
+    if (sign == 0 ? !holds(watch, system, start) : sign < 0) return &watch;
   }
   return nullptr;
 }

@@ -1,0 +1,158 @@
+#include "core/motion/event_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qdot {
+namespace {
+
+constexpr double lost_rate = 1e-9;         ///< is rounding
+constexpr double of_own_rounding = 64;     ///< so much a state's own is larger than that of its numbers
+constexpr double same_surface = 1e-12;     ///< relative
+constexpr unsigned order_of_slopes = 5;    ///< the least that a series has
+constexpr double longest_of_rates = 1e-2;  ///< of the motion's span
+constexpr double next_of_rates = 4;
+
+int sign_of(const Ball& value) {
+  if (!value.is_finite() || value.contains_zero()) return 0;
+  return value.value() > 0 ? 1 : -1;
+}
+
+}  // namespace
+
+int EventSides::at_start(const Watch& watch) const {
+  if (!watch.exact) return 0;
+  const double value = watch.value(request_.t_start, request_.y_start);
+  if (!(std::abs(value) <= of_own_rounding * watch.rounding(request_.t_start, request_.y_start))) return 0;
+  if (request_.originals) {
+    const auto& [parameters, y] = request_.originals->asked;
+    return sign_of(watch.exact(parameters, request_.t_start, y));
+  }
+  const double left_out = request_.t_start_left_out;
+  const Real t(request_.t_start, left_out, 0x1p-52 * std::abs(left_out));
+  return sign_of(watch.exact(request_.parameters, t, request_.y_start));
+}
+
+bool EventSides::is_behind_start(const Watch& watch, double t) const {
+  if (t != request_.t_start || watch.direction == Crossing::either) return false;
+  return at_start(watch) == (watch.direction == Crossing::rising ? 1 : -1);
+}
+
+void EventSides::take(const Run& done) {
+  const std::size_t count = sections_.watches().size();
+  sides_.assign(done.signs.begin(),
+                done.signs.begin() + static_cast<std::ptrdiff_t>(std::min(count, done.signs.size())));
+  sides_.resize(count);
+  is_crossed_.assign(count, false);
+  for (const EventOccurrence& occurrence : done.events) {
+    if (occurrence.event < count && occurrence.t == done.t) is_crossed_[occurrence.event] = true;
+  }
+}
+
+void EventSides::go_on() {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    if (is_crossed_[i]) sides_[i] = -sides_[i];
+  }
+}
+
+void EventSides::pass(const SectionRecord& impact) {
+  const std::span<const Watch> watches = sections_.watches();
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Watch& watch = watches[i];
+    const bool is_moved = watch.value(impact.t, impact.before) != watch.value(impact.t, impact.after);
+    if (is_moved) sides_[i] = 0;
+    if (is_crossed_[i] && goes_through(watch, impact)) sides_[i] = -sides_[i];
+  }
+}
+
+void EventSides::mark(double t, std::span<const double> y, const SectionRecord* impact,
+                      std::vector<EventFunction>& events) const {
+  const std::span<const Watch> watches = sections_.watches();
+  for (std::size_t i = 0; i < watches.size(); ++i) {
+    if (sides_.empty())
+      events[i].sign_at_start = at_start(watches[i]);
+    else if (sides_[i] != 0 && (sides_[i] * watches[i].value(t, y) > 0 || is_near_zero(watches[i], t, y)))
+      events[i].sign_at_start = sides_[i];
+    events[i].is_beside_zero = events[i].sign_at_start != 0;
+  }
+  if (impact != nullptr) mark_impacts(*impact, events);
+}
+
+/// An impact that has just happened, and left its distance as it was, begins at distance zero.
+void EventSides::mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const {
+  const std::size_t first = sections_.watches().size() - dynamics_.model().parsed.impacts.size();
+  for (const std::size_t impact : last.impacts) {
+    EventFunction& event = events[first + impact];
+    const Watch& watch = sections_.watches()[first + impact];
+    if (event.value(last.t, last.before) != event.value(last.t, last.after)) continue;
+    const bool turns = dynamics_.model().parsed.impacts[impact].has_restitution();
+    const bool is_turned = turns || !goes_through(watch, last);
+    if (is_turned && event.direction == Crossing::either && sides_[first + impact] != 0)
+      event.direction = sides_[first + impact] > 0 ? Crossing::falling : Crossing::rising;
+    event.is_zero_at_start = event.direction != Crossing::either && is_turned;
+    event.counts_at_start = event.is_zero_at_start;
+    if (event.is_zero_at_start) event.sign_at_start = 0, event.is_beside_zero = false;
+  }
+}
+
+/// By as much as the motion may be off there, or goes on in an instant.
+bool EventSides::is_near_zero(const Watch& watch, double t, std::span<const double> y) const {
+  const double value = std::abs(watch.value(t, y));
+  const std::vector<double> there(y.begin(), y.end());
+  return value <=
+         of_own_rounding * watch.rounding(t, y) + std::abs(slope(watch, t, there)) * sections_.resolution();
+}
+
+/// Of its function in time.
+double EventSides::slope(const Watch& watch, double t, const std::vector<double>& y) const {
+  const std::vector<double> slopes = sections_.slopes(t, y);
+  constexpr unsigned width = order_of_slopes + 1;
+  std::vector<double> rows(width * y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    rows[width * i] = y[i];
+    rows[width * i + 1] = slopes[i];
+  }
+  double c[width] = {};
+  (void)watch.series({t, 0, rows, order_of_slopes, {}}, order_of_slopes, c);
+  return c[1];
+}
+
+double EventSides::rate(const Watch& watch, double t, const std::vector<double>& y) const {
+  const std::vector<double> slopes = sections_.slopes(t, y);
+  const auto value_after = [&](double time) {
+    std::vector<double> moved = y;
+    for (std::size_t i = 0; i < y.size(); ++i) moved[i] += time * slopes[i];
+    return watch.value(t + time, moved);
+  };
+  const double rounding = of_own_rounding * watch.own_rounding(t, y);
+  const double longest = longest_of_rates * (request_.t_end - request_.t_start);
+  for (double tau = sections_.resolution();; tau *= next_of_rates) {
+    const double change = value_after(tau) - value_after(-tau);
+    if (std::abs(change) > rounding || !(tau < longest)) return change / (2 * tau);
+  }
+}
+
+bool EventSides::goes_through(const Watch& watch, const SectionRecord& impact) const {
+  const double before = rate(watch, impact.t, impact.before), now = rate(watch, impact.t, impact.after);
+  return before * now > 0 && std::abs(now) > lost_rate * std::abs(before);
+}
+
+double EventSides::late_at_begin(const Watch& watch, const SectionRecord& impact) const {
+  if (impact.duration > sections_.resolution()) return 0;
+  const double value = std::abs(watch.value(impact.t, impact.before));
+  const double off = value + of_own_rounding * watch.own_rounding(impact.t, impact.before);
+  const double speed = std::abs(slope(watch, impact.t, impact.before));
+  return speed * sections_.resolution() > off ? off / speed : sections_.resolution();
+}
+
+bool EventSides::are_same_surface(const Watch& one, const Watch& other, double t,
+                                  const std::vector<double>& y) const {
+  if (!one.exact || !other.exact) return false;
+  const Reals place(y);
+  const Ball a = one.exact(request_.parameters, t, place) * Ball(slope(other, t, y));
+  const Ball b = other.exact(request_.parameters, t, place) * Ball(slope(one, t, y));
+  const double size = same_surface * std::max(a.magnitude(), b.magnitude());
+  return (a - b).is_finite() && (a - b).magnitude() <= size + a.radius + b.radius;
+}
+
+}  // namespace qdot

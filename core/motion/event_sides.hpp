@@ -1,0 +1,66 @@
+#pragma once
+// On which side of zero the function of each watch is where a section of the motion begins, and its value is
+// too near to zero to tell.
+//
+// At t_start what was typed tells, beyond doubles. Later the side is that of the section before, and the
+// other one where its end has crossed zero: an event that is not met before a wall turns the motion back,
+// however near behind it, is not met at all, and one behind a kick is met next.
+
+#include <span>
+#include <vector>
+
+#include "core/dynamics/watch.hpp"
+#include "core/integrate/run.hpp"
+#include "core/motion/motion_sections.hpp"
+#include "core/motion/section_record.hpp"
+#include "core/motion/simulation_request.hpp"
+
+namespace qdot {
+
+class EventSides {
+ public:
+  /// Keeps the references.
+  EventSides(const Dynamics& dynamics, const SimulationRequest& request, const MotionSections& sections)
+      : dynamics_(dynamics), request_(request), sections_(sections) {}
+
+  /// The sign at t_start, where the value there is rounding; 0 where it is zero, or the value tells it.
+  [[nodiscard]] int at_start(const Watch& watch) const;
+
+  /// Whether the motion begins at that time, where it has just passed what the watch looks for.
+  [[nodiscard]] bool is_behind_start(const Watch& watch, double t) const;
+
+  /// A section has ended.
+  void take(const Run& done);
+  /// The motion goes on through what it has met there.
+  void go_on();
+  /// The section ended by this impact.
+  void pass(const SectionRecord& impact);
+
+  /// What begins at (t, y), with an event for each watch. `impact`: that one began it.
+  void mark(double t, std::span<const double> y, const SectionRecord* impact,
+            std::vector<EventFunction>& events) const;
+
+  /// How fast the function of a watch changes along a straight way from (t, y), over a time in which that is
+  /// more than rounding: at a multiple root, too, its sign is the way that it goes.
+  [[nodiscard]] double rate(const Watch& watch, double t, const std::vector<double>& y) const;
+  /// Whether an impact leaves the motion on its way through the surface that it had there.
+  [[nodiscard]] bool goes_through(const Watch& watch, const SectionRecord& impact) const;
+  /// An impact where its section begins is there but for rounding: by how many seconds it may be off.
+  [[nodiscard]] double late_at_begin(const Watch& watch, const SectionRecord& impact) const;
+  /// Whether two functions are zero at the same places, as far as can be seen at (t, y).
+  [[nodiscard]] bool are_same_surface(const Watch& one, const Watch& other, double t,
+                                      const std::vector<double>& y) const;
+
+ private:
+  [[nodiscard]] double slope(const Watch& watch, double t, const std::vector<double>& y) const;
+  void mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const;
+  [[nodiscard]] bool is_near_zero(const Watch& watch, double t, std::span<const double> y) const;
+
+  const Dynamics& dynamics_;
+  const SimulationRequest& request_;
+  const MotionSections& sections_;
+  std::vector<int> sides_;        ///< of each watch; 0 where it is not known
+  std::vector<bool> is_crossed_;  ///< where the last section ended
+};
+
+}  // namespace qdot
