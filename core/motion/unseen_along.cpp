@@ -34,8 +34,11 @@ void UnseenAlong::doubt_side(const SectionEnd& kink, double near, std::span<cons
     off[i] = near * off[n + i];
   }
   const auto first = std::ranges::lower_bound(grid, kink.t - near);
-  for (auto t = first; t != grid.end() && *t <= kink.t + near; ++t)
-    doubted_.push_back({static_cast<std::size_t>(t - grid.begin()), off});
+  for (auto t = first; t != grid.end() && *t <= kink.t + near; ++t) {
+    std::vector<double>& row = doubted_[static_cast<std::size_t>(t - grid.begin())];
+    row.resize(2 * n);
+    for (std::size_t k = 0; k < 2 * n; ++k) row[k] += off[k];
+  }
 }
 
 std::vector<double> UnseenAlong::take_rows() {

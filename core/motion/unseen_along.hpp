@@ -1,6 +1,7 @@
 #pragma once
 // What sections of a motion may hide stays in doubt in those after them.
 
+#include <map>
 #include <span>
 #include <vector>
 
@@ -25,14 +26,9 @@ class UnseenAlong {
   [[nodiscard]] std::vector<double> take_rows();
 
  private:
-  struct DoubtedRow {
-    std::size_t row;
-    std::vector<double> off;  ///< how far it may be
-  };
-
   std::size_t count_{};  ///< of rows
   std::vector<double> unseen_, rows_;
-  std::vector<DoubtedRow> doubted_;
+  std::map<std::size_t, std::vector<double>> doubted_;  ///< how far a row may be
 };
 
 }  // namespace qdot
