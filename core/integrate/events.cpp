@@ -19,6 +19,7 @@ constexpr int halvings = 60;
 constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
 constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
+constexpr double growth_at_pole = 3;
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
@@ -27,10 +28,19 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
 
-// At a pole both sides outgrow what the bracket began with; at a zero or a jump they do not.
-bool is_pole(const SignChange& begin, const SignChange& end) {
+// At a pole both sides outgrow what the bracket began with, and go on growing towards the place: at a jump
+// they may be larger, too, but no more so the nearer it is.
+template <class Function>
+bool is_pole(const Function& g, const SignChange& begin, const SignChange& end) {
   const double bound = std::max(std::abs(begin.value_before), std::abs(begin.value_after));
-  return std::abs(end.value_before) > bound && std::abs(end.value_after) > bound;
+  const auto grows = [&](double value, double t) {
+    return std::abs(value) > bound && std::abs(value) > growth_at_pole * std::abs(g(t));
+  };
+  const auto beside = [&](double distance) {
+    return std::sqrt(std::max(end.after - end.before, time_round_off(end.after)) * distance);
+  };
+  return grows(end.value_before, end.before - beside(end.before - begin.before)) &&
+         grows(end.value_after, end.after + beside(begin.after - end.after));
 }
 
 }  // namespace
@@ -317,7 +327,7 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   if (!is_bracket()) return is_after ? bracket.after : crossed.before;
   const SignChange place = find_sign_change(g, bracket);
   const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
-  if (is_of_g && is_pole(bracket, place)) return std::nullopt;
+  if (is_of_g && is_pole(g, bracket, place)) return std::nullopt;
   return place.after;
 }
 
