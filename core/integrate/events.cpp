@@ -223,6 +223,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
+  doubt_hidden(event, pieces);
   if (signs_[event] == 0 && sign_at_start_ != 0) {
     signs_[event] = sign_at_start_;
     definite_[event] = begin;
@@ -242,6 +243,17 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     }
     signs_[event] = piece.sign;
     definite_[event] = begin + piece.to;
+  }
+}
+
+/// Between pieces of one sign g may be anything where it has none that is seen.
+void EventSearch::doubt_hidden(std::size_t event, std::span<const SignPiece> pieces) {
+  const SignPiece* before = nullptr;
+  for (const SignPiece& piece : pieces) {
+    if (piece.sign == 0) continue;
+    if (before != nullptr && before->sign == piece.sign && before->to < piece.from)
+      approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
+    before = &piece;
   }
 }
 

@@ -193,6 +193,23 @@ class SurfacesWithinRounding(Service):
                 off = abs(answer["trajectory"][name][-1] - value)
                 self.assertLessEqual(off, mpf(answer["accuracy"]["max_abs_error"][name]), (name, power, place))
 
+    def test_at_rest_beside_a_kink(self):
+        for place, way in (("0.7000000000000013", -1), ("0.70000000000000000013", -1), ("0.69999999999999999987", 1)):
+            answer = self.motion(forced(mpf("0.7"), mpf(0), f"2*sign(x - {place})"), t_end=1)
+            self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-14)
+            self.assertAlmostEqual(answer["trajectory"]["x"][-1], 0.7 + way, delta=1e-14)
+
+    def test_a_jump_through_zero_is_a_change_of_sign_and_a_pole_is_none(self):
+        """Each function is larger at the jump than where the step began."""
+        jump = "1.8*(x - 0.42) + 0.358 - 0.358*(1 + sign(x - 0.42))"
+        made = {"valid_while": [{"name": "e", "expression": jump, "reason": "touch", "message": "It touches."}]}
+        answer = self.motion({**forced(mpf("0.284756"), mpf("1.23"), "0.7"), **made}, t_end=0.18005)
+        met = (-mpf("1.23") + mpmath.sqrt(mpf("1.23")**2 + mpf("1.4")*mpf("0.135244")))/mpf("0.7")
+        self.assertEqual(answer["status"], "stopped")
+        self.assertLessEqual(abs(answer["stop"]["t"] - met), mpf(answer["stop"]["error"]))
+        answer = self.motion(forced(mpf(0), mpf(1), "0*x"), t_end=2, events=["1/(x - 0.3)=0", "tan(3*x)=0"])
+        self.assertEqual([event["name"] for event in answer["events"]], ["tan(3*x)=0"])
+
     def test_events_of_a_fifth_power_beside_a_turning_point(self):
         place, square = mpf("0.30806878"), "7.149"
         terms = [f"({plain(mpmath.binomial(5, k)*(-place)**(5 - k))})*x^{k}" for k in range(6)]
