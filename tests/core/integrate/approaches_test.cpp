@@ -74,7 +74,7 @@ TEST(Approaches, AreToEventsAfterWhichTheRunGoesOnFromBothSides) {
       that_goes_on.terminal = false;
       const auto found = approaches(that_goes_on, method);
       EXPECT_EQ(found.empty(), beyond < 0) << name(method);  // what is clearly met is not nearly met
-      if (!found.empty()) EXPECT_NEAR(found[0].distance, 1e-6, 1e-7);
+      for (const Approach& approach : found) EXPECT_NEAR(approach.distance, 1e-6, 1e-7);
     }
   }
 }
