@@ -16,6 +16,7 @@ struct Approach {
   double h{};                   ///< of the step that it was seen in
   /// What is near to zero is not g, which has met zero at t, but whether that counts: below zero it does not.
   bool is_condition{};
+  bool is_hidden{};  ///< what it does there is hidden by rounding, and may be more than this place shows
   /// Of what is near to zero.
   double distance{};
   /// The motion as it was before the event, around t: coefficients of y_i(t + s), row by row.

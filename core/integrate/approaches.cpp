@@ -142,6 +142,12 @@ void ApproachSearch::note(const Along& g, StepPolynomial& step, double s, double
   add({.event = g.event, .t = t, .met = met, .sign = g.sign, .distance = std::abs(value)}, step);
 }
 
+void ApproachSearch::doubt(const Along& g, StepPolynomial& step) {
+  if (of_events_.empty()) return;
+  const double t = step.whole().t + g.from + g.length / 2;
+  add({.event = g.event, .t = t, .sign = g.sign, .is_hidden = true}, step);
+}
+
 void ApproachSearch::ask_condition(std::size_t event, StepPolynomial& step, double from, double value) {
   if (of_events_.empty() || !request_.events[event].terminal) return;
   const double t = step.whole().t + from;

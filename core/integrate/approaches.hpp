@@ -46,6 +46,9 @@ class ApproachSearch {
   /// The event was met where the piece begins.
   void pass(const Along& g, StepPolynomial& step);
 
+  /// g has had the same sign before and after that piece, and none that is seen in it.
+  void doubt(const Along& g, StepPolynomial& step);
+
   /// g was zero `from` seconds after the step's beginning, where its condition has that value.
   void ask_condition(std::size_t event, StepPolynomial& step, double from, double value);
 

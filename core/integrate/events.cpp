@@ -16,10 +16,10 @@ constexpr double short_share = 1e-9;
 constexpr std::size_t most_looks = 4000;
 constexpr std::size_t looks_in_doubt = 200;  ///< once not everything was seen: the rest is worth less work
 constexpr int halvings = 60;
-constexpr double growing = 1.01;  ///< towards a pole, where it is sixteen times nearer
 constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
 constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
+constexpr double growth_at_pole = 3;
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
@@ -28,14 +28,19 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
 
-// At a pole both sides outgrow what the bracket began with, and what they are a little farther away; at a
-// zero they do not, and at a jump they do not grow towards it.
-bool is_pole(const SignChange& begin, const SignChange& end, const std::function<double(double)>& g) {
+// At a pole both sides outgrow what the bracket began with, and go on growing towards the place: at a jump
+// they may be larger, too, but no more so the nearer it is.
+template <class Function>
+bool is_pole(const Function& g, const SignChange& begin, const SignChange& end) {
   const double bound = std::max(std::abs(begin.value_before), std::abs(begin.value_after));
-  if (!(std::abs(end.value_before) > bound && std::abs(end.value_after) > bound)) return false;
-  const double near = std::max(end.after - end.before, 16 * time_round_off(end.after)), far = 16 * near;
-  return std::abs(g(end.before - near)) > growing * std::abs(g(end.before - far)) &&
-         std::abs(g(end.after + near)) > growing * std::abs(g(end.after + far));
+  const auto grows = [&](double value, double t) {
+    return std::abs(value) > bound && std::abs(value) > growth_at_pole * std::abs(g(t));
+  };
+  const auto beside = [&](double distance) {
+    return std::sqrt(std::max(end.after - end.before, time_round_off(end.after)) * distance);
+  };
+  return grows(end.value_before, end.before - beside(end.before - begin.before)) &&
+         grows(end.value_after, end.after + beside(begin.after - end.after));
 }
 
 }  // namespace
@@ -224,6 +229,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
+  doubt_hidden(event, pieces);
   if (signs_[event] == 0 && sign_at_start_ != 0) {
     signs_[event] = sign_at_start_;
     definite_[event] = begin;
@@ -243,6 +249,17 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     }
     signs_[event] = piece.sign;
     definite_[event] = begin + piece.to;
+  }
+}
+
+/// Between pieces of one sign g may be anything where it has none that is seen.
+void EventSearch::doubt_hidden(std::size_t event, std::span<const SignPiece> pieces) {
+  const SignPiece* before = nullptr;
+  for (const SignPiece& piece : pieces) {
+    if (piece.sign == 0) continue;
+    if (before != nullptr && before->sign == piece.sign && before->to < piece.from)
+      approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
+    before = &piece;
   }
 }
 
@@ -330,7 +347,7 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   if (!is_bracket()) return is_after ? bracket.after : crossed.before;
   const SignChange place = find_sign_change(g, bracket);
   const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
-  if (is_of_g && is_pole(bracket, place, g)) return std::nullopt;
+  if (is_of_g && is_pole(g, bracket, place)) return std::nullopt;
   return place.after;
 }
 

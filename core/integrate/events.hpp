@@ -65,6 +65,7 @@ class EventSearch {
 
   [[nodiscard]] bool is_quiet(std::size_t event);
   void walk(std::size_t event, std::vector<Crossed>& crossed);
+  void doubt_hidden(std::size_t event, std::span<const SignPiece> pieces);
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const SignPiece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
   void explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces);

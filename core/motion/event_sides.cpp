@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/typed_start.hpp"
+
 namespace qdot {
 namespace {
 
@@ -24,13 +26,8 @@ int EventSides::at_start(const Watch& watch) const {
   if (!watch.exact) return 0;
   const double value = watch.value(request_.t_start, request_.y_start);
   if (!(std::abs(value) <= of_own_rounding * watch.rounding(request_.t_start, request_.y_start))) return 0;
-  if (request_.originals) {
-    const auto& [parameters, y] = request_.originals->asked;
-    return sign_of(watch.exact(parameters, request_.t_start, y));
-  }
-  const double left_out = request_.t_start_left_out;
-  const Real t(request_.t_start, left_out, 0x1p-52 * std::abs(left_out));
-  return sign_of(watch.exact(request_.parameters, t, request_.y_start));
+  const auto& [parameters, t, y] = typed_start(request_);
+  return sign_of(watch.exact(parameters, t, y));
 }
 
 bool EventSides::is_behind_start(const Watch& watch, double t) const {

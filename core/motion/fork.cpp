@@ -45,6 +45,7 @@ Fork::Fork(const ComputedMotion& motion, const ApproachAsTold& approach)
 }
 
 bool Fork::is_open() const {
+  if (place_.is_hidden) return true;
   return !(-side_of_way() * value_ > (place_.others ? doubt_of_others * doubt_ : doubt_));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace qdot {
 namespace {
@@ -42,6 +43,10 @@ Sides KinkModes::completed(Sides sides, double t, std::span<const double> y) {
   const std::size_t row = 2 + y.size();
   for (std::size_t k = 0; k < sides.size(); ++k) {
     if (std::ranges::find(active_, k) != active_.end()) continue;
+    if (typed_sides_[k] != 0) {
+      sides[k] = typed_sides_[k];
+      continue;
+    }
     sides[k] = motions_.geometry(sides, t, y)[k * row] < 0 ? -1 : 1;
   }
   return sides;
@@ -49,12 +54,14 @@ Sides KinkModes::completed(Sides sides, double t, std::span<const double> y) {
 
 Sides KinkModes::sides_at(double t, std::span<const double> y) {
   active_.clear();
+  typed_sides_.assign(motions_.kinks(), 0);
   return completed(Sides(motions_.kinks(), 1), t, y);
 }
 
 std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double> y,
                                                 const std::vector<bool>& met) {
-  const Sides sides = sides_at(t, y);
+  Sides sides = sides_at(t, y);
+  const auto typed = std::exchange(typed_, std::nullopt);
   const std::vector<double> places = motions_.geometry(sides, t, y);
   const std::size_t row = 2 + y.size();
   std::vector<double> sizes;
@@ -63,7 +70,12 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
     double size = std::abs(of_kink[1] * t);
     for (std::size_t i = 0; i < y.size(); ++i) size += std::abs(of_kink[2 + i] * y[i]);
     sizes.push_back(size);
-    if (std::abs(of_kink[0]) <= (met[k] ? std::max(far * size, far) : round_off * size)) active_.push_back(k);
+    if (!(std::abs(of_kink[0]) <= (met[k] ? std::max(far * size, far) : round_off * size))) continue;
+    if (typed) typed_sides_[k] = motions_.argument_sign(k, sides, *typed);
+    if (typed_sides_[k] == 0)
+      active_.push_back(k);
+    else
+      sides[k] = typed_sides_[k];
   }
   Way way{sides, std::vector<unsigned>(sides.size()), sizes, {}};
   if (active_.empty()) return way;

@@ -31,6 +31,8 @@ class KinkModes {
     std::vector<double> size;         ///< of the numbers that make up u there
     std::vector<std::size_t> begins;  ///< kinks on which it stays, or from which it goes without a speed
   };
+  /// The next way on is from there.
+  void begin_at(SidedMotions::Typed place) { typed_ = std::move(place); }
   /// The way on from (t, y). `met`: kinks that count as u = 0, beside those where u is zero but for
   /// round-off; they are none any more where u is far from it. None where it is undetermined.
   [[nodiscard]] std::optional<Way> way_on(double t, std::span<const double> y, const std::vector<bool>& met);
@@ -69,6 +71,8 @@ class KinkModes {
   [[nodiscard]] bool is_same_motion(const Sides& one, const Sides& other);
 
   SidedMotions motions_;
+  std::optional<SidedMotions::Typed> typed_;
+  std::vector<int> typed_sides_;     ///< of kinks at which the place is but for what was typed; 0: the others
   std::vector<std::size_t> active_;  ///< the kinks at which the place is that is looked at
 };
 

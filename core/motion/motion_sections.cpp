@@ -10,6 +10,7 @@
 #include "core/integrate/methods.hpp"
 #include "core/motion/kink_ends.hpp"
 #include "core/motion/motion_system.hpp"
+#include "core/motion/typed_start.hpp"
 #include "core/numerics/root.hpp"
 
 namespace qdot {
@@ -58,6 +59,7 @@ bool MotionSections::begin(double t, std::vector<double>& y) {
   if (!modes_) return true;
   met_.assign(names_.size(), false);
   tried_.clear();
+  if (now_ == nullptr) modes_->begin_at(typed_start(request_));
   if (!go_on(t, y)) return false;
   modes_->settle(way_, t, y);
   note_size(y);

@@ -10,6 +10,7 @@
 namespace qdot {
 namespace {
 
+constexpr double of_sides = 0.1;  ///< of a force: on a kink doubles and more digits may take another side
 constexpr std::size_t rows_tried = 8;  ///< each costs an evaluation in double-doubles
 
 /// Calls take(t, y) for some rows.
@@ -41,18 +42,22 @@ std::vector<double> rounding_of_forces(const ComputedMotion& motion) {
   std::vector<double> rounding(n), rounded(n);
   const CompiledFunction& function = motion.dynamics.accelerations();
   Workspace workspace = function.bind(motion.request.parameters);
+  const bool has_kinks = motion.dynamics.kinks() != nullptr;
   ExtendedFunction exact(function, double_doubles(motion.request.parameters));
   at_some_rows(motion, [&](double t, std::span<const double> y) {
     if (function.evaluate(t, y, workspace, rounded) != Evaluation::ok) return;
     const auto right = exact(t, std::vector<DoubleDouble>(y.begin(), y.end()));
-    for (std::size_t i = 0; i < n; ++i)
-      rounding[i] = std::max(rounding[i], std::abs((right[i] - rounded[i]).value()));
+    for (std::size_t i = 0; i < n; ++i) {
+      const double off = std::abs((right[i] - rounded[i]).value());
+      const bool is_other_side = has_kinks && off > of_sides * std::abs(rounded[i]);
+      if (!is_other_side) rounding[i] = std::max(rounding[i], off);
+    }
   });
   return rounding;
 }
 
 void add_rounding_of_forces(const ComputedMotion& motion, Simulation& check) {
-  if (check.method != Method::bdf || motion.dynamics.kinks() != nullptr || check.rows == 0) return;
+  if (check.method != Method::bdf || check.rows == 0) return;
   const std::size_t width = motion.width(), n = width / 2;
   const std::vector<double> off = rounding_of_forces(motion), c = damping(motion);
   check.unseen.resize(check.rows * width);

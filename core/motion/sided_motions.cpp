@@ -75,12 +75,18 @@ double SidedMotions::exact_argument(std::size_t kink, const Sides& sides, double
 }
 
 int SidedMotions::argument_sign(std::size_t kink, const Sides& sides, double t, std::span<const double> y) {
-  const Mode& with = *mode(sides);
-  const std::vector<Ball> constants(with.parameters.begin(), with.parameters.end());
-  TapeEvaluator<Ball> u(*with.motion->arguments[kink], constants);
-  u.set_time(t);
+  return argument_sign(kink, sides, {Reals(parameters_), t, Reals(y)});
+}
+
+int SidedMotions::argument_sign(std::size_t kink, const Sides& sides, const Typed& place) {
+  const Mode* const with = mode(sides);
+  if (with == nullptr) return 0;
+  std::vector<Ball> numbers = place.parameters.as<Ball>();
+  for (const int side : sides) numbers.emplace_back(side);
+  TapeEvaluator<Ball> u(*with->motion->arguments[kink], numbers);
+  u.set_time(Ball::literal(place.t));
   Ball value;
-  u(std::vector<Ball>(y.begin(), y.end()), {&value, 1});
+  u(place.y.as<Ball>(), {&value, 1});
   if (!value.is_finite() || value.contains_zero()) return 0;
   return value.value() > 0 ? 1 : -1;
 }

@@ -42,6 +42,13 @@ class SidedMotions {
 
   /// Its sign; 0 where that is not seen in twice the digits.
   [[nodiscard]] int argument_sign(std::size_t kink, const Sides& sides, double t, std::span<const double> y);
+  /// The same at a place that is known beyond doubles, as what was typed is.
+  struct Typed {
+    Reals parameters;
+    Real t;
+    Reals y;
+  };
+  [[nodiscard]] int argument_sign(std::size_t kink, const Sides& sides, const Typed& place);
 
   /// From here on what follows is of the place (t, y).
   void look_from(double t, std::span<const double> y);

@@ -1,5 +1,6 @@
 #include "core/motion/typed_start.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace qdot {
@@ -24,6 +25,14 @@ Reals start_as_typed(const Dynamics& dynamics, const SimulationRequest& request)
     move(n + i, acceleration[i]);
   }
   return start;
+}
+
+SidedMotions::Typed typed_start(const SimulationRequest& request) {
+  if (request.originals)
+    return {request.originals->asked.parameters, request.t_start, request.originals->asked.y_start};
+  const double left_out = request.t_start_left_out;
+  const Real t(request.t_start, left_out, 0x1p-52 * std::abs(left_out));
+  return {request.parameters, t, request.y_start};
 }
 
 }  // namespace qdot

@@ -35,9 +35,9 @@ void UnseenAlong::doubt_side(const SectionEnd& kink, double near, std::span<cons
   }
   const auto first = std::ranges::lower_bound(grid, kink.t - near);
   for (auto t = first; t != grid.end() && *t <= kink.t + near; ++t) {
-    std::vector<double>& sum = doubted_[static_cast<std::size_t>(t - grid.begin())];
-    sum.resize(off.size());
-    for (std::size_t k = 0; k < off.size(); ++k) sum[k] += off[k];
+    std::vector<double>& row = doubted_[static_cast<std::size_t>(t - grid.begin())];
+    row.resize(2 * n);
+    for (std::size_t k = 0; k < 2 * n; ++k) row[k] += off[k];
   }
 }
 

@@ -28,7 +28,7 @@ class UnseenAlong {
  private:
   std::size_t count_{};  ///< of rows
   std::vector<double> unseen_, rows_;
-  std::map<std::size_t, std::vector<double>> doubted_;  ///< rows, and how far they may be off
+  std::map<std::size_t, std::vector<double>> doubted_;  ///< how far a row may be
 };
 
 }  // namespace qdot

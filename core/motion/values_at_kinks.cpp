@@ -24,6 +24,7 @@ StatedValues values_at_kinks(const Dynamics& dynamics, const std::vector<Column>
                              const Reals& parameters, double t, const Reals& y) {
   if (dynamics.kinks() == nullptr) return stated(*dynamics.columns(columns), columns, parameters, t, y);
   KinkModes modes(dynamics, parameters, 16 * time_round_off(std::max(1.0, std::abs(t))));
+  modes.begin_at({parameters, t, y});
   const auto way = modes.way_on(t, y, std::vector<bool>(dynamics.kinks()->size()));
   if (!way) {
     throw Error(ErrorCode::invalid_state,

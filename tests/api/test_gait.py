@@ -174,6 +174,19 @@ class WhereStridesSettle(Service):
             self.near(gait["multipliers"][0]["re"], e, gait["error"]["multipliers"][0])
             self.assertIs(gait["stable"], True)
 
+    def test_just_beyond_the_fold_where_two_gaits_have_met(self):
+        """y_dot -> c - e y_dot + q y_dot^2 repeats where q v^2 + (e - 1) v + c = 0, with 1 beside e + 2 q v."""
+        with mpmath.workdps(40):
+            fold = mpmath.mpf("1.797")**2/(4*mpmath.mpf("0.98"))
+            places = [mpmath.nstr(fold + mpmath.mpf(beyond), 30) for beyond in ("1e-14", "1e-20")]
+        for c in places:
+            kicked = scene("kicked", f"m kg 1; g m/s^2 9.81; c m/s {c}; q s/m 0.98", "y m 0 1", gravity=["0", "-g"],
+                           bodies=[particle("m", "0", "y")], events=[{"name": "floor", "expression": "y", "direction": "falling"}],
+                           impact={"event": "floor", "map": {"y_dot": "c + 0.797*y_dot + q*y_dot^2"}})
+            found = self.ask("gait", {"system": kicked})
+            for gait in found["gaits"]:
+                self.assertIn("there may be none", gait["reason"])
+
     def test_what_rounding_makes_of_strides_that_hardly_settle_is_in_the_errors(self):
         """A kicked ball on a spring that is shaken by each bounce, nearly in resonance with them: x by its 2x2 map."""
         for e, c, k, r, s in (("0.586", "2.348", "28.14", "-0.3472", "0.6037"), ("0.2363", "1.606", "859.4834812957871", "0.9168", "0.541"),

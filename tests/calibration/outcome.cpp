@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "core/motion/dense_grid.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace qdot::test {
@@ -33,6 +34,22 @@ std::vector<ColumnOutcome> empty_columns(const Asked& asked, const MeasuredSimul
   return columns;
 }
 
+/// The largest that each column is along the motion, between its rows as well: what a horizon is judged by.
+void take_sizes_along(const Asked& asked, const Dynamics& dynamics, Outcome& outcome) {
+  for (ColumnOutcome& column : outcome.columns) column.size_along = column.scale;
+  if (!outcome.measured.horizon) return;
+  SimulationRequest request = asked.request;
+  request.grid = DenseGrid(request).t;
+  request.grid_left_out.clear();
+  request.tolerances = outcome.measured.tolerances;
+  const Simulation motion = simulate(dynamics, request);
+  const std::size_t width = outcome.columns.size();
+  for (std::size_t i = 0; i < motion.rows * width; ++i) {
+    double& size = outcome.columns[i % width].size_along;
+    size = std::max(size, std::abs(motion.states[i]));
+  }
+}
+
 bool vouches(const Reference<Quad>& reference, std::size_t place, const ColumnOutcome& column, double error) {
   return reference.doubt[place] <= std::max(digits_of_reference * column.scale, share_of_error * error);
 }
@@ -58,7 +75,7 @@ void compare(const Asked& asked, const Reference<Number>& reference, Outcome& ou
     for (std::size_t k = 0; k < width; ++k) {
       ColumnOutcome& column = outcome.columns[k];
       column.true_error = std::max(column.true_error, error[k]);
-      const double useful = horizon_at * column.scale, t = asked.request.grid[i];
+      const double useful = horizon_at * column.size_along, t = asked.request.grid[i];
       if (!outcome.earliest_horizon && 3 * error[k] > useful) outcome.earliest_horizon = t;
       if (!outcome.true_horizon && error[k] > useful) outcome.true_horizon = t;
     }
@@ -84,15 +101,16 @@ Outcome outcome_of(const Asked& asked, std::uint64_t reference_steps) {
   Outcome outcome;
   const double begin = cpu_time();
   try {
-    outcome.measured =
-        simulate_with_error(Dynamics(model_of(asked.system), asked.inputs()), asked.request, asked.goal);
+    const Dynamics dynamics(model_of(asked.system), asked.inputs());
+    outcome.measured = simulate_with_error(dynamics, asked.request, asked.goal);
+    outcome.columns = empty_columns(asked, outcome.measured);
+    take_sizes_along(asked, dynamics, outcome);
   } catch (const Error& error) {
     outcome.refusal = error.what();
     return outcome;
   }
   const double middle = cpu_time();
   outcome.cpu = middle - begin;
-  outcome.columns = empty_columns(asked, outcome.measured);
   if (outcome.failed() || outcome.measured.simulation.rows == 0) return outcome;
   QuadProblem problem = asked.problem();
   problem.grid.resize(outcome.measured.simulation.rows);

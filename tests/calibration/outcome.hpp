@@ -9,7 +9,8 @@ struct ColumnOutcome {
   std::string name;
   double stated{};      ///< max_abs_error
   double true_error{};  ///< over the returned rows that the reference vouches for
-  double scale{};       ///< the column's largest magnitude
+  double scale{};       ///< the column's largest magnitude in its rows
+  double size_along{};  ///< and along the motion, as far as its horizon asks for it
 };
 
 struct Outcome {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <complex>
 
 #include "api/answers/exact_json.hpp"
 #include "api/answers/gait/request.hpp"
@@ -10,6 +12,16 @@ namespace {
 
 constexpr const char* undecided =
     "The largest multiplier has the magnitude 1 within its error, so that linearization does not decide.";
+
+constexpr const char* at_a_fold =
+    "A multiplier is 1 within its error: other gaits may lie beside this one, and there may be none at all.";
+
+bool may_be_at_a_fold(const Gait& gait) {
+  for (std::size_t i = 0; i < gait.multipliers.size(); ++i) {
+    if (std::abs(gait.multipliers[i] - 1.0) <= gait.multiplier_errors[i]) return true;
+  }
+  return false;
+}
 
 class GaitAnswer {
  public:
@@ -27,7 +39,7 @@ class GaitAnswer {
     json["stable"] = gait.stability == GaitStability::stable;
     if (gait.stability == GaitStability::undecided) {
       json["stable"] = nullptr;
-      json["reason"] = undecided;
+      json["reason"] = may_be_at_a_fold(gait) ? at_a_fold : undecided;
     }
     json["residual"] = gait.residual;
     json["error"] = errors(gait);

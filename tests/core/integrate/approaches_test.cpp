@@ -64,9 +64,18 @@ TEST(Approaches, AreNoneOfWhatIsFarAwayOrMetWithSpeed) {
   for (const Method method : all_methods) {
     EXPECT_TRUE(approaches(level_of(1.2), method).empty()) << name(method);
     EXPECT_TRUE(approaches(level_of(0.5), method).empty()) << name(method);
-    EventFunction that_goes_on = level_of(1 + 1e-6);
-    that_goes_on.terminal = false;
-    EXPECT_TRUE(approaches(that_goes_on, method).empty()) << name(method);
+  }
+}
+
+TEST(Approaches, AreToEventsAfterWhichTheRunGoesOnFromBothSides) {
+  for (const Method method : all_methods) {
+    for (const double beyond : {1e-6, -1e-6}) {
+      EventFunction that_goes_on = level_of(1 + beyond);
+      that_goes_on.terminal = false;
+      const auto found = approaches(that_goes_on, method);
+      EXPECT_EQ(found.empty(), beyond < 0) << name(method);  // what is clearly met is not nearly met
+      for (const Approach& approach : found) EXPECT_NEAR(approach.distance, 1e-6, 1e-7);
+    }
   }
 }
 
