@@ -78,7 +78,19 @@ class TurningForms {
     }
     result.maximum = std::move(extrema.maximum);
     result.minimum = std::move(extrema.minimum);
+    if (equation_.by_constants) {
+      const auto started = std::exchange(equation_.assumed, {});
+      ExactTurningPoints other = forms_by_constants();
+      equation_.assumed = started;
+      take_much_shorter(result.maximum, std::move(other.maximum));
+      take_much_shorter(result.minimum, std::move(other.minimum));
+    }
     return result;
+  }
+
+  static void take_much_shorter(std::optional<ExactExtremum>& best, std::optional<ExactExtremum>&& other) {
+    if (!other) return;
+    if (!best || best->value.text.size() > 2 * other->value.text.size()) best = std::move(other);
   }
 
   ExactTurningPoints forms_by_constants() {
