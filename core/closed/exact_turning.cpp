@@ -78,7 +78,7 @@ class TurningForms {
     }
     result.maximum = std::move(extrema.maximum);
     result.minimum = std::move(extrema.minimum);
-    if (equation_.by_constants) {
+    if (equation_.by_constants && !(is_short(result.maximum) && is_short(result.minimum))) {
       const auto started = std::exchange(equation_.assumed, {});
       ExactTurningPoints other = forms_by_constants();
       equation_.assumed = started;
@@ -86,6 +86,11 @@ class TurningForms {
       take_much_shorter(result.minimum, std::move(other.minimum));
     }
     return result;
+  }
+
+  static bool is_short(const std::optional<ExactExtremum>& extremum) {
+    constexpr std::size_t short_text = 40;
+    return extremum && extremum->value.text.size() <= short_text;
   }
 
   static void take_much_shorter(std::optional<ExactExtremum>& best, std::optional<ExactExtremum>&& other) {
