@@ -34,7 +34,8 @@ Failure failure_of(Ending ending) {
     case Ending::undetermined:
       return {"undetermined",
               "At this state the argument of an abs or a sign is zero, and the equations of motion do not "
-              "tell how the motion goes on: to no side, or to more than one of them."};
+              "tell how the motion goes on: to no side, to more than one of them, or held by several dry "
+              "frictions that may share the load in more than one way."};
     case Ending::no_convergence:
       return {"no-convergence",
               "Method gauss found no solution for the equations of its next step: the step h is too long at "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <optional>
 
 #include "core/base/error.hpp"
@@ -18,6 +19,40 @@ namespace {
 constexpr std::uint64_t most_work = 60'000;
 
 const Polynomial one{{Monomial{}, Number(1)}};
+
+using Numbers = std::vector<Number>;  ///< coefficients of 1, x, x^2, ...
+
+Number value_at(const Numbers& c, const Number& x) {
+  Number sum(0);
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * x + c[k];
+  return sum;
+}
+
+/// c / (x - root).
+Numbers divided_by_root(const Numbers& c, const Number& root) {
+  Numbers result(c.size() - 1);
+  Number carry(0);
+  for (std::size_t k = c.size(); k-- > 1;) result[k - 1] = carry = carry * root + c[k];
+  return result;
+}
+
+/// Those of the first degree with small numbers, and what is left if it is of the second.
+std::vector<Numbers> rational_factors(Numbers c) {
+  constexpr int largest = 60;
+  std::vector<Numbers> result;
+  for (int q = 1; q <= 6; ++q) {
+    for (int p = 1; p <= largest && c.size() > 3; ++p) {
+      for (const int sign : {1, -1}) {
+        const Number root = Number::ratio(sign * p, q);
+        if (std::gcd(p, q) != 1 || c.size() < 4 || !value_at(c, root).is_zero()) continue;
+        result.push_back({-root, Number(1)});
+        c = divided_by_root(c, root);
+      }
+    }
+  }
+  if (c.size() == 3) result.push_back(std::move(c));
+  return result;
+}
 
 class Characteristic {
  public:
@@ -36,10 +71,10 @@ class Characteristic {
     const Polynomial whole = without_factor(determinant(), lambda_);
     if (whole.empty()) return found;
     for (const Polynomial& factor : factors(whole)) {
-      const auto c = coefficients(factor);
-      if (!c) continue;
-      for (const Surd& root : quadratic_roots((*c)[2], (*c)[1], (*c)[0]))
-        found.push_back(joined_numbers(graph_, root));
+      for (const std::vector<RationalFunction>& c : coefficients(factor)) {
+        for (const Surd& root : quadratic_roots(c[2], c[1], c[0]))
+          found.push_back(joined_numbers(graph_, root));
+      }
     }
     return found;
   }
@@ -114,15 +149,48 @@ class Characteristic {
     return found;
   }
 
-  /// Of 1, lambda and lambda^2.
-  [[nodiscard]] std::optional<std::vector<RationalFunction>> coefficients(const Polynomial& factor) const {
-    if (highest_power(factor, lambda_) > 2) return std::nullopt;
-    std::vector<Polynomial> parts(3);
+  /// Of 1, lambda and lambda^2, in each part of the factor that is known to be one.
+  [[nodiscard]] std::vector<std::vector<RationalFunction>> coefficients(const Polynomial& factor) const {
+    const int degree = highest_power(factor, lambda_);
+    std::vector<Polynomial> parts(static_cast<std::size_t>(degree) + 1);
     for (const auto& [monomial, coefficient] : factor) {
       const int power = exponent_of(monomial, lambda_.id());
       add(parts[static_cast<std::size_t>(power)], times(monomial, lambda_.id(), -power), coefficient);
     }
-    return std::vector<RationalFunction>{{parts[0]}, {parts[1]}, {parts[2]}};
+    if (degree > 2) return by_one_unit(parts);
+    parts.resize(3);
+    return {{{parts[0]}, {parts[1]}, {parts[2]}}};
+  }
+
+  /// Where lambda = mu r, r a product of parameters, leaves numbers only: factors of the first degree with
+  /// rational mu, and the rest if it is short.
+  static std::vector<std::vector<RationalFunction>> by_one_unit(const std::vector<Polynomial>& parts) {
+    std::vector<Number> numbers;
+    for (const Polynomial& part : parts) {
+      if (part.size() > 1) return {};
+      numbers.push_back(part.empty() ? Number(0) : part.begin()->second);
+    }
+    const std::size_t top = parts.size() - 1;
+    const auto first = std::ranges::find_if(parts, [](const Polynomial& part) { return !part.empty(); });
+    const auto low = static_cast<std::size_t>(first - parts.begin());
+    if (low + 1 > top || parts[low + 1].empty()) return {};
+    const Monomial r = first->begin()->first * inverse(parts[low + 1].begin()->first);
+    Monomial unit = first->begin()->first;
+    for (std::size_t k = low; k <= top; ++k) {
+      if (!parts[k].empty() && parts[k].begin()->first != unit) return {};
+      unit = unit * inverse(r);
+    }
+    const RationalFunction by_unit = in_lowest_terms({{Monomial{}, Number(1)}}, {{r, Number(1)}});
+    std::vector<std::vector<RationalFunction>> result;
+    for (const std::vector<Number>& c : rational_factors(std::move(numbers))) {
+      result.emplace_back(3);
+      RationalFunction power{one};
+      for (std::size_t k = 0; k < c.size(); ++k) {
+        if (!c[k].is_zero()) result.back()[k] = RationalFunction{{{Monomial{}, c[k]}}} * power;
+        power = power * by_unit;
+      }
+    }
+    return result;
   }
 
   Graph& graph_;

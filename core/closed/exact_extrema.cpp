@@ -1,6 +1,7 @@
 #include "core/closed/exact_extrema.hpp"
 
 #include "core/closed/exact_roots.hpp"
+#include "core/closed/inverted_roots.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
@@ -15,7 +16,12 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
       consider(equation_.found.maximum, function, root, left, relations, maximum);
       consider(equation_.found.minimum, function, root, left, relations, minimum);
     }
-    if (!is_angle_) return;
+    if (!is_angle_) break;
+  }
+  if (is_angle_) return;
+  for (const Expression& root : inverted_roots(left, equation_.x, equation_.values)) {
+    consider(equation_.found.maximum, Function::cos, root, left, relations, maximum);
+    consider(equation_.found.minimum, Function::cos, root, left, relations, minimum);
   }
 }
 

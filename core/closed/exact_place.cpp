@@ -34,12 +34,18 @@ void ExactPlace::settle(std::size_t k, const Expression& value) {
 
 void ExactPlace::settle(std::size_t k, const Expression& value, Powered power) {
   powers_.push_back(std::move(power));
-  x_[k] = value;
+  settle_root(k, value);
 }
 
 void ExactPlace::settle(std::size_t k, const Expression& value, Solved angle) {
   solved_.push_back(std::move(angle));
-  x_[k] = value;
+  settle_root(k, value);
+}
+
+/// Others that are known by it are written with it; expressions are not.
+void ExactPlace::settle_root(std::size_t k, const Expression& value) {
+  const Replacement now{problem_->x[k], value};
+  for (Expression& e : x_) e = substitute(e, {&now, 1});
 }
 
 /// x^(n k + r) = value^k x^r, and then x itself.

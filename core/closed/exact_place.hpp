@@ -70,6 +70,7 @@ class ExactPlace {
   [[nodiscard]] Expression at(const Expression& e) const;
 
  private:
+  void settle_root(std::size_t k, const Expression& value);
   [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
   [[nodiscard]] Polynomial with_angles_taken(const Polynomial& e, const Solved& angle) const;
 

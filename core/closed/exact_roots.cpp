@@ -63,7 +63,7 @@ Expression with_whole_brackets(const Expression& e, const SignOf& sign) {
 }
 
 Expression root_of(const Expression& square, const SignOf& sign) {
-  return shorter(sqrt(square), positive_root(square.graph(), rational_function(square), sign));
+  return shorter(positive_root(square.graph(), rational_function(square), sign), sqrt(square));
 }
 
 /// Without what all coefficients share in single angles, as the sine in the equations of a top.

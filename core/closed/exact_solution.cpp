@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
+#include "core/closed/equal_parts.hpp"
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/place_search.hpp"
@@ -212,20 +213,43 @@ class CriticalForm {
     return m;
   }
 
-  void consider(const ExactPlace& place, Best& best) const {
-    std::vector<Expression> conditions;
-    for (const Expression& force : motions_.forces) conditions.push_back(place.at(force));
-    const Matrix stiffness = at(place, motions_.stiffness);
-    if (is_of_oscillations(critical_.kind)) {
-      const auto growth =
-          growing_oscillations(at(place, motions_.mass), at(place, motions_.damping), stiffness);
-      if (growth) conditions.push_back(growth->condition);
-    } else {
-      conditions.push_back(determinant(stiffness));
+  [[nodiscard]] static Entries rationals(const Matrix& m) {
+    Entries result;
+    for (const auto& row : m) {
+      result.emplace_back();
+      for (const Expression& e : row) result.back().push_back(rational_function(e));
     }
-    std::erase_if(conditions, [](const Expression& e) { return rational_function(e).is_zero(); });
-    for (const Relations& relations : {Relations{}, values_.relations()}) {
-      for (const Expression& condition : conditions) consider(condition, conditions, relations, best);
+    return result;
+  }
+
+  [[nodiscard]] static Matrix part(const Matrix& m, const std::vector<std::size_t>& group) {
+    Matrix result;
+    for (const std::size_t i : group) {
+      result.emplace_back();
+      for (const std::size_t j : group) result.back().push_back(m[i][j]);
+    }
+    return result;
+  }
+
+  /// Of each group of coordinates that no entry couples to others.
+  void consider(const ExactPlace& place, Best& best) const {
+    std::vector<Expression> forces;
+    for (const Expression& force : motions_.forces) forces.push_back(place.at(force));
+    const Matrix mass = at(place, motions_.mass), damping = at(place, motions_.damping),
+                 stiffness = at(place, motions_.stiffness);
+    for (const auto& group : coupled_groups({rationals(mass), rationals(damping), rationals(stiffness)})) {
+      std::vector<Expression> conditions = forces;
+      if (is_of_oscillations(critical_.kind)) {
+        const auto growth =
+            growing_oscillations(part(mass, group), part(damping, group), part(stiffness, group));
+        if (growth) conditions.push_back(growth->condition);
+      } else {
+        conditions.push_back(determinant(part(stiffness, group)));
+      }
+      std::erase_if(conditions, [](const Expression& e) { return rational_function(e).is_zero(); });
+      for (const Relations& relations : {Relations{}, values_.relations()}) {
+        for (const Expression& condition : conditions) consider(condition, conditions, relations, best);
+      }
     }
   }
 

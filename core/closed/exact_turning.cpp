@@ -78,7 +78,24 @@ class TurningForms {
     }
     result.maximum = std::move(extrema.maximum);
     result.minimum = std::move(extrema.minimum);
+    if (equation_.by_constants && !(is_short(result.maximum) && is_short(result.minimum))) {
+      const auto started = std::exchange(equation_.assumed, {});
+      ExactTurningPoints other = forms_by_constants();
+      equation_.assumed = started;
+      take_much_shorter(result.maximum, std::move(other.maximum));
+      take_much_shorter(result.minimum, std::move(other.minimum));
+    }
     return result;
+  }
+
+  static bool is_short(const std::optional<ExactExtremum>& extremum) {
+    constexpr std::size_t short_text = 40;
+    return extremum && extremum->value.text.size() <= short_text;
+  }
+
+  static void take_much_shorter(std::optional<ExactExtremum>& best, std::optional<ExactExtremum>&& other) {
+    if (!other) return;
+    if (!best || best->value.text.size() > 2 * other->value.text.size()) best = std::move(other);
   }
 
   ExactTurningPoints forms_by_constants() {

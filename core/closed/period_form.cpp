@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/closed/elliptic_period.hpp"
+#include "core/closed/gamma_period.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/notation.hpp"
@@ -14,6 +16,9 @@ namespace {
 
 constexpr const char* elliptic_integral =
     "ellipk(m) = K(m) is the integral of 1/sqrt(1 - m*sin(u)^2) over u from 0 to pi/2";
+
+constexpr const char* gamma_function =
+    "gamma(z) is the integral of u^(z - 1)*exp(-u) over u from 0 to infinity";
 
 /// sqrt(4 x) as 2 sqrt(x).
 Expression with_squares_out(const Expression& e) {
@@ -70,11 +75,40 @@ std::optional<ClosedForm> with_elliptic_integral(const QuadratureProblem& proble
   return std::nullopt;
 }
 
+std::optional<ClosedForm> with_gamma_functions(const QuadratureProblem& problem, const ExactValues& values,
+                                               const Finding& found, const WrittenForm& written) {
+  const auto period = gamma_period(problem, values);
+  if (!period) return std::nullopt;
+  const double value = values.value(period->factor).value * gamma_quotient(period->n);
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * value;
+  if (!agrees({value, 0, rounding}, *found.value, found.error)) return std::nullopt;
+  auto form = written(period->factor, {});
+  if (!form) return std::nullopt;
+  const auto fraction = [](int p, int q) {
+    const int common = std::gcd(p, q);
+    return std::to_string(p / common) + "/" + std::to_string(q / common);
+  };
+  const std::string one = fraction(1, period->n), other = fraction(period->n + 2, 2 * period->n);
+  form->text += "*gamma(" + one + ")/gamma(" + other + ")";
+  form->latex += " \\frac{\\Gamma\\left(" + one + "\\right)}{\\Gamma\\left(" + other + "\\right)}";
+  form->assumes.emplace_back(gamma_function);
+  return form;
+}
+
+/// Where no elementary form does.
+std::optional<ClosedForm> with_special_functions(const QuadratureProblem& problem, const ExactValues& values,
+                                                 MotionKind motion, const Finding& found,
+                                                 const WrittenForm& written) {
+  auto form = with_elliptic_integral(problem, values, motion, found, written);
+  return form || motion == MotionKind::rotation ? form
+                                                : with_gamma_functions(problem, values, found, written);
+}
+
 }  // namespace
 
 std::optional<ClosedForm> period_form(const QuadratureProblem& problem, const ExactValues& values,
                                       MotionKind motion, const Finding& found, const WrittenForm& written) {
-  if (motion == MotionKind::rotation) return with_elliptic_integral(problem, values, motion, found, written);
+  if (motion == MotionKind::rotation) return with_special_functions(problem, values, motion, found, written);
   std::optional<ClosedForm> best;
   for (const Expression& period : elementary_periods(problem, values)) {
     if (!agrees(values.value(period), *found.value, found.error)) continue;
@@ -86,7 +120,7 @@ std::optional<ClosedForm> period_form(const QuadratureProblem& problem, const Ex
       if (form && (!best || form->text.size() < best->text.size())) best = std::move(form);
     }
   }
-  return best ? best : with_elliptic_integral(problem, values, motion, found, written);
+  return best ? best : with_special_functions(problem, values, motion, found, written);
 }
 
 }  // namespace qdot

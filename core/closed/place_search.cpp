@@ -72,10 +72,27 @@ class PlaceSearch {
     return false;
   }
 
+  /// Proposes that two unknowns are equal or opposite, as two ions in a trap.
+  [[nodiscard]] bool take_mirror() {
+    for (std::size_t k = 0; k < problem_.x.size(); ++k) {
+      if (!may_be_proposed(k)) continue;
+      for (std::size_t j = 0; j < k; ++j) {
+        if (!may_be_proposed(j)) continue;
+        for (const int side : {-1, 1}) {
+          const Interval difference = problem_.near[k] - Interval(side) * problem_.near[j];
+          if (!is_near(difference, 0)) continue;
+          place_.settle(k, Number(side) * problem_.x[j]);
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /// Proposes a parameter; whether the forces vanish there is seen later.
   [[nodiscard]] bool take_parameter() {
     for (std::size_t k = 0; k < problem_.x.size(); ++k) {
-      if (place_.is_known(k) || problem_.is_angle[k] || !(problem_.near[k].width() < widest_place)) continue;
+      if (!may_be_proposed(k) || problem_.is_angle[k]) continue;
       for (const PlaceProblem::Known& p : problem_.alike[k]) {
         for (const int side : {1, -1}) {
           if (!is_near(problem_.near[k], side * p.value)) continue;
@@ -88,6 +105,10 @@ class PlaceSearch {
   }
 
  private:
+  [[nodiscard]] bool may_be_proposed(std::size_t k) const {
+    return !place_.is_known(k) && problem_.near[k].width() < widest_place;
+  }
+
   [[nodiscard]] bool solve(std::size_t k, const Expression& force) {
     Graph& graph = force.graph();
     const Expression& x = problem_.x[k];
@@ -223,9 +244,10 @@ class PlaceSearch {
       const auto parts = linear_in(graph, e, known, x);
       if (!parts) continue;
       const Expression value = to_expression(graph, -in_lowest_terms(parts->rest, parts->slope));
-      const ExactPlace::Solved solved{known, other, value, std::nullopt};
       const double near = problem_.near[k].middle();
       const bool is_cosine = known == cosine;
+      const bool is_negative = is_cosine ? near < 0 : std::abs(near) > std::numbers::pi / 2;
+      const ExactPlace::Solved solved{known, other, value, root_beside(value, is_negative)};
       const Expression principal = graph.call(is_cosine ? Function::acos : Function::asin, value);
       if (is_cosine) {
         place_.settle(k, near < 0 ? -principal : principal, solved);
@@ -238,6 +260,13 @@ class PlaceSearch {
       return true;
     }
     return false;
+  }
+
+  /// +-sqrt(1 - value^2).
+  [[nodiscard]] Expression root_beside(const Expression& value, bool is_negative) const {
+    Graph& graph = value.graph();
+    const Expression root = sqrt(to_expression(graph, rational_function(graph.number(1) - value * value)));
+    return is_negative ? -root : root;
   }
 
   /// a sin(x) + b cos(x) = 0.
@@ -276,7 +305,7 @@ std::optional<ExactPlace> exact_place(const PlaceProblem& problem) {
     PlaceSearch search(problem);
     if (from_starts) search.take_starts();
     search.take_special_values();
-    while (search.solve_one() || search.take_parameter()) {
+    while (search.solve_one() || search.take_mirror() || search.take_parameter()) {
     }
     const bool rests = std::ranges::all_of(problem.forces, [&](const Expression& force) {
       return rational_function(search.place().at(force)).is_zero();

@@ -188,7 +188,8 @@ std::string reason(GaitSearch::Outcome outcome, const ParsedImpact& impact) {
       return "Motions that repeat were found, but in none of them the next " + impact.event +
              " is the one that closes the stride.";
     case GaitSearch::Outcome::nothing_recurs:
-      return "No motion that repeats was found from the starts that are tried.";
+      return "No motion that repeats, and has no others like it beside it, was found from the starts that are "
+             "tried. Where all motions repeat, as of a ball that loses nothing, none is told.";
     case GaitSearch::Outcome::dies_away:
       return "All motions that were tried shrink towards rest: nothing gives back what is lost.";
     case GaitSearch::Outcome::no_impact:

@@ -231,8 +231,17 @@ class NewtonSearch {
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-  [[nodiscard]] Error none() const {
+  [[nodiscard]] Error none() {
     const std::span<const double> at(guess_.data(), sizes_.size());
+    const auto g = forces(guess_);
+    if (!g || !g->allFinite()) {
+      return {
+          ErrorCode::not_applicable,
+          "At " + written(dynamics_.model().scene, statics_, at) +
+              " the forces have no value, as where a coordinate fails, so that nothing is known of small motions "
+              "there. Other coordinates may have no such place: angles about x, y and z where Euler's angles "
+              "have one."};
+    }
     return {ErrorCode::not_applicable, "There is no equilibrium near " +
                                            written(dynamics_.model().scene, statics_, at) +
                                            ": the forces do not vanish on the way that Newton's iteration "

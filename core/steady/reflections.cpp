@@ -1,9 +1,11 @@
 #include "core/steady/reflections.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/expr/calculus.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/expr/special_angles.hpp"
 
 namespace qdot {
 namespace {
@@ -21,6 +23,26 @@ bool add_zero_of(const Expression& f, std::span<const Expression> variables, std
   return true;
 }
 
+/// Where the argument of a sine or cosine, linear in x, is a multiple of a right angle, in half a turn of x.
+void add_right_angles(const Expression& e, std::span<const Expression> variables,
+                      std::vector<Expression>& found) {
+  constexpr double most = 12;
+  const Expression& x = variables[0];
+  Graph& graph = x.graph();
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (call == nullptr || (call->function != Function::sin && call->function != Function::cos)) continue;
+    const Expression argument(graph, call->argument), slope = differentiate(argument, x);
+    const std::vector<Replacement> origin{{x, graph.number(0)}};
+    const Expression offset = substitute(argument, origin);
+    if (slope.number() == nullptr || depends_on(offset, variables)) continue;
+    const double in_half_a_turn = 2 * std::abs(slope.number()->value());
+    for (int k = 0; k < std::min(most, in_half_a_turn); ++k)
+      found.push_back((Number::ratio(k, 2) * graph.symbol("pi") - offset) / slope);
+  }
+}
+
 /// 0, where a factor that is linear in x vanishes, and the middle of the roots of a polynomial in x.
 std::vector<Expression> candidates(const Expression& numerator, std::span<const Expression> factors,
                                    std::span<const Expression> variables) {
@@ -30,6 +52,7 @@ std::vector<Expression> candidates(const Expression& numerator, std::span<const 
   Expression derivative = numerator;
   for (int k = 0; k < highest_degree && !add_zero_of(derivative, variables, found); ++k)
     derivative = simplify(differentiate(derivative, variables[0]));
+  add_right_angles(numerator, variables, found);
   return found;
 }
 
@@ -42,7 +65,7 @@ std::vector<Expression> centres_of_reflection(const Expression& numerator,
   std::vector<Expression> centres;
   for (const Expression& centre : candidates(numerator, factors, variables)) {
     const std::vector<Replacement> reflection{{x, Number(2) * centre - x}};
-    const bool odd = simplify(substitute(numerator, reflection) + numerator).is_zero();
+    const bool odd = simplify(with_special_angles(substitute(numerator, reflection)) + numerator).is_zero();
     if (odd && std::ranges::find(centres, centre) == centres.end()) centres.push_back(centre);
   }
   return centres;

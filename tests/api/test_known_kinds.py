@@ -44,6 +44,17 @@ class KnownKinds(Service):
             self.assertIn("More forces have to vanish than there are coordinates", found["reason"])
         self.assertEqual(self.critical("quadrotor", "m", 0.2, 4)["critical"], [])
 
+    def test_a_mirror_where_the_angle_is_no_zero(self):
+        """A bead on a hoop that turns, its angle from the horizontal, from the vertical, and from another direction."""
+        for sine, cosine, start in (("cos(a)", "-sin(a)", "-1.5"), ("sin(a)", "cos(a)", "0.1"), ("sin(a - c)", "cos(a - c)", "0.8"),
+                                    ("sin(a + pi/3)", "cos(a + pi/3)", "2")):
+            hoop = scene([("g", "9.81"), ("R", "1"), ("W", "2"), ("c", "0.7")], ["a"],
+                         f"R^2*a_dot^2/2 + R^2*W^2*({sine})^2/2 + g*R*({cosine})")
+            hoop["coordinates"][0] |= {"unit": "rad", "initial": start}
+            found = self.ask("bifurcations", {"system": hoop, "parameter": "W", "from": 0.5, "to": 6})["critical"]
+            self.assertEqual([one["kind"] for one in found], ["pitchfork"], sine)
+            self.assertAlmostEqual(found[0]["value"], 9.81 ** 0.5, 12)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -32,6 +32,10 @@ class MassesOfZero(Service):
         near = self.ask("energy", {"system": POLE, "initial": {"th": "pi/2 - 1e-3", "th_dot": 1}})
         self.assertLess(near["error"]["T"], 1e-9 * near["T"])
 
+    def test_a_sleeping_top_by_angles_that_fail_there(self):
+        refused = self.refused("modes", {"system": "symmetric_top", "initial": {"theta": 0, "phi_dot": 0}})
+        self.assertIn("At theta = 0 the forces have no value", refused["detail"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -57,6 +57,38 @@ class MultipleRates(Service):
             square = sympy.sympify(mode["exact"]["text"].replace("^", "**"))
             self.assertEqual(sympy.simplify(matrix * shape - m * square * shape), sympy.zeros(3, 1))
 
+    def test_ions_in_a_trap_mirror_each_other(self):
+        """James, Appl. Phys. B 66 (1998): omega^2 = 1, 3 and 29/5 times that of the trap."""
+        for count, squares in ((2, ["w^2", "3*w^2"]), (3, ["w^2", "3*w^2", "29/5*w^2"])):
+            names = [f"x{i + 1}" for i in range(count)]
+            kinetic = " + ".join(f"{name}_dot^2" for name in names)
+            repulsion = " - ".join(f"K/({b} - {a})" for i, a in enumerate(names) for b in names[i + 1:])
+            ions = lagrangian("ions", "m - 1; w - 2; K - 3", "; ".join(f"{x} - {i - (count - 1)/2}" for i, x in enumerate(names)),
+                              f"m*({kinetic})/2 - m*w^2*({kinetic.replace('_dot', '')})/2 - {repulsion}")
+            answer = self.ask("modes", {"system": ions})
+            self.assertEqual([mode["exact"]["text"] for mode in answer["modes"]], squares)
+            values = {"K": 3, "m": 1, "w": 2}
+            for name in (names[0], names[-1]):
+                text = answer["equilibrium"]["exact"][name]["text"].replace("^", "**")
+                self.assertAlmostEqual(eval(text, dict(values)), answer["equilibrium"]["state"][name], 12)
+
+    def test_five_masses_between_walls(self):
+        names = [f"q{i}" for i in range(5)]
+        potential = " + ".join(["q0^2", "q4^2"] + [f"({b} - {a})^2" for a, b in zip(names, names[1:])])
+        chain = lagrangian("chain", "m - 2; k - 3", "; ".join(f"{q} -" for q in names),
+                           f"m*({' + '.join(f'{q}_dot^2' for q in names)})/2 - k*({potential})/2")
+        self.assertEqual(self.texts(chain), ["(2 - sqrt(3))*k/m", "k/m", "2*k/m", "3*k/m", "(2 + sqrt(3))*k/m"])
+
+    def test_a_pendulum_under_a_constant_torque(self):
+        pulled = scene("pulled", "m kg 1; l m 0.5; tau N*m 2; g m/s^2 9.81", "th rad 0.1", gravity=["0", "-g"],
+                       bodies=[particle("m", "l*sin(th)", "-l*cos(th)")], forces=[{"value": "tau", "along": "th"}])
+        low = self.ask("modes", {"system": pulled})
+        self.assertEqual(low["equilibrium"]["exact"]["th"]["text"], "asin(tau/(m*l*g))")
+        self.assertEqual(low["modes"][0]["exact"]["text"], "g*sqrt(1 - tau^2/(m^2*l^2*g^2))/l")
+        high = self.ask("modes", {"system": pulled, "equilibrium": {"th": 2.7}})
+        self.assertEqual(high["modes"][0]["exact"]["of"], "rate^2")
+        self.assertEqual(high["modes"][0]["exact"]["text"], low["modes"][0]["exact"]["text"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,139 @@
+#include "core/closed/inverted_roots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "core/closed/exact_roots.hpp"
+#include "core/closed/place_algebra.hpp"
+#include "core/expr/calculus.hpp"
+#include "core/expr/rational_function.hpp"
+#include "core/expr/trigonometry.hpp"
+#include "core/steady/exponential_form.hpp"
+
+namespace qdot {
+namespace {
+
+class Inversion {
+ public:
+  Inversion(const Expression& e, const Expression& x, const ExactValues& values)
+      : e_(e), x_(x), graph_(e.graph()), values_(values) {}
+
+  std::vector<Expression> roots() {
+    by_exponentials(Exponential::rising);
+    by_exponentials(Exponential::falling);
+    by_power();
+    by_circular_functions();
+    by_one_side();
+    return std::move(found_);
+  }
+
+ private:
+  /// Of u with c0 + c1 u + c2 u^2 = 0; none where another function of x is left.
+  [[nodiscard]] std::vector<Expression> roots_of_polynomial(const Expression& e, const Expression& u) const {
+    if (depends_on(e, x_)) return {};
+    const auto c = quadratic_in(e, u);
+    return c ? roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of()) : std::vector<Expression>{};
+  }
+
+  /// x where a linear function of it has a value.
+  void add(const Expression& linear, const Expression& value) {
+    const Expression slope = differentiate(linear, x_);
+    const Replacement origin{x_, graph_.number(0)};
+    found_.push_back((value - substitute(linear, {&origin, 1})) / slope);
+  }
+
+  [[nodiscard]] bool is_linear(const Expression& argument) const {
+    const Expression slope = differentiate(argument, x_);
+    return !slope.is_zero() && !depends_on(slope, x_);
+  }
+
+  void by_exponentials(Exponential which) {
+    const auto found = by_exponential(e_, {&x_, 1}, which);
+    if (!found) return;
+    const ByExponential by_w = in_powers_apart(*found);
+    if (!is_linear(by_w.argument)) return;
+    for (const Expression& w : roots_of_polynomial(to_expression(graph_, by_w.e), by_w.w)) {
+      if (values_.sign(w) <= 0) continue;
+      const Expression inverse = graph_.number(1) / w;
+      const bool turned = written_length(inverse) < written_length(w);
+      add(by_w.argument, turned ? -graph_.call(Function::log, inverse) : graph_.call(Function::log, w));
+    }
+  }
+
+  void by_power() {
+    const Polynomial above = without_factor(rational_function(e_).above, x_);
+    const int n = highest_power(above, x_);
+    const auto parts = n > 2 ? linear_in(graph_, above, x_, x_, n) : std::nullopt;
+    if (!parts) return;
+    const RationalFunction value = -in_lowest_terms(parts->rest, parts->slope);
+    const auto size = [&](const RationalFunction& f) {
+      return root_of_product(graph_, f, n, values_.sign_of());
+    };
+    if (const auto root = size(value)) found_.insert(found_.end(), {*root, -*root});
+    if (const auto root = n % 2 == 0 ? std::nullopt : size(-value)) found_.push_back(-*root);
+  }
+
+  /// |x|: what x is on its side.
+  void by_one_side() {
+    const Replacement one_side{graph_.call(Function::abs, x_), x_};
+    if (!depends_on(e_, one_side.first)) return;
+    const Expression e = substitute(e_, {&one_side, 1});
+    std::vector<Expression> roots = inverted_roots(e, x_, values_);
+    std::ranges::copy(roots_in(e, x_, values_), std::back_inserter(roots));
+    for (const Expression& root : roots) found_.insert(found_.end(), {root, -root});
+  }
+
+  [[nodiscard]] std::vector<Expression> circular_arguments() const {
+    std::vector<Expression> arguments;
+    const NodeId root = e_.id();
+    for (const NodeId id : reachable(graph_, {&root, 1})) {
+      const auto* call = std::get_if<Call>(&graph_.node(id));
+      if (call == nullptr) continue;
+      const Function f = call->function;
+      const Expression argument(graph_, call->argument);
+      if ((f == Function::sin || f == Function::cos || f == Function::tan) && is_linear(argument) &&
+          std::ranges::find(arguments, argument) == arguments.end())
+        arguments.push_back(argument);
+    }
+    return arguments;
+  }
+
+  /// The tangent, the sine or the cosine of a linear function; the others by it.
+  void by_circular_functions() {
+    const Expression u = graph_.symbol("function of x"), pi = graph_.symbol("pi");
+    for (const Expression& y : circular_arguments()) {
+      for (const auto& [function, inverse] :
+           {std::pair(Function::tan, Function::atan), std::pair(Function::sin, Function::asin),
+            std::pair(Function::cos, Function::acos)}) {
+        for (const Expression& root : roots_of_polynomial(by_one(function, y, u), u)) {
+          const Expression angle = graph_.call(inverse, root);
+          add(y, angle);
+          if (function == Function::sin) add(y, pi - angle);
+          if (function == Function::cos) add(y, -angle);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Expression by_one(Function function, const Expression& y, const Expression& u) const {
+    const Replacement named{graph_.call(function, y), u};
+    if (function == Function::tan) return substitute(e_, {&named, 1});
+    const Polynomial above = with_single_angles(graph_, rational_function(e_).above);
+    const Polynomial one = function == Function::sin ? without_cosine_squares(graph_, above, y) : above;
+    return substitute(to_expression(graph_, one), {&named, 1});
+  }
+
+  Expression e_, x_;
+  Graph& graph_;
+  const ExactValues& values_;
+  std::vector<Expression> found_;
+};
+
+}  // namespace
+
+std::vector<Expression> inverted_roots(const Expression& e, const Expression& x, const ExactValues& values) {
+  return Inversion(e, x, values).roots();
+}
+
+}  // namespace qdot
