@@ -28,4 +28,8 @@ Json with_units_of(const Scene& scene, Json answer) {
   return answer;
 }
 
+std::string key_beside(const Json& map, const std::string& place, const std::string& name) {
+  return map.contains(name) ? place + "/" + name : name;
+}
+
 }  // namespace qdot::api

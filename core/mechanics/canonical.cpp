@@ -72,17 +72,8 @@ std::vector<std::size_t> all_coordinates(const Lagrangian& lagrangian) {
 
 std::vector<Expression> momentum_symbols(const Lagrangian& lagrangian) {
   std::vector<Expression> symbols;
-  const Symbols& all = lagrangian.symbols;
-  const auto is_taken = [&](const Expression& p) {
-    const auto is_p = [&](const Expression& other) { return other == p; };
-    return std::ranges::any_of(all.parameters, is_p) || std::ranges::any_of(all.coordinates.value, is_p) ||
-           std::ranges::any_of(all.inputs.value, is_p) || std::ranges::any_of(all.multipliers, is_p);
-  };
-  for (const Expression& q : all.coordinates.value) {
-    const std::string& name = std::get<Symbol>(q.node()).name;
-    const Expression p = lagrangian.graph->symbol("p_" + name);
-    symbols.push_back(is_taken(p) ? lagrangian.graph->symbol("momentum_" + name) : p);
-  }
+  for (const std::string& name : momentum_names(lagrangian.symbols))
+    symbols.push_back(lagrangian.graph->symbol(name));
   return symbols;
 }
 

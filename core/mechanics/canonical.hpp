@@ -9,7 +9,7 @@
 
 namespace qdot {
 
-/// The symbol p_<coordinate> for each coordinate.
+/// The symbols of momentum_names.
 [[nodiscard]] std::vector<Expression> momentum_symbols(const Lagrangian& lagrangian);
 
 /// Lagrange's equations of first order in (q, p): A(q,t) q' = p - a(q,t), p_i' = dL/dq_i + Q_i.

@@ -92,7 +92,7 @@ std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian
     if (momenta[i].is_zero()) continue;  // a massless foot has none to keep
     const std::string q = name_of(lagrangian.symbols.coordinates.value[i]);
     found.push_back(
-        {"p_" + q, momentum_unit(scene, i), momenta[i],
+        {momentum_names(lagrangian.symbols)[i], momentum_unit(scene, i), momenta[i],
          q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant" + until});
   }
   return found;

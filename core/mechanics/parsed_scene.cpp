@@ -230,7 +230,27 @@ class SceneParser {
     return {};
   }
 
+  /// Names that answers have as keys beside each other, or that other parts of the scene point to.
+  void check_names() {
+    std::set<std::string> conditions, places, bodies, events;
+    const auto check = [&](std::set<std::string>& names, const std::string& what) {
+      return [&, what](const auto& named, const std::string& place) {
+        if (named.name.empty() || names.insert(named.name).second) return;
+        text_.complain(place + "/name", "duplicate_name",
+                       "The name '" + named.name + "' is used twice: " + what + " have a name each.");
+      };
+    };
+    each(scene_.valid_while, "/valid_while", check(conditions, "conditions and reports"));
+    each(scene_.reports, "/reports", check(conditions, "conditions and reports"));
+    each(scene_.points, "/points", check(places, "points"));
+    each(scene_.events, "/events", check(events, "events"));
+    each(scene_.bodies, "/bodies", [&](const Body& body, const std::string& place) {
+      std::visit([&](const auto& some) { check(bodies, "bodies")(some, place); }, body);
+    });
+  }
+
   void check_whole() {
+    check_names();
     if (scene_.coordinates.empty())
       text_.complain("/coordinates", "missing", "A scene needs at least one coordinate.");
     const bool by_bodies = !scene_.bodies.empty();

@@ -1,6 +1,7 @@
 #pragma once
 // The symbols that the expressions of a scene are made of.
 
+#include <string>
 #include <vector>
 
 #include "core/expr/calculus.hpp"
@@ -27,5 +28,9 @@ struct Symbols {
   /// (x, x') for everything that varies along a motion, the time with rate 1: the chain rule's d/dt.
   [[nodiscard]] std::vector<Replacement> rates() const;
 };
+
+/// What formulas call the momentum of each coordinate: p_<coordinate>, or momentum_<coordinate> where the
+/// scene calls something else so.
+[[nodiscard]] std::vector<std::string> momentum_names(const Symbols& symbols);
 
 }  // namespace qdot

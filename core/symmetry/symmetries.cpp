@@ -57,8 +57,7 @@ class SearchForSymmetries {
       return std::ranges::any_of(known, [&](const ConservedQuantity& q) { return q.name == name; });
     };
     std::vector<bool> ignorable;
-    for (const Expression& q : result_.lagrangian.symbols.coordinates.value)
-      ignorable.push_back(is_known("p_" + std::get<Symbol>(q.node()).name));
+    for (const std::string& p : momentum_names(result_.lagrangian.symbols)) ignorable.push_back(is_known(p));
     result_.changes = elementary_changes(result_.lagrangian, ignorable, is_known("energy") || is_known("h"));
     add_changes(more);
     for (const ElementaryChange& change : result_.changes) variations_.push_back(variation_(change.change));

@@ -1,6 +1,7 @@
 #include "api/answers/bifurcations/request.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "api/contract/text_checks.hpp"
 #include "api/json/limits.hpp"
@@ -8,6 +9,20 @@
 
 namespace qdot::api {
 namespace {
+
+/// What a branch and a critical value have beside the columns of the parameter and of the coordinates.
+constexpr std::array fields_of_branches{"id", "kind", "stability", "step_time", "value", "error"};
+
+void check_columns(const BifurcationsRequest& request, Findings& findings) {
+  std::vector<std::string> columns{request.parameter};
+  for (const Coordinate& q : request.system.scene->coordinates) columns.push_back(q.name);
+  for (const std::string& column : columns) {
+    if (std::ranges::find(fields_of_branches, column) == fields_of_branches.end()) continue;
+    findings.report("parameter", "not_applicable",
+                    "The answer's branches have a column '" + column +
+                        "' already: give what the scene calls so another name to ask for them.");
+  }
+}
 
 void check_bifurcations(BifurcationsRequest& request, Findings& findings) {
   if (!request.system.scene) return;
@@ -24,6 +39,8 @@ void check_bifurcations(BifurcationsRequest& request, Findings& findings) {
     findings.add(std::move(error));
   } else if (!findings.has_error_at({"from", "to"}) && !(request.from < request.to)) {
     findings.report("to", "out_of_range", "'to' must be larger than 'from'.");
+  } else {
+    check_columns(request, findings);
   }
 }
 

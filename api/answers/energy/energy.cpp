@@ -2,6 +2,7 @@
 
 #include "api/answers/energy/request.hpp"
 #include "api/answers/stated.hpp"
+#include "api/answers/units_of.hpp"
 #include "core/motion/column_errors.hpp"
 #include "core/motion/values_at_kinks.hpp"
 
@@ -34,12 +35,12 @@ class EnergyAnswer {
     const Model& model = dynamics_.model();
     if (!model.energy) no_energies();
     compute();
-    body_.update(next(energies(model)));
-    body_.update(next(momentum_columns(model)));
-    body_["accelerations"] = next(acceleration_columns(model));
-    if (model.has_constraints()) body_["multipliers"] = next(multiplier_columns(model));
-    if (!model.scene.valid_while.empty()) body_["validity"] = next(validity_columns(model));
-    if (!model.scene.reports.empty()) body_["reports"] = next(report_columns(model));
+    body_.update(next("", energies(model)));
+    body_.update(next("", momentum_columns(model)));
+    body_["accelerations"] = next("accelerations", acceleration_columns(model));
+    if (model.has_constraints()) body_["multipliers"] = next("multipliers", multiplier_columns(model));
+    if (!model.scene.valid_while.empty()) body_["validity"] = next("validity", validity_columns(model));
+    if (!model.scene.reports.empty()) body_["reports"] = next("reports", report_columns(model));
     body_["conserved"] = conserved();
     body_["error"] = std::move(errors_);
     body_["units"] = std::move(units_);
@@ -82,14 +83,15 @@ class EnergyAnswer {
     return stated_error({value, error}, digits_);
   }
 
-  /// The next of the values, in the order of compute().
-  Json next(const std::vector<qdot::Column>& columns) {
+  /// The next of the values, in the order of compute(), which stand under `place`.
+  Json next(const std::string& place, const std::vector<qdot::Column>& columns) {
     Json json = Json::object();
     for (const qdot::Column& column : columns) {
       const double value = stated_.values[next_];
       json[column.name] = value;
-      errors_[column.name] = written_error(value, stated_.errors[next_++]);
-      units_[column.name] = column.unit;
+      const std::string key = key_beside(errors_, place, column.name);
+      errors_[key] = written_error(value, stated_.errors[next_++]);
+      units_[key] = column.unit;
     }
     return json;
   }

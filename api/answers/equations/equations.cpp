@@ -29,12 +29,12 @@ class EquationsAnswer {
   Json body() {
     const EquationsOfMotion equations = derive_equations(own_);
     write_energies();
-    body_["generalized_forces"] = by_coordinate("", own_.generalized_forces);
+    body_["generalized_forces"] = by_coordinate(own_.generalized_forces);
     body_["equations_of_motion"] = implicit(equations);
     if (model_.has_constraints()) body_["constraints"] = constraints();
     attempt("accelerations", [&] { return accelerations(equations); });
     body_["mass_matrix"] = matrix(mass_matrix(own_));
-    body_["momenta"] = by_coordinate("p_", conjugate_momenta(own_));
+    body_["momenta"] = momenta(conjugate_momenta(own_));
     body_["jacobi_integral"] = written(jacobi_integral(own_));
     attempt("hamiltonian", [&] {
       const auto found = hamiltonian(own_);
@@ -75,11 +75,17 @@ class EquationsAnswer {
     return written(*e);
   }
 
-  [[nodiscard]] Json by_coordinate(const std::string& prefix,
-                                   const std::vector<Expression>& expressions) const {
+  [[nodiscard]] Json by_coordinate(const std::vector<Expression>& expressions) const {
     Json json = Json::object();
-    for (std::size_t i = 0; i < expressions.size(); ++i)
-      json[prefix + coordinate(i)] = written(expressions[i]);
+    for (std::size_t i = 0; i < expressions.size(); ++i) json[coordinate(i)] = written(expressions[i]);
+    return json;
+  }
+
+  /// By the names that the Hamiltonian and the Routhian have for them.
+  [[nodiscard]] Json momenta(const std::vector<Expression>& expressions) const {
+    const std::vector<std::string> names = momentum_names(own_.symbols);
+    Json json = Json::object();
+    for (std::size_t i = 0; i < expressions.size(); ++i) json[names[i]] = written(expressions[i]);
     return json;
   }
 
@@ -200,17 +206,15 @@ class EquationsAnswer {
     for (const DimensionlessGroup& group : form->groups) groups[group.name] = written(group.value);
     Json units = Json::array();
     for (const Expression& unit : form->units) units.push_back(written(unit));
-    Json momenta = Json::object();
-    for (std::size_t i = 0; i < model_.degrees_of_freedom(); ++i) {
-      const Expression momentum = differentiate(form->lagrangian, own_.symbols.coordinates.rate[i]);
-      momenta["p_" + model_.scene.coordinates[i].name] = written(simplify(momentum));
-    }
+    std::vector<Expression> reduced;
+    for (const Expression& rate : own_.symbols.coordinates.rate)
+      reduced.push_back(simplify(differentiate(form->lagrangian, rate)));
     return {{"set_to_one", std::move(units)},
             {"groups", std::move(groups)},
             {"energy_unit", written(form->energy_unit)},
             {"time_unit", written(form->time_unit)},
             {"L", written(form->lagrangian)},
-            {"momenta", std::move(momenta)}};
+            {"momenta", momenta(reduced)}};
   }
 
   const Model& model_;

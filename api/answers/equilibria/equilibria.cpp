@@ -5,6 +5,7 @@
 #include "api/answers/exact_json.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
+#include "api/answers/units_of.hpp"
 #include "api/json/text.hpp"
 #include "core/closed/exact_solution.hpp"
 #include "core/dynamics/consistent_state.hpp"
@@ -33,7 +34,6 @@ class EquilibriaAnswer {
   Json body() {
     const ConstrainedEquilibria all = found_places();
     const Equilibria& found = all.found;
-    units_ = steady_units(scene_);
     Json body = Json::object();
     body["equilibria"] = Json::array();
     for (std::size_t i = 0; i < found.states.size(); ++i) {
@@ -46,8 +46,7 @@ class EquilibriaAnswer {
     if (!found.free.empty()) put_free(body, found);
     if (!found.momenta.empty()) put_momenta(body, found);
     body["method"] = method_of_equilibria;
-    units_["residual"] = "SI unit of the generalized forces";
-    body["units"] = std::move(units_);
+    body["units"] = units(found);
     return body;
   }
 
@@ -58,11 +57,10 @@ class EquilibriaAnswer {
     return {equilibria(dynamics_, state_.parameters, state_.y), {}};
   }
 
-  void put_multipliers(Json& json, const std::optional<std::vector<Ball>>& multipliers) {
+  void put_multipliers(Json& json, const std::optional<std::vector<Ball>>& multipliers) const {
     const std::vector<qdot::Column> columns = multiplier_columns(dynamics_.model());
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const std::string& name = columns[j].name;
-      units_[name] = columns[j].unit;
       json["multipliers"][name] = multipliers ? Json((*multipliers)[j].value()) : Json(nullptr);
       json["error"][name] = Json(nullptr);
       if (multipliers)
@@ -70,7 +68,7 @@ class EquilibriaAnswer {
     }
   }
 
-  Json entry(const SteadyState& steady) {
+  [[nodiscard]] Json entry(const SteadyState& steady) const {
     Json json{{"state", state_json(scene_, steady.y)}, {"error", errors(steady)}};
     put_stability(json, steady.stability, digits_);
     json["residual"] = std::isfinite(steady.residual) ? Json(steady.residual) : Json(nullptr);
@@ -91,16 +89,13 @@ class EquilibriaAnswer {
   }
 
   /// Whether the conditions of the model hold there, such as that a string is taut.
-  void put_validity(Json& json, const SteadyState& steady) {
+  void put_validity(Json& json, const SteadyState& steady) const {
     if (scene_.valid_while.empty()) return;
     const std::vector<qdot::Column> columns = validity_columns(dynamics_.model());
     try {
       const std::vector<double> values = values_at(dynamics_, columns, state_.parameters, 0, steady.y);
       json["valid"] = std::ranges::all_of(values, [](double value) { return value >= 0; });
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        json["validity"][columns[i].name] = values[i];
-        units_[columns[i].name] = columns[i].unit;
-      }
+      for (std::size_t i = 0; i < values.size(); ++i) json["validity"][columns[i].name] = values[i];
     } catch (const Error&) {  // nothing is known of a condition that has no value there
       json["valid"] = nullptr;
     }
@@ -129,22 +124,35 @@ class EquilibriaAnswer {
                           ": every value belongs to an equilibrium; given are those of 'initial'.";
   }
 
-  void put_momenta(Json& body, const Equilibria& found) {
+  void put_momenta(Json& body, const Equilibria& found) const {
     const std::vector<std::size_t>& ignored = found.problem.statics->reduction.ignored;
     for (std::size_t k = 0; k < ignored.size(); ++k) {
       const std::string name = "p_" + scene_.coordinates[ignored[k]].name;
       body["momenta"][name] = found.momenta[k];
-      units_[name] = momentum_unit(scene_, ignored[k]);
     }
     body["momenta_reason"] =
         "These are steady motions: the ignorable coordinates move uniformly, with the momenta of 'initial'.";
+  }
+
+  [[nodiscard]] Json units(const Equilibria& found) const {
+    Json units = steady_units(scene_);
+    const auto put = [&](const std::string& place, const std::vector<qdot::Column>& columns) {
+      for (const qdot::Column& column : columns) units[key_beside(units, place, column.name)] = column.unit;
+    };
+    if (!found.states.empty()) {
+      put("multipliers", multiplier_columns(dynamics_.model()));
+      put("validity", validity_columns(dynamics_.model()));
+    }
+    if (!found.momenta.empty())
+      put("momenta", momentum_columns(dynamics_.model(), found.problem.statics->reduction.ignored));
+    units[key_beside(units, "equilibria", "residual")] = "SI unit of the generalized forces";
+    return units;
   }
 
   const Dynamics& dynamics_;
   const Scene& scene_;
   const ResolvedState& state_;
   int digits_;
-  Json units_;
 };
 
 class SolutionAnswer {

@@ -1,6 +1,7 @@
 #include "api/answers/equilibria/request.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "api/contract/text_checks.hpp"
 #include "api/json/limits.hpp"
@@ -9,12 +10,46 @@
 namespace qdot::api {
 namespace {
 
+/// What the answer to `solve_for` says beside the value, which stands under the name of what was solved for.
+constexpr std::array fields_of_solution{"system",
+                                        "model_version",
+                                        "service_version",
+                                        "request",
+                                        "notes",
+                                        "error",
+                                        "reason",
+                                        "stability",
+                                        "nonlinear",
+                                        "rate2",
+                                        "rate2_error",
+                                        "eigenvalues",
+                                        "exact",
+                                        "exact_rate2",
+                                        "all",
+                                        "from",
+                                        "to",
+                                        "from_error",
+                                        "to_error",
+                                        "ranges",
+                                        "ranges_reason",
+                                        "units",
+                                        "re",
+                                        "im",
+                                        "from_included",
+                                        "to_included"};
+
 /// Parameters and velocities; of the velocities only those of ignorable coordinates can be solved for, which
 /// the scene alone does not tell.
 void check_unknown(const EquilibriaRequest& request, Findings& findings) {
   std::vector<std::string> allowed;
   for (const Symbol& p : symbols(*request.system.scene, SymbolRole::parameter)) allowed.push_back(p.name);
   for (const Coordinate& q : request.system.scene->coordinates) allowed.push_back(q.name + "_dot");
+  if (std::ranges::find(fields_of_solution, *request.solve_for) != fields_of_solution.end()) {
+    findings.report("solve_for", "not_applicable",
+                    "The answer has a field '" + *request.solve_for +
+                        "' already: give the parameter another name in the scene to solve for it.");
+    return;
+  }
   if (std::ranges::find(allowed, *request.solve_for) != allowed.end()) return;
   FieldError error =
       unknown_name(findings.root().below("solve_for"),

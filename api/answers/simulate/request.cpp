@@ -104,22 +104,14 @@ void check_precision(SimulateRequest& request, Findings& findings) {
   }
 }
 
-/// T and V are columns where a scene has them, and nothing else of that name.
+/// T and V are columns where a scene has them.
 void check_energies(const SimulateRequest& request, const Scene& scene, Findings& findings) {
-  for (const auto& [extra, name] : {std::pair{Extra::kinetic_energy, "T"}, {Extra::potential_energy, "V"}}) {
-    if (std::ranges::find(request.include, extra) == request.include.end()) continue;
-    if (!scene.lagrangian.empty()) {
-      findings.report("include", "not_applicable",
-                      "A Lagrangian alone does not tell what of it is T and what V: include energy, which is "
-                      "the Jacobi integral h.");
-      return;
-    }
-    if (std::ranges::find(scene.coordinates, name, &Coordinate::name) != scene.coordinates.end()) {
-      findings.report("include", "not_applicable",
-                      std::string("'") + name + "' is a coordinate of " + scene.name +
-                          ", whose column it is: /v1/energy has the energy of that name.");
-    }
-  }
+  const auto is_asked_for = [&](Extra extra) { return std::ranges::count(request.include, extra) != 0; };
+  if (scene.lagrangian.empty()) return;
+  if (!is_asked_for(Extra::kinetic_energy) && !is_asked_for(Extra::potential_energy)) return;
+  findings.report("include", "not_applicable",
+                  "A Lagrangian alone does not tell what of it is T and what V: include energy, which is "
+                  "the Jacobi integral h.");
 }
 
 /// The grid is checked only when its own fields could be read; the others do not matter to it.

@@ -3,6 +3,7 @@
 
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/simulate/extended.hpp"
+#include "api/answers/simulate/included_columns.hpp"
 #include "api/answers/simulate/motion_diagnostics.hpp"
 #include "api/answers/simulate/request.hpp"
 #include "api/answers/simulate/stated_motion.hpp"
@@ -15,10 +16,8 @@ namespace {
 
 class SimulationAnswer {
  public:
-  SimulationAnswer(const Resolved<SimulateRequest>& resolved, Call& call, Models& models)
-      : request_(resolved.request),
-        call_(call),
-        system_(resolved_system(request_.system, resolved.echo, models, request_.t_start)) {}
+  SimulationAnswer(const SimulateRequest& request, const ResolvedSystem& system, Call& call)
+      : request_(request), call_(call), system_(system) {}
 
   Response response() {
     run();
@@ -163,7 +162,7 @@ class SimulationAnswer {
 
   const SimulateRequest& request_;
   Call& call_;
-  ResolvedSystem system_;
+  const ResolvedSystem& system_;
   std::vector<double> grid_;
   std::vector<qdot::Column> columns_;
   MeasuredSimulation measured_;
@@ -174,12 +173,12 @@ class SimulationAnswer {
 };
 
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
-  if (resolved.request.is_extended()) {
-    const SimulateRequest& request = resolved.request;
-    return extended_answer(request, resolved_system(request.system, resolved.echo, models, request.t_start),
-                           call);
-  }
-  return SimulationAnswer(resolved, call, models).response();
+  const SimulateRequest& request = resolved.request;
+  const ResolvedSystem system = resolved_system(request.system, resolved.echo, models, request.t_start);
+  for (const std::string& note : included_columns(system.dynamics->model(), request.include).notes)
+    call.notes.push_back(note);
+  if (request.is_extended()) return extended_answer(request, system, call);
+  return SimulationAnswer(request, system, call).response();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/simulate/included_columns.hpp"
 #include "api/answers/time_grid.hpp"
 #include "api/json/limits.hpp"
 
@@ -20,44 +21,6 @@ constexpr double promised(Preset preset) {
       break;
   }
   return 1e-9;
-}
-
-std::vector<qdot::Column> columns_of(const Model& model, const std::vector<Extra>& include) {
-  std::vector<qdot::Column> columns;
-  const auto append = [&](std::vector<qdot::Column> more) {
-    columns.insert(columns.end(), more.begin(), more.end());
-  };
-  for (const Extra extra : include) {
-    switch (extra) {
-      case Extra::energy:
-        columns.push_back(model.energy ? qdot::Column{"energy", "J", *model.energy}
-                                       : qdot::Column{"h", "J", model.jacobi});
-        break;
-      case Extra::kinetic_energy:
-        columns.push_back({"T", "J", *model.lagrangian.kinetic_energy});
-        break;
-      case Extra::potential_energy:
-        columns.push_back({"V", "J", *model.lagrangian.potential_energy});
-        break;
-      case Extra::momenta:
-        append(momentum_columns(model));
-        break;
-      case Extra::positions:
-        append(position_columns(model));
-        break;
-      case Extra::accelerations:
-        append(acceleration_columns(model));
-        break;
-      case Extra::multipliers:
-        append(multiplier_columns(model));
-        break;
-      case Extra::validity:
-        append(validity_columns(model));
-        append(report_columns(model));
-        break;
-    }
-  }
-  return columns;
 }
 
 /// The time [s] that so many strides get. No walker needs as much, and one that stands still has to end some
@@ -113,7 +76,7 @@ SimulationRequest core_request(const SimulateRequest& request, const Dynamics& d
   core.grid = request.grid;
   for (std::size_t i = 0; i < request.grid.size(); ++i)
     core.grid_left_out.push_back(request.grid.exact(i).low);
-  core.columns = columns_of(dynamics.model(), request.include);
+  core.columns = included_columns(dynamics.model(), request.include).columns;
   core.events = request.events;
   core.on_invalid = request.on_invalid;
   core.impacts = request.impacts ? Impacts::apply : Impacts::ignore;

@@ -6,6 +6,7 @@
 #include "api/answers/integration_failure.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/turning_points/request.hpp"
+#include "api/answers/units_of.hpp"
 #include "api/json/text.hpp"
 #include "core/base/error.hpp"
 #include "core/closed/exact_turning.hpp"
@@ -54,6 +55,17 @@ Response missing(Call& call, const std::string& field, const std::string& why) {
   return to_response(invalid_request({error}), call.target.path, call.layout);
 }
 
+/// What formulas call a constant beside the scene's own symbols, which keep their names.
+std::string free_symbol(const Scene& scene, const std::string& usual, const std::string& longer) {
+  const auto is_taken = [&](const std::string& name) {
+    return std::ranges::find(scene.parameters, name, &Parameter::name) != scene.parameters.end() ||
+           std::ranges::find(scene.coordinates, name, &Coordinate::name) != scene.coordinates.end();
+  };
+  std::string name = is_taken(usual) ? longer : usual;
+  for (int i = 2; is_taken(name); ++i) name = longer + "_" + std::to_string(i);
+  return name;
+}
+
 /// U(x) = E with its symbols: {"text": ..., "latex": ...}.
 Json equation_json(const Scene& scene, const Reduction& reduction, const std::string& energy) {
   Reduction own = reduction;
@@ -66,8 +78,10 @@ Json equation_json(const Scene& scene, const Reduction& reduction, const std::st
   for (const Expression& x_dot : own.x_dot) rest.emplace_back(x_dot, graph.number(0));
   const Expression potential = simplify(Number(-1) * substitute(routhian, rest));
   const Notation notation = notation_of(scene);
-  return {{"text", print(potential, Form::text, notation) + " = " + energy},
-          {"latex", print(potential, Form::latex, notation) + " = " + energy}};
+  const auto side = [&](Form form) {
+    return print(potential, form, notation) + " = " + print(graph.symbol(energy), form, notation);
+  };
+  return {{"text", side(Form::text)}, {"latex", side(Form::latex)}};
 }
 
 class TurningPointsAnswer {
@@ -209,7 +223,8 @@ class TurningPointsAnswer {
     const auto conserved = dynamics().conserved(system_.state.parameters);
     const bool is_energy = std::ranges::any_of(
         conserved->quantities, [](const ConservedQuantity& quantity) { return quantity.name == "energy"; });
-    const std::string energy = is_energy ? "E" : "h";
+    const std::string energy =
+        is_energy ? free_symbol(scene(), "E", "energy") : free_symbol(scene(), "h", "jacobi_integral");
     std::string key = "turning_points";
     for (const double p : system_.state.parameters) key += p == 0 ? '0' : '1';
     body_["equation"] = models_.remembered(*request_.system.scene, key,
@@ -217,8 +232,9 @@ class TurningPointsAnswer {
     Json constants{{energy, *found.energy.value}};
     units_[energy] = "J";
     put_error(energy, *stated(found.energy));
+    const std::size_t first = reduction.constants.size() - found.momenta.size();
     for (std::size_t k = 0; k < found.momenta.size(); ++k) {
-      const std::string name = "p_" + scene().coordinates[reduction.ignored[k]].name;
+      const std::string name = std::get<qdot::Symbol>(reduction.constants[first + k].node()).name;
       constants[name] = found.momenta[k];
       put_error(name, {found.momenta[k], found.momenta_errors[k]});
       units_[name] = momentum_unit(scene(), reduction.ignored[k]);
@@ -280,7 +296,7 @@ class TurningPointsAnswer {
     Json validity = Json::object();
     for (const ValidityMinimum& least : found.validity) {
       const ValidityCondition& condition = scene().valid_while[least.condition];
-      units_[condition.name] = condition.unit;
+      units_[key_beside(units_, "validity", condition.name)] = condition.unit;
       validity[condition.name] = validity_json(condition, least);
     }
     body_["validity"] = std::move(validity);
