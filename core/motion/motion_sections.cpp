@@ -76,14 +76,17 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
     tried_.clear();
     met_.assign(names_.size(), false);
   }
-  for (std::size_t k = 0; k < met.size(); ++k) met_[k] = met_[k] || met[k];
+  bool is_first = true;  // time in this instant
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    is_first = is_first && !(met_[k] && met[k]);
+    met_[k] = met_[k] || met[k];
+  }
   note_size(y);
   const Sides before = way_.sides;
   const double begun = t_;
   doubt_of_instant_ = moved_instant_ = 0;
-  const bool is_alone = std::ranges::count(met_, true) == std::ranges::count(met, true);
   if (go_on(t, y)) {
-    if (is_alone) take_back(before, begun, t, y);
+    if (is_first) take_back(before, begun, t, y);
   } else if (!(come_together(t, y) && go_on(t, y))) {
     return false;
   }
