@@ -18,7 +18,9 @@ class SimulationAnswer {
   SimulationAnswer(const Resolved<SimulateRequest>& resolved, Call& call, Models& models)
       : request_(resolved.request),
         call_(call),
-        system_(resolved_system(request_.system, resolved.echo, models, request_.t_start)) {}
+        system_(resolved_system(request_.system, resolved.echo, models, request_.t_start)) {
+    put_in_exponents(system_, request_.system, request_.events);
+  }
 
   Response response() {
     run();
