@@ -97,6 +97,19 @@ Scene scene_as_asked(const SystemChoice& choice, const std::string& varied) {
 
 }  // namespace
 
+void put_in_exponents(ResolvedSystem& system, const SystemChoice& choice,
+                      std::span<const std::string> events) {
+  const auto has_power = [](const std::string& text) { return text.find('^') != std::string::npos; };
+  if (std::ranges::none_of(events, has_power)) return;
+  const WrittenTexts written = written_texts(choice);
+  ExponentValues values;
+  for (std::size_t i = 0; i < system.scene().parameters.size(); ++i) {
+    if (const auto value = exact_parameter(system.model(), written, i))
+      values[system.scene().parameters[i].name] = *value;
+  }
+  system.dynamics = Models::with_exponents(*system.dynamics, choice, std::move(values));
+}
+
 ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models, std::optional<double> t,
                                const std::string& varied) {
   ResolvedSystem system{.dynamics = models.of(choice), .state = {}, .echo = std::move(echo)};

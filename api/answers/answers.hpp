@@ -39,6 +39,10 @@ struct ResolvedSystem {
   [[nodiscard]] const Scene& scene() const { return model().scene; }
 };
 
+/// Where events that are typed raise something to a power: with the values of parameters that are exponents.
+void put_in_exponents(ResolvedSystem& system, const SystemChoice& choice,
+                      std::span<const std::string> events);
+
 /// With the state at time t, which obeys the constraints; without one it is where a search begins, and need
 /// not. Parameters that are exponents are put in, but for `varied`, which the answer has many values of.
 /// Throws as resolved_state, consistent_state and Models::of do.

@@ -63,6 +63,12 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice, const Sce
   return std::make_shared<const Dynamics>(build_model(scene, exponents, followers), inputs_in_order(choice));
 }
 
+std::shared_ptr<const Dynamics> Models::with_exponents(const Dynamics& dynamics, const SystemChoice& choice,
+                                                       ExponentValues exponents) {
+  return std::make_shared<const Dynamics>(dynamics.shared_model(), inputs_in_order(choice),
+                                          std::move(exponents));
+}
+
 Json Models::remembered(const Scene& scene, const std::string& name, const std::function<Json()>& make) {
   if (shared_ != nullptr) return shared_->remembered(scene, name, make);
   return is_kept(scene) ? documents_.get({&scene, name}, make) : make();

@@ -37,6 +37,11 @@ class Models {
                                                           const ExponentValues& exponents,
                                                           const Followers& followers = {});
 
+  /// The same system, whose typed events have these exponents.
+  [[nodiscard]] static std::shared_ptr<const Dynamics> with_exponents(const Dynamics& dynamics,
+                                                                      const SystemChoice& choice,
+                                                                      ExponentValues exponents);
+
   /// A document about one of the catalogue's systems, made once.
   [[nodiscard]] Json remembered(const Scene& scene, const std::string& name,
                                 const std::function<Json()>& make);

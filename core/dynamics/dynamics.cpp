@@ -17,8 +17,8 @@ namespace {
 
 }  // namespace
 
-Dynamics::Dynamics(std::shared_ptr<const Model> model, InputTexts inputs)
-    : model_(std::move(model)), inputs_(std::move(inputs)) {
+Dynamics::Dynamics(std::shared_ptr<const Model> model, InputTexts inputs, ExponentValues exponents)
+    : model_(std::move(model)), inputs_(std::move(inputs)), exponents_(std::move(exponents)) {
   if (!inputs_.empty()) (void)accelerations();  // an input that does not parse is refused now
 }
 
@@ -99,7 +99,7 @@ std::shared_ptr<const Statics> Dynamics::statics(std::span<const double> paramet
 }
 
 CompiledEvent Dynamics::event(const std::string& text, const Staying* staying) const {
-  return compiled_event(*model_, inputs_, text, staying);
+  return compiled_event(*model_, inputs_, text, exponents_, staying);
 }
 
 CompiledFunction Dynamics::compiled(const Graph& graph, std::span<const Expression> expressions) const {

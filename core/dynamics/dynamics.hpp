@@ -27,7 +27,9 @@ namespace qdot {
 class Dynamics {
  public:
   /// Throws Error(syntax | unknown_symbol | too_large) for an input that does not parse.
-  explicit Dynamics(std::shared_ptr<const Model> model, InputTexts inputs = {});
+  /// `exponents`: parameters that are put in where they are exponents in events that are typed.
+  explicit Dynamics(std::shared_ptr<const Model> model, InputTexts inputs = {},
+                    ExponentValues exponents = {});
 
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] std::shared_ptr<const Model> shared_model() const { return model_; }
@@ -81,6 +83,7 @@ class Dynamics {
 
   std::shared_ptr<const Model> model_;
   InputTexts inputs_;
+  ExponentValues exponents_;
   mutable MadeOnce<Only, CompiledFunction> accelerations_, jacobian_;
   mutable MadeOnce<Only, std::unique_ptr<const CanonicalFunctions>> canonical_;
   mutable MadeOnce<Only, std::unique_ptr<const Kinks>> kinks_;

@@ -69,13 +69,19 @@ Expression MotionBuilder::expression(const Expression& of_model) const {
   return known_.empty() ? e : substitute(e, known_);
 }
 
-ParsedEvent MotionBuilder::parsed_event(const std::string& text) {
+ParsedEvent MotionBuilder::parsed_event(const std::string& text, const ExponentValues& exponents) {
   std::vector<std::string> allowed{"t"};
   std::vector<Expression> multipliers = adopted(model_.parsed.symbols.multipliers);
   for (auto* symbols : {&parameters_, &q_, &rates_, &multipliers}) {
     for (const Expression& symbol : *symbols) allowed.push_back(std::get<Symbol>(symbol.node()).name);
   }
-  return parse_event(text, graph_, allowed);
+  ParsedEvent event = parse_event(text, graph_, allowed);
+  if (exponents.empty()) return event;
+  FoundExponents found;
+  ExponentSymbols symbols = exponent_symbols_of(model_.scene, model_.parsed.symbols);
+  symbols.parameters = parameters_;
+  event.expression = with_exponents(event.expression, symbols, exponents, found);
+  return event;
 }
 
 void MotionBuilder::take_equations() {

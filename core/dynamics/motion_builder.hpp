@@ -36,7 +36,7 @@ class MotionBuilder {
   MotionBuilder& operator=(const MotionBuilder&) = delete;
 
   [[nodiscard]] Expression expression(const Expression& of_model) const;
-  [[nodiscard]] ParsedEvent parsed_event(const std::string& text);
+  [[nodiscard]] ParsedEvent parsed_event(const std::string& text, const ExponentValues& exponents);
 
   /// Slots of q''.
   [[nodiscard]] const std::vector<Slot>& accelerations();

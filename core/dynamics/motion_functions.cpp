@@ -52,7 +52,7 @@ std::optional<CompiledFunction> compiled_by_accelerations(const Model& model, co
 }
 
 CompiledEvent compiled_event(const Model& model, const InputTexts& inputs, const std::string& text,
-                             const Staying* staying) {
+                             const ExponentValues& exponents, const Staying* staying) {
   const auto compiled = [&](const Expression& e) {
     return compiled_along_motion(model, inputs, *model.parsed.graph, {&e, 1}, staying);
   };
@@ -65,7 +65,7 @@ CompiledEvent compiled_event(const Model& model, const InputTexts& inputs, const
     return result;
   }
   const auto builder = builder_on(model, inputs, *model.parsed.graph, staying);
-  const ParsedEvent parsed = builder->parsed_event(text);
+  const ParsedEvent parsed = builder->parsed_event(text, exponents);
   builder->output(parsed.expression);
   return {builder->tape().finish(), parsed.crossing, {}};
 }

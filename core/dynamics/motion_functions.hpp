@@ -56,8 +56,10 @@ struct CompiledEvent {
 };
 
 /// "theta = 0+": an expression in t, q, q' and the parameters, a value, and a last + or - for the direction;
-/// or the name of one of the scene's events. Throws Error(syntax | unknown_symbol | too_large).
+/// or the name of one of the scene's events. `exponents`: parameters that are put in where they are exponents
+/// of what may be negative. Throws Error(syntax | unknown_symbol | too_large).
 [[nodiscard]] CompiledEvent compiled_event(const Model& model, const InputTexts& inputs,
-                                           const std::string& text, const Staying* staying = nullptr);
+                                           const std::string& text, const ExponentValues& exponents = {},
+                                           const Staying* staying = nullptr);
 
 }  // namespace qdot

@@ -7,6 +7,8 @@
 
 #include "core/expr/calculus.hpp"
 #include "core/expr/node.hpp"
+#include "core/mechanics/scene.hpp"
+#include "core/mechanics/symbols.hpp"
 
 namespace qdot {
 namespace {
@@ -91,6 +93,17 @@ class Positive {
 };
 
 }  // namespace
+
+ExponentSymbols exponent_symbols_of(const Scene& scene, const Symbols& symbols) {
+  ExponentSymbols result{symbols.parameters, {}};
+  const auto take = [&](const auto& named) {
+    const Domain& domain = named.domain;
+    if (domain.lower > 0 || (domain.lower == 0 && domain.lower_open)) result.positive.insert(named.name);
+  };
+  std::ranges::for_each(scene.parameters, take);
+  std::ranges::for_each(scene.coordinates, take);
+  return result;
+}
 
 Expression with_exponents(const Expression& e, const ExponentSymbols& symbols, const ExponentValues& values,
                           FoundExponents& found) {

@@ -21,6 +21,12 @@ struct ExponentSymbols {
   std::set<std::string> positive;      ///< all symbols that are, by their domains
 };
 
+struct Scene;
+struct Symbols;
+
+/// Those of a scene; velocities have any sign.
+[[nodiscard]] ExponentSymbols exponent_symbols_of(const Scene& scene, const Symbols& symbols);
+
 struct FoundExponents {
   std::set<std::string> names;  ///< parameters that are exponents of what may be negative
   ExponentValues put_in;        ///< those of them that are put in

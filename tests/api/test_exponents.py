@@ -69,6 +69,17 @@ class ParametersAsExponents(Service):
     def test_the_equations_keep_the_letter(self):
         self.assertIn("x^n", self.ask("equations", {"system": well("k*x^n")})["L"])
 
+    def test_a_typed_event_with_an_exponent_is_met_where_its_base_is_negative(self):
+        root = {2: math.acos(0.5), 3: math.acos(0.25 ** (1 / 3))}
+        truth = {2: [root[2], math.pi - root[2], math.pi + root[2], 2 * math.pi - root[2]], 3: [root[3], 2 * math.pi - root[3]]}
+        for n, times in truth.items():
+            swing = lagrangian("swing", f"n - {n}; k - 1", "x - 1", "x_dot^2/2 - k*x^2/2")
+            for request in ({"system": swing}, {"system": swing | {"parameters": [one | {"default": 5} if one["name"] == "n" else one
+                                                                                  for one in swing["parameters"]]},
+                                                "parameters": {"n": n}}):
+                found = self.ask("simulate", request | {"t_end": 7, "samples": 3, "events": ["x^n = 1/4"]})["events"]
+                self.assertEqual([round(one["t"], 9) for one in found], [round(t, 9) for t in times])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -174,7 +174,8 @@ class SimulationAnswer {
 
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
   const SimulateRequest& request = resolved.request;
-  const ResolvedSystem system = resolved_system(request.system, resolved.echo, models, request.t_start);
+  ResolvedSystem system = resolved_system(request.system, resolved.echo, models, request.t_start);
+  put_in_exponents(system, request.system, request.events);
   for (const std::string& note : included_columns(system.dynamics->model(), request.include).notes)
     call.notes.push_back(note);
   if (request.is_extended()) return extended_answer(request, system, call);
