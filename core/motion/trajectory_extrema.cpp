@@ -22,6 +22,7 @@ constexpr Way coarse{Method::erk, {.rtol = 1e-11, .atol = 1e-13}, false};
 /// A place where the coordinate may be largest or smallest.
 struct PossibleExtremum {
   double t, x;
+  double speed{};  ///< where it is not flat, as at an impact: the rounding of t moves x
 };
 
 /// A motion with its candidates, in order of time; there is always one.
@@ -77,8 +78,11 @@ class Follower {
     const Simulation motion = simulate(dynamics_, asked);
     look(request_.t_start, request_.y_start[request_.coordinate]);
     for (const EventRecord& event : motion.events) {
-      look(event.t, event.y[request_.coordinate]);
-      if (event.name != velocity) look(event.t, after_impact(event));
+      if (event.name == velocity) {
+        look(event.t, event.y[request_.coordinate]);
+      } else {
+        look_at_impact(event);
+      }
     }
     look(motion.t, motion.y[request_.coordinate] + (way.begins_as_typed ? rise_to_typed_end(motion) : 0));
     result_.stop = motion.stop;
@@ -96,6 +100,12 @@ class Follower {
   }
 
   void look(double t, double x) { candidates_.push_back({t, x}); }
+
+  void look_at_impact(const EventRecord& event) {
+    const double speed = std::abs(event.y[event.y.size() / 2 + request_.coordinate]);
+    candidates_.push_back({event.t, event.y[request_.coordinate], speed});
+    candidates_.push_back({event.t, after_impact(event), speed});
+  }
 
   /// The coordinate after the impact, where the impact map changes it.
   [[nodiscard]] double after_impact(const EventRecord& event) const {
@@ -115,6 +125,13 @@ class Follower {
   TrajectoryExtrema result_;
   std::vector<PossibleExtremum> candidates_;
 };
+
+double largest_size(const Followed& motion) {
+  double largest = 0;
+  for (const PossibleExtremum& candidate : motion.candidates)
+    largest = std::max(largest, std::abs(candidate.x));
+  return largest;
+}
 
 /// Up or down: the extremum is the largest of sign x.
 double extreme(const Followed& motion, double sign) {
@@ -137,6 +154,7 @@ PossibleExtremum chosen(const Followed& motion, const Followed& other, const std
   const PossibleExtremum first =
       *std::find_if(motion.candidates.begin(), motion.candidates.end(),
                     [&](const PossibleExtremum& candidate) { return sign * (most - candidate.x) <= error; });
+  if (first.speed > 0) error += round_off * (first.speed * std::abs(first.t) + largest_size(motion));
   if (motion.ending.ending == other.ending.ending) {
     extremum = {first.x, 2 * error, ""};
   } else {

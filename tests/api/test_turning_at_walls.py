@@ -1,0 +1,89 @@
+"""Turning points where impacts may lie on the way: the energy integral knows nothing of walls."""
+
+import math
+import pathlib
+import sys
+import unittest
+from fractions import Fraction
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+
+
+def oscillator(wall="x+b", b="0.3", restitution="1", **event):
+    """x'' = -x from x = 1 at rest, with a wall where `wall` falls through 0."""
+    return {"name": "walled", "units": "none", "lagrangian": "x_dot^2/2-x^2/2",
+            "parameters": [{"name": "b", "default": b}], "coordinates": [{"name": "x", "initial": "1"}],
+            "events": [{"name": "w", "expression": wall, "direction": "falling", **event}],
+            "impact": {"event": "w", "restitution": restitution}}
+
+
+def brake(b):
+    """The same, stopped where it moves to the right faster than b."""
+    return {**oscillator(wall="b-x_dot", b=b), "impact": {"event": "w", "map": {"x_dot": "0"}}}
+
+
+PLANET = {"name": "planet", "units": "none", "lagrangian": "m*(r_dot^2+r^2*ph_dot^2)/2+k/r",
+          "parameters": [{"name": "m", "default": "1"}, {"name": "k", "default": "4"}],
+          "coordinates": [{"name": "r", "initial": "1"}, {"name": "ph", "initial": "0", "initial_rate": "2"}]}
+
+
+class TurningAtWalls(Service):
+    def test_a_bouncing_ball_is_followed(self):
+        problem = self.refused("turning_points", {"system": "bouncing_ball"})
+        self.assertEqual([error["pointer"] for error in problem["errors"]], ["#/t_end"])
+        self.assertIn("impact", problem["errors"][0]["detail"])
+        answer = self.ask("turning_points", {"system": "bouncing_ball", "t_end": 1})
+        self.assertEqual(answer["method"], "trajectory")
+        self.assertLessEqual(abs(answer["z_min"]), answer["error"]["z_min"])
+
+    def test_the_motion_turns_at_a_wall(self):
+        for restitution in ("1", "0.5"):
+            answer = self.ask("turning_points", {"system": oscillator(restitution=restitution), "t_end": 3})
+            self.assertEqual(answer["method"], "trajectory")
+            self.assertLessEqual(abs(answer["x_min"] + 0.3), answer["error"]["x_min"])
+            self.assertEqual(answer["x_max"], 1)
+
+    def test_the_error_at_a_wall_holds_what_rounding_does(self):
+        for b in ("0", "0.5", "0.001", "0.000000001", "-0.2"):
+            for restitution, t_end in (("1", 7), ("0.5", 3), ("0.5", 7)):
+                answer = self.ask("turning_points", {"system": oscillator(b=b, restitution=restitution), "t_end": t_end})
+                distance = abs(Fraction(answer["x_min"]) + Fraction(b))
+                self.assertLessEqual(distance, Fraction(answer["error"]["x_min"]), (b, restitution, t_end))
+                self.assertLess(answer["error"]["x_min"], 1e-13)
+
+    def test_without_impacts_the_energy_answers(self):
+        answer = self.ask("turning_points", {"system": oscillator(), "impacts": False})
+        self.assertEqual((answer["method"], answer["x_min"]), ("energy", -1))
+
+    def test_a_wall_out_of_reach_changes_nothing(self):
+        for scene in (oscillator(b="1.01"), oscillator(wall="x^2+b"), brake("1.01")):
+            answer = self.ask("turning_points", {"system": scene})
+            self.assertEqual((answer["method"], answer["motion"], answer["x_min"]), ("energy", "libration", -1))
+            self.assertAlmostEqual(answer["period"], 2 * math.pi)
+
+    def test_a_wall_that_is_touched_or_moves_is_not_excluded(self):
+        for scene in (oscillator(b="1"), oscillator(wall="x+b-t", b="9"), brake("0.9")):
+            self.refused_at("turning_points", {"system": scene}, "#/t_end")
+
+    def test_walls_of_ignorable_coordinates_are_not_excluded(self):
+        scene = {**PLANET, "events": [{"name": "w", "expression": "3-ph", "direction": "falling"}],
+                 "impact": {"event": "w", "restitution": "1"}}
+        self.refused_at("turning_points", {"system": scene, "coordinate": "r", "initial": {"r": 1.1}}, "#/t_end")
+
+    def test_an_equilibrium_behind_a_wall_is_marked(self):
+        scene = {**oscillator(wall="x", b="0"), "lagrangian": "x_dot^2/2-(x+1)^2/2"}
+        answer = self.ask("equilibria", {"system": scene})
+        self.assertIn("behind", answer["equilibria"][0]["note"])
+        self.assertTrue(any("pressed" in note for note in answer["notes"]))
+        before = self.ask("equilibria", {"system": oscillator()})
+        self.assertNotIn("note", before["equilibria"][0])
+
+    def test_a_circle_does_not_rest(self):
+        answer = self.ask("turning_points", {"system": PLANET, "coordinate": "r"})
+        self.assertEqual(answer["motion"], "equilibrium")
+        self.assertNotIn("rest", answer["reason"]["period"])
+
+
+if __name__ == "__main__":
+    unittest.main()
