@@ -65,8 +65,17 @@ void derive_impacts(Model& model) {
   }
 }
 
-Expression quantity_of(const Lagrangian& lagrangian, const ParsedCondition& condition) {
-  if (const auto* which = std::get_if<ParsedReaction>(&condition)) return reaction(lagrangian, *which);
+Expression quantity_of(const Scene& scene, const Lagrangian& lagrangian, const ParsedCondition& condition,
+                       const std::string& place) {
+  if (const auto* which = std::get_if<ParsedReaction>(&condition)) {
+    Expression found = reaction(lagrangian, *which);
+    if (!found.is_zero()) return found;
+    throw SceneError(
+        {{place + "/reaction/length", "no_reaction",
+          "The reaction of '" + scene.held_lengths[which->held].name +
+              "' is 0 always: write the held length where it stands in the scene, as in the place of "
+              "what it holds."}});
+  }
   return substitute(std::get<Expression>(condition), lagrangian.holding);
 }
 
@@ -102,12 +111,14 @@ std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValue
   }
   model->momenta = conjugate_momenta(model->lagrangian);
   model->jacobi = jacobi_integral(model->lagrangian);
-  for (const ParsedCondition& condition : model->parsed.valid_while) {
-    model->validity.push_back(quantity_of(model->lagrangian, condition));
-  }
-  for (const ParsedCondition& report : model->parsed.reports) {
-    model->reports.push_back(quantity_of(model->lagrangian, report));
-  }
+  const auto quantities_of = [&](const std::vector<ParsedCondition>& conditions, const std::string& list) {
+    std::vector<Expression> quantities;
+    for (std::size_t i = 0; i < conditions.size(); ++i)
+      quantities.push_back(quantity_of(scene, model->lagrangian, conditions[i], list + std::to_string(i)));
+    return quantities;
+  };
+  model->validity = quantities_of(model->parsed.valid_while, "/valid_while/");
+  model->reports = quantities_of(model->parsed.reports, "/reports/");
   model->partial = partial_quantities(model->parsed, model->lagrangian);
   model->lagrangian.graph->forget_brackets();  // a model lives long, and asks little of them
   return model;

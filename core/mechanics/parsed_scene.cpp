@@ -117,24 +117,56 @@ class SceneParser {
         text_.read_optional(scene_.potential, Context::configuration, "/potential", dimension_of_unit("J"));
     parsed_.dissipation =
         text_.read_optional(scene_.dissipation, Context::state, "/dissipation", dimension_of_unit("W"));
+    check_dissipation();
     parsed_.lagrangian =
         text_.read_optional(scene_.lagrangian, Context::state, "/lagrangian", dimension_of_unit("J"));
+  }
+
+  void check_dissipation() {
+    const auto& d = parsed_.dissipation;
+    if (!d || d->is_zero() || text_.has_complaint("/dissipation")) return;
+    if (depends_on(*d, parsed_.symbols.coordinates.rate) || depends_on(*d, parsed_.symbols.held.rate)) return;
+    text_.complain(
+        "/dissipation", "no_velocity",
+        "No velocity stands here, so nothing is damped: the force is -dD/dq_dot, as of c*q_dot^2/2.");
   }
 
   void read_forces() {
     const std::vector<Replacement> rates = parsed_.symbols.rates();
     each(scene_.dampers, "/dampers", [&](const Damper& damper, const std::string& place) {
       parsed_.forces.push_back(parse_damper(damper, place, text_, rates));
+      check_way(parsed_.forces.back(), place, field_of_way(damper));
     });
     each(scene_.forces, "/forces", [&](const Force& force, const std::string& place) {
       if (force.torque.empty()) {
         parsed_.forces.push_back(parse_force(force, place, text_));
+        check_way(parsed_.forces.back(), place, force.value.empty() ? "/point" : "/along");
         check_multipliers(parsed_.forces.back().vector, place);
       } else {
         parsed_.torques.push_back(parse_torque(force, place, text_, parsed_.bodies, rates));
         check_multipliers(parsed_.torques.back().vector, place);
       }
     });
+  }
+
+  static const char* field_of_way(const Damper& damper) {
+    if (damper.point) return "/point";
+    if (!damper.between.empty()) return "/between";
+    return damper.angle.empty() ? "/length" : "/angle";
+  }
+
+  /// A force along what no coordinate moves is none.
+  void check_way(const ParsedForce& force, const std::string& place, const char* field) {
+    if (text_.has_complaint_below(place)) return;
+    const Symbols& symbols = parsed_.symbols;
+    const auto moves = [&](const Expression& e) {
+      return depends_on(e, symbols.coordinates.value) || depends_on(e, symbols.held.value);
+    };
+    if (std::ranges::any_of(force.point, moves)) return;
+    text_.complain(
+        place + field, "no_coordinate",
+        "No coordinate stands here, so this force moves nothing: write what it acts along, such as the "
+        "arc l*theta, or a point that moves.");
   }
 
   /// Reactions follow from a linear system.
@@ -247,6 +279,12 @@ class SceneParser {
     each(scene_.bodies, "/bodies", [&](const Body& body, const std::string& place) {
       std::visit([&](const auto& some) { check(bodies, "bodies")(some, place); }, body);
     });
+    each(scene_.lines, "/lines", [&](const std::vector<std::string>& line, const std::string& place) {
+      each(line, place, [&](const std::string& point, const std::string& here) {
+        if (!places.contains(point))
+          text_.complain(here, "unknown_point", "There is no point '" + point + "' in this scene.");
+      });
+    });
   }
 
   void check_whole() {
@@ -297,6 +335,7 @@ class SceneParser {
   }
 
   const Scene& scene_;
+  const TiedParameters& tied_;
   ParsedScene parsed_;
   SceneText text_;
 };
