@@ -62,6 +62,46 @@ Expression kinetic_in_momenta(const std::vector<Expression>& difference, const Q
   return simplify_quotient(-determinant(bordered), Number(2) * determinant(form.mass));
 }
 
+/// The groups of velocities that A couples with each other, by their places in it.
+std::vector<std::vector<std::size_t>> coupled_groups(const Matrix& mass) {
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<bool> seen(mass.size());
+  for (std::size_t start = 0; start < mass.size(); ++start) {
+    if (seen[start]) continue;
+    std::vector<std::size_t> group{start};
+    seen[start] = true;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      for (std::size_t j = 0; j < mass.size(); ++j) {
+        if (seen[j] || mass[group[k]][j].is_zero()) continue;
+        seen[j] = true;
+        group.push_back(j);
+      }
+    }
+    std::ranges::sort(group);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// T of many velocities, which is written group by group; no value where a group is too large.
+std::optional<Expression> kinetic_by_groups(const std::vector<Expression>& difference,
+                                            const QuadraticForm& form) {
+  std::vector<Expression> terms;
+  for (const std::vector<std::size_t>& group : coupled_groups(form.mass)) {
+    if (group.size() > largest_written_system) return std::nullopt;
+    QuadraticForm part{{}, {}, form.rest};
+    std::vector<Expression> momenta;
+    for (const std::size_t i : group) {
+      momenta.push_back(difference[i]);
+      part.mass.emplace_back();
+      for (const std::size_t j : group) part.mass.back().push_back(form.mass[i][j]);
+    }
+    if (simplify(determinant(part.mass)).is_zero()) return std::nullopt;
+    terms.push_back(kinetic_in_momenta(momenta, part));
+  }
+  return form.rest.graph().sum(terms);
+}
+
 std::vector<std::size_t> all_coordinates(const Lagrangian& lagrangian) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < lagrangian.symbols.coordinates.value.size(); ++i) all.push_back(i);
@@ -92,6 +132,12 @@ std::optional<CanonicalEquations> canonical_equations(const Lagrangian& lagrangi
 
 std::optional<Expression> hamiltonian(const Lagrangian& lagrangian) {
   const std::vector<std::size_t> all = all_coordinates(lagrangian);
+  if (all.size() > largest_written_system) {
+    const auto form = quadratic_form(lagrangian, all);
+    const auto kinetic =
+        form ? kinetic_by_groups(kinetic_momenta(lagrangian, all, *form), *form) : std::nullopt;
+    return kinetic ? std::optional(*kinetic - simplify(form->rest)) : std::nullopt;
+  }
   const auto form = solvable_form(lagrangian, all);
   if (!form) return std::nullopt;
   return kinetic_in_momenta(kinetic_momenta(lagrangian, all, *form), *form) - simplify(form->rest);

@@ -23,8 +23,8 @@ struct CanonicalEquations {
 /// No value for an L that is not quadratic in the velocities.
 [[nodiscard]] std::optional<CanonicalEquations> canonical_equations(const Lagrangian& lagrangian);
 
-/// H(q, p, t) = sum p_i q_i' - L with the velocities eliminated. No value for more than three degrees of
-/// freedom or an L that is not quadratic in the velocities.
+/// H(q, p, t) = sum p_i q_i' - L with the velocities eliminated. No value where T couples more than three
+/// velocities with each other, or for an L that is not quadratic in the velocities.
 [[nodiscard]] std::optional<Expression> hamiltonian(const Lagrangian& lagrangian);
 
 /// Coordinates that L and the generalized forces do not contain: dL/dq_i = 0 and Q_i = 0.

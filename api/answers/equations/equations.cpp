@@ -61,13 +61,18 @@ class EquationsAnswer {
     try {
       body_[name] = make();
     } catch (const Error& error) {
-      reasons_[name] = error.code() == ErrorCode::not_applicable ? error.what() : too_long;
+      reasons_[name] = error.code() == ErrorCode::not_applicable ? error.what() : why_too_long();
     }
+  }
+
+  /// With constraints M q_ddot = f does not determine the motion.
+  [[nodiscard]] const char* why_too_long() const {
+    return model_.has_constraints() ? too_long_with_constraints : too_long;
   }
 
   /// Why velocities are not written by momenta.
   [[nodiscard]] const char* without_momenta() const {
-    return canonical_equations(own_) ? too_long : not_quadratic;
+    return canonical_equations(own_) ? why_too_long() : not_quadratic;
   }
 
   [[nodiscard]] Json optional(const std::optional<Expression>& e, const char* why_not) const {
@@ -119,8 +124,7 @@ class EquationsAnswer {
 
   [[nodiscard]] Json accelerations(const EquationsOfMotion& equations) const {
     const std::vector<Expression> solution = solved(augmented(equations, own_));
-    if (solution.empty())
-      throw Error(ErrorCode::not_applicable, model_.has_constraints() ? too_long_with_constraints : too_long);
+    if (solution.empty()) throw Error(ErrorCode::not_applicable, why_too_long());
     Json json = Json::object();
     const std::size_t n = model_.degrees_of_freedom();
     for (std::size_t i = 0; i < n; ++i) json[coordinate(i) + "_ddot"] = written(solution[i]);
