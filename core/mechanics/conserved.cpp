@@ -18,9 +18,15 @@ bool depends_on_time(const Expression& e, const Symbols& symbols) {
          depends_on(e, symbols.inputs.rate);
 }
 
-/// But those of constraints that do no work.
+/// But those of constraints that do no work, and those whose power vanishes whatever the velocities are, such
+/// as a magnetic field's.
 bool has_forces(const Lagrangian& lagrangian) {
-  return !std::ranges::all_of(working_forces(lagrangian), &Expression::is_zero);
+  const std::vector<Expression> forces = working_forces(lagrangian);
+  if (std::ranges::all_of(forces, &Expression::is_zero)) return false;
+  std::vector<Expression> power;
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    power.push_back(forces[i] * lagrangian.symbols.coordinates.rate[i]);
+  return !simplify(lagrangian.graph->sum(power)).is_zero();
 }
 
 /// h = T + V holds when T is purely quadratic in the velocities and V has none.
@@ -70,20 +76,20 @@ bool time_changes_no_motion(const Lagrangian& lagrangian) {
 std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian, const Scene& scene) {
   const bool has_impacts = scene.has_impacts();
   const std::string until = has_impacts ? " between impacts." : ".";
+  const bool has_any = !std::ranges::all_of(lagrangian.generalized_forces, &Expression::is_zero);
+  const std::string without_time = std::string("The Lagrangian does not contain the time") +
+                                   (has_any ? ", the forces beside it do no work" : "");
   std::vector<ConservedQuantity> found;
   if (!has_forces(lagrangian) && !depends_on_time(lagrangian.lagrangian, lagrangian.symbols)) {
     if (is_energy(lagrangian)) {
       found.push_back(
           {"energy", "J", jacobi_integral(lagrangian),
-           "The Lagrangian does not contain the time and T is quadratic in the velocities, so the Jacobi "
-           "integral is the energy T + V" +
+           without_time +
+               " and T is quadratic in the velocities, so the Jacobi integral is the energy T + V" +
                std::string(has_impacts ? ", constant between impacts." : ".")});
     } else {
-      found.push_back(
-          {"h", "J", jacobi_integral(lagrangian),
-           "The Lagrangian does not contain the time, so the Jacobi integral h = sum of p q_dot - L is "
-           "constant" +
-               until});
+      found.push_back({"h", "J", jacobi_integral(lagrangian),
+                       without_time + ", so the Jacobi integral h = sum of p q_dot - L is constant" + until});
     }
   }
   if (auto h = energy_beside_a_derivative(lagrangian, until)) found.push_back(*std::move(h));
@@ -115,7 +121,8 @@ std::string why_energy_changes(const Lagrangian& lagrangian) {
     return "The Lagrangian contains the time explicitly: what moves the system from outside does work.";
   }
   if (!lagrangian.kinetic_energy)
-    return "The scene gives only its Lagrangian, so T and V are not known apart.";
+    return "The scene gives only its Lagrangian, so T and V are not known apart: what is constant is h = sum of p "
+           "q_dot - L, which is the energy wherever T is quadratic in the velocities.";
   if (is_energy(lagrangian)) return "";
   return "T has terms that are not quadratic in the velocities: what keeps the prescribed motion does work, "
          "so h is constant and T + V is not.";

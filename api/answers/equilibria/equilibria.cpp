@@ -120,8 +120,10 @@ class EquilibriaAnswer {
       body["free"].push_back(scene_.coordinates[i].name);
       names += (names.empty() ? "" : ", ") + scene_.coordinates[i].name;
     }
-    body["free_reason"] = "No force depends on " + names +
-                          ": every value belongs to an equilibrium; given are those of 'initial'.";
+    body["free_reason"] =
+        "No force depends on " + names +
+        (found.states.empty() ? ", so where nothing is in balance, nothing is for any other value either."
+                              : ": every value belongs to an equilibrium; given are those of 'initial'.");
   }
 
   void put_momenta(Json& body, const Equilibria& found) const {

@@ -1,0 +1,82 @@
+"""Reasons that answers give are true."""
+
+import pathlib
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+
+
+def parameter(name, unit, default):
+    return {"name": name, "unit": unit, "default": default}
+
+
+def charge(forces):
+    return {"name": "charge", "parameters": [parameter("m", "kg", "1"), parameter("B", "N*s/m", "2")],
+            "coordinates": [{"name": "x", "unit": "m"}, {"name": "y", "unit": "m", "initial_rate": "1"}],
+            "bodies": [{"kind": "particle", "mass": "m", "position": ["x", "y"]}],
+            "forces": [{"vector": forces, "point": ["x", "y"]}]}
+
+
+def chain(n, coupled=""):
+    q = [f"q{i}" for i in range(n)]
+    kinetic = "+".join(f"m*{name}_dot^2/2" for name in q)
+    springs = "-".join(f"k*({a}-{b})^2/2" for a, b in zip(q, q[1:]))
+    return {"name": "chain", "units": "none", "lagrangian": f"{kinetic}-{springs}{coupled}",
+            "parameters": [{"name": "m", "default": "1"}, {"name": "k", "default": "1"}],
+            "coordinates": [{"name": name} for name in q]}
+
+
+class TrueReasons(Service):
+    def test_a_force_across_the_velocity_does_no_work(self):
+        answer = self.ask("equations", {"system": charge(["B*y_dot", "-B*x_dot"])})
+        self.assertNotIn("energy_not_conserved", answer.get("reasons", {}))
+        energy = [entry for entry in answer["conserved"] if entry["name"] == "energy"]
+        self.assertEqual(len(energy), 1)
+        self.assertIn("do no work", energy[0]["why"])
+        drag = self.ask("equations", {"system": charge(["B*y_dot-B*x_dot", "-B*x_dot"])})
+        self.assertEqual(drag["reasons"]["energy_not_conserved"], "Forces outside the Lagrangian do work.")
+
+    def test_a_lagrangian_alone_keeps_h(self):
+        answer = self.ask("equations", {"system": chain(2)})
+        self.assertIn("constant is h", answer["reasons"]["energy_not_conserved"])
+
+    def test_nothing_is_said_of_equilibria_that_are_not_there(self):
+        slope = {"name": "slope", "gravity": ["0", "-g"],
+                 "parameters": [parameter("m", "kg", "1"), parameter("al", "rad", "0.2"), parameter("g", "m/s^2", "9.81")],
+                 "coordinates": [{"name": "s", "unit": "m"}],
+                 "bodies": [{"kind": "particle", "mass": "m", "position": ["s*cos(al)", "-s*sin(al)"]}]}
+        answer = self.ask("equilibria", {"system": slope})
+        self.assertEqual(answer["equilibria"], [])
+        self.assertNotIn("given are", answer["free_reason"])
+
+    def test_the_hamiltonian_of_many_separate_masses_is_written(self):
+        for n in (4, 6, 12):
+            text = self.ask("equations", {"system": chain(n)})["hamiltonian"]
+            self.assertEqual(text.count("/(2*m)"), n, text)
+        coupled = self.ask("equations", {"system": chain(4, "+q0_dot*q2_dot/2")})["hamiltonian"]
+        at = {"m": 1, "k": 2, **{f"q{i}": x for i, x in enumerate((1, 3, 4, 8))},
+              **{f"p_q{i}": p for i, p in enumerate((3, 1, 5, 2))}}
+        # p0^2 - p0 p2 + p2^2 over 2 (1 - 1/4), the others alone, and springs stretched by 2, 1 and 4
+        self.assertAlmostEqual(eval(coupled.replace("^", "**"), {}, at), 19 / 1.5 + 0.5 + 2 + 21)
+        together = "".join(f"+q{i}_dot*q{i + 1}_dot/8" for i in range(4))
+        self.assertIsNone(self.ask("equations", {"system": chain(5, together)})["hamiltonian"])
+
+    def test_with_constraints_the_constraints_belong_to_what_is_to_be_solved(self):
+        places = [(f"x{i}", f"y{i}") for i in range(3)]
+        before = [("0", "0"), *places]
+        scene = {"name": "bobs", "units": "none", "parameters": [{"name": "g", "default": "1"}],
+                 "coordinates": [{"name": name, "initial": str(i + 1) if name[0] == "x" else "0"}
+                                 for i, pair in enumerate(places) for name in pair],
+                 "lagrangian": "+".join(f"({x}_dot^2+{y}_dot^2)/2-g*{y}" for x, y in places),
+                 "constraints": [{"name": f"c{i}", "expression": f"({x}-({a}))^2+({y}-({b}))^2-1"}
+                                 for i, ((x, y), (a, b)) in enumerate(zip(places, before))]}
+        answer = self.ask("equations", {"system": scene})
+        for name in ("accelerations", "hamiltonian"):
+            if answer[name] is None:
+                self.assertIn("with the constraints", answer["reasons"][name])
+
+
+if __name__ == "__main__":
+    unittest.main()
