@@ -335,7 +335,6 @@ class SceneParser {
   }
 
   const Scene& scene_;
-  const TiedParameters& tied_;
   ParsedScene parsed_;
   SceneText text_;
 };
