@@ -12,6 +12,7 @@ namespace {
 
 constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
 constexpr double several = 4;
+constexpr double small_bend = 1e-2;
 constexpr int halvings = 60;    ///< of the time in which the sign of an argument changes
 constexpr int refinements = 4;  ///< of where a kink was passed, each much closer than the one before
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
@@ -82,6 +83,7 @@ class Passing {
       if (!is_near) passage.doubt = std::max(passage.doubt, std::abs(s));
       const bool is_explained = is_crossed && std::abs(here.u) <= here.explained;
       if (!(is_near || is_explained) || !motions_.series(next)) return passage;
+      passage.is_unclear = passage.is_unclear || bends_on_the_way(now, next, s);
       for (auto& [k, other] : ahead_) other.u += s * (old[k][1] - (*motions_.series(next))[k][1]);
       for (std::size_t i = 0; i < move.size(); ++i) move[i] += s * (rate(now, i) - rate(next, i));
       passage.early = std::max(passage.early, std::abs(s));
@@ -139,6 +141,16 @@ class Passing {
     const std::vector<double> places = motions_.geometry(sides, motions_.t(), motions_.y());
     const auto slopes = std::span(places).subspan(kink * row + 1, row - 1);
     return std::ranges::all_of(slopes, [](double slope) { return slope == 0; });
+  }
+
+  /// Whether what a kink changes in s seconds moves the argument of another one ahead by more than a small
+  /// part of its own way: s is no short time then.
+  bool bends_on_the_way(const Sides& now, const Sides& next, double s) {
+    return std::ranges::any_of(ahead_, [&](const auto& one) {
+      const std::vector<double> old = (*motions_.series(now))[one.first];
+      const double bend = std::abs((*motions_.series(next))[one.first][2] - old[2]) * s * s;
+      return bend > small_bend * std::abs(s * old[1]) + margin * size_[one.first];
+    });
   }
 
   /// y_i' of the motion.

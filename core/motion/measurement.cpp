@@ -26,6 +26,20 @@ bool goes_otherwise(const Simulation& one, const Simulation& other) {
          !std::ranges::equal(one.pieces, other.pieces, {}, &PieceRecord::sides, &PieceRecord::sides);
 }
 
+/// A sentence where one of the computations comes to where it may go on in several ways; else empty.
+std::string why_unclear(const Simulation& motion, const std::vector<Simulation>& others) {
+  const Simulation* first = nullptr;
+  const auto look = [&](const Simulation& one) {
+    if (one.unclear_from && (first == nullptr || *one.unclear_from < *first->unclear_from)) first = &one;
+  };
+  look(motion);
+  std::ranges::for_each(others, look);
+  if (first == nullptr) return {};
+  const double t = *first->unclear_from;
+  return (first->is_unclear_by_kinks ? several_kinks_at_once(t) : several_at_once(t)) +
+         accuracy_reasons::may_go_anywhere;
+}
+
 }  // namespace
 
 Measurement::Measurement(const Dynamics& dynamics, const SimulationRequest& request, const AccuracyGoal& goal)
@@ -178,11 +192,9 @@ bool Measurement::can_be_checked_by(const Simulation& other) {
 }
 
 void Measurement::state(const std::vector<Simulation>& others) {
-  std::optional<double> unclear = result_.simulation.unclear_from;
-  for (const Simulation& other : others)
-    unclear = std::min(unclear.value_or(infinity), other.unclear_from.value_or(infinity));
-  if (unclear && *unclear < infinity) {
-    result_.reason = several_at_once(*unclear) + accuracy_reasons::may_go_anywhere;
+  const std::string unclear = why_unclear(result_.simulation, others);
+  if (!unclear.empty()) {
+    result_.reason = unclear;
     return;
   }
   RowComparison comparison = compare(motion(), others, doubt_);

@@ -52,6 +52,9 @@ class MotionSections {
   /// By how many it has moved it, which is taken back in the state there.
   [[nodiscard]] double moved_instant() const { return moved_instant_; }
 
+  /// Whether it was one of several kinks between which the way is not known.
+  [[nodiscard]] bool is_unclear() const { return is_unclear_; }
+
   /// Functions of the state in the section; they may contain q''.
   struct Columns {
     std::shared_ptr<const CompiledFunction> function;
@@ -89,6 +92,7 @@ class MotionSections {
   KinkModes::Way way_;
   double t_{};  ///< when the section began
   double doubt_of_instant_{}, moved_instant_{};
+  bool is_unclear_{false};
   std::vector<double> largest_;               ///< |y_i| where sections have begun
   std::vector<bool> met_;                     ///< at that instant
   std::set<Sides> tried_;                     ///< at that instant

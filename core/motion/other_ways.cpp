@@ -139,6 +139,11 @@ std::string several_at_once(double t) {
   return at_time(t) + " several impacts happen within one instant, and their order is not known";
 }
 
+std::string several_kinks_at_once(double t) {
+  return at_time(t) +
+         " the motion passes several kinks within one instant, and forces between them turn it in that time";
+}
+
 OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> others,
                      std::span<const ApproachAsTold> approaches, std::uint64_t evaluations_left) {
   OtherWays result;

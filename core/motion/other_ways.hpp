@@ -37,6 +37,8 @@ struct OtherWays {
 
 /// The beginning of a sentence on impacts at that time.
 [[nodiscard]] std::string several_at_once(double t);
+/// The same of kinks.
+[[nodiscard]] std::string several_kinks_at_once(double t);
 
 /// A sentence on the first event that the errors allow to happen where the motion nearly meets it; empty
 /// where there is none.

@@ -113,14 +113,22 @@ class Simulator {
     const auto first = static_cast<std::size_t>(std::ranges::find(met, true) - met.begin());
     if (!apart_.is_wanted() || first == met.size()) {
       is_determined_ = sections_.pass(result_.t, result_.y, met);
+      note_unclear_kinks();
       return;
     }
     SectionEnd end = now_ending(sections_.ends()[first].value);
     is_determined_ = sections_.pass(result_.t, result_.y, met);
+    note_unclear_kinks();
     if (!is_determined_) return;
     finish(end);
     doubt_side(end);
     apart_.pass(std::move(end));
+  }
+
+  void note_unclear_kinks() {
+    if (!sections_.is_unclear() || result_.unclear_from) return;
+    result_.unclear_from = result_.t;
+    result_.is_unclear_by_kinks = true;
   }
 
   /// A kink that is met where the motion ends is not passed, but may be.

@@ -59,7 +59,8 @@ struct Simulation {
   std::vector<ApproachRecord> approaches;   ///< where the request wants them
   std::vector<ApproachRecord> near_events;  ///< the same of events that are reported only
   std::optional<double> order_in_doubt;     ///< the first instant where it matters which impact is the first
-  std::optional<double> unclear_from;       ///< the first where there are more ways than two orders
+  bool is_unclear_by_kinks{};
+  std::optional<double> unclear_from;  ///< the first where there are more ways than two orders
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.
   Ending ending{Ending::reached_end};

@@ -181,6 +181,15 @@ class SurfacesWithinRounding(Service):
             for name, value in (("x", true), ("x_dot", faster)):
                 self.assertLessEqual(abs(answer["trajectory"][name][-1] - value), mpf(errors[name]), (name, text, end, answer["accuracy"]))
 
+    def test_a_band_within_one_instant_has_no_error(self):
+        """Its forces would change the speed in less than rounding of the time."""
+        system = forced(mpf(0), mpf("1.2"), "166829000000000*(sign(x - 0.9379) - sign(x - 0.9379000000000123))/2")
+        answer = self.motion(system, t_end=1.4656)
+        errors = answer["accuracy"]["max_abs_error"]
+        true = mpmath.sqrt(mpf("1.44") + 2*mpf("166829e9")*mpf("1.23e-14"))
+        self.assertTrue(errors is None or abs(answer["trajectory"]["x_dot"][-1] - true) <= errors["x_dot"], answer)
+        self.assertTrue(errors is not None or "within one instant" in answer["accuracy"]["reason"], answer)
+
     def test_a_kink_at_a_multiple_root(self):
         for power in (3, 3, 3, 5):
             x, v, away, jump = mpf("0.619"), mpf("-1.65"), mpf(self.random.randrange(2000, 6000))/10000, mpf("0.13")
