@@ -74,7 +74,10 @@ PlaceProblem place_problem(const LinearMotions& motions, ExactValues& values,
         problem.alike.back().push_back({values.symbols()[p], values.parameters()[p]});
     }
     problem.starts.emplace_back();
-    const auto start = k < motions.moving.size() ? values.coordinate(motions.moving[k]) : std::nullopt;
+    // A multiplier has none, also where it is a coordinate of the surface's own system.
+    const bool has_start =
+        k < motions.moving.size() && motions.moving[k] < values.model().parsed.initial.size();
+    const auto start = has_start ? values.coordinate(motions.moving[k]) : std::nullopt;
     if (start) problem.starts.back() = {*start, values.value(*start).value};
   }
   return problem;

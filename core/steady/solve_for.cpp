@@ -48,6 +48,21 @@ std::vector<SolvedValue> allowed_values(const BalanceProblem& problem, const std
   return values;
 }
 
+/// Velocities of ignorable coordinates stay as they are, also where the start gives them by the unknown.
+std::string held_rates(const BalanceProblem& problem) {
+  const Model& model = problem.dynamics.model();
+  std::string text;
+  if (!problem.solves_for_parameter()) return text;
+  const Expression& u = model.parsed.symbols.parameters[problem.polynomial->place];
+  for (const std::size_t c : problem.reduction().ignored) {
+    if (problem.is_multiplier(c) || !depends_on(model.parsed.initial_rates[c], u)) continue;
+    const std::string rate = model.scene.coordinates[c].name + "_dot";
+    text += " " + rate + " stays " + short_number(problem.y[problem.y.size() / 2 + c], 6) +
+            " here, though the start gives it by " + problem.unknown + ": solve for " + rate + " instead.";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> solvable_names(const Dynamics& dynamics, std::span<const double> parameters) {
@@ -85,6 +100,7 @@ Solution solve_for(const Dynamics& dynamics, const Reals& parameters, const Real
     found.number = found.values[0].middle();
   }
   result.reason = sentence(found, unknown, position_in_words(problem));
+  if (!result.reason.empty()) result.reason += held_rates(problem);
   if (problem.kinks->at_rest.kinks() > 0) return result;  // ranges would end at kinks, too
   const Domain& of_position = problem.scene().coordinates[problem.reduction().kept[0]].domain;
   result.ranges = solvable_ranges(*problem.polynomial, problem.constants, problem.domain, of_position);

@@ -67,6 +67,12 @@ class Followers(Service):
         self.assertAlmostEqual(answer["k"], 2 * 9.81 * math.sin(0.3) / (0.5 * 0.3), 12)
         self.assertEqual(answer["exact"]["text"], "2*m*g*sin(th)/(l*th)")
 
+    def test_a_rate_that_is_held_is_named(self):
+        answer = self.ask("equilibria", {"system": HOOP, "solve_for": "n", "at": {"th": 0.5}})
+        self.assertIn("ph_dot stays 0.7 here, though the start gives it by n", answer["reason"])
+        self.assertAlmostEqual(self.ask("equilibria", {"system": HOOP, "solve_for": "ph_dot", "at": {"th": 0.5}})["ph_dot"],
+                               math.cos(0.5) ** -0.5, 12)
+
 
 if __name__ == "__main__":
     unittest.main()
