@@ -167,14 +167,10 @@ class StatedErrors(Service):
         self.assertEqual(list(accuracy["max_abs_error"]), ["x", "theta", "x_dot", "theta_dot", "T", "V"])
 
     def test_energies_that_have_no_column(self):
-        for system, why in ((textbook_scene("foucault"), "A Lagrangian alone"),
-                            ({"name": "a", "parameters": [{"name": "m", "unit": "kg", "default": 1}],
-                              "coordinates": [{"name": "V", "unit": "m", "initial": 0.1}],
-                              "bodies": [{"kind": "particle", "name": "b", "mass": "m", "position": ["V", "0"]}]}, "'V' is a coordinate")):
-            answer = self.post("simulate", {"system": system, "t_end": 1, "include": ["V"]})
-            error, = json.loads(answer.data)["errors"]
-            self.assertEqual((answer.status, error["pointer"], error["code"]), (422, "#/include", "not_applicable"))
-            self.assertTrue(error["detail"].startswith(why))
+        answer = self.post("simulate", {"system": textbook_scene("foucault"), "t_end": 1, "include": ["V"]})
+        error, = json.loads(answer.data)["errors"]
+        self.assertEqual((answer.status, error["pointer"], error["code"]), (422, "#/include", "not_applicable"))
+        self.assertTrue(error["detail"].startswith("A Lagrangian alone"))
 
     def test_turning_points(self):
         count = 0
