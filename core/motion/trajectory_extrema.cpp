@@ -19,10 +19,12 @@ struct Way {
 constexpr Way fine{Method::taylor, {.rtol = 1e-13, .atol = 1e-15}, true};
 constexpr Way coarse{Method::erk, {.rtol = 1e-11, .atol = 1e-13}, false};
 
+constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+
 /// A place where the coordinate may be largest or smallest.
 struct PossibleExtremum {
   double t, x;
-  double speed{};  ///< where it is not flat, as at an impact: the rounding of t moves x
+  double rounding{};  ///< what the rounding of the times of impacts up to here makes of x
 };
 
 /// A motion with its candidates, in order of time; there is always one.
@@ -99,12 +101,17 @@ class Follower {
     return motion.t == request_.t_end ? request_.t_end_left_out * motion.y[n + request_.coordinate] : 0;
   }
 
-  void look(double t, double x) { candidates_.push_back({t, x}); }
+  void look(double t, double x) {
+    candidates_.push_back({t, x, rounding_});
+    largest_ = std::max(largest_, std::abs(x));
+  }
 
+  /// There x is not flat, and both computations round the time alike.
   void look_at_impact(const EventRecord& event) {
     const double speed = std::abs(event.y[event.y.size() / 2 + request_.coordinate]);
-    candidates_.push_back({event.t, event.y[request_.coordinate], speed});
-    candidates_.push_back({event.t, after_impact(event), speed});
+    rounding_ += round_off * (speed * std::abs(event.t) + largest_);
+    look(event.t, event.y[request_.coordinate]);
+    look(event.t, after_impact(event));
   }
 
   /// The coordinate after the impact, where the impact map changes it.
@@ -124,14 +131,8 @@ class Follower {
   const ExtremaRequest& request_;
   TrajectoryExtrema result_;
   std::vector<PossibleExtremum> candidates_;
+  double rounding_{}, largest_{};
 };
-
-double largest_size(const Followed& motion) {
-  double largest = 0;
-  for (const PossibleExtremum& candidate : motion.candidates)
-    largest = std::max(largest, std::abs(candidate.x));
-  return largest;
-}
 
 /// Up or down: the extremum is the largest of sign x.
 double extreme(const Followed& motion, double sign) {
@@ -144,7 +145,6 @@ double extreme(const Followed& motion, double sign) {
 /// error. Of motions that end differently nothing is certain.
 PossibleExtremum chosen(const Followed& motion, const Followed& other, const std::optional<Followed>& rounded,
                         double sign, Finding& extremum) {
-  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
   const double most = extreme(motion, sign);
   double error = std::abs(most - extreme(other, sign)) + round_off * std::abs(most);
   if (rounded) {
@@ -154,7 +154,7 @@ PossibleExtremum chosen(const Followed& motion, const Followed& other, const std
   const PossibleExtremum first =
       *std::find_if(motion.candidates.begin(), motion.candidates.end(),
                     [&](const PossibleExtremum& candidate) { return sign * (most - candidate.x) <= error; });
-  if (first.speed > 0) error += round_off * (first.speed * std::abs(first.t) + largest_size(motion));
+  error += first.rounding;
   if (motion.ending.ending == other.ending.ending) {
     extremum = {first.x, 2 * error, ""};
   } else {

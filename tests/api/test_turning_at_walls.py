@@ -52,6 +52,18 @@ class TurningAtWalls(Service):
                 self.assertLessEqual(distance, Fraction(answer["error"]["x_min"]), (b, restitution, t_end))
                 self.assertLess(answer["error"]["x_min"], 1e-13)
 
+    def test_so_does_the_error_of_what_follows_the_wall(self):
+        """The largest value of a motion that keeps its energy is that without the wall."""
+        for potential, b, x, v, t_end in (("1-cos(x)", "0.7", "0.93", "-0.096", 9.4),
+                                          ("x^2/2+x^3/10", "0.333", "0.38", "0.075", 16.21)):
+            scene = {**oscillator(b=b), "lagrangian": f"x_dot^2/2-({potential})",
+                     "coordinates": [{"name": "x", "initial": x, "initial_rate": v}]}
+            answer = self.ask("turning_points", {"system": scene, "t_end": t_end})
+            free = self.ask("turning_points", {"system": scene, "impacts": False})
+            self.assertEqual((answer["method"], free["method"]), ("trajectory", "energy"))
+            self.assertLessEqual(abs(Fraction(answer["x_max"]) - Fraction(free["x_max"])),
+                                 Fraction(answer["error"]["x_max"]) + Fraction(free["error"]["x_max"]))
+
     def test_without_impacts_the_energy_answers(self):
         answer = self.ask("turning_points", {"system": oscillator(), "impacts": False})
         self.assertEqual((answer["method"], answer["x_min"]), ("energy", -1))
