@@ -126,6 +126,15 @@ std::optional<Expression> ExpectedSystem::quantity(std::string_view name) const 
   return found ? std::optional(with_fixed(*found)) : std::nullopt;
 }
 
+bool ExpectedSystem::is_ambiguous(std::string_view name) const {
+  const std::vector<std::string> names = quantity_names();
+  const std::size_t own =
+      model_.scene.constraints.size() + model_.scene.valid_while.size() + model_.scene.reports.size();
+  const auto first_own = names.end() - static_cast<std::ptrdiff_t>(own);
+  return std::find(names.begin(), first_own, name) != first_own &&
+         std::find(first_own, names.end(), name) != names.end();
+}
+
 std::vector<std::string> ExpectedSystem::quantity_names() const {
   std::vector<std::string> names{"T", "V", "L", "E", "h", "H", "R"};
   for (const Coordinate& q : model_.scene.coordinates) {

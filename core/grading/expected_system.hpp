@@ -35,6 +35,8 @@ class ExpectedSystem {
   /// Error(not_applicable) where the system has none of that; none for a name that means nothing.
   [[nodiscard]] std::optional<Expression> quantity(std::string_view name) const;
   [[nodiscard]] std::vector<std::string> quantity_names() const;
+  /// Whether the scene calls something of its own, such as a tension T, as an energy or a momentum is called.
+  [[nodiscard]] bool is_ambiguous(std::string_view name) const;
 
   /// S and r of S u = r, with the rows of the coordinates divided by their common factors: M q'' = f, and
   /// with constraints [M, -C; A, 0] (q'', lambda) = (f, -rest).

@@ -158,6 +158,16 @@ class Names(Service):
         for name in ("id", "stability"):
             self.refused("bifurcations", {"system": rod(name), "parameter": name, "from": 1, "to": 20})
 
+    def test_a_formula_of_an_ambiguous_name_is_not_graded(self):
+        def item(multiplier, of):
+            expect = {"expression": {"system": pendulum(multiplier)}, "of": of}
+            return {"items": [{"id": "a", "expect": expect, "submitted": "m/2*(x_dot^2+y_dot^2)"}]}
+
+        for name in ("T", "V", "p_x"):
+            self.refused_at("check", item(name, name), "#/items/0/expect/of")
+        self.assertTrue(self.ask("check", item("N", "T"))["items"][0]["correct"])
+        self.assertFalse(self.ask("check", item("N", "N"))["items"][0]["correct"])
+
 
 if __name__ == "__main__":
     unittest.main()

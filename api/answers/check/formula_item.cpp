@@ -184,6 +184,12 @@ std::optional<Expression> named_quantity(const FormulaSystem& formula, const Jso
     return std::nullopt;
   }
   const auto& name = of.get_ref<const std::string&>();
+  if (formula.system.is_ambiguous(name)) {
+    report(errors, place.error("ambiguous", in_quotes(name) +
+                                                " is a name of this scene's own and that of an energy or a "
+                                                "momentum: write the formula that is meant as 'is'."));
+    return std::nullopt;
+  }
   try {
     if (const auto found = formula.system.quantity(name)) return found;
   } catch (const Error& error) {
