@@ -83,6 +83,12 @@ ExponentValues known_exponents(const Model& model, const SystemChoice& choice, c
   return known;
 }
 
+DefaultValues defaults_of(const Model& model) {
+  DefaultValues defaults{*model.parsed.graph, {}, model.parsed.parameter_defaults};
+  for (const Parameter& p : model.scene.parameters) defaults.names.push_back(p.name);
+  return defaults;
+}
+
 /// The scene with the start that a request writes, whose momenta may follow the parameter that moves.
 Scene scene_as_asked(const SystemChoice& choice, const std::string& varied) {
   Scene scene = *choice.scene;
@@ -116,7 +122,7 @@ ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& mo
   system.state = resolved_state(system.model(), choice);
   const ExponentValues exponents = known_exponents(system.model(), choice, varied);
   const Followers followers =
-      varied.empty() ? Followers{} : followers_of(system.model(), written_texts(choice), varied);
+      varied.empty() ? Followers{} : followers_of(defaults_of(system.model()), written_texts(choice), varied);
   const bool starts_elsewhere = !varied.empty() && !choice.initial.empty();
   if (!exponents.empty() || !followers.empty() || starts_elsewhere)
     system.dynamics = Models::of(choice, scene_as_asked(choice, varied), exponents, followers);

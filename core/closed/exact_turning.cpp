@@ -78,7 +78,9 @@ class TurningForms {
     }
     result.maximum = std::move(extrema.maximum);
     result.minimum = std::move(extrema.minimum);
-    if (equation_.by_constants && !(is_short(result.maximum) && is_short(result.minimum))) {
+    const bool is_angle =
+        equation_.values.model().scene.coordinates[equation_.found.coordinate].unit == "rad";
+    if (equation_.by_constants && !is_angle && !(is_short(result.maximum) && is_short(result.minimum))) {
       const auto started = std::exchange(equation_.assumed, {});
       ExactTurningPoints other = forms_by_constants();
       equation_.assumed = started;

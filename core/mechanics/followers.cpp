@@ -4,20 +4,18 @@
 
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
-#include "core/mechanics/model.hpp"
 
 namespace qdot {
 namespace {
 
 /// What each parameter is, where it is an expression.
-std::vector<Replacement> given_by_others(const Model& model, Graph& graph,
+std::vector<Replacement> given_by_others(const DefaultValues& defaults, Graph& graph,
                                          const std::map<std::string, std::string>& written) {
-  std::vector<std::string> names;
-  for (const Parameter& p : model.scene.parameters) names.push_back(p.name);
+  const std::vector<std::string>& names = defaults.names;
   std::vector<Replacement> result;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto text = written.find(names[i]);
-    const auto value = text == written.end() ? std::optional(graph.adopt(model.parsed.parameter_defaults[i]))
+    const auto value = text == written.end() ? std::optional(graph.adopt(defaults.values[i]))
                                              : parse_all(text->second, graph, names).expression;
     if (value && value->number() == nullptr) result.emplace_back(graph.symbol(names[i]), *value);
   }
@@ -33,11 +31,11 @@ void resolve(std::vector<Replacement>& replacements) {
 
 }  // namespace
 
-Followers followers_of(const Model& model, const std::map<std::string, std::string>& written,
+Followers followers_of(const DefaultValues& defaults, const std::map<std::string, std::string>& written,
                        const std::string& moving) {
-  Graph graph(*model.parsed.graph);
+  Graph graph(defaults.graph);
   const Expression p = graph.symbol(moving);
-  std::vector<Replacement> all = given_by_others(model, graph, written);
+  std::vector<Replacement> all = given_by_others(defaults, graph, written);
   std::erase_if(all, [&](const Replacement& r) { return r.first == p; });
   resolve(all);
   Followers result;

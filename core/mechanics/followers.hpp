@@ -9,13 +9,19 @@
 
 namespace qdot {
 
-struct Model;
-
 /// What a parameter is, by its name: an expression of others that do not follow themselves.
 using Followers = std::map<std::string, std::string>;
 
+/// Parameters in order, and expressions of `graph` that are their values by default.
+struct DefaultValues {
+  const Graph& graph;
+  std::vector<std::string> names;
+  const std::vector<Expression>& values;
+};
+
 /// Those that follow `moving`. `written`: what a request writes for symbols; the others have their defaults.
-[[nodiscard]] Followers followers_of(const Model& model, const std::map<std::string, std::string>& written,
+[[nodiscard]] Followers followers_of(const DefaultValues& defaults,
+                                     const std::map<std::string, std::string>& written,
                                      const std::string& moving);
 
 /// For expressions of `graph`, which may speak of these parameters. Texts that do not parse are left out.
