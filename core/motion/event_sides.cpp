@@ -31,7 +31,7 @@ int EventSides::at_start(const Watch& watch) const {
 }
 
 bool EventSides::is_behind_start(const Watch& watch, double t) const {
-  if (t != request_.t_start || watch.direction == Crossing::either) return false;
+  if (t - request_.t_start > sections_.resolution() || watch.direction == Crossing::either) return false;
   return at_start(watch) == (watch.direction == Crossing::rising ? 1 : -1);
 }
 
@@ -58,7 +58,11 @@ void EventSides::pass(const SectionRecord& impact) {
     const Watch& watch = watches[i];
     const bool is_moved = watch.value(impact.t, impact.before) != watch.value(impact.t, impact.after);
     if (is_moved) sides_[i] = 0;
-    if (is_crossed_[i] && goes_through(watch, impact)) sides_[i] = -sides_[i];
+    if (!is_crossed_[i]) continue;
+    if (goes_through(watch, impact))
+      sides_[i] = -sides_[i];
+    else if (watch.kind != Watch::Kind::impact)
+      sides_[i] = 0;  // it was met, and may have been just behind: the motion leaves it on either side
   }
 }
 

@@ -26,7 +26,7 @@ class EventSides {
   /// The sign at t_start, where the value there is rounding; 0 where it is zero, or the value tells it.
   [[nodiscard]] int at_start(const Watch& watch) const;
 
-  /// Whether the motion begins at that time, where it has just passed what the watch looks for.
+  /// Whether the motion has begun at that time, where it had just passed what the watch looks for.
   [[nodiscard]] bool is_behind_start(const Watch& watch, double t) const;
 
   /// A section has ended.

@@ -95,7 +95,8 @@ InstantImpacts::Passed InstantImpacts::in_order(const Instant& now, std::span<co
   for (;;) {
     std::size_t next = 0;
     std::optional<double> later;
-    while (next < rules_.size() && !(later = follows(next, now, passed.after))) ++next;
+    const auto is_last = [&] { return !passed.all.empty() && passed.all.back().impact == next; };
+    while (next < rules_.size() && (is_last() || !(later = follows(next, now, passed.after)))) ++next;
     if (next == rules_.size()) return passed;
     if (passed.all.size() >= most_in_an_instant) break;
     passed.within = std::max(passed.within, *later);
