@@ -24,7 +24,8 @@ WorkScope::~WorkScope() { innermost = outer_; }
 void spend_work(std::uint64_t units) {
   WorkScope* const scope = innermost;
   if (scope == nullptr) return;
-  if (units > scope->left_) throw Error(ErrorCode::too_large, "the algebra of this question grows too large");
+  if (units > scope->left_)
+    throw Error(ErrorCode::too_large, "This question takes more work than one answer may.");
   scope->left_ -= units;
   scope->unpolled_ += units;
   if (scope->unpolled_ < poll_interval) return;

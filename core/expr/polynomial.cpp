@@ -160,7 +160,9 @@ void add(Polynomial& sum, const Polynomial& other, const Number& factor) {
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.size() * b.size() > largest_polynomial)
-    throw Error(ErrorCode::too_large, "an expression grows too large");
+    throw Error(
+        ErrorCode::too_large,
+        "An expression of this question grows too large: it would have more terms than one answer may take.");
   spend_work(a.size() * b.size());
   Polynomial product;
   for (const auto& [x, c] : a) {
