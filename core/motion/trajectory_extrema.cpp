@@ -19,7 +19,7 @@ struct Way {
 constexpr Way fine{Method::taylor, {.rtol = 1e-13, .atol = 1e-15}, true};
 constexpr Way coarse{Method::erk, {.rtol = 1e-11, .atol = 1e-13}, false};
 
-constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+constexpr double extremum_round_off = 4 * std::numeric_limits<double>::epsilon();
 
 /// A place where the coordinate may be largest or smallest.
 struct PossibleExtremum {
@@ -109,7 +109,7 @@ class Follower {
   /// There x is not flat, and both computations round the time alike.
   void look_at_impact(const EventRecord& event) {
     const double speed = std::abs(event.y[event.y.size() / 2 + request_.coordinate]);
-    rounding_ += round_off * (speed * std::abs(event.t) + largest_);
+    rounding_ += extremum_round_off * (speed * std::abs(event.t) + largest_);
     look(event.t, event.y[request_.coordinate]);
     look(event.t, after_impact(event));
   }
@@ -146,7 +146,7 @@ double extreme(const Followed& motion, double sign) {
 PossibleExtremum chosen(const Followed& motion, const Followed& other, const std::optional<Followed>& rounded,
                         double sign, Finding& extremum) {
   const double most = extreme(motion, sign);
-  double error = std::abs(most - extreme(other, sign)) + round_off * std::abs(most);
+  double error = std::abs(most - extreme(other, sign)) + extremum_round_off * std::abs(most);
   if (rounded) {
     const bool ends_alike = rounded->ending.ending == motion.ending.ending;
     error += std::abs(most - extreme(*rounded, sign)) / (ends_alike ? enlargement : 1);

@@ -49,8 +49,8 @@ class Remainder {
   /// then what stands in `row` may be from it; roughly where that leaves no doubt of its sign.
   double distance(const double* row, double h, unsigned order, std::span<const double> missing_of_state);
 
-  /// After distance(): what stands in the rows has no value anywhere in the step, as a root of what is negative
-  /// all along.
+  /// After distance(): what stands in the rows has no value anywhere in the step, as a root of what is
+  /// negative all along.
   [[nodiscard]] bool is_without_value() const;
 
   /// Of M x = f over the step that was bounded last, x_1 standing in the row `first_unknown`: by how much
