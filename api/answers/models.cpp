@@ -2,6 +2,8 @@
 
 #include "api/json/suggest.hpp"
 #include "core/dynamics/consistent_state.hpp"
+#include "core/expr/parse.hpp"
+#include "core/expr/print/print.hpp"
 
 namespace qdot::api {
 namespace {
@@ -42,6 +44,18 @@ std::vector<std::string> inputs_in_order(const SystemChoice& choice) {
   return choice.inputs.empty() ? std::vector<std::string>{} : texts;
 }
 
+/// An input in which what follows has been put in; as it is where it does not parse, which Dynamics reports.
+std::string with_followers(const std::string& input, const Scene& scene, const Followers& followers) {
+  Graph graph;
+  std::vector<std::string> parameters;
+  for (const Parameter& p : scene.parameters) parameters.push_back(p.name);
+  std::vector<std::string> names = parameters;
+  names.emplace_back("t");
+  const auto parsed = parse_all(input, graph, names).expression;
+  if (!parsed) return input;
+  return print(substitute(*parsed, follower_replacements(graph, followers, parameters)), Form::text);
+}
+
 }  // namespace
 
 std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
@@ -60,7 +74,11 @@ std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice) {
 
 std::shared_ptr<const Dynamics> Models::of(const SystemChoice& choice, const Scene& scene,
                                            const ExponentValues& exponents, const Followers& followers) {
-  return std::make_shared<const Dynamics>(build_model(scene, exponents, followers), inputs_in_order(choice));
+  std::vector<std::string> inputs = inputs_in_order(choice);
+  for (std::string& input : inputs) {
+    if (!input.empty() && !followers.empty()) input = with_followers(input, scene, followers);
+  }
+  return std::make_shared<const Dynamics>(build_model(scene, exponents, followers), std::move(inputs));
 }
 
 std::shared_ptr<const Dynamics> Models::with_exponents(const Dynamics& dynamics, const SystemChoice& choice,

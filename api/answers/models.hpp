@@ -31,8 +31,8 @@ class Models {
 
   /// Throws SceneError for a wrong scene, and Error for an input that does not parse.
   [[nodiscard]] std::shared_ptr<const Dynamics> of(const SystemChoice& choice);
-  /// With values of parameters that are exponents put in, for this request.
-  /// With `followers` put in for parameters that they give.
+  /// With values of parameters that are exponents put in, and `followers` for parameters that follow others,
+  /// for this request.
   [[nodiscard]] static std::shared_ptr<const Dynamics> of(const SystemChoice& choice, const Scene& scene,
                                                           const ExponentValues& exponents,
                                                           const Followers& followers = {});

@@ -17,6 +17,12 @@ std::vector<Column> impact_columns(const Model& model) {
   return columns;
 }
 
+std::string impact_that_depends(const std::vector<Column>& impacts, const std::vector<Expression>& symbols) {
+  const auto it =
+      std::ranges::find_if(impacts, [&](const Column& column) { return depends_on(column.value, symbols); });
+  return it == impacts.end() ? "" : it->name;
+}
+
 std::string impact_along(EnclosedMotion& motion, const std::vector<Column>& impacts) {
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     if (motion.vanishes(i) != Vanishes::never) return impacts[i].name;

@@ -14,6 +14,10 @@ namespace qdot {
 /// Their functions, which vanish at the impact.
 [[nodiscard]] std::vector<Column> impact_columns(const Model& model);
 
+/// The first that depends on one of these symbols; empty: none does.
+[[nodiscard]] std::string impact_that_depends(const std::vector<Column>& impacts,
+                                              const std::vector<Expression>& symbols);
+
 /// The first that the motion comes to, or may come to. Empty: it comes to none. `motion`: along the columns.
 [[nodiscard]] std::string impact_along(EnclosedMotion& motion, const std::vector<Column>& impacts);
 

@@ -174,7 +174,11 @@ class Question {
     answer_.motion = MotionKind::equilibrium;
     answer_.initial = InitialPlace::equilibrium;
     answer_.stability = rest->stability;
-    answer_.period.reason = why_not_periodic(MotionKind::equilibrium);
+    answer_.period.reason = problem_.original->reduction.ignored.empty()
+                                ? why_not_periodic(MotionKind::equilibrium)
+                                : name +
+                                      " stays as it is while ignorable coordinates may go on: it has no "
+                                      "period of its own.";
     if (rest->stability == "unstable" && rest->error > 0) {
       answer_.notes.push_back("The equilibrium is unstable, and " + name +
                               " is the nearest number to it: the least push carries the system away.");
@@ -222,20 +226,33 @@ class Question {
   [[nodiscard]] std::string impact_on(const PeriodicWay& way) {
     if (!beside_.impacts || dynamics_.model().parsed.impacts.empty()) return "";
     const std::vector<Column> columns = impact_columns(dynamics_.model());
+    if (std::string untold = impact_that_depends(columns, what_is_untold()); !untold.empty()) return untold;
     const auto values = dynamics_.columns(columns);
     EnclosedMotion motion = motion_along(way, *values);
     return impact_along(motion, columns);
   }
 
+  /// What the way does not tell.
+  [[nodiscard]] std::vector<Expression> what_is_untold() const {
+    const Symbols& symbols = dynamics_.model().parsed.symbols;
+    std::vector<Expression> untold = symbols.inputs.value;
+    untold.push_back(symbols.t);
+    for (const std::size_t i : problem_.original->reduction.ignored)
+      untold.push_back(symbols.coordinates.value[i]);
+    return untold;
+  }
+
   /// Of a motion that does not come back, which may have any velocity.
   [[nodiscard]] std::string impact_between(const MotionBounds& bounds) const {
     if (!beside_.impacts || dynamics_.model().parsed.impacts.empty()) return "";
+    const std::vector<Column> columns = impact_columns(dynamics_.model());
+    if (std::string untold = impact_that_depends(columns, what_is_untold()); !untold.empty()) return untold;
     const auto end = [](const MotionBound& bound, double otherwise) {
       return bound.kind == MotionBound::Kind::turning ? bound.place : Interval(otherwise);
     };
     Box states(y0_.size(), Interval(-infinity, infinity));
     states[problem_.coordinate] = hull(end(bounds.down, -infinity), end(bounds.up, infinity));
-    return impact_within(dynamics_, parameters_, states, impact_columns(dynamics_.model()));
+    return impact_within(dynamics_, parameters_, states, columns);
   }
 
   [[nodiscard]] EnclosedMotion motion_along(const PeriodicWay& way, const CompiledFunction& values) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "api/answers/equilibria/request.hpp"
+#include "api/answers/equilibria/walls.hpp"
 #include "api/answers/exact_json.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
@@ -46,6 +47,7 @@ class EquilibriaAnswer {
     if (!found.free.empty()) put_free(body, found);
     if (!found.momenta.empty()) put_momenta(body, found);
     body["method"] = method_of_equilibria;
+    if (const std::string note = note_on_walls(dynamics_.model()); !note.empty()) body["notes"] = {note};
     body["units"] = units(found);
     return body;
   }
@@ -73,6 +75,8 @@ class EquilibriaAnswer {
     put_stability(json, steady.stability, digits_);
     json["residual"] = std::isfinite(steady.residual) ? Json(steady.residual) : Json(nullptr);
     if (!steady.simple) json["note"] = multiple;
+    if (const std::string wall = wall_before(dynamics_, state_.parameters, steady.y); !wall.empty())
+      json["note"] = (steady.simple ? "" : multiple + std::string(" ")) + wall;
     put_validity(json, steady);
     return json;
   }

@@ -40,7 +40,7 @@ const std::vector<Mistake> table{
     {"UnknownSymbolInADefault", [](Scene& s) { s.parameters[1].default_value = "2*n"; },
      "/parameters/1/default", "unknown_symbol", "unknown symbol 'n'."},
     {"VelocityInAPosition", [](Scene& s) { s.points[1].components[1] = "-l*theta_dot"; },
-     "/points/1/components/1", "unknown_symbol", "unknown symbol 'theta_dot'."},
+     "/points/1/components/1", "unknown_symbol", "unknown symbol 'theta_dot': there are no velocities here."},
     {"CoordinateInADefault", [](Scene& s) { s.parameters[2].default_value = "l"; }, "/parameters/2/default",
      "unknown_symbol", "unknown symbol 'l'."},
     {"TimeInAnInitialValue", [](Scene& s) { s.coordinates[1].initial = "t"; }, "/coordinates/1/initial",
