@@ -20,12 +20,7 @@ void shorten(RunRequest& run, double step) {
 
 SectionRun::SectionRun(const Dynamics& dynamics, const SimulationRequest& request,
                        const MotionSections& sections, const ApartAlong& apart, const EventSides& sides)
-    : dynamics_(dynamics),
-      request_(request),
-      sections_(sections),
-      apart_(apart),
-      sides_(sides),
-      from_rest_(dynamics, request) {}
+    : request_(request), sections_(sections), apart_(apart), sides_(sides), from_rest_(dynamics, request) {}
 
 Run SectionRun::from(const Simulation& so_far) const {
   RunRequest run = request_from(so_far);

@@ -29,7 +29,6 @@ class SectionRun {
   [[nodiscard]] std::vector<EventFunction> events_from(const Simulation& so_far) const;
   void enclose(const RunRequest& run, Run& done) const;
 
-  const Dynamics& dynamics_;
   const SimulationRequest& request_;
   const MotionSections& sections_;
   const ApartAlong& apart_;
