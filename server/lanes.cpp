@@ -1,10 +1,11 @@
 #include "server/lanes.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
-
-#include "server/priority.hpp"
 
 namespace qdot::server {
 namespace {
@@ -85,7 +86,8 @@ bool Lanes::next_may_begin(Lane lane) const {
 }
 
 void Lanes::work(Lane lane) {
-  lane == Lane::heavy ? give_way() : wake_at_once();
+  // On Linux each thread has its own niceness.
+  if (lane == Lane::heavy) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
   State& it = state(lane);
   std::unique_lock lock(mutex_);
   for (;;) {

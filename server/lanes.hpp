@@ -24,6 +24,10 @@
 
 namespace qdot::server {
 
+/// Of the threads of heavy work: beside a light one such a thread gets about a tenth of a core, alone all of
+/// it.
+inline constexpr int heavy_niceness = 10;
+
 enum class Lane { light, heavy };
 inline constexpr std::array all_lanes{Lane::light, Lane::heavy};
 

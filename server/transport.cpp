@@ -16,7 +16,6 @@
 
 #include "server/entrance.hpp"
 #include "server/poller.hpp"
-#include "server/priority.hpp"
 
 namespace qdot::server {
 namespace {
@@ -57,7 +56,6 @@ struct Transport::Impl {
 
   void run() {
     thread_ = std::this_thread::get_id();
-    wake_at_once();
     while (!finished()) {
       const auto events = poller_.wait(wait_milliseconds());
       now_ = Clock::now();

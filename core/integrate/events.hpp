@@ -7,7 +7,8 @@
 // down to the round-off of t. A function that touches zero and turns back does not count, nor does one that
 // passes zero and comes back by less than some round-off of its values; one that is zero at a step's end is
 // decided when it leaves zero. A pole, such as tan has, changes sign too, but its values grow towards the
-// place, and so it does not count; a jump through zero does.
+// place, and so it does not count; a jump through zero does. Where g has no value, as a root of what is
+// negative, it has no sign; a function that must have one there ends the run before (must_have_value).
 //
 // A zero at t_start counts only where that is asked for: there a motion goes on after the same event has
 // ended an earlier one. There g(s) = s (c_1 + c_2 s + ...), and later zeros are those of the bracket, however
