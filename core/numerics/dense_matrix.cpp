@@ -1,7 +1,6 @@
 #include "core/numerics/dense_matrix.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <limits>
 
 #include "core/numerics/long_matrix.hpp"
 
@@ -10,37 +9,47 @@ namespace qdot {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd solve(const MatrixXd& a, const VectorXd& b) { return a.partialPivLu().solve(b); }
+namespace {
 
-MatrixXd inverse(const MatrixXd& a) { return a.partialPivLu().inverse(); }
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-double determinant(const MatrixXd& a) { return a.determinant(); }
+LongMatrix widened(const MatrixXd& a) { return a.cast<long double>(); }
 
-MatrixXd pseudo_inverse(const MatrixXd& a) { return a.completeOrthogonalDecomposition().pseudoInverse(); }
+}  // namespace
+
+VectorXd solve(const MatrixXd& a, const VectorXd& b) {
+  const auto x = quotient(LongMatrix(b.cast<long double>()), widened(a));
+  return x ? VectorXd(x->col(0).cast<double>()) : VectorXd::Constant(b.size(), missing);
+}
+
+MatrixXd inverse(const MatrixXd& a) {
+  const auto x = quotient(LongMatrix(LongMatrix::Identity(a.rows(), a.cols())), widened(a));
+  return x ? MatrixXd(x->cast<double>()) : MatrixXd::Constant(a.rows(), a.cols(), missing);
+}
+
+double determinant(const MatrixXd& a) { return static_cast<double>(determinant(widened(a))); }
+
+MatrixXd pseudo_inverse(const MatrixXd& a) { return pseudo_inverse(widened(a)).cast<double>(); }
 
 Eigen::Index rank(const MatrixXd& a, double threshold) {
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition(a);
-  decomposition.setThreshold(threshold);
-  return decomposition.rank();
+  return rank(widened(a), static_cast<long double>(threshold));
 }
 
 Eigen::VectorXcd eigenvalues(const MatrixXd& a) {
-  return eigenvalues(LongMatrix(a.cast<long double>())).cast<std::complex<double>>();
+  return eigenvalues(widened(a)).cast<std::complex<double>>();
 }
 
-VectorXd symmetric_eigenvalues(const MatrixXd& a) {
-  return symmetric_eigenvalues(LongMatrix(a.cast<long double>())).cast<double>();
-}
+VectorXd symmetric_eigenvalues(const MatrixXd& a) { return symmetric_eigenvalues(widened(a)).cast<double>(); }
 
 EigenDecomposition eigen_decomposition(const MatrixXd& a) {
   using Complex = std::complex<double>;
-  const LongEigenvectors found = eigenvectors(a.cast<long double>());
+  const LongEigenvectors found = eigenvectors(widened(a));
   return {found.values.cast<Complex>(), found.columns.cast<Complex>(),
           inverse(found.columns).cast<Complex>()};
 }
 
 std::optional<PrincipalAxes> principal_axes(const MatrixXd& k, const MatrixXd& m) {
-  const auto found = principal_axes(LongMatrix(k.cast<long double>()), LongMatrix(m.cast<long double>()));
+  const auto found = principal_axes(widened(k), widened(m));
   if (!found) return std::nullopt;
   return PrincipalAxes{found->values.cast<double>(), found->vectors.cast<double>()};
 }

@@ -1,7 +1,5 @@
 #pragma once
-// Solutions, eigenvalues and ranks of small dense matrices of doubles. Eigen's decompositions, compiled once:
-// as templates they would cost every file that uses them half a minute. Eigenvalues are found in 80 bits
-// (long_matrix.hpp).
+// Solutions, eigenvalues and ranks of small dense matrices of doubles, found in 80 bits (long_matrix.hpp).
 
 #include <Eigen/Core>
 #include <optional>

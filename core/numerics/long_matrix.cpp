@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 namespace qdot {
 namespace {
@@ -51,6 +52,16 @@ std::optional<LongMatrix> quotient(const LongMatrix& a, const LongMatrix& b) {
   const Eigen::FullPivLU<LongMatrix> lu(b);
   if (!lu.isInvertible()) return std::nullopt;
   return lu.solve(a);
+}
+
+long double determinant(const LongMatrix& a) { return a.fullPivLu().determinant(); }
+
+LongMatrix pseudo_inverse(const LongMatrix& a) { return a.completeOrthogonalDecomposition().pseudoInverse(); }
+
+Eigen::Index rank(const LongMatrix& a, long double threshold) {
+  Eigen::CompleteOrthogonalDecomposition<LongMatrix> decomposition(a);
+  decomposition.setThreshold(threshold);
+  return decomposition.rank();
 }
 
 LongComplexVector eigenvalues(const LongMatrix& a) {

@@ -1,7 +1,7 @@
 #pragma once
 // Small dense matrices in 80 bits: what enclosures begin from, and what matrices of doubles are decomposed in
 // (dense_matrix.hpp). Eigen's decompositions for one real and one complex type, compiled here once: as
-// templates they would cost every file that uses them a quarter of a minute.
+// templates they would cost every file that uses them half a minute.
 
 #include <Eigen/Core>
 #include <complex>
@@ -30,6 +30,13 @@ using LongComplexVector = Eigen::Matrix<LongComplex, Eigen::Dynamic, 1>;
 [[nodiscard]] LongComplexMatrix quotient(const LongComplexMatrix& a, const LongComplexMatrix& b);
 /// The same; no value where B is singular.
 [[nodiscard]] std::optional<LongMatrix> quotient(const LongMatrix& a, const LongMatrix& b);
+
+[[nodiscard]] long double determinant(const LongMatrix& a);
+
+/// The Moore-Penrose inverse, and the number of pivots above `threshold` times the largest, by QR with
+/// columns exchanged.
+[[nodiscard]] LongMatrix pseudo_inverse(const LongMatrix& a);
+[[nodiscard]] Eigen::Index rank(const LongMatrix& a, long double threshold);
 
 [[nodiscard]] LongComplexVector eigenvalues(const LongMatrix& a);
 /// Of a symmetric A, ascending.
