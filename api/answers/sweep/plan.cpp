@@ -5,6 +5,7 @@
 
 #include "api/answers/embedded.hpp"
 #include "api/answers/questions.hpp"
+#include "api/answers/sweep/swept_range.hpp"
 #include "api/contract/field_values.hpp"
 #include "api/json/pointer.hpp"
 #include "api/json/text.hpp"

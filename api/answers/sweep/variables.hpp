@@ -15,14 +15,9 @@
 #include <vector>
 
 #include "api/answers/sweep/request.hpp"
+#include "api/answers/sweep/swept_range.hpp"
 
 namespace qdot::api {
-
-struct SweepVariable {
-  std::string name{};
-  SymbolRole role{};  ///< parameter or initial
-  std::string unit{};
-};
 
 struct SweptValues {
   std::vector<SweepVariable> variables{};
@@ -36,9 +31,6 @@ struct SweptValues {
     return values[row * variables.size() + variable];
   }
 };
-
-/// What is said of one variable: from, to and count, values, or a law that a sample draws from.
-[[nodiscard]] const FieldSet& parts_of_variable();
 
 /// None after errors were reported. `whole` is the place of the request, `asked` the fields of the question
 /// that is asked: what varies must be among what they take. Values are numbers, texts with a unit, or

@@ -1,0 +1,165 @@
+#include "api/answers/sweep/swept_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "api/contract/notes.hpp"
+#include "api/contract/record_reader.hpp"
+#include "api/contract/system_choice.hpp"
+#include "api/json/limits.hpp"
+#include "api/json/suggest.hpp"
+#include "api/json/text.hpp"
+#include "core/numerics/function.hpp"
+
+namespace qdot::api {
+
+const FieldSet& parts_of_variable() {
+  static const FieldSet set{
+      .name = "variable",
+      .fields = {{.name = "from",
+                  .kind = AnyKind{},
+                  .aliases = {"start", "min", "lower", "range", "interval", "linspace"}},
+                 {.name = "to", .kind = AnyKind{}, .aliases = {"end", "stop", "max", "upper"}},
+                 {.name = "count",
+                  .kind = IntegerKind{1, std::int64_t{1} << 40U},
+                  .aliases = {"n", "num", "samples", "number", "step", "steps", "points", "npoints", "by",
+                              "increment"}},
+                 {.name = "spacing", .kind = ChoiceKind{{"linear", "log"}}, .aliases = {"scale"}},
+                 {.name = "values",
+                  .kind = ListKind{AnyKind{}, static_cast<std::size_t>(limits::sweep_rows), 1},
+                  .aliases = {"list"}},
+                 {.name = "uniform", .kind = ListKind{AnyKind{}, 2, 2}},
+                 {.name = "normal", .kind = ListKind{AnyKind{}, 2, 2}, .aliases = {"gaussian", "gauss"}}},
+      .one_of = {{.ways = {{"from", "to", "count", "spacing"}, {"values"}, {"uniform"}, {"normal"}},
+                  .need = Need::required}}};
+  return set;
+}
+
+std::optional<SweptRange> VariableReader::read(const GivenVariable& given) {
+  const Place place = given.is_flat ? vary_ : vary_.below(given.name);
+  auto variable = variable_called(given.name, place);
+  if (!variable) return std::nullopt;
+  const Place& parts_place = given.is_flat ? whole_ : place;
+  const std::size_t errors_before = errors_.size();
+  const Json parts = resolved_parts(given, parts_place);
+  SweptRange range{.variable = std::move(*variable), .values = {}};
+  if (errors_.size() == errors_before) fill(parts, parts_place, range);
+  return errors_.size() == errors_before ? std::optional(std::move(range)) : std::nullopt;
+}
+
+Json VariableReader::resolved_parts(const GivenVariable& given, const Place& place) {
+  if (!given.parts.is_object()) {
+    const bool is_list = given.parts.is_array();
+    report(errors_, wrong_type(place, given.name,
+                               is_list ? "an object: {\"values\": [...]} of these values, or {\"from\": 1, "
+                                         "\"to\": 2, \"count\": 11}"
+                                       : "an object such as {\"from\": 1, \"to\": 2, \"count\": 11}",
+                               given.parts));
+    return Json::object();
+  }
+  SystemChoice none;
+  Json parts = read_record(parts_of_variable(), given.parts, place, none, errors_).resolved;
+  if (parts.contains("from") || parts.contains("to")) {
+    for (const std::string name : {"from", "to", "count"}) {
+      if (!given.parts.contains(name))
+        report(errors_, place.of_missing(name).error("missing", "'" + name +
+                                                                    "' is missing: a grid has from, "
+                                                                    "to and count."));
+    }
+  }
+  return parts;
+}
+
+std::optional<SweepVariable> VariableReader::variable_called(const std::string& name, const Place& place) {
+  std::vector<std::string> allowed;
+  for (const SymbolRole role : {SymbolRole::parameter, SymbolRole::initial}) {
+    if (field_of(asked_, role) == nullptr) continue;
+    for (const Symbol& symbol : symbols(scene_, role)) {
+      if (symbol.name == name) return SweepVariable{name, role, symbol.unit};
+      allowed.push_back(symbol.name);
+    }
+  }
+  std::string detail = "What varies is a parameter or an initial value of the system that is asked about; " +
+                       in_quotes(name) + " is none.";
+  if (const std::size_t end = name.find_first_of(":=,; "); end != std::string::npos) {
+    detail += name[end] == ',' ? " A query has one that varies; a POST has several, each in 'vary'."
+                               : " Its values stand beside it: from=1&to=50&count=50, or values=1,2,5.";
+    FieldError error = unknown_name(place, std::move(detail), name, allowed);
+    error.did_you_mean = closest(name.substr(0, end), allowed);
+    report(errors_, std::move(error));
+    return std::nullopt;
+  }
+  report(errors_, unknown_name(place, std::move(detail), name, std::move(allowed)));
+  return std::nullopt;
+}
+
+double VariableReader::number(const Json& value, const SweepVariable& variable, const Place& place) {
+  const auto read =
+      read_number(NumberKind{.unit = variable.unit}, variable.name, value, place, scope_, errors_);
+  if (!read) return 0;
+  // One sentence is enough, however many values are meant so.
+  if (notes_.empty())
+    if (std::string note = note_on({variable.name, variable.unit, {}}, value, read->value); !note.empty())
+      notes_.push_back(std::move(note));
+  return read->value;
+}
+
+void VariableReader::fill(const Json& parts, const Place& place, SweptRange& range) {
+  using Law = SweptRange::Law;
+  if (parts.contains("values")) return fill_values(parts["values"], place.below("values"), range);
+  for (const auto& [law, name] : {std::pair(Law::uniform, "uniform"), std::pair(Law::normal, "normal")})
+    if (parts.contains(name)) return fill_law(law, parts[name], place.below(std::string_view(name)), range);
+  fill_grid(parts, place, range);
+}
+
+void VariableReader::fill_values(const Json& values, const Place& place, SweptRange& range) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    range.values.push_back(number(values[i], range.variable, place.below(i)));
+  range.echo = {{"values", range.values}};
+}
+
+void VariableReader::fill_law(SweptRange::Law law, const Json& pair, const Place& place, SweptRange& range) {
+  const bool is_normal = law == SweptRange::Law::normal;
+  range.law = law;
+  range.first = number(pair[0], range.variable, place.below(std::size_t{0}));
+  range.second = number(pair[1], range.variable, place.below(std::size_t{1}));
+  range.echo[is_normal ? "normal" : "uniform"] = {range.first, range.second};
+  if (is_normal ? range.second < 0 : range.second < range.first)
+    report(errors_, place.error("out_of_range", is_normal ? "A standard deviation is not negative."
+                                                          : "The least value stands first."));
+}
+
+void VariableReader::fill_grid(const Json& parts, const Place& place, SweptRange& range) {
+  const double from = number(parts["from"], range.variable, place.below("from"));
+  const double to = number(parts["to"], range.variable, place.below("to"));
+  const auto count = parts["count"].get<std::int64_t>();
+  const bool is_log = parts.value("spacing", "linear") == "log";
+  if (is_log && (from == 0 || to == 0 || (from > 0) != (to > 0))) {
+    report(errors_,
+           place.below("spacing").error("out_of_range", "Equal ratios need values on one side of 0."));
+    return;
+  }
+  if (count > most_rows_) {
+    refuse_rows(place.below("count"));
+    return;
+  }
+  range.echo = {{"from", from}, {"to", to}, {"count", count}, {"spacing", is_log ? "log" : "linear"}};
+  const auto steps = static_cast<double>(count - 1);
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto step = static_cast<double>(i);
+    // Whole numbers of steps: 1 to 20 in 190 steps goes over 1.1, not over 1.0999999999999999.
+    const double between =
+        is_log ? from * power(to / from, step / steps) : (from * (steps - step) + to * step) / steps;
+    range.values.push_back(i == 0 ? from : i == count - 1 ? to : between);
+  }
+  if (!std::ranges::all_of(range.values, [](double value) { return std::isfinite(value); }))
+    report(errors_, place.below("to").error("out_of_range", "The values between pass double precision."));
+}
+
+void VariableReader::refuse_rows(const Place& place) {
+  report(errors_, place.error("too_many", "The sweep has more than " + std::to_string(most_rows_) +
+                                              " rows, the most that are answered at once."));
+}
+
+}  // namespace qdot::api
