@@ -38,8 +38,8 @@ EventComparison::EventComparison(const ComputedMotion& motion, const std::vector
       of_state_(motion.dynamics, motion.request, scale_),
       reached_(scale_.size()) {}
 
-std::vector<std::optional<double>> EventComparison::of_events() {
-  std::vector<std::optional<double>> result;
+std::vector<std::optional<EventError>> EventComparison::of_events() {
+  std::vector<std::optional<EventError>> result;
   const EventRecord* last = nullptr;
   for (const EventRecord& event : motion_.simulation.events) {
     const auto [errors, are_of_it] = errors_at(event);
@@ -53,9 +53,14 @@ std::vector<std::optional<double>> EventComparison::of_events() {
 }
 
 /// What happens at the instant of another event may follow from it, as one impact from another.
-void EventComparison::share_with_cause(std::vector<std::optional<double>>& errors) {
-  const auto &cause = errors[errors.size() - 2], &own = errors.back();
-  errors.back() = cause && own ? std::optional(std::max(*cause, *own)) : std::nullopt;
+void EventComparison::share_with_cause(std::vector<std::optional<EventError>>& errors) {
+  const auto& cause = errors[errors.size() - 2];
+  auto& own = errors.back();
+  if (!cause) own.reset();
+  if (!own) return;
+  own->time = std::max(own->time, cause->time);
+  for (std::size_t k = 0; k < own->state.size(); ++k)
+    own->state[k] = std::max(own->state[k], cause->state[k]);
 }
 
 std::vector<ApproachAsTold> EventComparison::approaches() {
@@ -169,30 +174,43 @@ std::optional<double> EventComparison::accumulation_error(std::span<const double
     for (std::size_t k = 0; k < reached.size(); ++k) reached[k] = std::max(reached[k], std::abs(event.y[k]));
   }
   for (const EventRecord& event : motion.events) {
-    const std::optional<double> own = of_state_.of(event, of_state, reached);
-    if (own) of_impacts = std::max(of_impacts.value_or(0), *own);
+    const auto own = of_state_.of(event, of_state, reached);
+    if (own) of_impacts = std::max(of_impacts.value_or(0), own->time);
   }
   return of_impacts ? std::optional(*of_impacts + motion.stop->doubt) : std::nullopt;
 }
 
 /// The computations have each its own; they may agree by chance, and the last row is before all of them.
-std::optional<double> EventComparison::of_stop() {
+std::optional<EventError> EventComparison::of_stop() {
   if (!motion_.simulation.stop || rows() == 0) return std::nullopt;
   const Stop& stop = *motion_.simulation.stop;
   const std::vector<double> of_rows = some_rows_after(motion_.grid.t[rows() - 1]);
   std::vector<double> of_state = of_rows;
   std::optional<double> error;
+  const bool accumulates = stop.reason == impacts_accumulate;
   for (const Simulation& other : others_) {
     if (!other.stop || other.stop->reason != stop.reason) continue;  // that in more digits has rows alone
-    for (std::size_t k = 0; k < other.apart_at_end.size() && k < of_state.size(); ++k)
-      of_state[k] = std::max(of_state[k], safety_of_differences * other.apart_at_end[k]);
+    for (std::size_t k = 0; k < of_state.size(); ++k) {
+      const double own = other.apart_at_end.empty() ? 0 : other.apart_at_end[k];
+      const double apart = accumulates ? 0 : std::abs(other.y[k] - motion_.simulation.y[k]);
+      of_state[k] = std::max(of_state[k], safety_of_differences * (own + apart));
+    }
     error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
   }
-  const bool accumulates = stop.reason == impacts_accumulate;
-  auto least =
-      accumulates ? accumulation_error(of_state) : of_state_.of(stop, motion_.simulation.y, of_state);
-  if (accumulates && !least) least = accumulation_error(of_rows);  // flights may be shorter than their errors
-  return error && least && std::isfinite(*least) ? std::optional(std::max(*error, *least)) : std::nullopt;
+  if (!error) return std::nullopt;
+  auto least = accumulates ? of_accumulation(of_state, of_rows)
+                           : of_state_.of(stop, motion_.simulation.y, of_state, *error);
+  if (!least || !std::isfinite(least->time)) return std::nullopt;
+  least->time = std::max(least->time, *error);
+  return least;
+}
+
+/// Flights may be shorter than the errors of their impacts.
+std::optional<EventError> EventComparison::of_accumulation(std::span<const double> of_state,
+                                                           std::span<const double> of_rows) {
+  auto time = accumulation_error(of_state);
+  if (!time) time = accumulation_error(of_rows);
+  return time ? std::optional(EventError{*time, {}}) : std::nullopt;
 }
 
 }  // namespace qdot

@@ -1,5 +1,5 @@
 #pragma once
-// The errors of the times of a motion's events and of its stop, from those of its rows and from other
+// The errors of a motion's events and of its stop, from those of its rows and from other
 // computations' states at its events.
 
 #include <optional>
@@ -34,16 +34,16 @@ class EventComparison {
                   const ErrorsOfRows& errors, RowsAtImpacts& at_impacts);
 
   /// Of each event; none where it may not happen, or after the last row.
-  [[nodiscard]] std::vector<std::optional<double>> of_events();
+  [[nodiscard]] std::vector<std::optional<EventError>> of_events();
   /// Where the true motion nearly meets what would change its way, in order of time.
   [[nodiscard]] std::vector<ApproachAsTold> approaches();
   /// The same of events that are reported only.
   [[nodiscard]] std::vector<ApproachAsTold> near_events();
   /// None where there is no stop, or where no other computation has it.
-  [[nodiscard]] std::optional<double> of_stop();
+  [[nodiscard]] std::optional<EventError> of_stop();
 
  private:
-  static void share_with_cause(std::vector<std::optional<double>>& errors);
+  static void share_with_cause(std::vector<std::optional<EventError>>& errors);
   struct OfState {
     std::vector<double> errors;  ///< empty after the last row
     bool are_of_it{};            ///< or of later rows
@@ -57,6 +57,8 @@ class EventComparison {
   [[nodiscard]] std::vector<double> some_rows_after(double t) const;
   [[nodiscard]] double own_time() const;
   [[nodiscard]] bool is_small(std::span<const double> errors) const;
+  [[nodiscard]] std::optional<EventError> of_accumulation(std::span<const double> of_state,
+                                                          std::span<const double> of_rows);
   [[nodiscard]] std::optional<double> accumulation_error(std::span<const double> of_state);
 
   const ComputedMotion& motion_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/numerics/constants.hpp"
 #include "core/numerics/root.hpp"
@@ -35,22 +36,23 @@ EventErrors::EventErrors(const Dynamics& dynamics, const SimulationRequest& requ
                                   .impacts = request.impacts})),
       workspace_(dynamics.accelerations().bind(request.parameters)) {}
 
-std::optional<double> EventErrors::of(const EventRecord& event, std::span<const double> errors,
-                                      std::span<const double> reached) {
+std::optional<EventError> EventErrors::of(const EventRecord& event, std::span<const double> errors,
+                                          std::span<const double> reached) {
   const auto watch = std::ranges::find_if(watches_, [&](const Watch& w) { return w.name == event.name; });
   return watch == watches_.end() ? std::nullopt : of(*watch, event.t, event.y, errors, reached);
 }
 
-std::optional<double> EventErrors::of(const Stop& stop, std::span<const double> y,
-                                      std::span<const double> errors) {
+std::optional<EventError> EventErrors::of(const Stop& stop, std::span<const double> y,
+                                          std::span<const double> errors, double at_least) {
   const Watch* ended = nullptr;
   const auto distance = [&](const Watch& watch) { return std::abs(watch.value(stop.t, y)); };
   for (const Watch& watch : watches_) {
     const bool fits = watch.reason == stop.reason && watch.message == stop.message;
-    if (fits && stop.t == t_start_ && is_away_from_zero(watch, stop.t, y, errors)) return 0;
+    if (fits && stop.t == t_start_ && is_away_from_zero(watch, stop.t, y, errors))
+      return EventError{at_least, {errors.begin(), errors.end()}};
     if (fits && (ended == nullptr || distance(watch) < distance(*ended))) ended = &watch;
   }
-  return ended == nullptr ? std::nullopt : of(*ended, stop.t, y, errors, scale_);
+  return ended == nullptr ? std::nullopt : of(*ended, stop.t, y, errors, scale_, at_least);
 }
 
 /// As a condition is that does not hold at the start: by no error of the state the motion goes on.
@@ -65,8 +67,9 @@ bool EventErrors::is_away_from_zero(const Watch& watch, double t, std::span<cons
   return value.lower > 0 || value.upper < 0;
 }
 
-std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<const double> y,
-                                      std::span<const double> errors, std::span<const double> reached) {
+std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::span<const double> y,
+                                          std::span<const double> errors, std::span<const double> reached,
+                                          double at_least) {
   const std::size_t n = y.size() / 2;
   Place place{t, y, accelerations(t, y), {}};
   double own_time = infinity, shortest = infinity;
@@ -81,7 +84,23 @@ std::optional<double> EventErrors::of(const Watch& watch, double t, std::span<co
     own_time = std::min(own_time, range / rate);
   }
   if (!std::isfinite(own_time)) return std::nullopt;
-  const double least = std::max({time_round_off(t), time_round_off(shortest), shortest_time});
+  const std::optional<double> time = time_of(watch, place, shortest, own_time);
+  return time ? std::optional(with_state(std::max(*time, at_least), std::move(place))) : std::nullopt;
+}
+
+EventError EventErrors::with_state(double time, Place place) {
+  std::vector<double> changes(place.y.size());
+  for (const double tau : {-time, time}) {
+    const std::vector<double> y = state_after(tau, place);
+    for (std::size_t k = 0; k < y.size(); ++k) changes[k] = std::max(changes[k], std::abs(y[k] - place.y[k]));
+  }
+  for (std::size_t k = 0; k < changes.size(); ++k) changes[k] = tried_first * changes[k] + place.errors[k];
+  return {time, std::move(changes)};
+}
+
+std::optional<double> EventErrors::time_of(const Watch& watch, const Place& place, double shortest,
+                                           double own_time) {
+  const double least = std::max({time_round_off(place.t), time_round_off(shortest), shortest_time});
   const Linear around = linear(watch, place);
   const double guess = around.doubt / std::abs(around.slope);
   for (double tau = std::max(least, tried_first * (std::isfinite(guess) ? guess : 0));

@@ -12,6 +12,8 @@
 // larger. It is as good as the e_k are, which are estimates. Where intervals are too wide to tell, slopes and
 // curvatures do. Where no such tau exists, whether g changes sign
 // at all is no more certain than the motion itself.
+//
+// The state there is off by e_k, and by what the motion changes it in tau.
 
 #include <optional>
 #include <span>
@@ -19,7 +21,7 @@
 #include <vector>
 
 #include "core/dynamics/watch.hpp"
-#include "core/motion/simulation.hpp"
+#include "core/motion/measured_simulation.hpp"
 
 namespace qdot {
 
@@ -28,16 +30,18 @@ class EventErrors {
   /// `scale`: the largest magnitude of each component of the state. Keeps references to what it is given.
   EventErrors(const Dynamics& dynamics, const SimulationRequest& request, std::span<const double> scale);
 
-  /// In s; `errors` of the state at that time, `reached`: what each component has reached up to it.
-  [[nodiscard]] std::optional<double> of(const EventRecord& event, std::span<const double> errors,
-                                         std::span<const double> reached);
-  /// Of a condition of validity or a singularity that has ended the motion in state y.
-  [[nodiscard]] std::optional<double> of(const Stop& stop, std::span<const double> y,
-                                         std::span<const double> errors);
+  /// `errors` of the state at that time, `reached`: what each component has reached up to it.
+  [[nodiscard]] std::optional<EventError> of(const EventRecord& event, std::span<const double> errors,
+                                             std::span<const double> reached);
+  /// Of a condition of validity or a singularity that has ended the motion in state y; its time may be off by
+  /// `at_least` so much.
+  [[nodiscard]] std::optional<EventError> of(const Stop& stop, std::span<const double> y,
+                                             std::span<const double> errors, double at_least);
 
  private:
-  [[nodiscard]] std::optional<double> of(const Watch& watch, double t, std::span<const double> y,
-                                         std::span<const double> errors, std::span<const double> reached);
+  [[nodiscard]] std::optional<EventError> of(const Watch& watch, double t, std::span<const double> y,
+                                             std::span<const double> errors, std::span<const double> reached,
+                                             double at_least = 0);
   [[nodiscard]] static bool is_away_from_zero(const Watch& watch, double t, std::span<const double> y,
                                               std::span<const double> errors);
   /// A motion at t with its accelerations, and bounds of what its components may be off there.
@@ -46,6 +50,9 @@ class EventErrors {
     std::span<const double> y;
     std::vector<double> accelerations, errors;
   };
+  [[nodiscard]] std::optional<double> time_of(const Watch& watch, const Place& place, double shortest,
+                                              double own_time);
+  [[nodiscard]] EventError with_state(double time, Place place);
   [[nodiscard]] std::optional<double> by_slopes(const Watch& watch, const Place& place, double own_time,
                                                 double doubt);
   [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);

@@ -9,15 +9,20 @@
 
 namespace qdot {
 
+/// How far an event may be from that of the true motion.
+struct EventError {
+  double time{};              ///< in s
+  std::vector<double> state;  ///< of each component; empty where that is not known
+};
+
 struct MeasuredSimulation {
   Simulation simulation;
   Tolerances tolerances;  ///< of the run that is returned; not of a fixed step
   /// Of each coordinate and velocity, over the returned rows; empty when it could not be measured: `reason`.
   std::vector<double> max_abs_error;
-  /// Of the times of the events and of the stop, in s; no value where the motion grazes, or beyond the last
-  /// row.
-  std::vector<std::optional<double>> event_errors;
-  std::optional<double> stop_error;
+  /// Of the events and of the stop; no value where the motion grazes, or beyond the last row.
+  std::vector<std::optional<EventError>> event_errors;
+  std::optional<EventError> stop_error;
   /// The returned instants that are at an impact to within its error: their rows are on one side of it, and
   /// whether the motion is there is not known.
   std::vector<double> at_impacts;

@@ -203,7 +203,7 @@ class Comparing {
     for (std::size_t i = 0; i < result.event_errors.size(); ++i) {
       const double t = motion.events[i].t;
       if (!std::ranges::binary_search(motion.sections, t, {}, &SectionRecord::t)) continue;
-      const double near = std::max(result.event_errors[i].value_or(0), time_round_off(t));
+      const double near = std::max(result.event_errors[i].value_or(EventError{}).time, time_round_off(t));
       while (row < rows && times[row] < t - near) ++row;
       for (; row < rows && times[row] <= t + near; ++row) {
         if (motion_.grid.wanted[row]) result.at_impacts.push_back(times[row]);

@@ -19,9 +19,9 @@ struct RowComparison {
   std::vector<double> max_abs_error;  ///< of each coordinate and velocity, over the rows asked for
   /// The first instant asked for where the error passes 1e-3 of a column's largest magnitude.
   std::optional<double> horizon;
-  /// Of the time of each event (event_errors.hpp); of one after the last row there is none.
-  std::vector<std::optional<double>> event_errors;
-  std::optional<double> stop_error;  ///< of the time of the stop
+  /// Of each event (event_errors.hpp); of one after the last row there is none.
+  std::vector<std::optional<EventError>> event_errors;
+  std::optional<EventError> stop_error;
   /// Rows asked for that are at an impact to within its error, each on the motion's side of it.
   std::vector<double> at_impacts;
   std::vector<ApproachAsTold> approaches, near_events;

@@ -126,23 +126,40 @@ class SimulationAnswer {
   [[nodiscard]] Json stop_json() const {
     Json json{{"reason", result_.stop->reason}, {"t", result_.stop->t}, {"message", result_.stop->message}};
     if (measured_.stop_error)
-      json["error"] = stated_error(Stated{result_.stop->t, *measured_.stop_error}, digits());
+      json["error"] = stated_error(Stated{result_.stop->t, measured_.stop_error->time}, digits());
     const bool is_finite = std::ranges::all_of(result_.y, [](double value) { return std::isfinite(value); });
-    if (is_finite) json["state"] = state_json(scene(), result_.y);
+    if (!is_finite) return json;
+    json["state"] = state_json(scene(), result_.y);
+    if (measured_.stop_error) add_state_error(json, result_.y, measured_.stop_error->state);
     return json;
   }
 
-  void add_error(Json& event, std::size_t i) const {
-    if (measured_.max_abs_error.empty()) return;
-    const std::vector<std::optional<double>>& errors = measured_.event_errors;
-    if (i < errors.size() && errors[i]) {
-      event["error"] = stated_error(Stated{result_.events[i].t, *errors[i]}, digits());
-      return;
+  void add_state_error(Json& event, std::span<const double> y, std::span<const double> errors) const {
+    const std::vector<Symbol> state = symbols(scene(), SymbolRole::initial);
+    for (std::size_t k = 0; k < errors.size(); ++k)
+      event["state_error"][state[k].name] = stated_error(Stated{y[k], errors[k]}, digits());
+  }
+
+  [[nodiscard]] const EventError* error_of_event(std::size_t i) const {
+    const auto& errors = measured_.event_errors;
+    return i < errors.size() && errors[i] ? &*errors[i] : nullptr;
+  }
+
+  [[nodiscard]] Json event_json(std::size_t i) const {
+    const EventRecord& event = result_.events[i];
+    Json json{{"name", event.name}, {"t", event.t}};
+    const EventError* error = error_of_event(i);
+    if (error != nullptr) {
+      json["error"] = stated_error(Stated{event.t, error->time}, digits());
+    } else if (!measured_.max_abs_error.empty()) {
+      json["error"] = nullptr;
+      json["reason"] =
+          "It is too near to where the event would not happen, or after the last row, for the error "
+          "of its time to be told.";
     }
-    event["error"] = nullptr;
-    event["reason"] =
-        "It is too near to where the event would not happen, or after the last row, for the error "
-        "of its time to be told.";
+    json["state"] = state_json(scene(), event.y);
+    if (error != nullptr) add_state_error(json, event.y, error->state);
+    return json;
   }
 
   /// Writes one event after the other, because all of them as one JSON value would take many times the memory
@@ -150,13 +167,7 @@ class SimulationAnswer {
   void write_events(JsonWriter& writer) const {
     writer.key("events");
     writer.begin_array();
-    for (std::size_t i = 0; i < result_.events.size(); ++i) {
-      const EventRecord& event = result_.events[i];
-      Json json{{"name", event.name}, {"t", event.t}};
-      add_error(json, i);
-      json["state"] = state_json(scene(), event.y);
-      writer.value(json, digits());
-    }
+    for (std::size_t i = 0; i < result_.events.size(); ++i) writer.value(event_json(i), digits());
     writer.end_array();
   }
 

@@ -23,7 +23,8 @@ std::optional<double> error_of(const std::string& event, double velocity = speed
   request.events = {event};
   const std::vector<double> scale{1.4, speed}, errors{x_error, 0};
   EventErrors found(dynamics, request, scale);
-  return found.of(EventRecord{event, t, {0.7, velocity}}, errors, scale);
+  const auto error = found.of(EventRecord{event, t, {0.7, velocity}}, errors, scale);
+  return error ? std::optional(error->time) : std::nullopt;
 }
 
 TEST(EventErrors, AreThoseOfTheStateByItsSpeedWhateverTheSlopeOfTheEvent) {
