@@ -28,8 +28,8 @@ std::vector<double> along(const std::vector<double>& y, double factor, std::span
   return result;
 }
 
-std::vector<double> state_after(const SectionEnd& end, std::vector<double> before) {
-  return end.map ? end.map(before) : before;
+std::vector<double> state_after(const SectionEnd& end, double later, std::vector<double> before) {
+  return end.map ? end.map(end.t + later, before) : before;
 }
 
 /// The largest |x_i| in units of what is reached.
@@ -122,7 +122,7 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
   const double farthest = longest_time(end);
   if (!(std::abs(later) < farthest))
     return end.map ? apart_without_event(end, e, tau) : apart_after_grazing(end, e, farthest);
-  std::vector<double> result = state_after(end, along(other, later, end.slopes_before));
+  std::vector<double> result = state_after(end, later, along(other, later, end.slopes_before));
   result = along(result, -later, end.slopes_after);
   for (std::size_t i = 0; i < e.size(); ++i) result[i] = (end.after[i] - result[i]) / factor;
   return std::ranges::all_of(result, [](double x) { return std::isfinite(x); }) ? result : end.reached;
@@ -158,8 +158,8 @@ double seconds_apart(const SectionEnd& end, std::span<const double> errors) {
 
 std::vector<double> rates_of_instant(const SectionEnd& end) {
   const double tau = short_time(end);
-  const std::vector<double> here = state_after(end, end.before);
-  std::vector<double> rates = state_after(end, along(end.before, tau, end.slopes_before));
+  const std::vector<double> here = state_after(end, 0, end.before);
+  std::vector<double> rates = state_after(end, tau, along(end.before, tau, end.slopes_before));
   for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (rates[i] - here[i]) / tau - end.slopes_after[i];
   return rates;
 }

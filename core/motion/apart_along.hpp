@@ -6,7 +6,7 @@
 // then, and meets it later by delta, where its g is zero as that of the first is:
 //
 //   g(t + delta, y - e + delta f_-) = g(t, y),
-//   e_+ = y_+ - (map(y - e + delta f_-) - delta f_+),
+//   e_+ = y_+ - (map(t + delta, y - e + delta f_-) - delta f_+),
 //
 // with f the slopes y' before and after it. Source: di Bernardo, Budd, Champneys, Kowalczyk,
 // Piecewise-smooth Dynamical Systems (2008), 2.3 and 2.5 (saltation matrices).
@@ -30,7 +30,7 @@ namespace qdot {
 /// `errors`; as far as a tenth of the motion's own time.
 [[nodiscard]] double seconds_apart(const SectionEnd& end, std::span<const double> errors);
 
-/// What of e_+ there is for each second that the event is taken too late: Dmap f_- - f_+.
+/// What of e_+ there is for each second that the event is taken too late: dmap/dt + Dmap f_- - f_+.
 [[nodiscard]] std::vector<double> rates_of_instant(const SectionEnd& end);
 
 /// Of a reference, when the request has originals; of others nothing.

@@ -16,8 +16,8 @@ struct SectionEnd {
   double rounding{};              ///< what g may be rounded by there
   std::vector<double> reached{};  ///< the largest |y_i| up to there
   std::function<double(double t, std::span<const double> y)> g;
-  /// The state after it by that before it; as it is, where there is no such function.
-  std::function<std::vector<double>(const std::vector<double>& y)> map{};
+  /// The state after it by that before it, at an instant near t; as it is, where there is no such function.
+  std::function<std::vector<double>(double t, const std::vector<double>& y)> map{};
 };
 
 }  // namespace qdot

@@ -311,7 +311,7 @@ class Simulator {
     const double late = sides_.late_at_begin(impacts_.watches()[first], result_.sections.back());
     SectionEnd end = now_ending(impacts_.watches()[first].value);
     end.rounding = impacts_.watches()[first].own_rounding(result_.t, result_.y);
-    end.map = [this, t = end.t, all = passed.all](const std::vector<double>& y) {
+    end.map = [this, all = passed.all](double t, const std::vector<double>& y) {
       return impacts_.repeat(t, y, all);
     };
     result_.y = passed.after;
@@ -327,6 +327,7 @@ class Simulator {
   void doubt_instant(const SectionEnd& end, const InstantImpacts::Passed& passed, double late) {
     unseen_.doubt_instant(end, late);
     SectionEnd between = end;
+    between.map = nullptr;
     for (std::size_t i = 1; i < passed.all.size(); ++i) {
       between.after = passed.all[i].before;
       unseen_.doubt_instant(between, late);

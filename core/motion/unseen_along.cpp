@@ -5,6 +5,22 @@
 #include <utility>
 
 namespace qdot {
+namespace {
+
+constexpr double longer =
+    0x1p20;  ///< than an instant's rounding: what the map changes meanwhile is no rounding
+
+/// What the map changes in each component for each second that the impact is taken too late.
+std::vector<double> rates_of_map(const SectionEnd& impact, double late) {
+  std::vector<double> rates(impact.after.size());
+  if (!impact.map || !(late > 0)) return rates;
+  const double tau = longer * late;
+  const std::vector<double> later = impact.map(impact.t + tau, impact.before);
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (later[i] - impact.after[i]) / tau;
+  return rates;
+}
+
+}  // namespace
 
 void UnseenAlong::add(const Run& done) {
   const std::size_t width = done.y.size(), before = count_ * width;
@@ -20,9 +36,11 @@ void UnseenAlong::add(const Run& done) {
 void UnseenAlong::doubt_instant(const SectionEnd& impact, double late) {
   const std::size_t n = impact.before.size() / 2;
   unseen_.resize(2 * n);
+  const std::vector<double> of_map = rates_of_map(impact, late);
   for (std::size_t i = 0; i < n; ++i) {
+    const double rate = std::abs(impact.slopes_before[n + i]) + std::abs(impact.slopes_after[n + i]);
     unseen_[i] += late * std::abs(impact.after[n + i] - impact.before[n + i]);
-    unseen_[n + i] += late * (std::abs(impact.slopes_before[n + i]) + std::abs(impact.slopes_after[n + i]));
+    unseen_[n + i] += late * (rate + std::abs(of_map[n + i]));
   }
 }
 

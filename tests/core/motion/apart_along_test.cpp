@@ -24,7 +24,7 @@ struct Ball {
             .reached = {1, speed},
             .g = [](double, std::span<const double> y) { return y[0]; },
             .map =
-                [r = restitution](const std::vector<double>& y) {
+                [r = restitution](double, const std::vector<double>& y) {
                   return std::vector{y[0], -r * y[1]};
                 }};
   }
@@ -54,6 +54,33 @@ TEST(ApartAfter, AnImpactIsTheSameForDistancesBelowALastPlace) {
   const std::vector<double> large = apart_after(ball.end(), std::vector{1e-6, 3e-6}),
                             small = apart_after(ball.end(), std::vector{1e-25, 3e-25});
   for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(small[i] * 1e19, large[i], 1e-4 * std::abs(large[i]));
+}
+
+/// A plate that rises with the acceleration a, at 0 and at rest when the first of two balls meets it.
+TEST(ApartAfter, AnImpactOnAPlateThatGainsSpeedIsAsTwoBallsAre) {
+  constexpr double a = 40, e = 0.8, speed = 3, ey = 1e-7, ev = -2e-7, later = 0.1;
+  const auto plate = [](double tau) { return a * tau * tau / 2; };
+  const auto map = [](double tau, const std::vector<double>& y) {
+    return std::vector{y[0], (1 + e) * a * tau - e * y[1]};
+  };
+  const SectionEnd end{.t = 0,
+                       .before = {0, -speed},
+                       .slopes_before = {-speed, -g},
+                       .after = {0, e * speed},
+                       .slopes_after = {e * speed, -g},
+                       .reached = {1, speed},
+                       .g = [&](double t, std::span<const double> y) { return y[0] - plate(t); },
+                       .map = map};
+  const auto after = [&](double y, double v) {  // y + v s - (g + a) s^2/2 = 0
+    const double b = g + a, falls = (v + std::sqrt(v * v + 2 * b * y)) / b, flight = later - falls;
+    const double up = map(falls, {0, v - g * falls})[1];
+    return std::vector{plate(falls) + up * flight - g * flight * flight / 2, up - g * flight};
+  };
+  const std::vector<double> one = after(0, -speed), other = after(-ey, -speed - ev),
+                            found = apart_after(end, std::vector{ey, ev});
+  EXPECT_NEAR(found[0] + later * found[1], one[0] - other[0], 1e-11);
+  EXPECT_NEAR(found[1], one[1] - other[1], 1e-11);
+  EXPECT_NEAR(rates_of_instant(end)[1], (1 + e) * (a + g), 1e-3);
 }
 
 /// One ball goes on through the floor for a while, and is then sent back.
