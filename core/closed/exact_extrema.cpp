@@ -51,10 +51,23 @@ std::vector<Expression> ExactExtrema::roots_in(const Expression& unknown, const 
   return c ? roots_of((*c)[0], (*c)[1], (*c)[2], equation_.values.sign_of()) : std::vector<Expression>{};
 }
 
+/// By other parameters another root is the nearest, or the motion starts at the other end.
+std::vector<std::string> ExactExtrema::started() const {
+  std::vector<std::string> all = equation_.assumed;
+  const InitialPlace place = equation_.found.initial;
+  if (all.empty() || place == InitialPlace::between) return all;
+  const std::string& name = equation_.values.model().scene.coordinates[equation_.found.coordinate].name;
+  all.push_back(name + "(0) " +
+                (place == InitialPlace::maximum   ? "= " + name + "_max"
+                 : place == InitialPlace::minimum ? "= " + name + "_min"
+                                                  : "is an equilibrium"));
+  return all;
+}
+
 ExactExtrema::Found ExactExtrema::number(const Expression& root, const Finding& extremum,
                                          const Relations& relations) const {
   if (!agrees(equation_.values.value(root), *extremum.value, extremum.error)) return std::nullopt;
-  auto form = equation_.formula(root, relations, equation_.assumed);
+  auto form = equation_.formula(root, relations, started());
   if (!form) return std::nullopt;
   return {{root, {*std::move(form), std::nullopt, std::nullopt}}};
 }
@@ -73,8 +86,8 @@ ExactExtrema::Found ExactExtrema::angle(Function function, const Expression& roo
     const Expression other = function == Function::cos ? -value : pi - value;
     for (const Expression& x : {value, other, other + Number(2) * pi, other - Number(2) * pi}) {
       if (!agrees(equation_.values.value(x), *extremum.value, extremum.error)) continue;
-      auto form = equation_.formula(x, relations, equation_.assumed);
-      auto of_function = equation_.formula(root, relations, equation_.assumed);
+      auto form = equation_.formula(x, relations, started());
+      auto of_function = equation_.formula(root, relations, started());
       if (!form || !of_function) continue;
       ExactExtremum result{*std::move(form), std::nullopt, std::nullopt};
       (function == Function::cos ? result.cosine : result.sine) = std::move(of_function);

@@ -3,6 +3,7 @@
 // sine.
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,7 @@ class ExactExtrema {
                 const Relations& relations, std::optional<ExactExtremum>& best) const;
   /// Values of the unknown, a cosine say, where `left` is a quadratic polynomial of it.
   [[nodiscard]] std::vector<Expression> roots_in(const Expression& unknown, const Expression& left) const;
+  [[nodiscard]] std::vector<std::string> started() const;
   [[nodiscard]] Found number(const Expression& root, const Finding& extremum,
                              const Relations& relations) const;
   [[nodiscard]] Found angle(Function function, const Expression& root, const Finding& extremum,

@@ -122,6 +122,13 @@ class TurningPoints(Service):
         self.assertEqual((posted.status, got.status), (200, 200))
         self.assertEqual(got.data, posted.data)
 
+    def test_formulas_of_extrema_say_at_which_of_them_the_motion_starts(self):
+        for numbers, place in (({"m": 0.0825, "Omega": 3.62}, "theta_max"), ({"R": 0.715, "Omega": 8.05}, "theta_min")):
+            exact = self.ask("turning_points", {"system": "bead_on_hoop", "parameters": numbers})["exact"]
+            for extremum in ("theta_max", "theta_min"):
+                self.assertIn(f"theta(0) = {place}", exact[extremum]["assumes"], numbers)
+            self.assertNotIn(f"theta(0) = {place}", exact["equation"]["assumes"])
+
 
 if __name__ == "__main__":
     unittest.main()
