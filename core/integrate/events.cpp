@@ -244,6 +244,9 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
         direction == Crossing::either || (direction == Crossing::rising) == (piece.sign > 0);
     const bool leaves_start = signs_[event] == 0 && starts_at_zero_ && request_.events[event].counts_at_start;
     if (leaves_start && is_wanted) crossed.push_back({event, begin, begin});
+    // What has to hold, and is broken where it is told first, was zero at t_start or has met it since then.
+    const bool is_broken = signs_[event] == 0 && request_.events[event].must_have_value;
+    if (is_broken && is_wanted) crossed.push_back({event, begin, begin + piece.from});
     if (signs_[event] == -piece.sign && is_wanted) {
       crossed.push_back({event, std::max(begin, definite_[event]), begin + piece.from});
     }
