@@ -71,9 +71,9 @@ class Passing {
         continue;
       }
       const std::vector<double>& u = old[kink];
-      const bool is_hard = is_hardly_crossed(here.u, u[1], u[2]);
+      const bool is_hard = is_hardly_crossed(here.u, u[1], u[2]) || (is_one && !changes_beside(kink, now, s));
       const auto change = is_one && is_hard ? sign_change(kink, now, std::abs(s), farthest) : std::nullopt;
-      const bool is_crossed = change || !is_hard;
+      const bool is_crossed = change || !is_hardly_crossed(here.u, u[1], u[2]);
       if (change) {
         s = change->middle;
         passage.doubt = std::max(passage.doubt, change->doubt);
@@ -106,6 +106,19 @@ class Passing {
     return true;
   }
 
+  /// Of the argument, before to after, along a way as a sign beyond the rounding of doubles.
+  int sign_along(std::size_t kink, const Sides& sides, const std::vector<double>& rows, double s) {
+    const auto y = sums_at(s, rows, SidedMotions::order + 1);
+    return before_[kink] * motions_.argument_sign(kink, sides, motions_.t() + s, y);
+  }
+
+  /// Whether the sign changes where coefficients say: they may be rounding.
+  bool changes_beside(std::size_t kink, const Sides& sides, double s) {
+    const std::vector<double>& old = motions_.rows(sides);
+    const double beside = std::max(std::abs(s), motions_.resolution());
+    return sign_along(kink, sides, old, s - beside) > 0 && sign_along(kink, sides, old, s + beside) < 0;
+  }
+
   struct SignChange {
     double middle{}, doubt{};
   };
@@ -113,10 +126,7 @@ class Passing {
   /// root its coefficients do not tell.
   std::optional<SignChange> sign_change(std::size_t kink, const Sides& sides, double guess, double farthest) {
     const std::vector<double> old = motions_.rows(sides);
-    const auto sign = [&](double s) {
-      const auto y = sums_at(s, old, SidedMotions::order + 1);
-      return before_[kink] * motions_.argument_sign(kink, sides, motions_.t() + s, y);
-    };
+    const auto sign = [&](double s) { return sign_along(kink, sides, old, s); };
     double reach = std::max(guess, motions_.resolution());
     while (!(sign(-reach) > 0 && sign(reach) < 0)) {
       reach *= 2;
