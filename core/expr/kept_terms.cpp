@@ -42,6 +42,14 @@ std::vector<NodeId> insides(const Expression& e) {
   return result;
 }
 
+bool contains_kinks(const Expression& e) {
+  const NodeId root[]{e.id()};
+  return std::ranges::any_of(reachable(e.graph(), root), [&](NodeId id) {
+    const auto* call = std::get_if<Call>(&e.graph().node(id));
+    return call != nullptr && (call->function == Function::abs || call->function == Function::sign);
+  });
+}
+
 bool is_symbol_or_number(const Expression& factor) {
   const Expression base = split_power(factor).base;
   return base.number() != nullptr || std::holds_alternative<Symbol>(base.node());
@@ -96,6 +104,13 @@ Terms split_kept_terms(const Expression& e) {
 Expression shortened(const Expression& e) {
   const Terms terms = split_kept_terms(e);
   return terms.kept.is_zero() ? simplify(e) : simplify(terms.plain) + terms.kept;
+}
+
+Expression shortened_beside_kinks(const Expression& e) {
+  if (!contains_kinks(e)) return simplify(e);
+  std::vector<Expression> plain, kinked;
+  for (const Expression& term : summands(e)) (contains_kinks(term) ? kinked : plain).push_back(term);
+  return simplify(e.graph().sum(plain)) + e.graph().sum(kinked);
 }
 
 Expression shortened_derivative(const Expression& e, const Expression& x) {
