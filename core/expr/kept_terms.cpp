@@ -66,13 +66,31 @@ std::optional<NodeId> sign_in(const Graph& graph, const Monomial& monomial) {
   return found;
 }
 
+bool divides_by(const Polynomial& polynomial, NodeId base) {
+  return std::ranges::any_of(polynomial, [&](const auto& term) {
+    return std::ranges::any_of(term.first, [&](const Atom& atom) { return atom.base == base && atom.p < 0; });
+  });
+}
+
+/// a/b, where that divides by nothing that a does not: no k/x of k and x.
+std::optional<Polynomial> whole_quotient(const Polynomial& a, const Polynomial& b) {
+  auto quotient = exact_quotient(a, b);
+  if (!quotient) return quotient;
+  for (const auto& [monomial, coefficient] : *quotient) {
+    for (const Atom& atom : monomial) {
+      if (atom.p < 0 && !divides_by(a, atom.base)) return std::nullopt;
+    }
+  }
+  return quotient;
+}
+
 /// c u |u|, where c u^2 is the factor of sign(u), or c |u| of c u; as it is of others.
 Expression with_sign(Graph& graph, NodeId sign, const Polynomial& factor) {
   const Expression u(graph, std::get<Call>(graph.node(sign)).argument);
   const Polynomial divisor = multiplied_out(u);
-  const auto once = exact_quotient(factor, divisor);
+  const auto once = whole_quotient(factor, divisor);
   if (!once) return to_expression(graph, factor) * Expression(graph, sign);
-  const auto twice = exact_quotient(*once, divisor);
+  const auto twice = whole_quotient(*once, divisor);
   return graph.call(Function::abs, u) *
          (twice ? u * to_expression(graph, *twice) : to_expression(graph, *once));
 }
