@@ -218,7 +218,7 @@ class TaylorStepper final : public Stepper {
   Ending stuck(double wanted) const {
     const bool overflows =
         !std::ranges::all_of(next_, [](double coefficient) { return std::isfinite(coefficient); });
-    if (overflows && is_still()) return Ending::step_limit;
+    if (overflows && trouble_ != Ending::nonfinite && is_still()) return Ending::step_limit;
     if (trouble_) return *trouble_;
     return std::isfinite(wanted) ? Ending::blow_up : Ending::nonfinite;
   }
