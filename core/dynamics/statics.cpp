@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_builder.hpp"
+#include "core/expr/kept_terms.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
@@ -107,7 +108,8 @@ Statics statics_of(Reduction of) {
   for (const Expression& rate : reduction.ignored_rates) rates.push_back(at_rest(reduction, rate));
   statics.ignored_rates = compiled(rates);
   if (reduction.conservative) {
-    statics.potential = compiled({simplify(Number(-1) * at_rest(reduction, reduction.routhian))});
+    statics.potential =
+        compiled({shortened_beside_kinks(Number(-1) * at_rest(reduction, reduction.routhian))});
   }
   statics.quadratic = has_quadratic_energy(reduction);
   return statics;

@@ -1,11 +1,13 @@
 #include "core/expr/kept_terms.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
@@ -40,6 +42,72 @@ std::vector<NodeId> insides(const Expression& e) {
     }
   }
   return result;
+}
+
+bool contains(const Expression& e, Function function) {
+  const NodeId root[]{e.id()};
+  return std::ranges::any_of(reachable(e.graph(), root), [&](NodeId id) {
+    const auto* call = std::get_if<Call>(&e.graph().node(id));
+    return call != nullptr && call->function == function;
+  });
+}
+
+bool contains_kinks(const Expression& e) { return contains(e, Function::abs) || contains(e, Function::sign); }
+
+/// The sign that is one factor of a product; none where there are more, or powers of it.
+std::optional<NodeId> sign_in(const Graph& graph, const Monomial& monomial) {
+  std::optional<NodeId> found;
+  for (const Atom& atom : monomial) {
+    const auto* call = std::get_if<Call>(&graph.node(atom.base));
+    if (call == nullptr || call->function != Function::sign) continue;
+    if (found || atom.p != 1 || atom.q != 1) return std::nullopt;
+    found = atom.base;
+  }
+  return found;
+}
+
+bool divides_by(const Polynomial& polynomial, NodeId base) {
+  return std::ranges::any_of(polynomial, [&](const auto& term) {
+    return std::ranges::any_of(term.first, [&](const Atom& atom) { return atom.base == base && atom.p < 0; });
+  });
+}
+
+/// a/b, where that divides by nothing that a does not: no k/x of k and x.
+std::optional<Polynomial> whole_quotient(const Polynomial& a, const Polynomial& b) {
+  auto quotient = exact_quotient(a, b);
+  if (!quotient) return quotient;
+  for (const auto& [monomial, coefficient] : *quotient) {
+    for (const Atom& atom : monomial) {
+      if (atom.p < 0 && !divides_by(a, atom.base)) return std::nullopt;
+    }
+  }
+  return quotient;
+}
+
+/// c u |u|, where c u^2 is the factor of sign(u), or c |u| of c u; as it is of others.
+Expression with_sign(Graph& graph, NodeId sign, const Polynomial& factor) {
+  const Expression u(graph, std::get<Call>(graph.node(sign)).argument);
+  const Polynomial divisor = multiplied_out(u);
+  const auto once = whole_quotient(factor, divisor);
+  if (!once) return to_expression(graph, factor) * Expression(graph, sign);
+  const auto twice = whole_quotient(*once, divisor);
+  return graph.call(Function::abs, u) *
+         (twice ? u * to_expression(graph, *twice) : to_expression(graph, *once));
+}
+
+/// Jumps where nothing jumps are written as what they are.
+Expression without_jumps_of_zero(const Expression& e) {
+  Polynomial others;
+  std::map<NodeId, Polynomial> factors;
+  for (const auto& [monomial, coefficient] : multiplied_out(e)) {
+    if (const auto sign = sign_in(e.graph(), monomial))
+      add(factors[*sign], times(monomial, *sign, -1), coefficient);
+    else
+      add(others, monomial, coefficient);
+  }
+  Expression sum = to_expression(e.graph(), others);
+  for (const auto& [sign, factor] : factors) sum = sum + with_sign(e.graph(), sign, factor);
+  return sum;
 }
 
 bool is_symbol_or_number(const Expression& factor) {
@@ -96,6 +164,15 @@ Terms split_kept_terms(const Expression& e) {
 Expression shortened(const Expression& e) {
   const Terms terms = split_kept_terms(e);
   return terms.kept.is_zero() ? simplify(e) : simplify(terms.plain) + terms.kept;
+}
+
+Expression shortened_beside_kinks(const Expression& e) {
+  if (!contains_kinks(e)) return simplify(e);
+  std::vector<Expression> plain, jumps, kinked;
+  for (const Expression& term : summands(e))
+    (contains(term, Function::sign) ? jumps : contains_kinks(term) ? kinked : plain).push_back(term);
+  Graph& graph = e.graph();
+  return simplify(graph.sum(plain)) + without_jumps_of_zero(graph.sum(jumps)) + graph.sum(kinked);
 }
 
 Expression shortened_derivative(const Expression& e, const Expression& x) {

@@ -26,7 +26,11 @@ struct Terms {
 /// The short form of e (core/expr/simplify.hpp), with such terms as they are.
 [[nodiscard]] Expression shortened(const Expression& e);
 
-/// de/dx in the same way: 3 (x - c)^2 of (x - c)^3, as what is kept of e is kept in its derivative.
+/// The short form of e, with terms that contain abs as they are, and sign(u) times what is zero where u is as
+/// an abs: multiplied out it is a difference of jumps, of which intervals do not see that it is none.
+[[nodiscard]] Expression shortened_beside_kinks(const Expression& e);
+
+/// de/dx as shortened() does: 3 (x - c)^2 of (x - c)^3, as what is kept of e is kept in its derivative.
 [[nodiscard]] Expression shortened_derivative(const Expression& e, const Expression& x);
 
 }  // namespace qdot

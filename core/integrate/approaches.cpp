@@ -9,7 +9,6 @@
 namespace qdot {
 namespace {
 
-constexpr double near = 0.05;  ///< of the largest |g|
 constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
@@ -56,7 +55,7 @@ bool ApproachSearch::is_near(std::size_t event, double lower, double upper) {
   if (of_events_.empty()) return false;
   OfEvent& of_event = of_events_[event];
   of_event.reach = std::max({of_event.reach, std::abs(lower), std::abs(upper)});
-  const bool is_small = !(std::min(std::abs(lower), std::abs(upper)) > near * of_event.reach);
+  const bool is_small = !(std::min(std::abs(lower), std::abs(upper)) > near_zero * of_event.reach);
   const bool is_near = is_small || (lower < 0) != (upper < 0);
   if (!is_near) of_event.slope = 0;
   return is_near;
@@ -127,9 +126,9 @@ void ApproachSearch::pass(const Along& g, StepPolynomial& step) {
 /// Short steps do not tell how far it would go: a parabola does, as long as that is not far.
 void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step) {
   const double reach = of_events_[g.event].reach, c1 = g.sign * g.c[1], c2 = g.sign * g.c[2];
-  if (!(-g.sign * sum_at(1, g.c) <= near * reach && c1 < 0 && c2 > 0)) return;
+  if (!(-g.sign * sum_at(1, g.c) <= near_zero * reach && c1 < 0 && c2 > 0)) return;
   const double turn = -c1 / (2 * c2), met = step.whole().t + g.from;
-  if (!(c2 * turn * turn <= near * reach)) return;
+  if (!(c2 * turn * turn <= near_zero * reach)) return;
   add({.event = g.event, .t = met + turn * g.length, .met = met, .sign = g.sign}, step);
 }
 
@@ -137,7 +136,7 @@ void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step) {
 void ApproachSearch::note(const Along& g, StepPolynomial& step, double s, double value,
                           std::optional<double> met) {
   const double reach = of_events_[g.event].reach;
-  if (!(std::abs(value) <= near * reach) || value < -unseen * g.off) return;
+  if (!(std::abs(value) <= near_zero * reach) || value < -unseen * g.off) return;
   const double t = step.whole().t + g.from + s * g.length;
   add({.event = g.event, .t = t, .met = met, .sign = g.sign, .distance = std::abs(value)}, step);
 }

@@ -20,6 +20,8 @@ namespace qdot {
 
 /// Of a step: so far beyond it its polynomials still do roughly.
 inline constexpr double beyond_step = 0.5;
+/// Of the largest |g|: what comes nearer to zero is noted.
+inline constexpr double near_zero = 0.05;
 
 class ApproachSearch {
  public:

@@ -95,8 +95,9 @@ std::vector<int> EventSearch::signs_before(double t) const {
   const double begin = polynomial_.whole().t, instant = 16 * time_round_off(t);
   std::vector<int> signs = signs_of_begin_;
   for (std::size_t i = 0; i < signs.size(); ++i) {
-    for (const SignPiece& piece : pieces_[i]) {
-      if (piece.sign != 0 && begin + piece.from < t - instant) signs[i] = piece.sign;
+    for (const Piece& piece : pieces_[i]) {
+      const bool counts = piece.sign != 0 || piece.is_nowhere;
+      if (counts && begin + piece.from < t - instant) signs[i] = piece.sign;
     }
   }
   return signs;
@@ -160,7 +161,7 @@ bool EventSearch::is_quiet(std::size_t event) {
   if (signs_[event] == 0 && !request_.notes_approaches) return false;
   const MotionPiece& piece = polynomial_.whole();
   const UnitSeries series = unit_series(event, piece, low_order);
-  if (series.is_nowhere) return !request_.events[event].must_have_value;
+  if (series.is_nowhere) return false;
   const std::span<const double> c = series.coefficients();
   double lower = c[0], upper = c[0];
   for (std::size_t k = 1; k < c.size(); ++k) {
@@ -225,7 +226,7 @@ double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double 
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const Crossing direction = request_.events[event].direction;
-  std::vector<SignPiece>& pieces = pieces_[event];
+  std::vector<Piece>& pieces = pieces_[event];
   looks_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
@@ -238,12 +239,16 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     if (past_start(event) <= 0) return;
     starts_at_zero_ = true;
   }
-  for (const SignPiece& piece : pieces) {
+  for (const Piece& piece : pieces) {
+    if (piece.is_nowhere) signs_[event] = 0, starts_at_zero_ = false;
     if (piece.sign == 0) continue;
     const bool is_wanted =
         direction == Crossing::either || (direction == Crossing::rising) == (piece.sign > 0);
     const bool leaves_start = signs_[event] == 0 && starts_at_zero_ && request_.events[event].counts_at_start;
     if (leaves_start && is_wanted) crossed.push_back({event, begin, begin});
+    // What has to hold, and is broken where it is told first, was zero at t_start or has met it since then.
+    const bool is_broken = signs_[event] == 0 && request_.events[event].must_have_value;
+    if (is_broken && is_wanted) crossed.push_back({event, begin, begin + piece.from});
     if (signs_[event] == -piece.sign && is_wanted) {
       crossed.push_back({event, std::max(begin, definite_[event]), begin + piece.from});
     }
@@ -253,9 +258,10 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
 }
 
 /// Between pieces of one sign g may be anything where it has none that is seen.
-void EventSearch::doubt_hidden(std::size_t event, std::span<const SignPiece> pieces) {
-  const SignPiece* before = nullptr;
-  for (const SignPiece& piece : pieces) {
+void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces) {
+  const Piece* before = nullptr;
+  for (const Piece& piece : pieces) {
+    if (piece.is_nowhere) before = nullptr;
     if (piece.sign == 0) continue;
     if (before != nullptr && before->sign == piece.sign && before->to < piece.from)
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
@@ -264,12 +270,12 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const SignPiece> pie
 }
 
 /// g was zero at t_start, but its number past that, and has not been on the side before it since then.
-bool EventSearch::is_coming_back(std::size_t event, std::span<const SignPiece> pieces) const {
+bool EventSearch::is_coming_back(std::size_t event, std::span<const Piece> pieces) const {
   const EventFunction& function = request_.events[event];
   if (!function.is_zero_at_start || signs_[event] != 0) return false;
   const int past = function.direction == Crossing::rising ? 1 : -1;
-  return std::ranges::any_of(pieces, [=](const SignPiece& piece) { return piece.sign == past; }) &&
-         std::ranges::none_of(pieces, [=](const SignPiece& piece) { return piece.sign == -past; });
+  return std::ranges::any_of(pieces, [=](const Piece& piece) { return piece.sign == past; }) &&
+         std::ranges::none_of(pieces, [=](const Piece& piece) { return piece.sign == -past; });
 }
 
 /// How far g is past zero at the step's end, beyond what it was at t_start.
@@ -297,7 +303,7 @@ EventSearch::UnitSeries EventSearch::finite_series(std::size_t event, const Moti
 }
 
 /// The pieces of [from, to], in times since the step's beginning.
-void EventSearch::explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces) {
+void EventSearch::explore(std::size_t event, double from, double to, std::vector<Piece>& pieces) {
   const std::size_t most = saw_everything_ ? most_looks : looks_in_doubt;
   if (++looks_ > most) saw_everything_ = false;
   const MotionPiece whole = polynomial_.piece(from, to - from);
@@ -307,13 +313,14 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
   if (series.is_nowhere && request_.events[event].must_have_value)
     nowhere_from_ = std::min(nowhere_from_, from);
-  if (series.is_nowhere || is_in_doubt(event, whole, series)) return pieces.push_back({from, to, 0});
+  if (series.is_nowhere || is_in_doubt(event, whole, series))
+    return pieces.push_back({{from, to, 0}, series.is_nowhere});
   const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;
     const double middle = 0.5 * (begin + end);
     if (piece.sign != 0 || end - begin <= shortest || looks_ > most) {
-      pieces.push_back({begin, end, piece.sign});
+      pieces.push_back({{begin, end, piece.sign}});
     } else if (piece.to - piece.from < 0.5) {
       explore(event, begin, end, pieces);
     } else {

@@ -8,7 +8,8 @@
 // passes zero and comes back by less than some round-off of its values; one that is zero at a step's end is
 // decided when it leaves zero. A pole, such as tan has, changes sign too, but its values grow towards the
 // place, and so it does not count; a jump through zero does. Where g has no value, as a root of what is
-// negative, it has no sign; a function that must have one there ends the run before (must_have_value).
+// negative, it has no sign, and what it was before does not count behind: so may it be any, coming from zero.
+// A function that must have a value there ends the run before (must_have_value).
 //
 // A zero at t_start counts only where that is asked for: there a motion goes on after the same event has
 // ended an earlier one. There g(s) = s (c_1 + c_2 s + ...), and later zeros are those of the bracket, however
@@ -65,11 +66,15 @@ class EventSearch {
   };
 
   [[nodiscard]] bool is_quiet(std::size_t event);
+  /// A piece of a step, with its sign; 0 where that is in doubt, or g has no value.
+  struct Piece : SignPiece {
+    bool is_nowhere{false};
+  };
   void walk(std::size_t event, std::vector<Crossed>& crossed);
-  void doubt_hidden(std::size_t event, std::span<const SignPiece> pieces);
-  [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const SignPiece> pieces) const;
+  void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
+  [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
-  void explore(std::size_t event, double from, double to, std::vector<SignPiece>& pieces);
+  void explore(std::size_t event, double from, double to, std::vector<Piece>& pieces);
   /// g over a piece, in the unit of its length.
   struct UnitSeries {
     std::array<double, largest_degree + 1> c{};
@@ -106,7 +111,7 @@ class EventSearch {
   std::vector<double> definite_;  ///< when it had it
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
-  std::vector<std::vector<SignPiece>> pieces_;
+  std::vector<std::vector<Piece>> pieces_;
   std::vector<double> y_;  ///< scratch
   std::size_t looks_{};    ///< at one function in one step
   bool starts_at_zero_{false};

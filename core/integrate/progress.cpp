@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint64_t window = 1000;
 constexpr double least_progress = 1e-9;  // of the span, in a window
+constexpr double still_growing = 1.1;    // in half a window: behind a pulse nothing does
 
 constexpr int most_still_steps = 10;
 // Between a smooth motion, which moves by about the round-off of t in such a step (1e-13), and a singularity,
@@ -43,12 +44,14 @@ std::optional<Ending> ProgressGuard::check(const Stepper& stepper) {
   still_steps_ = 0;
   y_when_moving_.assign(stepper.y().begin(), stepper.y().end());
   largest_ = std::max(largest_, norm(y_when_moving_));
-  return ++window_steps_ < window ? std::nullopt : end_of_window(stepper.t());
+  if (++window_steps_ == window / 2) largest_at_half_ = largest_;
+  return window_steps_ < window ? std::nullopt : end_of_window(stepper.t());
 }
 
 std::optional<Ending> ProgressGuard::end_of_window(double t) {
   const bool stuck = t - window_start_ < least_progress * span_;
-  const bool grown = largest_ > 2 * largest_before_window_;
+  const bool grows = largest_ > still_growing * largest_at_half_;
+  const bool grown = grows && largest_ > 2 * largest_before_window_;
   window_start_ = t;
   window_steps_ = 0;
   largest_before_window_ = largest_;

@@ -13,8 +13,8 @@ namespace qdot {
 /// Watches each step of a run. Two things end it.
 ///
 /// 1000 steps that advance t by less than 1e-9 of the span. They are called step_limit (a sliding
-/// discontinuity, say), but blow_up if |y| meanwhile grew to twice its largest value before them (a
-/// singularity approached at a tight tolerance).
+/// discontinuity, or the far side of a narrow pulse), but blow_up if |y| meanwhile grew to twice its largest
+/// value before them, and was growing to their end (a singularity approached at a tight tolerance).
 ///
 /// 10 steps in a row so short that t + h = t. If f had no value at a place tried meanwhile, that is the
 /// reason. Otherwise the state tells. If it moves noticeably while t stands still, it is no function of t any
@@ -36,6 +36,7 @@ class ProgressGuard {
   std::uint64_t window_steps_{};
   double largest_;  ///< |y| up to now
   double largest_before_window_;
+  double largest_at_half_{};           ///< of the window
   std::vector<double> y_when_moving_;  ///< the state when t last advanced
   int still_steps_{};
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -215,8 +216,29 @@ class TaylorStepper final : public Stepper {
 
   /// No step was accepted, or none can be taken.
   Ending stuck(double wanted) const {
+    const bool overflows =
+        !std::ranges::all_of(next_, [](double coefficient) { return std::isfinite(coefficient); });
+    if (overflows && trouble_ != Ending::nonfinite && is_still()) return Ending::step_limit;
     if (trouble_) return *trouble_;
     return std::isfinite(wanted) ? Ending::blow_up : Ending::nonfinite;
+  }
+
+  /// Whether the velocities change by less than rounding in the shortest time there is: so they do beside a
+  /// pulse that is too narrow for series of this order, and not at a singularity.
+  bool is_still() const {
+    const double shortest = std::nextafter(t_, request_.t_end) - t_;
+    double largest = 0, change = 0;
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      largest = std::max(largest, std::abs(y_[i]));
+      if (i < y_.size() / 2) continue;
+      double sum = 0;
+      for (unsigned k = order_; k > 0; --k) {
+        const double c = std::abs(coefficient(next_, i, k));
+        sum = (sum + (std::isfinite(c) ? c : 0)) * shortest;
+      }
+      change = std::max(change, sum);
+    }
+    return change <= std::numeric_limits<double>::epsilon() * largest;
   }
 
   const RightHandSide& system_;

@@ -219,10 +219,12 @@ void ApartAlong::pass(SectionEnd end) {
   now_.by_truncation = apart_after(end, now_.by_truncation);
   now_.by_rounding = apart_after(end, now_.by_rounding);
   RandomBits random(std::bit_cast<std::uint64_t>(end.t));
-  const double doubt = std::min(time_round_off(end.t) + end.doubt, longest_time(end));
+  const double round_off = time_round_off(end.t), longest = longest_time(end);
+  const bool is_rounding = end.doubt <= last_places * round_off;
+  const double doubt = std::min(is_rounding ? round_off + end.doubt : round_off, longest);
   const double late = OwnErrors::enlarged * doubt * (random.fraction() - 0.5);
   const std::vector<double> rates = rates_of_instant(end);
-  const double in_common = rounding_of_instant(end);
+  const double in_common = rounding_of_instant(end) + (is_rounding ? 0 : std::min(end.doubt, longest));
   for (std::size_t i = 0; i < rates.size(); ++i) {
     if (!std::isfinite(rates[i])) continue;
     now_.by_rounding[i] += late * rates[i];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/error.hpp"
+
 namespace qdot {
 namespace {
 
@@ -21,6 +23,8 @@ std::vector<Ball> rounded(std::span<const double> numbers) {
   for (const double x : numbers) balls.push_back(rounded(x));
   return balls;
 }
+
+std::vector<Ball> exact(std::span<const double> numbers) { return {numbers.begin(), numbers.end()}; }
 
 /// Whether other impacts have happened, or the same to another end.
 bool is_other(const InstantImpacts::Passed& one, const InstantImpacts::Passed& other,
@@ -50,6 +54,8 @@ InstantImpacts::InstantImpacts(const Dynamics& dynamics, std::span<const double>
     rule.map = impact_map(dynamics.model(), impact);
     rule.after = dynamics.columns(rule.map.components);
     if (!impact.has_restitution()) continue;
+    rule.event = impact.event;
+    rule.enclosed_after = std::make_unique<TapeEvaluator<Ball>>(*rule.after, exact(parameters));
     rule.approach =
         dynamics.columns({{"distance", "", impact.contact->distance}, {"rate", "", impact.contact->rate}});
     rule.enclosed_approach = std::make_unique<TapeEvaluator<Ball>>(*rule.approach, rounded(parameters));
@@ -149,7 +155,36 @@ void InstantImpacts::apply(std::size_t impact, double t, Passed& passed) const {
 
 void InstantImpacts::change(std::size_t impact, double t, std::vector<double>& y) const {
   const Rule& rule = rules_[impact];
-  rule.map.assign(values_at(*rule.after, rule.map.components, parameters_, t, y), y);
+  std::vector<double> values;
+  if (rule.enclosed_after)
+    values = told_after(rule, t, y);
+  else
+    values = values_at(*rule.after, rule.map.components, parameters_, t, y);
+  rule.map.assign(values, y);
+}
+
+/// Near a multiple root the distance has a slope that is hardly more than the rounding of doubles, and at it
+/// none.
+std::vector<double> InstantImpacts::told_after(const Rule& rule, double t,
+                                               const std::vector<double>& y) const {
+  const std::size_t count = rule.map.components.size();
+  std::vector<Ball> enclosed(count);
+  rule.enclosed_after->set_time(t);
+  (*rule.enclosed_after)(exact(y), enclosed);
+  if (!std::ranges::all_of(enclosed, &Ball::is_finite))
+    throw Error(ErrorCode::invalid_state,
+                "Where '" + rule.event +
+                    "' happens its function has no slope that can be told from 0: in "
+                    "which direction this impact turns the motion is not known.");
+  std::vector<double> values(count);
+  Workspace workspace = rule.after->bind(parameters_);
+  const bool is_told = rule.after->evaluate(t, y, workspace, values) == Evaluation::ok;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double better = enclosed[i].value(), off = std::abs(values[i] - better);
+    const double size = std::max(std::abs(y[rule.map.places[i]]), std::abs(better));
+    if (!is_told || (off > rounding_of_order * size && enclosed[i].radius < off)) values[i] = better;
+  }
+  return values;
 }
 
 }  // namespace qdot

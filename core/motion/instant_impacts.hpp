@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/compile/tape_evaluator.hpp"
@@ -52,7 +53,8 @@ class InstantImpacts {
     ImpactMap map;
     std::shared_ptr<const CompiledFunction> after;
     std::shared_ptr<const CompiledFunction> approach;  ///< distance and its rate; null without restitution
-    std::unique_ptr<TapeEvaluator<Ball>> enclosed_approach;
+    std::unique_ptr<TapeEvaluator<Ball>> enclosed_approach, enclosed_after;
+    std::string event;
   };
   /// The instant, and the motion that comes to it.
   struct Instant {
@@ -68,6 +70,8 @@ class InstantImpacts {
                                               const std::vector<double>& y) const;
   void apply(std::size_t impact, double t, Passed& passed) const;
   void change(std::size_t impact, double t, std::vector<double>& y) const;
+  [[nodiscard]] std::vector<double> told_after(const Rule& rule, double t,
+                                               const std::vector<double>& y) const;
 
   std::span<const double> parameters_;
   double resolution_;

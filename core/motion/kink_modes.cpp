@@ -70,12 +70,12 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
     double size = std::abs(of_kink[1] * t);
     for (std::size_t i = 0; i < y.size(); ++i) size += std::abs(of_kink[2 + i] * y[i]);
     sizes.push_back(size);
-    if (!(std::abs(of_kink[0]) <= (met[k] ? std::max(far * size, far) : round_off * size))) continue;
     if (typed) typed_sides_[k] = motions_.argument_sign(k, sides, *typed);
-    if (typed_sides_[k] == 0)
-      active_.push_back(k);
-    else
-      sides[k] = typed_sides_[k];
+    if (typed_sides_[k] != 0) sides[k] = typed_sides_[k];
+    if (typed_sides_[k] != 0 ||
+        !(std::abs(of_kink[0]) <= (met[k] ? std::max(far * size, far) : round_off * size)))
+      continue;
+    active_.push_back(k);
   }
   Way way{sides, std::vector<unsigned>(sides.size()), sizes, {}};
   if (active_.empty()) return way;

@@ -43,8 +43,8 @@ class KinkModes {
   [[nodiscard]] Sides sides_at(double t, std::span<const double> y);
 
   [[nodiscard]] KinkPassage passage(const Sides& before, const Way& after, double t,
-                                    std::span<const double> y, double farthest) {
-    return kink_passage(motions_, before, after.sides, after.size, t, y, farthest);
+                                    std::span<const double> y, double duration) {
+    return kink_passage(motions_, before, after.sides, after.size, t, y, duration);
   }
 
   /// As those of SidedMotions.

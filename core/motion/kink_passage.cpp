@@ -13,8 +13,9 @@ namespace {
 constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
 constexpr double several = 4;
 constexpr double small_bend = 1e-2;
-constexpr int halvings = 60;    ///< of the time in which the sign of an argument changes
-constexpr int refinements = 4;  ///< of where a kink was passed, each much closer than the one before
+constexpr double short_part = 0.1;  ///< of a section
+constexpr int halvings = 60;        ///< of the time in which the sign of an argument changes
+constexpr int refinements = 4;      ///< of where a kink was passed, each much closer than the one before
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
 constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
 
@@ -48,9 +49,10 @@ class Passing {
 
   /// One kink after the other, in order of time: where the motion changes its way at t + s, s < 0 before t,
   /// it is (f_old - f_new) s off at t, and the arguments of the others with it.
-  KinkPassage pass(double farthest) {
+  KinkPassage pass(double duration) {
     KinkPassage passage{.move = std::vector<double>(motions_.y().size())};
     if (!find_ahead()) return passage;
+    const double farthest = farthest_back(duration);
     const bool is_one = ahead_.size() == 1;
     std::vector<double> move(motions_.y().size());
     for (Sides now = before_; !ahead_.empty();) {
@@ -71,9 +73,9 @@ class Passing {
         continue;
       }
       const std::vector<double>& u = old[kink];
-      const bool is_hard = is_hardly_crossed(here.u, u[1], u[2]);
+      const bool is_hard = is_hardly_crossed(here.u, u[1], u[2]) || (is_one && !changes_beside(kink, now, s));
       const auto change = is_one && is_hard ? sign_change(kink, now, std::abs(s), farthest) : std::nullopt;
-      const bool is_crossed = change || !is_hard;
+      const bool is_crossed = change || !is_hardly_crossed(here.u, u[1], u[2]);
       if (change) {
         s = change->middle;
         passage.doubt = std::max(passage.doubt, change->doubt);
@@ -95,6 +97,28 @@ class Passing {
   }
 
  private:
+  /// All of a section where the last coefficients are nothing there, else a part of it.
+  double farthest_back(double duration) {
+    constexpr std::size_t terms = SidedMotions::order + 1;
+    const std::vector<double>& rows = motions_.rows(before_);
+    const bool is_told = ahead_.empty() || is_small_back(rows, terms, duration);
+    return std::max(motions_.resolution(), is_told ? duration : short_part * duration);
+  }
+
+  /// Of each row the last two terms.
+  static bool is_small_back(std::span<const double> rows, std::size_t terms, double duration) {
+    for (std::size_t i = 0; i < rows.size(); i += terms) {
+      double power = 1, all = 0, last = 0;
+      for (std::size_t k = 0; k < terms; ++k, power *= duration) {
+        const double term = std::abs(rows[i + k]) * power;
+        all += term;
+        if (k + 2 >= terms) last += term;
+      }
+      if (!(last <= of_state * all)) return false;
+    }
+    return true;
+  }
+
   /// Those that are passed from one way to the other; false where the way before has no series.
   bool find_ahead() {
     for (std::size_t k = 0; k < before_.size(); ++k) {
@@ -106,6 +130,19 @@ class Passing {
     return true;
   }
 
+  /// Of the argument, before to after, along a way as a sign beyond the rounding of doubles.
+  int sign_along(std::size_t kink, const Sides& sides, const std::vector<double>& rows, double s) {
+    const auto y = sums_at(s, rows, SidedMotions::order + 1);
+    return before_[kink] * motions_.argument_sign(kink, sides, motions_.t() + s, y);
+  }
+
+  /// Whether the sign changes where coefficients say: they may be rounding.
+  bool changes_beside(std::size_t kink, const Sides& sides, double s) {
+    const std::vector<double>& old = motions_.rows(sides);
+    const double beside = std::max(std::abs(s), motions_.resolution());
+    return sign_along(kink, sides, old, s - beside) > 0 && sign_along(kink, sides, old, s + beside) < 0;
+  }
+
   struct SignChange {
     double middle{}, doubt{};
   };
@@ -113,10 +150,7 @@ class Passing {
   /// root its coefficients do not tell.
   std::optional<SignChange> sign_change(std::size_t kink, const Sides& sides, double guess, double farthest) {
     const std::vector<double> old = motions_.rows(sides);
-    const auto sign = [&](double s) {
-      const auto y = sums_at(s, old, SidedMotions::order + 1);
-      return before_[kink] * motions_.argument_sign(kink, sides, motions_.t() + s, y);
-    };
+    const auto sign = [&](double s) { return sign_along(kink, sides, old, s); };
     double reach = std::max(guess, motions_.resolution());
     while (!(sign(-reach) > 0 && sign(reach) < 0)) {
       reach *= 2;
@@ -197,9 +231,9 @@ class Passing {
 }  // namespace
 
 KinkPassage kink_passage(SidedMotions& motions, const Sides& before, const Sides& after,
-                         std::span<const double> size, double t, std::span<const double> y, double farthest) {
+                         std::span<const double> size, double t, std::span<const double> y, double duration) {
   motions.look_from(t, y);
-  return Passing(motions, before, after, size).pass(farthest);
+  return Passing(motions, before, after, size).pass(duration);
 }
 
 }  // namespace qdot

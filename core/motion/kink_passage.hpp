@@ -17,8 +17,9 @@ struct KinkPassage {
   bool is_unclear{};         ///< forces between two of these kinks change the way to the next one by much
 };
 
-/// `size`: for each kink that of the numbers that make up u. Nothing is moved where an instant is farther
-/// than `farthest` [s] and not for rounding, or hardly crossed. Looks from (t, y).
+/// `size`: for each kink that of the numbers that make up u; `duration`: of the section that ends there.
+/// Nothing is moved where an instant is farther back than the section's series tell, and not for rounding, or
+/// hardly crossed. Looks from (t, y).
 [[nodiscard]] KinkPassage kink_passage(SidedMotions& motions, const Sides& before, const Sides& after,
                                        std::span<const double> size, double t, std::span<const double> y,
                                        double farthest);

@@ -203,6 +203,8 @@ void Measurement::state(const std::vector<Simulation>& others) {
   OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);
+  if (result_.events_in_doubt.empty())
+    result_.events_in_doubt = event_lost_in_errors(motion(), result_.max_abs_error);
   result_.event_errors = std::move(comparison.event_errors);
   result_.stop_error = comparison.stop_error;
   result_.horizon = comparison.horizon;

@@ -19,8 +19,7 @@ namespace {
 constexpr double farthest_apart = 16;  ///< times what an instant and rounding move a motion
 /// As in kink_ends.cpp: so far a motion goes over a kink before it is met once more.
 constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
-constexpr double short_part = 0.1;  ///< of a section
-constexpr double round_offs = 16;   ///< of t: what is nearer happens at one instant
+constexpr double round_offs = 16;  ///< of t: what is nearer happens at one instant
 
 WatchRequest watch_request(const SimulationRequest& request) {
   return {.parameters = request.parameters,
@@ -98,8 +97,7 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
 /// The kinks were met a little before t or after it: by the round-off of t and of their arguments, and where
 /// the motion came back to a kink at which the section began, by the margin of that (kink_ends.cpp).
 void MotionSections::take_back(const Sides& before, double begun, double t, std::vector<double>& y) {
-  const double farthest = std::max(resolution_, short_part * (t - begun));
-  const KinkPassage passage = modes_->passage(before, way_, t, y, farthest);
+  const KinkPassage passage = modes_->passage(before, way_, t, y, t - begun);
   doubt_of_instant_ = passage.doubt;
   moved_instant_ = passage.early;
   is_unclear_ = passage.is_unclear;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "core/dynamics/watch.hpp"
+#include "core/integrate/approaches.hpp"
 
 namespace qdot {
 namespace {
@@ -11,27 +14,49 @@ namespace {
 constexpr std::size_t rows_compared = 16;
 constexpr double much_of_it = 0.1;
 
-/// At the row where it is largest of some.
-bool is_mostly_rounding(const Watch& watch, const ComputedMotion& motion) {
-  const std::size_t rows = motion.simulation.rows, width = motion.width();
-  const auto row = [&](std::size_t i) {
-    return std::span(motion.simulation.states).subspan(i * width, width);
-  };
+std::span<const double> row_of(const ComputedMotion& motion, std::size_t i) {
+  return std::span(motion.simulation.states).subspan(i * motion.width(), motion.width());
+}
+
+/// The row where it is largest of some; none where it is 0 at all of them.
+std::optional<std::size_t> row_of_largest(const Watch& watch, const ComputedMotion& motion) {
+  const std::size_t rows = motion.simulation.rows;
   double largest = 0;
-  std::size_t there = 0;
+  std::optional<std::size_t> there;
   for (std::size_t i = 0; i < rows; i += 1 + rows / rows_compared) {
-    const double size = std::abs(watch.value(motion.grid.t[i], row(i)));
+    const double size = std::abs(watch.value(motion.grid.t[i], row_of(motion, i)));
     if (size > largest) {
       largest = size;
       there = i;
     }
   }
-  return largest > 0 && watch.own_rounding(motion.grid.t[there], row(there)) > much_of_it * largest;
+  return there;
 }
 
-}  // namespace
+bool is_mostly_rounding(const Watch& watch, const ComputedMotion& motion) {
+  const auto row = row_of_largest(watch, motion);
+  if (!row) return false;
+  const double t = motion.grid.t[*row], size = std::abs(watch.value(t, row_of(motion, *row)));
+  return watch.own_rounding(t, row_of(motion, *row)) > much_of_it * size;
+}
 
-std::string event_lost_in_rounding(const ComputedMotion& motion) {
+/// By more than what would be noted as near to zero (core/integrate/approaches.hpp).
+bool is_off_by_much(const Watch& watch, const ComputedMotion& motion, std::span<const double> errors) {
+  const auto row = row_of_largest(watch, motion);
+  if (!row) return false;
+  const double t = motion.grid.t[*row];
+  std::vector<Interval> box;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const double y = row_of(motion, *row)[k];
+    box.emplace_back(y - errors[k], y + errors[k]);
+  }
+  const Interval values = watch.enclosure(t, box);
+  return values.is_finite() && values.radius() > near_zero * std::abs(watch.value(t, row_of(motion, *row)));
+}
+
+/// The name of the first event of which that is true.
+template <class Property>
+std::string event_that(const ComputedMotion& motion, const Property& property) {
   const SimulationRequest& request = motion.request;
   if (request.events.empty()) return {};
   const std::vector<Watch> all = watches(motion.dynamics, {.parameters = request.parameters,
@@ -40,11 +65,27 @@ std::string event_lost_in_rounding(const ComputedMotion& motion) {
                                                            .impacts = Impacts::ignore});
   for (const std::string& name : request.events) {
     const auto watch = std::ranges::find(all, name, &Watch::name);
-    if (watch == all.end() || !is_mostly_rounding(*watch, motion)) continue;
-    return "The numbers of which " + name +
-           " is the difference are rounded by as much as it changes: how often it happens cannot be told.";
+    if (watch != all.end() && property(*watch)) return name;
   }
   return {};
+}
+
+}  // namespace
+
+std::string event_lost_in_rounding(const ComputedMotion& motion) {
+  const std::string name =
+      event_that(motion, [&](const Watch& watch) { return is_mostly_rounding(watch, motion); });
+  if (name.empty()) return {};
+  return "The numbers of which " + name +
+         " is the difference are rounded by as much as it changes: how often it happens cannot be told.";
+}
+
+std::string event_lost_in_errors(const ComputedMotion& motion, std::span<const double> errors) {
+  const std::string name =
+      event_that(motion, [&](const Watch& watch) { return is_off_by_much(watch, motion, errors); });
+  if (name.empty()) return {};
+  return "The errors of the motion are a large part of what the function of " + name +
+         " is along it: how often it happens cannot be told.";
 }
 
 }  // namespace qdot

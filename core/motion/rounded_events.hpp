@@ -1,7 +1,9 @@
 #pragma once
 // Events whose functions are rounded by as much as they change along a motion: (x + 1e9)^2 - 1e18 - 2e9 x is
 // x^2, but all that is seen of it are last digits of 1e18. How often such a one happens no computation tells.
+// The same of events whose functions the errors of a motion change by much of what they are.
 
+#include <span>
 #include <string>
 
 #include "core/motion/motion_check.hpp"
@@ -11,5 +13,6 @@ namespace qdot {
 /// Of the first such event a sentence; empty where none is seen. Each is judged at one row, that of at most
 /// 16 at which its function is largest: a hint beside the errors of the instants, which do not rest on it.
 [[nodiscard]] std::string event_lost_in_rounding(const ComputedMotion& motion);
+[[nodiscard]] std::string event_lost_in_errors(const ComputedMotion& motion, std::span<const double> errors);
 
 }  // namespace qdot

@@ -18,6 +18,9 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
+constexpr std::size_t pieces_judged = 1000;
+constexpr double clearly_longer = 1.01;
+constexpr double far_too_many = 10;  ///< times the steps that are left
 constexpr const char* accumulation =
     "The impacts follow each other faster and faster, and accumulate at this time.";
 
@@ -103,10 +106,28 @@ class Simulator {
         return false;
       }
       record_piece(met);
+      if (takes_too_many_pieces()) {
+        result_.ending = Ending::step_limit;
+        return false;
+      }
       pass_kinks(met);
     }
     result_.ending = Ending::undetermined;
     return false;
+  }
+
+  /// Whether kinks follow each other so fast, and no more slowly than before, that the steps which are left
+  /// are far too few for the rest.
+  [[nodiscard]] bool takes_too_many_pieces() const {
+    const std::vector<PieceRecord>& all = result_.pieces;
+    if (all.size() <= 2 * pieces_judged || all.size() % pieces_judged != 0) return false;
+    const auto ended = [&](std::size_t back) { return all[all.size() - 1 - back].t; };
+    const double now = ended(0) - ended(pieces_judged),
+                 before = ended(pieces_judged) - ended(2 * pieces_judged);
+    const double left =
+        static_cast<double>(request_.limits.max_steps - std::min(request_.limits.max_steps, result_.steps));
+    return now <= clearly_longer * before &&
+           (request_.t_end - result_.t) / now * pieces_judged > far_too_many * left;
   }
 
   void pass_kinks(const std::vector<bool>& met) {

@@ -1,191 +1,240 @@
 #include "core/motion/trajectory_extrema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <tuple>
 
-#include "core/motion/typed_start.hpp"
+#include "core/motion/ladder.hpp"
+#include "core/motion/simulation.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
 
-/// One of the two computations.
-struct Way {
-  Method method;
-  Tolerances tolerances;
-  bool begins_as_typed;  ///< or where t_start was rounded to
-};
-constexpr Way fine{Method::taylor, {.rtol = 1e-13, .atol = 1e-15}, true};
-constexpr Way coarse{Method::erk, {.rtol = 1e-11, .atol = 1e-13}, false};
-
-constexpr double extremum_round_off = 4 * std::numeric_limits<double>::epsilon();
+constexpr Tolerances tolerances_of_extrema{.rtol = 1e-15, .atol = 1e-17};
+constexpr double worth_another =
+    1e-10;  ///< of the largest |x|: an error that an earlier end may make smaller
+constexpr std::array shares_at_stop{1e-9, 1e-6, 1e-3};
+constexpr double rounding_of_map = 4 * std::numeric_limits<double>::epsilon();
 
 /// A place where the coordinate may be largest or smallest.
 struct PossibleExtremum {
-  double t, x;
-  double rounding{};  ///< what the rounding of the times of impacts up to here makes of x
+  double t{}, x{};
+  double speed{};                      ///< of the coordinate
+  std::optional<std::size_t> event{};  ///< that tells it, of the motion's; none at its ends
+  bool is_mapped{};                    ///< an impact has made x of several coordinates
 };
 
-/// A motion with its candidates, in order of time; there is always one.
-struct Followed {
-  TrajectoryExtrema ending;
-  std::vector<PossibleExtremum> candidates;
-};
-
-/// What doubles leave out of numbers is followed so much enlarged, and its effect taken back by as much.
-constexpr double enlargement = 4096;
-
-Reals with_enlarged_rest(const Reals& typed) {
-  Reals numbers;
-  for (std::size_t i = 0; i < typed.size(); ++i) {
-    const Real& x = typed.exact(i);
-    const double rest = x.low + std::copysign(x.error, x.low);
-    numbers.push_back({x.value + enlargement * rest, x.low, x.error});
-  }
-  return numbers;
-}
-
-bool are_doubles(const Reals& typed) {
-  for (std::size_t i = 0; i < typed.size(); ++i) {
-    if (!typed.exact(i).is_exact()) return false;
-  }
-  return true;
-}
-
-class Follower {
+/// The motion's own, in order of time; there is always one.
+class Candidates {
  public:
-  Follower(const Dynamics& dynamics, const ExtremaRequest& request)
-      : dynamics_(dynamics), request_(request) {}
+  Candidates(const Dynamics& dynamics, const SimulationRequest& request, std::size_t coordinate)
+      : dynamics_(dynamics), request_(request), coordinate_(coordinate) {}
 
-  Followed follow(const Way& way) {
-    const Model& model = dynamics_.model();
-    const std::string velocity = model.scene.coordinates[request_.coordinate].name + "_dot = 0";
-    const std::vector<double> ends{request_.t_end};
-    SimulationRequest asked{.parameters = request_.parameters,
-                            .y_start = request_.y_start,
-                            .t_start = request_.t_start,
-                            .t_start_left_out = request_.t_start_left_out,
-                            .t_end = request_.t_end,
-                            .grid = ends,
-                            .grid_left_out = {},
-                            .columns = {},
-                            .events = {velocity},
-                            .on_invalid = request_.on_invalid,
-                            .impacts = request_.impacts,
-                            .method = way.method,
-                            .tolerances = way.tolerances,
-                            .limits = request_.limits};
-    if (way.begins_as_typed) asked.y_start = start_as_typed(dynamics_, asked);
-    const Simulation motion = simulate(dynamics_, asked);
-    look(request_.t_start, request_.y_start[request_.coordinate]);
-    for (const EventRecord& event : motion.events) {
-      if (event.name == velocity) {
-        look(event.t, event.y[request_.coordinate]);
-      } else {
-        look_at_impact(event);
+  std::vector<PossibleExtremum> of(const Simulation& motion) {
+    look(request_.t_start, request_.y_start, {});
+    for (std::size_t i = 0; i < motion.events.size(); ++i) {
+      const EventRecord& event = motion.events[i];
+      look(event.t, event.y, i);
+      if (event.name != request_.events.front()) look_behind(event, i);
+    }
+    look(motion.t, motion.y, {});
+    return std::move(all_);
+  }
+
+ private:
+  void look(double t, std::span<const double> y, std::optional<std::size_t> event) {
+    all_.push_back({t, y[coordinate_], std::abs(y[y.size() / 2 + coordinate_]), event, false});
+  }
+
+  /// The coordinate after the impact, where the impact map changes it.
+  void look_behind(const EventRecord& event, std::size_t number) {
+    const Expression q = dynamics_.model().parsed.symbols.coordinates.value[coordinate_];
+    for (const ParsedImpact& impact : dynamics_.model().parsed.impacts) {
+      if (impact.event != event.name) continue;
+      for (const auto& [symbol, value] : impact.map) {
+        if (!(symbol == q)) continue;
+        const double x = values_at(dynamics_, {{"", "", value}}, request_.parameters, event.t, event.y)[0];
+        all_.push_back({event.t, x, all_.back().speed, number, true});
       }
     }
-    look(motion.t, motion.y[request_.coordinate] + (way.begins_as_typed ? rise_to_typed_end(motion) : 0));
+  }
+
+  const Dynamics& dynamics_;
+  const SimulationRequest& request_;
+  std::size_t coordinate_;
+  std::vector<PossibleExtremum> all_;
+};
+
+SimulationRequest motion_of(const Dynamics& dynamics, const ExtremaRequest& request) {
+  const std::string name = dynamics.model().scene.coordinates[request.coordinate].name;
+  return {.parameters = request.parameters,
+          .y_start = request.y_start,
+          .t_start = request.t_start,
+          .t_start_left_out = request.t_start_left_out,
+          .t_end = request.t_end,
+          .grid = {request.t_end},
+          .grid_left_out = {},
+          .columns = {},
+          .events = {name + "_dot = 0"},
+          .on_invalid = request.on_invalid,
+          .impacts = request.impacts,
+          .method = Method::taylor,
+          .tolerances = tolerances_of_extrema,
+          .limits = request.limits};
+}
+
+class Extrema {
+ public:
+  Extrema(const Dynamics& dynamics, const ExtremaRequest& request)
+      : dynamics_(dynamics), request_(request), asked_(motion_of(dynamics, request)) {}
+
+  TrajectoryExtrema found() {
+    measured_.simulation = simulate(dynamics_, asked_);
+    take_ending();
+    if (!ended_well(result_.ending)) return std::move(result_);
+    all_ = Candidates(dynamics_, asked_, request_.coordinate).of(measured_.simulation);
+    measure(all_.size() - 1);
+    std::tie(result_.maximum, result_.t_maximum, result_.t_maximum_error) = extremum(1);
+    std::tie(result_.minimum, result_.t_minimum, result_.t_minimum_error) = extremum(-1);
+    name_start();
+    return std::move(result_);
+  }
+
+ private:
+  using Found = std::tuple<Finding, double, std::optional<double>>;
+
+  void take_ending() {
+    const Simulation& motion = measured_.simulation;
     result_.stop = motion.stop;
     result_.ending = motion.ending;
     result_.t = motion.t;
     result_.y = motion.y;
-    return {std::move(result_), std::move(candidates_)};
   }
 
- private:
-  /// Of the coordinate, from t_end on.
-  [[nodiscard]] double rise_to_typed_end(const Simulation& motion) const {
-    const std::size_t n = request_.y_start.size() / 2;
-    return motion.t == request_.t_end ? request_.t_end_left_out * motion.y[n + request_.coordinate] : 0;
-  }
-
-  void look(double t, double x) {
-    candidates_.push_back({t, x, rounding_});
-    largest_ = std::max(largest_, std::abs(x));
-  }
-
-  /// There x is not flat, and both computations round the time alike.
-  void look_at_impact(const EventRecord& event) {
-    const double speed = std::abs(event.y[event.y.size() / 2 + request_.coordinate]);
-    rounding_ += extremum_round_off * (speed * std::abs(event.t) + largest_);
-    look(event.t, event.y[request_.coordinate]);
-    look(event.t, after_impact(event));
-  }
-
-  /// The coordinate after the impact, where the impact map changes it.
-  [[nodiscard]] double after_impact(const EventRecord& event) const {
-    const Expression q = dynamics_.model().parsed.symbols.coordinates.value[request_.coordinate];
-    for (const ParsedImpact& impact : dynamics_.model().parsed.impacts) {
-      if (impact.event != event.name) continue;
-      for (const auto& [symbol, value] : impact.map) {
-        if (symbol == q)
-          return values_at(dynamics_, {{"", "", value}}, request_.parameters, event.t, event.y)[0];
-      }
+  /// The motion once more with its errors, up to behind that candidate: the time of an event at the last row
+  /// has none. Where the motion stops another computation may stop earlier.
+  void measure(std::size_t last) {
+    for (const double share : shares_at_stop) {
+      measure_up_to(last, share);
+      if (!measured_.max_abs_error.empty() || !result_.stop) return;
     }
-    return event.y[request_.coordinate];
+  }
+
+  void measure_up_to(std::size_t last, double share) {
+    SimulationRequest to_there = asked_;
+    std::vector<double>& grid = to_there.grid;
+    grid.clear();
+    last_row_ = result_.stop
+                    ? result_.t - std::max(2 * result_.stop->doubt, share * (result_.t - request_.t_start))
+                    : result_.t;
+    for (const PossibleExtremum& one : std::span(all_).first(std::min(last + 2, all_.size())))
+      grid.push_back(std::max(request_.t_start, std::min(one.t, last_row_)));
+    grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
+    if (grid.back() == request_.t_end) {
+      to_there.grid_left_out.assign(grid.size(), 0);
+      to_there.grid_left_out.back() = request_.t_end_left_out;
+    }
+    if (last + 2 < all_.size()) to_there.t_end = grid.back();
+    measured_ = simulate_with_error(dynamics_, to_there, {});
+    last_measured_ = last;
+  }
+
+  /// Of x at a candidate, and of x where the motion really has its event.
+  [[nodiscard]] double error_of(const PossibleExtremum& one) const {
+    const std::vector<double>& of_rows = measured_.max_abs_error;
+    const std::size_t n = of_rows.size() / 2;
+    double error = of_rows[request_.coordinate];
+    if (one.is_mapped) {
+      error = rounding_of_map * std::abs(one.x);
+      for (std::size_t i = 0; i < n; ++i) error += of_rows[i];
+    }
+    const double speed = one.speed + of_rows[n + request_.coordinate];
+    if (one.t > last_row_) error += speed * (one.t - last_row_);
+    return one.event ? error + speed * time_error(one).value_or(time_around(one)) : error;
+  }
+
+  /// In which an event lies whose time has no error: between those beside it, but for its speed's change.
+  [[nodiscard]] double time_around(const PossibleExtremum& one) const {
+    constexpr double safety = 2;
+    double before = request_.t_start, after = result_.t;
+    for (const PossibleExtremum& other : all_) {
+      if (other.t < one.t && time_error(other)) before = std::max(before, other.t);
+      if (other.t > one.t && time_error(other)) after = std::min(after, other.t);
+    }
+    return safety * (after - before);
+  }
+
+  [[nodiscard]] std::optional<double> time_error(const PossibleExtremum& one) const {
+    if (!one.event && result_.stop && one.t == result_.t) return measured_.stop_error;
+    if (!one.event) return one.t == request_.t_end ? std::abs(request_.t_end_left_out) : 0;
+    const auto& errors = measured_.event_errors;
+    return *one.event < errors.size() ? errors[*one.event] : std::nullopt;
+  }
+
+  /// Up or down: the largest of sign x. The first candidate that may be it.
+  Found extremum(double sign) {
+    const std::size_t top = largest(sign);
+    if (measured_.max_abs_error.empty()) return {{std::nullopt, 0, measured_.reason}, all_[top].t, {}};
+    const double size = std::max(std::abs(all_[largest(1)].x), std::abs(all_[largest(-1)].x));
+    const bool is_worth = error_of(all_[top]) > worth_another * size && is_beyond_those_after(top, sign);
+    if (last_measured_ != (is_worth ? top : all_.size() - 1)) measure(is_worth ? top : all_.size() - 1);
+    if (measured_.max_abs_error.empty()) return {{std::nullopt, 0, measured_.reason}, all_[top].t, {}};
+    double least = -infinity, most = -infinity;
+    for (const PossibleExtremum& one : measured_ones()) {
+      least = std::max(least, sign * one.x - error_of(one));
+      most = std::max(most, sign * one.x + error_of(one));
+    }
+    const auto first = std::ranges::find_if(
+        measured_ones(), [&](const auto& one) { return sign * one.x + error_of(one) >= least; });
+    const double error = std::max(most - sign * first->x, sign * first->x - least);
+    return {{first->x, error, measured_.reason}, first->t, time_error(*first)};
+  }
+
+  [[nodiscard]] std::span<const PossibleExtremum> measured_ones() const {
+    return std::span(all_).first(last_measured_ + 1);
+  }
+
+  [[nodiscard]] std::size_t largest(double sign) const {
+    const auto top = std::ranges::max_element(all_, {}, [=](const auto& one) { return sign * one.x; });
+    return static_cast<std::size_t>(top - all_.begin());
+  }
+
+  [[nodiscard]] bool is_beyond_those_after(std::size_t top, double sign) const {
+    if (top + 1 == all_.size() || all_[top].t == request_.t_start || last_measured_ + 1 < all_.size())
+      return false;
+    return std::ranges::all_of(std::span(all_).subspan(top + 1), [&](const auto& one) {
+      return sign * one.x + error_of(one) < sign * all_[top].x;
+    });
+  }
+
+  void name_start() {
+    const bool is_top = result_.t_maximum == request_.t_start,
+               is_bottom = result_.t_minimum == request_.t_start;
+    if (is_top)
+      result_.initial = is_bottom ? InitialPlace::equilibrium : InitialPlace::maximum;
+    else if (is_bottom)
+      result_.initial = InitialPlace::minimum;
   }
 
   const Dynamics& dynamics_;
   const ExtremaRequest& request_;
+  SimulationRequest asked_;
+  std::vector<PossibleExtremum> all_;
+  MeasuredSimulation measured_;
+  std::size_t last_measured_{};
+  double last_row_{};
   TrajectoryExtrema result_;
-  std::vector<PossibleExtremum> candidates_;
-  double rounding_{}, largest_{};
 };
-
-/// Up or down: the extremum is the largest of sign x.
-double extreme(const Followed& motion, double sign) {
-  double most = sign * motion.candidates[0].x;
-  for (const PossibleExtremum& candidate : motion.candidates) most = std::max(most, sign * candidate.x);
-  return sign * most;
-}
-
-/// The first candidate that cannot be told from the extremum; what two integrations disagree about is its
-/// error. Of motions that end differently nothing is certain.
-PossibleExtremum chosen(const Followed& motion, const Followed& other, const std::optional<Followed>& rounded,
-                        double sign, Finding& extremum) {
-  const double most = extreme(motion, sign);
-  double error = std::abs(most - extreme(other, sign)) + extremum_round_off * std::abs(most);
-  if (rounded) {
-    const bool ends_alike = rounded->ending.ending == motion.ending.ending;
-    error += std::abs(most - extreme(*rounded, sign)) / (ends_alike ? enlargement : 1);
-  }
-  const PossibleExtremum first =
-      *std::find_if(motion.candidates.begin(), motion.candidates.end(),
-                    [&](const PossibleExtremum& candidate) { return sign * (most - candidate.x) <= error; });
-  error += first.rounding;
-  if (motion.ending.ending == other.ending.ending) {
-    extremum = {first.x, 2 * error, ""};
-  } else {
-    extremum.reason = "Two integrations with different tolerances end differently.";
-  }
-  return first;
-}
 
 }  // namespace
 
 TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request) {
-  const Followed motion = Follower(dynamics, request).follow(fine);
-  const Followed other = Follower(dynamics, request).follow(coarse);
-  std::optional<Followed> rounded;
-  if (!are_doubles(request.parameters) || !are_doubles(request.y_start)) {
-    ExtremaRequest moved = request;
-    moved.parameters = with_enlarged_rest(request.parameters);
-    moved.y_start = with_enlarged_rest(request.y_start);
-    rounded = Follower(dynamics, moved).follow(fine);
-  }
-  TrajectoryExtrema result = motion.ending;
-  const PossibleExtremum top = chosen(motion, other, rounded, 1, result.maximum);
-  const PossibleExtremum bottom = chosen(motion, other, rounded, -1, result.minimum);
-  result.t_maximum = top.t;
-  result.t_minimum = bottom.t;
-  if (top.t == request.t_start) {
-    result.initial = bottom.t == request.t_start ? InitialPlace::equilibrium : InitialPlace::maximum;
-  } else if (bottom.t == request.t_start) {
-    result.initial = InitialPlace::minimum;
-  }
-  return result;
+  return Extrema(dynamics, request).found();
 }
 
 }  // namespace qdot

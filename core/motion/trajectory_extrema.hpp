@@ -23,6 +23,7 @@ struct ExtremaRequest {
 struct TrajectoryExtrema {
   Finding maximum, minimum;
   double t_maximum{}, t_minimum{};
+  std::optional<double> t_maximum_error{}, t_minimum_error{};  ///< where they are known
   InitialPlace initial{InitialPlace::between};
   std::optional<Stop> stop;
   Ending ending{Ending::reached_end};
@@ -30,11 +31,9 @@ struct TrajectoryExtrema {
   std::vector<double> y;
 };
 
-/// The motion is integrated twice, by two methods with tolerances a hundred times apart; what the extrema
-/// differ by is the error stated. One begins at the instant that was typed, the other one at t_start, so that
-/// what the motion makes of the rounding is in that error; and what it makes of the rounding of the other
-/// numbers that were typed, where these are no doubles, a third integration tells. Throws what simulate
-/// throws.
+/// The motion is followed with its measured error at each place (ladder.hpp); an extremum is off by that, and
+/// by what the coordinate goes in the time by which the place is. Where errors grow it is followed once more
+/// only up to the extremum. No value where the error could not be measured. Throws what simulate throws.
 [[nodiscard]] TrajectoryExtrema trajectory_extrema(const Dynamics& dynamics, const ExtremaRequest& request);
 
 }  // namespace qdot

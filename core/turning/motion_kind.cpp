@@ -1,8 +1,15 @@
 #include "core/turning/motion_kind.hpp"
 
+#include <cmath>
+
 #include "core/base/short_number.hpp"
 
 namespace qdot {
+namespace {
+
+constexpr double farthest_told = 1e140;  ///< the search ends at 1e150 (turning_search.cpp)
+
+}  // namespace
 
 Finding extremum_at(const MotionBound& bound, const std::string& name) {
   const double place = bound.place.middle();
@@ -32,6 +39,10 @@ Finding extremum_at(const MotionBound& bound, const std::string& name) {
     case MotionBound::Kind::unresolved:
       break;
   }
+  if (std::abs(place) > farthest_told)
+    return none(name + " does not turn up to " + where +
+                "; whether it turns beyond that cannot be told in "
+                "double precision.");
   return none("Beyond " + where +
               " double precision cannot tell whether the motion turns; the potential is singular or almost "
               "flat there.");

@@ -8,7 +8,7 @@ import random
 import sys
 import unittest
 
-from mpmath import mp, mpf, sqrt
+from mpmath import acos, atan2, cos, mp, mpf, pi, sin, sqrt
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
@@ -80,6 +80,29 @@ class BranchPoints(Service):
                 with self.subTest(case.text):
                     self.assertEqual(problem["reason"], "nonfinite")
                     self.assertLess(problem["t_reached"], case.bottom)
+
+    def test_a_function_that_has_values_again_has_crossed_nothing_there(self):
+        """The velocity of an oscillator, times a root that is 0 where it begins to have values."""
+        for start, rate, square, level, place, side, power, end in (
+            ("0.455", "2.88", "7.78", "0.075", "0.0254", 1, "sqrt({})", 2.11189724955),
+            ("-0.0955", "1.69", "5.16", "-0.16", "0.469", -1, "({})^0.4", 6.6739130286),
+            ("0.3", "1.2", "4", "0.2", "0.1", 1, "({})^1.5", 9.0),
+        ):
+            x, v, w = mpf(start), mpf(rate), sqrt(mpf(square))
+            phase, most = atan2(x * w, v), sqrt(v**2 + (x * w) ** 2)
+            turns = acos(mpf(level) / most)
+            times = [(sign * turns - phase + 2 * pi * k) / w for sign in (1, -1) for k in range(9)]
+            inside = lambda t: side * (x * cos(w * t) + v / w * sin(w * t) - mpf(place)) > 0  # noqa: E731, B023
+            known = sorted(t for t in times if 0 < t < end and inside(t))
+            root = power.format(f"x - {place}" if side > 0 else f"{place} - x")
+            scene = lagrangian("oscillator", "", f"x - {start} {rate}", f"x_dot^2/2 - {square}*x^2/2",
+                               events=[{"name": "e", "expression": f"(x_dot - ({level}))*{root}"}])
+            del scene["parameters"]
+            with self.subTest(root):
+                answer = self.ask("simulate", {"system": scene, "t_end": end, "samples": 2, "events": ["e"]})
+                self.assertEqual(len(answer["events"]), len(known))
+                for found, t in zip(answer["events"], known):
+                    self.assert_near(found, t)
 
 
 if __name__ == "__main__":

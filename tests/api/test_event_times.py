@@ -202,6 +202,21 @@ class EventTimes(Service):
                 else:
                     self.judge(event, t, request)
 
+    def test_events_of_a_motion_as_small_as_its_errors_may_be_more_or_fewer(self):
+        """A harmonic oscillator: x = 0 happens every pi/w."""
+        for size in ("3e-10", "4e-14", "4.576e-15", "1.28e-27"):
+            x = mpmath.nstr(mpf(size), 20, min_fixed=-99)
+            scene = lagrangian("small", "", f"x - {x} 0", "x_dot^2/2 - 17.4*x^2/2", events=[{"name": "e", "expression": "x"}])
+            del scene["parameters"]
+            answer = self.ask("simulate", {"system": scene, "t_end": 5.802, "samples": 3, "events": ["e"]})
+            with self.subTest(size):
+                told = "how often it happens" in answer["accuracy"].get("reason", "")
+                self.assertTrue(told or len(answer["events"]) == 8)
+                self.assertEqual(told, mpf(size) < 1e-11)
+        lost = {"system": "double_pendulum", "initial": {"theta1": "2.77", "theta2": "1.65"}, "t_end": 40, "samples": 2}
+        reason = self.ask("simulate", {**lost, "events": ["theta2=0"]})["accuracy"]["reason"]
+        self.assertIn("how often it happens", reason)
+
     def test_what_is_broken_at_the_start_stops_there(self):
         hill = dict(valid_while=[{"name": "push", "expression": "9.81 - v^2/2 + x", "reason": "lift_off", "message": "It leaves."}])
         for speed, stops in ((6, True), ("sqrt(19.62)", None)):

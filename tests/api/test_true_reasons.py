@@ -28,6 +28,11 @@ def chain(n, coupled=""):
             "coordinates": [{"name": name} for name in q]}
 
 
+def free_particle(place, speed, force):
+    return {"name": "free", "units": "none", "lagrangian": "x_dot^2/2", "forces": [force],
+            "coordinates": [{"name": "x", "initial": place, "initial_rate": speed}]}
+
+
 class TrueReasons(Service):
     def test_a_force_across_the_velocity_does_no_work(self):
         answer = self.ask("equations", {"system": charge(["B*y_dot", "-B*x_dot"])})
@@ -76,6 +81,24 @@ class TrueReasons(Service):
         for name in ("accelerations", "hamiltonian"):
             if answer[name] is None:
                 self.assertIn("with the constraints", answer["reasons"][name])
+
+    def test_beside_a_narrow_pulse_nothing_grows(self):
+        pulse = {"name": "f", "value": "47620000000000*(1/cosh((t - 1.146)/0.000000000000021))", "along": "x"}
+        problem = self.refused("simulate", {"system": free_particle("0.1", "0.276", pulse), "t_end": 3.392,
+                                            "samples": 2, "max_error": 1e-8})
+        self.assertEqual(problem["reason"], "step-limit")
+        pole = self.refused("simulate", {"system": free_particle("1", "0", {"name": "f", "value": "x^3", "along": "x"}),
+                                         "t_end": 9, "samples": 2})
+        self.assertEqual(pole["reason"], "blow-up")
+
+    def test_too_many_kinks_are_told_early(self):
+        """A mass that goes to and fro over a kink ten million times a second."""
+        kink = {"name": "f", "value": "-2*sign(x - 0.7000000000000013)", "along": "x"}
+        problem = self.refused("simulate", {"system": free_particle("0.7", "0", kink), "t_end": 1, "samples": 3})
+        self.assertEqual(problem["reason"], "step-limit")
+        slower = {**kink, "value": "-2*sign(x - 0.700001)"}  # sqrt(2e-6 m/a) = 1 ms for a quarter
+        answer = self.ask("simulate", {"system": free_particle("0.7", "0", slower), "t_end": 1, "samples": 3})
+        self.assertEqual(answer["status"], "complete")
 
 
 if __name__ == "__main__":

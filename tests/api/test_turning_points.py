@@ -108,6 +108,29 @@ class TurningPoints(Service):
         self.assertIn("'t_end' is not used", self.ask("turning_points", {"system": PLANE, "t_end": 1})["notes"][0])
         self.assertNotIn("notes", self.ask("turning_points", {"system": PLANE}))
 
+    def test_a_spring_that_gets_stiffer_or_pushes_harder_from_a_place_on(self):
+        """Beyond the kink the potential is another parabola."""
+        for start, rate, potential, highest in (
+            (0.1, 1.27, "x^2/2 + 2.3*(1 + sign(x - 0.662))/2*(x - 0.662)^2", 1.018675524276045686),
+            (0.1, 1.27, "x^2/2 + 1.18*(1 + sign(x - 0.57))/2*(x - 0.57)", 0.908181026635382491),
+            (0.797, 0.15, "2.99*x^2/2 - 1.77*x - 3.13*abs(x + 0.06) + 1.65*(x - 1.38)*sign(x - 1.38)",
+             2.261047446760748326),
+        ):
+            with self.subTest(potential):
+                system = lagrangian("kinked", "", f"x - {start} {rate}", f"x_dot^2/2 - ({potential})")
+                del system["parameters"]
+                answer = self.ask("turning_points", {"system": system, "coordinate": "x"})
+                self.assertEqual(answer["motion"], "libration")
+                self.within(answer, "x_max", highest)
+
+    def test_what_is_not_seen_far_away_is_called_so(self):
+        potential = "-x^2/2 + 0.665*((x - 0.886 + abs(x - 0.886))/2)^2"
+        system = lagrangian("ramp", "", "x - 0.1 2.87", f"x_dot^2/2 - ({potential})")
+        del system["parameters"]
+        answer = self.ask("turning_points", {"system": system, "coordinate": "x"})
+        self.assertIn("cannot be told in double precision", answer["reason"]["x_min"])
+        self.assertNotIn("flat", answer["reason"]["x_min"])
+
     def test_what_a_request_lacks(self):
         self.refused_at("turning_points", {"system": "cart_pendulum"}, "#/coordinate")
         self.refused_at("turning_points", {"system": "cart_pendulum", "coordinate": "x"}, "#/t_end")

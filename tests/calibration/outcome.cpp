@@ -16,6 +16,7 @@ namespace {
 constexpr double digits_of_reference = 1e-25;
 constexpr double share_of_error = 1e-3;
 constexpr double horizon_at = 1e-3;
+constexpr double horizon_factor = 3;       ///< of errors that are stated too large
 constexpr std::uint64_t quick_steps = 10;  ///< in the time of one
 
 double cpu_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -34,10 +35,17 @@ std::vector<ColumnOutcome> empty_columns(const Asked& asked, const MeasuredSimul
   return columns;
 }
 
+/// Whether an error that is stated truly cannot be a thousandth of what a column is at its rows.
+bool has_no_horizon(const Outcome& outcome) {
+  return !outcome.measured.horizon && std::ranges::all_of(outcome.columns, [](const ColumnOutcome& column) {
+    return horizon_factor * column.stated <= horizon_at * column.scale;
+  });
+}
+
 /// The largest that each column is along the motion, between its rows as well: what a horizon is judged by.
 void take_sizes_along(const Asked& asked, const Dynamics& dynamics, Outcome& outcome) {
   for (ColumnOutcome& column : outcome.columns) column.size_along = column.scale;
-  if (!outcome.measured.horizon) return;
+  if (has_no_horizon(outcome)) return;
   SimulationRequest request = asked.request;
   request.grid = DenseGrid(request).t;
   request.grid_left_out.clear();
@@ -76,7 +84,7 @@ void compare(const Asked& asked, const Reference<Number>& reference, Outcome& ou
       ColumnOutcome& column = outcome.columns[k];
       column.true_error = std::max(column.true_error, error[k]);
       const double useful = horizon_at * column.size_along, t = asked.request.grid[i];
-      if (!outcome.earliest_horizon && 3 * error[k] > useful) outcome.earliest_horizon = t;
+      if (!outcome.earliest_horizon && horizon_factor * error[k] > useful) outcome.earliest_horizon = t;
       if (!outcome.true_horizon && error[k] > useful) outcome.true_horizon = t;
     }
   }

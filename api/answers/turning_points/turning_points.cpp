@@ -159,6 +159,11 @@ class TurningPointsAnswer {
     errors_[name] = stated_error(number, request_.digits.value_or(shortest_digits));
   }
 
+  void put_time(const std::string& name, double t, const std::optional<double>& error) {
+    put(name, t, "s");
+    if (error) put_error(name, {t, *error});
+  }
+
   static std::optional<Stated> stated(const Finding& finding) {
     return finding.value ? std::optional(Stated{*finding.value, finding.error}) : std::nullopt;
   }
@@ -323,8 +328,8 @@ class TurningPointsAnswer {
     put_motion(std::nullopt, "Kinds of motion are told by the energy integral; here " + why + ".");
     body_["method"] = "trajectory";
     put_extrema(found.maximum, found.minimum, found.initial);
-    put("t_max", found.t_maximum, "s");
-    put("t_min", found.t_minimum, "s");
+    put_time("t_max", found.t_maximum, found.t_maximum_error);
+    put_time("t_min", found.t_minimum, found.t_minimum_error);
     put("t_reached", found.t, "s");
     body_["status"] = found.stop ? "stopped" : "complete";
     if (found.stop) {
