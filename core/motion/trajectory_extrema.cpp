@@ -170,10 +170,14 @@ class Extrema {
   }
 
   [[nodiscard]] std::optional<double> time_error(const PossibleExtremum& one) const {
-    if (!one.event && result_.stop && one.t == result_.t) return measured_.stop_error;
+    if (!one.event && result_.stop && one.t == result_.t) return time_in(measured_.stop_error);
     if (!one.event) return one.t == request_.t_end ? std::abs(request_.t_end_left_out) : 0;
     const auto& errors = measured_.event_errors;
-    return *one.event < errors.size() ? errors[*one.event] : std::nullopt;
+    return *one.event < errors.size() ? time_in(errors[*one.event]) : std::nullopt;
+  }
+
+  [[nodiscard]] static std::optional<double> time_in(const std::optional<EventError>& error) {
+    return error ? std::optional(error->time) : std::nullopt;
   }
 
   /// Up or down: the largest of sign x. The first candidate that may be it.
