@@ -29,7 +29,11 @@ MatrixXd inverse(const MatrixXd& a) {
 
 double determinant(const MatrixXd& a) { return static_cast<double>(determinant(widened(a))); }
 
-MatrixXd pseudo_inverse(const MatrixXd& a) { return pseudo_inverse(widened(a)).cast<double>(); }
+/// Of numbers that were rounded to doubles.
+MatrixXd pseudo_inverse(const MatrixXd& a) {
+  const auto rounding = std::numeric_limits<double>::epsilon() * static_cast<long double>(a.rows());
+  return pseudo_inverse(widened(a), rounding).cast<double>();
+}
 
 Eigen::Index rank(const MatrixXd& a, double threshold) {
   return rank(widened(a), static_cast<long double>(threshold));

@@ -56,7 +56,11 @@ std::optional<LongMatrix> quotient(const LongMatrix& a, const LongMatrix& b) {
 
 long double determinant(const LongMatrix& a) { return a.fullPivLu().determinant(); }
 
-LongMatrix pseudo_inverse(const LongMatrix& a) { return a.completeOrthogonalDecomposition().pseudoInverse(); }
+LongMatrix pseudo_inverse(const LongMatrix& a, long double threshold) {
+  Eigen::CompleteOrthogonalDecomposition<LongMatrix> decomposition(a.rows(), a.cols());
+  decomposition.setThreshold(threshold);  // what it does after the last pivot depends on it
+  return decomposition.compute(a).pseudoInverse();
+}
 
 Eigen::Index rank(const LongMatrix& a, long double threshold) {
   Eigen::CompleteOrthogonalDecomposition<LongMatrix> decomposition(a);

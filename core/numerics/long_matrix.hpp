@@ -33,9 +33,9 @@ using LongComplexVector = Eigen::Matrix<LongComplex, Eigen::Dynamic, 1>;
 
 [[nodiscard]] long double determinant(const LongMatrix& a);
 
-/// The Moore-Penrose inverse, and the number of pivots above `threshold` times the largest, by QR with
-/// columns exchanged.
-[[nodiscard]] LongMatrix pseudo_inverse(const LongMatrix& a);
+/// By QR with columns exchanged: the Moore-Penrose inverse without pivots below `threshold` times the
+/// largest, and the number of those above it.
+[[nodiscard]] LongMatrix pseudo_inverse(const LongMatrix& a, long double threshold);
 [[nodiscard]] Eigen::Index rank(const LongMatrix& a, long double threshold);
 
 [[nodiscard]] LongComplexVector eigenvalues(const LongMatrix& a);

@@ -33,5 +33,10 @@ TEST(DenseMatrix, PseudoInverseOfAProjection) {
   EXPECT_TRUE(pseudo_inverse(of_rank_one).isApprox(of_rank_one / 25, 1e-15)) << pseudo_inverse(of_rank_one);
 }
 
+TEST(DenseMatrix, PseudoInverseLeavesOutWhatIsRounding) {
+  const Eigen::MatrixXd nearly{{1, 2}, {2, 4 + 1e-15}};
+  EXPECT_TRUE(pseudo_inverse(nearly).isApprox(of_rank_one / 25, 1e-12)) << pseudo_inverse(nearly);
+}
+
 }  // namespace
 }  // namespace qdot
