@@ -119,16 +119,13 @@ bool TaylorTranslation::start(const Workspace& slots) {
   for (System& system : systems_) {
     if (!invert(system, slots)) return false;
   }
-  for (const Slot slot : started_) {
-    row(slot)[0] = slots[slot];
-  }
+  const double* values = slots.data();
+  for (const auto& [slot, row] : started_) *row = values[slot];
   double* t = row(tape_.parameters_);
   t[1] = t[taylor::reversed - 1] = 1;
-  for (std::vector<taylor::Product>& products : products_) {
-    for (taylor::Product& p : products) {
-      p.x_0 = p.factor * p.x[0];
-      p.y_0 = p.factor * p.y[0];
-    }
+  for (taylor::Product* const p : all_products_) {
+    p->x_0 = p->factor * p->x[0];
+    p->y_0 = p->factor * p->y[0];
   }
   auto entries = entries_.begin();
   for (const taylor::Solve& solve : solves_) {

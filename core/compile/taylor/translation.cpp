@@ -58,7 +58,7 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   find_forms();
   count_uses();
   for (std::size_t i = 0; i <= tape.variables_; ++i) {
-    started_.push_back(static_cast<Slot>(tape.parameters_ + i));
+    start_at(static_cast<Slot>(tape.parameters_ + i));
   }
   for (const Instruction& instruction : tape.body_) {
     if (is_needed(instruction)) translate(instruction);
@@ -72,7 +72,7 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   program_ = {steps_.data(),
               steps_.size(),
               {n, row(tape.parameters_ + 1), kept(inputs_, std::move(accelerations)), tape.variables_}};
-  for (const Slot slot : tape.outputs_) started_.push_back(slot);
+  for (const Slot slot : tape.outputs_) start_at(slot);
 }
 
 taylor::Program TaylorTranslation::composition() const {
@@ -91,7 +91,7 @@ void TaylorTranslation::translate(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   Step step;
   step.out = row(instruction.out);
-  started_.push_back(instruction.out);
+  start_at(instruction.out);
   switch (instruction.operation) {
     case Operation::sum_of_products:
       return add_sum(forms_[instruction.out], step.out);
@@ -115,7 +115,7 @@ void TaylorTranslation::translate(const Instruction& instruction) {
     case Operation::sine_cosine:
       step.kind = Kind::sine_cosine;
       step.out2 = row(instruction.out + 1);
-      started_.push_back(instruction.out + 1);
+      start_at(instruction.out + 1);
       step.x = rate_row(operand[0]);
       step.argument = &constants_[operand[0]];
       break;
@@ -140,6 +140,7 @@ void TaylorTranslation::add_sum(const Form& form, double* out) {
   step.product_count = static_cast<std::uint16_t>(products.size());
   step.terms = kept(terms_, std::move(terms));
   step.products = kept(products_, std::move(products));
+  for (taylor::Product& product : products_.back()) all_products_.push_back(&product);
   step.out = out;
   steps_.push_back(step);
 }
@@ -230,7 +231,7 @@ void TaylorTranslation::translate_arc(const Instruction& instruction, Step& step
 void TaylorTranslation::translate_solve(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   const std::size_t n = instruction.linear;
-  for (std::size_t i = 1; i < n; ++i) started_.push_back(static_cast<Slot>(instruction.out + i));
+  for (std::size_t i = 1; i < n; ++i) start_at(static_cast<Slot>(instruction.out + i));
   if (is_sum_[instruction.out]) return add_sum(forms_[instruction.out], row(instruction.out));
   Step step;
   step.out = row(instruction.out);

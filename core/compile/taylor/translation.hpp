@@ -9,6 +9,7 @@
 
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/compile/compiled_function.hpp"
@@ -90,6 +91,7 @@ class TaylorTranslation {
   [[nodiscard]] const double* rate_row_of(Slot coordinate_or_time);
 
   [[nodiscard]] double* row(std::size_t index) { return rows_.data() + first_ + index * taylor::stride; }
+  void start_at(Slot slot) { started_.emplace_back(slot, row(slot)); }
   [[nodiscard]] double* new_row() { return row(rows_used_++); }
   [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
   [[nodiscard]] bool has_own_start(const taylor::Step& step);
@@ -112,7 +114,7 @@ class TaylorTranslation {
   std::vector<Form> forms_;   ///< of slots that are sums
   std::vector<bool> is_sum_;  ///< slots with a form
   std::vector<Uses> uses_;
-  std::vector<Slot> started_;  ///< slots whose rows are used
+  std::vector<std::pair<Slot, double*>> started_;  ///< slots whose rows are used
   std::vector<double> rows_;
   std::size_t first_{};  ///< coefficient 1 of a row begins a vector register's worth of memory
   std::size_t rows_used_{};
@@ -120,6 +122,7 @@ class TaylorTranslation {
   // Deques: what the kernels point to must stay where it is.
   std::deque<std::vector<taylor::Term>> terms_;
   std::deque<std::vector<taylor::Product>> products_;
+  std::vector<taylor::Product*> all_products_;
   std::deque<std::vector<taylor::Entry>> entries_;  ///< one list for each of solves_
   std::deque<std::vector<const double*>> inputs_;
   std::deque<std::vector<double*>> outputs_;
