@@ -49,22 +49,28 @@ void Separation::follow(const MotionPiece& step, const StepTerms& terms) {
   if (scale_ != Scale::as_it_is && are_together) return;  // series would differ by last digits alone
   place_beside();
   take_rise(step, terms);
-  for (std::size_t i = 0; i < e_.size(); ++i) move_to(i, e_[i] + rise_[i] / factor_);
+  for (std::size_t i = 0; i < e_.size(); i += 2)
+    move_to(i, pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_});
 }
 
 void Separation::add(std::span<const double> sizes, std::span<const double> sides) {
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const double size = std::min(sizes[i], most_of_all);
-    added_[i] += size;
-    move_to(i, e_[i] + std::copysign(size, sides[i]));
+  for (std::size_t i = 0; i < sizes.size(); i += 2) {
+    const PairOfDoubles given = pair_at(&sizes[i]), most{most_of_all, most_of_all};
+    const PairOfDoubles size = most < given ? most : given;
+    put_pair(&added_[i], pair_at(&added_[i]) + size);
+    const PairOfDoubles aside{std::copysign(size[0], sides[i]), std::copysign(size[1], sides[i + 1])};
+    move_to(i, pair_at(&e_[i]) + aside);
   }
 }
 
-void Separation::move_to(std::size_t i, double e) {
-  if (!std::isfinite(e)) return;
-  const double most = lost * std::max(size_[i], added_[i]);  // what stands still has no size but that
-  e_[i] = std::clamp(e, -most, most);
-  largest_[i] = std::max(largest_[i], std::abs(e_[i]));
+/// Two components, of which there are as many as velocities and coordinates; each where it is a number.
+void Separation::move_to(std::size_t i, PairOfDoubles e) {
+  const PairOfDoubles size = pair_at(&size_[i]), added = pair_at(&added_[i]), before = pair_at(&e_[i]);
+  const PairOfDoubles most = lost * larger_or(added, size);  // what stands still has no size but that
+  const PairOfDoubles within = e < -most ? -most : (most < e ? most : e);
+  const PairOfDoubles now = magnitudes(e) < infinity ? within : before;
+  put_pair(&e_[i], now);
+  put_pair(&largest_[i], larger_or(magnitudes(now), pair_at(&largest_[i])));
 }
 
 /// Motions that obey constraints are apart within them.

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "core/integrate/pairs.hpp"
 #include "core/integrate/run.hpp"
 #include "core/integrate/step_terms.hpp"
 
@@ -50,7 +51,7 @@ class Separation {
   [[nodiscard]] double part_of_size() const;
   void take_rise(const MotionPiece& step, const StepTerms& terms);
   [[nodiscard]] unsigned rise(const MotionPiece& step, const StepTerms& terms, unsigned order);
-  void move_to(std::size_t i, double e);
+  void move_to(std::size_t i, PairOfDoubles e);
 
   const RightHandSide& original_;
   Scale scale_;

@@ -7,7 +7,8 @@
 // that is the row of its velocity, and where u is a sum of coordinates a sum of such rows, so that nothing
 // waits for u itself.
 
-#include <deque>
+#include <memory>
+#include <memory_resource>
 #include <span>
 #include <utility>
 #include <vector>
@@ -101,10 +102,12 @@ class TaylorTranslation {
   static void hold_still(taylor::Step& step);
   [[nodiscard]] static bool invert(System& system, const Workspace& slots);
 
+  /// What the kernels point to must stay where it is.
   template <class T>
-  [[nodiscard]] const T* kept(std::deque<std::vector<T>>& lists, std::vector<T> list) {
-    lists.push_back(std::move(list));
-    return lists.back().data();
+  [[nodiscard]] std::span<T> kept(const std::vector<T>& list) {
+    T* const place = std::pmr::polymorphic_allocator<T>(&lists_).allocate(list.size());
+    std::uninitialized_copy(list.begin(), list.end(), place);
+    return {place, list.size()};
   }
 
   const CompiledFunction& tape_;
@@ -119,15 +122,14 @@ class TaylorTranslation {
   std::size_t first_{};  ///< coefficient 1 of a row begins a vector register's worth of memory
   std::size_t rows_used_{};
   double* one_{};  ///< the rate of the time
-  // Deques: what the kernels point to must stay where it is.
-  std::deque<std::vector<taylor::Term>> terms_;
-  std::deque<std::vector<taylor::Product>> products_;
-  std::vector<taylor::Product*> all_products_;
-  std::deque<std::vector<taylor::Entry>> entries_;  ///< one list for each of solves_
-  std::deque<std::vector<const double*>> inputs_;
-  std::deque<std::vector<double*>> outputs_;
-  std::deque<System> systems_;
-  std::deque<taylor::Solve> solves_;
+  std::pmr::monotonic_buffer_resource lists_;
+  std::vector<taylor::Product*> products_;
+  std::vector<System> systems_;
+  struct Entries {
+    std::span<taylor::Entry> all;
+    const taylor::Solve* solve{};
+  };
+  std::vector<Entries> entries_;  ///< of each system that is solved
   std::vector<taylor::Step> steps_;
   std::vector<std::size_t> begun_;                   ///< steps that begin with more than a slot's value
   std::vector<std::pair<Function, Slot>> partners_;  ///< of hyperbolic steps, in their order: argument's slot
