@@ -63,7 +63,8 @@ void Separation::add(std::span<const double> sizes, std::span<const double> side
   }
 }
 
-/// Two components, of which there are as many as velocities and coordinates; each where it is a number.
+/// Of two components side by side: there is an even number of them. Each stays where it is while `e` is no
+/// number.
 void Separation::move_to(std::size_t i, PairOfDoubles e) {
   const PairOfDoubles size = pair_at(&size_[i]), added = pair_at(&added_[i]), before = pair_at(&e_[i]);
   const PairOfDoubles most = lost * larger_or(added, size);  // what stands still has no size but that
