@@ -76,8 +76,9 @@ Evaluation CompiledFunction::evaluate(double t, std::span<const double> variable
 }
 
 bool CompiledFunction::run(std::span<const Instruction> instructions, double* slots) const noexcept {
+  const Slot* const operands = operands_.data();
   for (const Instruction& i : instructions) {
-    const Slot* operand = operands_.data() + i.first;
+    const Slot* operand = operands + i.first;
     switch (i.operation) {
       case Operation::sum_of_products:
         slots[i.out] = sum_of_products(i, operand, slots);

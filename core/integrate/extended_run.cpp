@@ -287,7 +287,8 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
   ExtendedStepper stepper(system, request);
   ExtendedRun run;
   const std::size_t n = request.y_start.size();
-  std::vector<double> passed(n), terms(n);
+  std::vector<double> passed(n);
+  StepTerms terms(n);
   std::optional<Separation> separation;
   const bool is_full = system.first_in_doubles > request.order;
   if (system.in_doubles.expansion)
@@ -316,7 +317,7 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
     if (failed) run.ending = *failed;
     if (!failed && separation) {
       const MotionPiece step = stepper.polynomials();
-      largest_terms(step, terms);
+      terms.take(step);
       separation->follow(step, terms);
       separation->add(stepper.rounded(), separation->now());
     }

@@ -20,7 +20,7 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
       by_rounding_(originals.rounded, start.by_rounding),
       random_(std::bit_cast<std::uint64_t>(t)),
       terms_(start.by_truncation.size()),
-      sizes_(terms_.size()),
+      sizes_(start.by_truncation.size()),
       signs_(sizes_.size()) {
   RandomBits random(std::bit_cast<std::uint64_t>(t));
   for (std::size_t i = 0; i < sizes_.size() / 2; ++i) always_.push_back(sign(random));
@@ -28,11 +28,11 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
 }
 
 void OwnErrors::follow(const MotionPiece& step) {
-  largest_terms(step, terms_);
+  terms_.take(step);
   by_truncation_.follow(step, terms_);
   by_rounding_.follow(step, terms_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
-    sizes_[i] = enlarged * rounding * terms_[i] * (0.5 + random_.fraction());
+    sizes_[i] = enlarged * rounding * terms_.largest()[i] * (0.5 + random_.fraction());
     signs_[i] = sign(random_);
   }
   by_rounding_.add(sizes_, signs_);

@@ -42,8 +42,9 @@ class OwnErrors {
 
   Separation by_truncation_, by_rounding_;
   RandomBits random_;
-  std::vector<double> always_;                             ///< sides
-  std::vector<double> terms_, sizes_, signs_, of_forces_;  ///< scratch
+  std::vector<double> always_;  ///< sides
+  StepTerms terms_;
+  std::vector<double> sizes_, signs_, of_forces_;  ///< scratch
 };
 
 }  // namespace qdot

@@ -22,16 +22,6 @@ double beside(double y, double e) {
 
 }  // namespace
 
-void largest_terms(const MotionPiece& step, std::span<double> terms) {
-  const double* c = step.rows.data();
-  for (double& largest : terms) {
-    double power = 1;
-    largest = 0;
-    for (unsigned k = 0; k <= step.order; ++k, power *= step.h)
-      largest = std::max(largest, std::abs(*c++) * power);
-  }
-}
-
 Separation::Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale)
     : original_(original),
       scale_(scale),
@@ -46,10 +36,10 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
-void Separation::follow(const MotionPiece& step, std::span<const double> terms) {
+void Separation::follow(const MotionPiece& step, const StepTerms& terms) {
   for (std::size_t i = 0; i < e_.size(); ++i) {
     y_[i] = step.rows[i * (step.order + 1)];
-    size_[i] = std::max(size_[i], terms[i]);
+    size_[i] = std::max(size_[i], terms.largest()[i]);
   }
   const std::size_t n = e_.size() / 2;
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
@@ -58,23 +48,30 @@ void Separation::follow(const MotionPiece& step, std::span<const double> terms) 
   const bool are_together = std::ranges::all_of(e_, [](double e) { return e == 0; });
   if (scale_ != Scale::as_it_is && are_together) return;  // series would differ by last digits alone
   place_beside();
-  take_rise(step);
-  for (std::size_t i = 0; i < e_.size(); ++i) move_to(i, e_[i] + rise_[i] / factor_);
+  take_rise(step, terms);
+  for (std::size_t i = 0; i < e_.size(); i += 2)
+    move_to(i, pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_});
 }
 
 void Separation::add(std::span<const double> sizes, std::span<const double> sides) {
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const double size = std::min(sizes[i], most_of_all);
-    added_[i] += size;
-    move_to(i, e_[i] + std::copysign(size, sides[i]));
+  for (std::size_t i = 0; i < sizes.size(); i += 2) {
+    const PairOfDoubles given = pair_at(&sizes[i]), most{most_of_all, most_of_all};
+    const PairOfDoubles size = most < given ? most : given;
+    put_pair(&added_[i], pair_at(&added_[i]) + size);
+    const PairOfDoubles aside{std::copysign(size[0], sides[i]), std::copysign(size[1], sides[i + 1])};
+    move_to(i, pair_at(&e_[i]) + aside);
   }
 }
 
-void Separation::move_to(std::size_t i, double e) {
-  if (!std::isfinite(e)) return;
-  const double most = lost * std::max(size_[i], added_[i]);  // what stands still has no size but that
-  e_[i] = std::clamp(e, -most, most);
-  largest_[i] = std::max(largest_[i], std::abs(e_[i]));
+/// Of two components side by side: there is an even number of them. Each stays where it is while `e` is no
+/// number.
+void Separation::move_to(std::size_t i, PairOfDoubles e) {
+  const PairOfDoubles size = pair_at(&size_[i]), added = pair_at(&added_[i]), before = pair_at(&e_[i]);
+  const PairOfDoubles most = lost * larger_or(added, size);  // what stands still has no size but that
+  const PairOfDoubles within = e < -most ? -most : (most < e ? most : e);
+  const PairOfDoubles now = magnitudes(e) < infinity ? within : before;
+  put_pair(&e_[i], now);
+  put_pair(&largest_[i], larger_or(magnitudes(now), pair_at(&largest_[i])));
 }
 
 /// Motions that obey constraints are apart within them.
@@ -111,33 +108,27 @@ double Separation::part_of_size() const {
 }
 
 /// By series of the order that does, as the step before tells, or else of the step's own.
-void Separation::take_rise(const MotionPiece& step) {
+void Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
   const unsigned order = std::min(order_, step.order);
-  unsigned enough = rise(step, order);
-  if (enough > order && order < step.order) enough = rise(step, step.order);
+  unsigned enough = rise(step, terms, order);
+  if (enough > order && order < step.order) enough = rise(step, terms, step.order);
   order_ = enough > least_order ? enough + 1 : least_order;
 }
 
 /// rise_: what the step adds to e, by series of an order. The order that does, from least_order on: two small
 /// terms in a row show that the rest is. It is more than this one where there are none.
-unsigned Separation::rise(const MotionPiece& step, unsigned order) {
+unsigned Separation::rise(const MotionPiece& step, const StepTerms& terms, unsigned order) {
   std::ranges::fill(rise_, 0.0);
   c_.resize(e_.size() * (order + 1));
   if (original_.expansion(step.t, beside_, order, c_) != Evaluation::ok) return order + 1;
   unsigned enough = std::min(least_order, order);
   for (std::size_t i = 0; i < e_.size(); ++i) {
     const double* own = step.rows.data() + i * (step.order + 1);
-    double* terms = c_.data() + i * (order + 1);
-    double power = 1, sum = 0, largest = factor_ * std::abs(e_[i]);
-    for (unsigned k = 1; k <= order; ++k) {
-      power *= step.h;
-      terms[k] = (own[k] - terms[k]) * power;
-      sum += terms[k];
-      largest = std::max(largest, std::abs(terms[k]));
-    }
+    double* c = c_.data() + i * (order + 1);
+    const auto [sum, largest] = terms.subtract(own, order, factor_ * std::abs(e_[i]), c);
     rise_[i] = sum;
     unsigned last = order;
-    while (last + 2 > enough && std::abs(terms[last]) <= negligible * largest) --last;
+    while (last + 2 > enough && std::abs(c[last]) <= negligible * largest) --last;
     enough = std::max(enough, last + 2);
   }
   return enough;

@@ -15,12 +15,11 @@
 #include <span>
 #include <vector>
 
+#include "core/integrate/pairs.hpp"
 #include "core/integrate/run.hpp"
+#include "core/integrate/step_terms.hpp"
 
 namespace qdot {
-
-/// The largest |c_k| h^k of each component.
-void largest_terms(const MotionPiece& step, std::span<double> terms);
 
 class Separation {
  public:
@@ -33,9 +32,9 @@ class Separation {
   /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
 
-  /// The reference has taken this step; `terms` are the largest of each component. Where the original has no
-  /// values e stays as it is.
-  void follow(const MotionPiece& step, std::span<const double> terms);
+  /// The reference has taken this step, and has these terms. Where the original has no values e stays as it
+  /// is.
+  void follow(const MotionPiece& step, const StepTerms& terms);
   /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
   /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
@@ -50,9 +49,9 @@ class Separation {
   void project(double t);
   void place_beside();
   [[nodiscard]] double part_of_size() const;
-  void take_rise(const MotionPiece& step);
-  [[nodiscard]] unsigned rise(const MotionPiece& step, unsigned order);
-  void move_to(std::size_t i, double e);
+  void take_rise(const MotionPiece& step, const StepTerms& terms);
+  [[nodiscard]] unsigned rise(const MotionPiece& step, const StepTerms& terms, unsigned order);
+  void move_to(std::size_t i, PairOfDoubles e);
 
   const RightHandSide& original_;
   Scale scale_;

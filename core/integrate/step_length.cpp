@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/integrate/pairs.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/rough_powers.hpp"
 
@@ -22,14 +23,22 @@ bool is_finite(std::span<const double> series, unsigned order, unsigned k) {
   return true;
 }
 
+/// The largest |c_k| / w_i over the components, for k and k + 1.
+PairOfDoubles largest_shares(std::span<const double> series, unsigned order, std::span<const double> weights,
+                             unsigned k) {
+  PairOfDoubles largest{};
+  const double* c = series.data() + k;
+  for (std::size_t i = 0; i < weights.size(); ++i, c += order + 1)
+    largest = larger_or(magnitudes(pair_at(c)) / PairOfDoubles{weights[i], weights[i]}, largest);
+  return largest;
+}
+
 /// log2 of the least over the components of (w / |c_k|)^(1/k). One root, of the largest |c_k| / w, where
 /// that is a number.
 double log2_of_length(std::span<const double> series, unsigned order, std::span<const double> weights,
-                      unsigned k) {
-  const auto c = [&](std::size_t i) { return series[i * (order + 1) + k]; };
-  double largest = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) largest = std::max(largest, std::abs(c(i)) / weights[i]);
+                      unsigned k, double largest) {
   if (std::isfinite(largest)) return largest > 0 ? -rough_log2(largest) / k : infinity;
+  const auto c = [&](std::size_t i) { return series[i * (order + 1) + k]; };
   double least = infinity;
   for (std::size_t i = 0; i < weights.size(); ++i) least = std::min(least, log2_of_root(weights[i], c(i), k));
   return least;
@@ -40,8 +49,9 @@ double log2_of_length(std::span<const double> series, unsigned order, std::span<
 double step_length(std::span<const double> series, unsigned order, std::span<const double> weights) {
   unsigned last = order;
   while (last > 1 && !is_finite(series, order, last)) --last;
-  double exponent = log2_of_length(series, order, weights, last);
-  if (last > 2) exponent = std::min(exponent, log2_of_length(series, order, weights, last - 1));
+  const PairOfDoubles largest = largest_shares(series, order, weights, last - 1);
+  double exponent = log2_of_length(series, order, weights, last, largest[1]);
+  if (last > 2) exponent = std::min(exponent, log2_of_length(series, order, weights, last - 1, largest[0]));
   return std::isfinite(exponent) ? rough_exp2(exponent) : exponent;
 }
 

@@ -35,7 +35,9 @@ class TaylorStepper final : public Stepper {
         t_(request.t_start),
         y_previous_(request.y_start),
         y_(request.y_start),
+        attempt_(y_.size()),
         carried_(y_.size()),
+        attempt_carried_(y_.size()),
         coefficients_(y_.size() * (order_ + 1)),
         next_(coefficients_.size()),
         bounds_(system, request, y_.size(), order_) {}
@@ -160,8 +162,6 @@ class TaylorStepper final : public Stepper {
   bool try_step(double t, const BoundedSteps::Bound& bound) {
     const double h = t - t_;
     std::vector<double>& y = attempt_;
-    y.resize(y_.size());
-    attempt_carried_.resize(y.size());
     sum_all_series<SeriesSum::value>(next_.data(), order_, h, rise_);
     if (system_.project && !add_projection(t)) return false;
     for (std::size_t i = 0; i < y.size(); ++i) {

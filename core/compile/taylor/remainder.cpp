@@ -24,6 +24,7 @@ Remainder::Remainder(const Program& program, const Kernels& kernels)
 void Remainder::collect_factors() {
   factors_.clear();
   others_.clear();
+  order_of_degrees_ = 0;
   for (Row& row : rows_) (row.is_factor ? factors_ : others_).push_back(&row);
   for (std::vector<RowSizes*>* const rows : {&factors_, &others_}) {
     while (rows->size() % 4 != 0) rows->push_back(rows->back());

@@ -20,6 +20,7 @@
 // Anal. 45 (2007) 236.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -100,6 +101,7 @@ class Remainder {
   /// rho: by the last and the first coefficients of the velocities.
   [[nodiscard]] double decay() const;
   void take_norms();
+  void take_degrees();
   /// Careful looks need those of all rows, quick ones of factors.
   void take_tails(std::span<RowSizes* const> rows);
   void take_sizes(Row& row);
@@ -107,7 +109,13 @@ class Remainder {
   void take_range(Row& row);
   void look(Effort effort);
   /// |c_k| h^k
-  [[nodiscard]] double size(const Row& row, unsigned k) const;
+  [[nodiscard]] double size(const Row& row, unsigned k) const {
+    if (k + row.missing > order_) return 0;  // what stands there is of another expansion
+    return std::abs(row.coefficients[k]) * powers_[k];
+  }
+  /// Of two rows of the state side by side: sum_k |c_k| h^k, and sum_k k |c_k| h^k.
+  [[nodiscard]] std::array<double, 2> sums_of_sizes(Index first, Index second) const;
+  [[nodiscard]] std::array<double, 2> sums_of_slopes(Index first, Index second) const;
   void put_defect(std::span<double> defect) const;
   double excess(std::span<const double> allowed, std::span<double> defect) const;
 
@@ -160,7 +168,7 @@ class Remainder {
   double beyond_{};                          ///< 1/(1 - rho)
   double rho_{}, rho3_{}, rho_of_rate_{}, rho_of_value_{};  ///< rho, and its powers 3, N - 1 and N
   double h_{};
-  unsigned order_{};
+  unsigned order_{}, order_of_degrees_{};  ///< 0: degrees are not taken
   Effort effort_{Effort::quick};
 };
 

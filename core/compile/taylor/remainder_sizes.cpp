@@ -19,6 +19,12 @@ Two pair_at(const double* x) {
   return v;
 }
 
+Two magnitudes(Two x) {
+  using Bits [[gnu::vector_size(16)]] = std::uint64_t;
+  constexpr std::uint64_t without_sign = ~(std::uint64_t{1} << 63);
+  return reinterpret_cast<Two>(reinterpret_cast<Bits>(x) & Bits{without_sign, without_sign});
+}
+
 /// sum over i < count of a_i b_i; count is a multiple of four.
 double dot(const double* a, const double* b, unsigned count) {
   Two first{}, second{};
@@ -71,9 +77,20 @@ void Remainder::begin(double h, unsigned order) {
   for (const Index i : state_) rows_[i].own_top = size(rows_[i], order);
 }
 
-double Remainder::size(const Row& row, unsigned k) const {
-  if (k + row.missing > order_) return 0;  // what stands there is of another expansion
-  return std::abs(row.coefficients[k]) * powers_[k];
+std::array<double, 2> Remainder::sums_of_sizes(Index first, Index second) const {
+  const double *x = rows_[first].coefficients, *y = rows_[second].coefficients;
+  Two sum{};
+  for (unsigned k = 0; k <= order_; ++k) sum += magnitudes(Two{x[k], y[k]}) * powers_[k];
+  return {sum[0], sum[1]};
+}
+
+std::array<double, 2> Remainder::sums_of_slopes(Index first, Index second) const {
+  const double *x = rows_[first].coefficients, *y = rows_[second].coefficients;
+  Two sum{};
+  double factor = 1;
+  for (unsigned k = 1; k <= order_; ++k, factor += 1)
+    sum += factor * (magnitudes(Two{x[k], y[k]}) * powers_[k]);
+  return {sum[0], sum[1]};
 }
 
 double Remainder::decay() const {
@@ -98,16 +115,21 @@ void Remainder::take_norms() {
   beyond_ = 1 / (1 - rho);
   const double g = h_ / rho;
   fill_powers(radii_, g, order_);
-  for (RowSizes* const sizes : factors_) {
-    const Row& row = static_cast<const Row&>(*sizes);
-    sizes->degree = order_ - std::min(order_, row.missing);
-  }
+  if (order_ != order_of_degrees_) take_degrees();
   measure_(factors_.data(), static_cast<unsigned>(factors_.size()),
            {h_, powers_[2], beyond_, rho3_, rounding_of_sums, radii_.data()});
   for (RowSizes* const sizes : factors_) {
     Row& row = static_cast<Row&>(*sizes);
     row.of_row = row.of_value = range(row.lower, row.upper);
   }
+}
+
+void Remainder::take_degrees() {
+  for (RowSizes* const sizes : factors_) {
+    const Row& row = static_cast<const Row&>(*sizes);
+    sizes->degree = order_ - std::min(order_, row.missing);
+  }
+  order_of_degrees_ = order_;
 }
 
 void Remainder::take_tails(std::span<RowSizes* const> rows) {

@@ -89,14 +89,17 @@ void Rounding::take_constants() {
 void Rounding::take_variables() {
   const auto time = static_cast<Slot>(tape_.parameters_);
   sizes_[time] = {std::abs(slots_[time]) + remainder_.h_, 0};
+  waiting_.clear();
   for (Slot i = 0; i < tape_.variables_; ++i) {
     const Slot slot = time + 1 + i;
-    double sum = 0;
-    if (rows_[slot] != no_row && measured(slot) == nullptr) {
-      const Remainder::Row& row = remainder_.rows_[rows_[slot]];
-      for (unsigned k = 0; k <= remainder_.order_; ++k) sum += remainder_.size(row, k);
-    }
-    sizes_[slot] = {most(slot, sum), 0};
+    sizes_[slot] = {most(slot, 0), 0};
+    if (rows_[slot] != no_row && measured(slot) == nullptr) waiting_.push_back(slot);
+  }
+  for (std::size_t i = 0; i < waiting_.size(); i += 2) {
+    const Slot first = waiting_[i], second = waiting_[std::min(i + 1, waiting_.size() - 1)];
+    const std::array<double, 2> sums = remainder_.sums_of_sizes(rows_[first], rows_[second]);
+    sizes_[first].most = sums[0];
+    sizes_[second].most = sums[1];
   }
 }
 
@@ -116,18 +119,18 @@ void Rounding::bound(double unit, std::span<double> accelerations) {
   if (unit != unit_) take_unit(unit);
   take_variables();
   for (const Instruction& instruction : tape_.body_) apply(instruction);
-  for (std::size_t i = 0; i < accelerations.size(); ++i) {
-    const double beyond = sizes_[tape_.outputs_[i]].error - last_digits * unit_ * size_of_acceleration(i);
+  const std::size_t n = accelerations.size();
+  const auto put = [&](std::size_t i, double size) {
+    const double beyond = sizes_[tape_.outputs_[i]].error - last_digits * unit_ * (size / remainder_.h_);
     accelerations[i] = known_or_infinite(std::max(beyond, 0.0));
+  };
+  const std::span<const Remainder::Index> velocities = std::span(remainder_.state_).subspan(remainder_.n_, n);
+  for (std::size_t i = 0; i < n; i += 2) {
+    const std::size_t next = std::min(i + 1, n - 1);
+    const std::array<double, 2> sizes = remainder_.sums_of_slopes(velocities[i], velocities[next]);
+    put(i, sizes[0]);
+    put(next, sizes[1]);
   }
-}
-
-/// sum_k |c_k| h^k of its row, by that of the velocity.
-double Rounding::size_of_acceleration(std::size_t i) const {
-  const Remainder::Row& velocity = remainder_.rows_[remainder_.state_[remainder_.n_ + i]];
-  double sum = 0;
-  for (unsigned k = 1; k <= remainder_.order_; ++k) sum += k * remainder_.size(velocity, k);
-  return sum / remainder_.h_;
 }
 
 const Remainder::Row* Rounding::measured(Slot slot) const {

@@ -55,7 +55,6 @@ class Rounding {
 
   void take_constants();
   void take_unit(double unit);
-  [[nodiscard]] double size_of_acceleration(std::size_t i) const;
   void take_variables();
   void apply(const Instruction& instruction);
   [[nodiscard]] Size sum(const Instruction& instruction, const Slot* operand) const;
@@ -89,6 +88,7 @@ class Rounding {
   std::vector<bool> is_power_of_two_;      ///< or -2: products with it are exact
   std::vector<bool> is_asked_relatively_;  ///< by roots and powers, whose slope has no bound at 0
   std::vector<Size> sizes_;
+  std::vector<Slot> waiting_;       ///< variables whose rows are not measured
   std::vector<double> in_doubles_;  ///< of constants: their errors there
   double unit_{half_unit_of_doubles};
 };

@@ -119,23 +119,17 @@ bool TaylorTranslation::start(const Workspace& slots) {
   for (System& system : systems_) {
     if (!invert(system, slots)) return false;
   }
-  for (const Slot slot : started_) {
-    row(slot)[0] = slots[slot];
-  }
+  const double* values = slots.data();
+  for (const auto& [slot, row] : started_) *row = values[slot];
   double* t = row(tape_.parameters_);
   t[1] = t[taylor::reversed - 1] = 1;
-  for (std::vector<taylor::Product>& products : products_) {
-    for (taylor::Product& p : products) {
-      p.x_0 = p.factor * p.x[0];
-      p.y_0 = p.factor * p.y[0];
-    }
+  for (taylor::Product* const p : products_) {
+    p->x_0 = p->factor * p->x[0];
+    p->y_0 = p->factor * p->y[0];
   }
-  auto entries = entries_.begin();
-  for (const taylor::Solve& solve : solves_) {
-    for (std::size_t i = 0; i < entries->size(); ++i) {
-      (*entries)[i].x_0 = (*entries)[i].factor * solve.unknowns[i % solve.n][0];
-    }
-    ++entries;
+  for (const auto& [entries, solve] : entries_) {
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      entries[i].x_0 = entries[i].factor * solve->unknowns[i % solve->n][0];
   }
   auto partner = partners_.begin();
   for (const std::size_t i : begun_) {

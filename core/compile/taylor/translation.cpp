@@ -58,7 +58,7 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   find_forms();
   count_uses();
   for (std::size_t i = 0; i <= tape.variables_; ++i) {
-    started_.push_back(static_cast<Slot>(tape.parameters_ + i));
+    start_at(static_cast<Slot>(tape.parameters_ + i));
   }
   for (const Instruction& instruction : tape.body_) {
     if (is_needed(instruction)) translate(instruction);
@@ -71,8 +71,8 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   const std::size_t n = accelerations.size();
   program_ = {steps_.data(),
               steps_.size(),
-              {n, row(tape.parameters_ + 1), kept(inputs_, std::move(accelerations)), tape.variables_}};
-  for (const Slot slot : tape.outputs_) started_.push_back(slot);
+              {n, row(tape.parameters_ + 1), kept(accelerations).data(), tape.variables_}};
+  for (const Slot slot : tape.outputs_) start_at(slot);
 }
 
 taylor::Program TaylorTranslation::composition() const {
@@ -91,7 +91,7 @@ void TaylorTranslation::translate(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   Step step;
   step.out = row(instruction.out);
-  started_.push_back(instruction.out);
+  start_at(instruction.out);
   switch (instruction.operation) {
     case Operation::sum_of_products:
       return add_sum(forms_[instruction.out], step.out);
@@ -115,7 +115,7 @@ void TaylorTranslation::translate(const Instruction& instruction) {
     case Operation::sine_cosine:
       step.kind = Kind::sine_cosine;
       step.out2 = row(instruction.out + 1);
-      started_.push_back(instruction.out + 1);
+      start_at(instruction.out + 1);
       step.x = rate_row(operand[0]);
       step.argument = &constants_[operand[0]];
       break;
@@ -138,8 +138,10 @@ void TaylorTranslation::add_sum(const Form& form, double* out) {
   step.constant = form.constant;
   step.term_count = static_cast<std::uint16_t>(terms.size());
   step.product_count = static_cast<std::uint16_t>(products.size());
-  step.terms = kept(terms_, std::move(terms));
-  step.products = kept(products_, std::move(products));
+  step.terms = kept(terms).data();
+  const std::span<taylor::Product> kept_products = kept(products);
+  step.products = kept_products.data();
+  for (taylor::Product& product : kept_products) products_.push_back(&product);
   step.out = out;
   steps_.push_back(step);
 }
@@ -158,7 +160,7 @@ const double* TaylorTranslation::rate_row(Slot argument) {
     std::vector<taylor::Term> terms;
     for (const auto& [factor, x] : forms_[argument].terms) terms.push_back({factor, rate_row_of(x)});
     step.term_count = static_cast<std::uint16_t>(terms.size());
-    step.terms = kept(terms_, std::move(terms));
+    step.terms = kept(terms).data();
   } else {
     step.kind = Kind::rate;
     step.x = row(argument);
@@ -230,7 +232,7 @@ void TaylorTranslation::translate_arc(const Instruction& instruction, Step& step
 void TaylorTranslation::translate_solve(const Instruction& instruction) {
   const Slot* operand = tape_.operands_.data() + instruction.first;
   const std::size_t n = instruction.linear;
-  for (std::size_t i = 1; i < n; ++i) started_.push_back(static_cast<Slot>(instruction.out + i));
+  for (std::size_t i = 1; i < n; ++i) start_at(static_cast<Slot>(instruction.out + i));
   if (is_sum_[instruction.out]) return add_sum(forms_[instruction.out], row(instruction.out));
   Step step;
   step.out = row(instruction.out);
@@ -262,12 +264,12 @@ void TaylorTranslation::translate_solve(const Instruction& instruction) {
     right.push_back(row(operand[n * n + i]));
     unknowns.push_back(row(instruction.out + i));
   }
-  outputs_.push_back(std::move(unknowns));
-  solves_.push_back({static_cast<std::uint32_t>(n), kept(entries_, std::move(matrix)),
-                     kept(inputs_, std::move(right)), outputs_.back().data(), system.inverse.data(),
-                     kept(inputs_, std::move(start))});
+  const std::span<taylor::Entry> entries = kept(matrix);
+  const std::vector<taylor::Solve> solve{{static_cast<std::uint32_t>(n), entries.data(), kept(right).data(),
+                                          kept(unknowns).data(), system.inverse.data(), kept(start).data()}};
   step.kind = n == 2 ? Kind::solve_2 : n == 3 ? Kind::solve_3 : Kind::solve;
-  step.solve = &solves_.back();
+  step.solve = kept(solve).data();
+  entries_.push_back({entries, step.solve});
   steps_.push_back(step);
 }
 

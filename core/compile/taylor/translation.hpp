@@ -7,8 +7,10 @@
 // that is the row of its velocity, and where u is a sum of coordinates a sum of such rows, so that nothing
 // waits for u itself.
 
-#include <deque>
+#include <memory>
+#include <memory_resource>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/compile/compiled_function.hpp"
@@ -90,6 +92,7 @@ class TaylorTranslation {
   [[nodiscard]] const double* rate_row_of(Slot coordinate_or_time);
 
   [[nodiscard]] double* row(std::size_t index) { return rows_.data() + first_ + index * taylor::stride; }
+  void start_at(Slot slot) { started_.emplace_back(slot, row(slot)); }
   [[nodiscard]] double* new_row() { return row(rows_used_++); }
   [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
   [[nodiscard]] bool has_own_start(const taylor::Step& step);
@@ -99,10 +102,12 @@ class TaylorTranslation {
   static void hold_still(taylor::Step& step);
   [[nodiscard]] static bool invert(System& system, const Workspace& slots);
 
+  /// What the kernels point to must stay where it is.
   template <class T>
-  [[nodiscard]] const T* kept(std::deque<std::vector<T>>& lists, std::vector<T> list) {
-    lists.push_back(std::move(list));
-    return lists.back().data();
+  [[nodiscard]] std::span<T> kept(const std::vector<T>& list) {
+    T* const place = std::pmr::polymorphic_allocator<T>(&lists_).allocate(list.size());
+    std::uninitialized_copy(list.begin(), list.end(), place);
+    return {place, list.size()};
   }
 
   const CompiledFunction& tape_;
@@ -112,19 +117,19 @@ class TaylorTranslation {
   std::vector<Form> forms_;   ///< of slots that are sums
   std::vector<bool> is_sum_;  ///< slots with a form
   std::vector<Uses> uses_;
-  std::vector<Slot> started_;  ///< slots whose rows are used
+  std::vector<std::pair<Slot, double*>> started_;  ///< slots whose rows are used
   std::vector<double> rows_;
   std::size_t first_{};  ///< coefficient 1 of a row begins a vector register's worth of memory
   std::size_t rows_used_{};
   double* one_{};  ///< the rate of the time
-  // Deques: what the kernels point to must stay where it is.
-  std::deque<std::vector<taylor::Term>> terms_;
-  std::deque<std::vector<taylor::Product>> products_;
-  std::deque<std::vector<taylor::Entry>> entries_;  ///< one list for each of solves_
-  std::deque<std::vector<const double*>> inputs_;
-  std::deque<std::vector<double*>> outputs_;
-  std::deque<System> systems_;
-  std::deque<taylor::Solve> solves_;
+  std::pmr::monotonic_buffer_resource lists_;
+  std::vector<taylor::Product*> products_;
+  std::vector<System> systems_;
+  struct Entries {
+    std::span<taylor::Entry> all;
+    const taylor::Solve* solve{};
+  };
+  std::vector<Entries> entries_;  ///< of each system that is solved
   std::vector<taylor::Step> steps_;
   std::vector<std::size_t> begun_;                   ///< steps that begin with more than a slot's value
   std::vector<std::pair<Function, Slot>> partners_;  ///< of hyperbolic steps, in their order: argument's slot

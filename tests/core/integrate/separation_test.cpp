@@ -12,8 +12,8 @@ namespace {
 using namespace integrate_test;
 
 void follow(Separation& separation, const MotionPiece& step) {
-  std::vector<double> terms(2);
-  largest_terms(step, terms);
+  StepTerms terms(2);
+  terms.take(step);
   separation.follow(step, terms);
 }
 

@@ -1,0 +1,56 @@
+#include "core/integrate/step_terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/integrate/pairs.hpp"
+
+namespace qdot {
+namespace {
+
+/// The largest |c_k| h^k, 0 <= k <= order.
+double largest_term(const double* c, const double* powers, unsigned order) {
+  PairOfDoubles most{};
+  unsigned k = 0;
+  for (; k < order; k += 2) most = larger_or(magnitudes(pair_at(c + k)) * pair_at(powers + k), most);
+  const double largest = std::max(most[0], most[1]);
+  return k == order ? std::max(largest, std::abs(c[k]) * powers[k]) : largest;
+}
+
+}  // namespace
+
+void StepTerms::take(const MotionPiece& step) {
+  powers_.resize(step.order + 1);
+  double power = 1;
+  for (double& x : powers_) {
+    x = power;
+    power *= step.h;
+  }
+  const double* c = step.rows.data();
+  for (double& largest : largest_) {
+    largest = largest_term(c, powers_.data(), step.order);
+    c += step.order + 1;
+  }
+}
+
+StepTerms::Difference StepTerms::subtract(const double* own, unsigned order, double least, double* c) const {
+  PairOfDoubles most{};
+  const double* powers = powers_.data();
+  double sum = 0, largest = least;
+  unsigned k = 1;
+  for (; k < order; k += 2) {
+    const PairOfDoubles term = (pair_at(own + k) - pair_at(c + k)) * pair_at(powers + k);
+    put_pair(c + k, term);
+    most = larger_or(magnitudes(term), most);
+    sum += term[0];
+    sum += term[1];
+  }
+  if (k == order) {
+    c[k] = (own[k] - c[k]) * powers[k];
+    sum += c[k];
+    largest = std::max(largest, std::abs(c[k]));
+  }
+  return {sum, std::max({largest, most[0], most[1]})};
+}
+
+}  // namespace qdot

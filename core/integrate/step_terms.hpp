@@ -1,0 +1,32 @@
+#pragma once
+// Terms c_k h^k of a step's polynomials. What is no number is passed over where the largest is looked for.
+
+#include <span>
+#include <vector>
+
+#include "core/integrate/run.hpp"
+
+namespace qdot {
+
+class StepTerms {
+ public:
+  explicit StepTerms(std::size_t components) : largest_(components) {}
+
+  void take(const MotionPiece& step);
+
+  /// The largest |c_k| h^k of each component.
+  [[nodiscard]] std::span<const double> largest() const { return largest_; }
+
+  struct Difference {
+    double sum{};      ///< from k = 1 on, in their order
+    double largest{};  ///< magnitude
+  };
+  /// Turns c_k into (own_k - c_k) h^k for 1 <= k <= order. The largest is `least` at least.
+  Difference subtract(const double* own, unsigned order, double least, double* c) const;
+
+ private:
+  std::vector<double> powers_;  ///< h^k, each the one before times h
+  std::vector<double> largest_;
+};
+
+}  // namespace qdot
