@@ -20,6 +20,7 @@ constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< r
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
 constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
 constexpr double growth_at_pole = 3;
+constexpr double widened = 256;  ///< times what a place is known to
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
@@ -28,19 +29,17 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
 
-// At a pole both sides outgrow what the bracket began with, and go on growing towards the place: at a jump
-// they may be larger, too, but no more so the nearer it is.
+// At a pole values grow towards the place on both sides: at a jump they may be large, too, but no more so the
+// nearer it is. [from, to] is the step.
 template <class Function>
-bool is_pole(const Function& g, const SignChange& begin, const SignChange& end) {
-  const double bound = std::max(std::abs(begin.value_before), std::abs(begin.value_after));
-  const auto grows = [&](double value, double t) {
-    return std::abs(value) > bound && std::abs(value) > growth_at_pole * std::abs(g(t));
+bool grows_towards(const Function& g, const SignChange& place, double from, double to) {
+  const double shortest = std::max(place.after - place.before, time_round_off(place.after));
+  const auto grows = [&](double value, double t, double distance) {
+    const double beside = t + std::copysign(std::sqrt(shortest * std::abs(distance)), distance);
+    return std::abs(distance) <= shortest || std::abs(value) > growth_at_pole * std::abs(g(beside));
   };
-  const auto beside = [&](double distance) {
-    return std::sqrt(std::max(end.after - end.before, time_round_off(end.after)) * distance);
-  };
-  return grows(end.value_before, end.before - beside(end.before - begin.before)) &&
-         grows(end.value_after, end.after + beside(begin.after - end.after));
+  return to - from > shortest && grows(place.value_before, place.before, from - place.before) &&
+         grows(place.value_after, place.after, to - place.after);
 }
 
 }  // namespace
@@ -354,8 +353,19 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   if (!is_bracket()) return is_after ? bracket.after : crossed.before;
   const SignChange place = find_sign_change(g, bracket);
   const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
-  if (is_of_g && is_pole(g, bracket, place)) return std::nullopt;
+  const double begin = polynomial_.whole().t;
+  if (is_of_g && !is_bounded_around(crossed.event, place) && grows_towards(g, place, begin, stepper.t()))
+    return std::nullopt;
   return place.after;
+}
+
+/// Whether g is bounded there, so that it crosses zero where its sign changes, however steeply.
+bool EventSearch::is_bounded_around(std::size_t event, const SignChange& place) {
+  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
+  const double around = widened * std::max(place.after - place.before, time_round_off(place.after));
+  const double from = std::max(0.0, place.before - around - begin),
+               to = std::min(h, place.after + around - begin);
+  return to > from && finite_series(event, polynomial_.piece(from, to - from)).is_finite();
 }
 
 void EventSearch::report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found) {

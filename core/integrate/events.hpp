@@ -101,6 +101,7 @@ class EventSearch {
   [[nodiscard]] std::pair<UnitSeries, double> told_series(std::size_t event, double from, double length,
                                                           double shortest);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
+  [[nodiscard]] bool is_bounded_around(std::size_t event, const SignChange& place);
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 
   const RunRequest& request_;
