@@ -9,17 +9,14 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned low_order = 5;  ///< cheap, and mostly enough to see that nothing happens
-constexpr unsigned full_order = 20;
 constexpr double of_doubt = 16;  ///< times what g may be away from its series
-constexpr double short_share = 1e-9;
 constexpr std::size_t most_looks = 4000;
 constexpr std::size_t looks_in_doubt = 200;  ///< once not everything was seen: the rest is worth less work
 constexpr int halvings = 60;
-constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
 constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
 constexpr double growth_at_pole = 3;
+constexpr double widened = 256;  ///< times what a place is known to
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
@@ -28,26 +25,20 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
 
-// At a pole both sides outgrow what the bracket began with, and go on growing towards the place: at a jump
-// they may be larger, too, but no more so the nearer it is.
+// At a pole values grow towards the place on both sides: at a jump they may be large, too, but no more so the
+// nearer it is. [from, to] is the step.
 template <class Function>
-bool is_pole(const Function& g, const SignChange& begin, const SignChange& end) {
-  const double bound = std::max(std::abs(begin.value_before), std::abs(begin.value_after));
-  const auto grows = [&](double value, double t) {
-    return std::abs(value) > bound && std::abs(value) > growth_at_pole * std::abs(g(t));
+bool grows_towards(const Function& g, const SignChange& place, double from, double to) {
+  const double shortest = std::max(place.after - place.before, time_round_off(place.after));
+  const auto grows = [&](double value, double t, double distance) {
+    const double beside = t + std::copysign(std::sqrt(shortest * std::abs(distance)), distance);
+    return std::abs(distance) <= widened * shortest || std::abs(value) > growth_at_pole * std::abs(g(beside));
   };
-  const auto beside = [&](double distance) {
-    return std::sqrt(std::max(end.after - end.before, time_round_off(end.after)) * distance);
-  };
-  return grows(end.value_before, end.before - beside(end.before - begin.before)) &&
-         grows(end.value_after, end.after + beside(begin.after - end.after));
+  return to - from > shortest && grows(place.value_before, place.before, from - place.before) &&
+         grows(place.value_after, place.after, to - place.after);
 }
 
 }  // namespace
-
-bool EventSearch::UnitSeries::is_finite() const {
-  return std::isfinite(off) && std::ranges::all_of(coefficients(), [](double c) { return std::isfinite(c); });
-}
 
 EventSearch::EventSearch(const RunRequest& request)
     : request_(request),
@@ -176,53 +167,6 @@ bool EventSearch::is_quiet(std::size_t event) {
   return keeps;
 }
 
-EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const MotionPiece& piece,
-                                                 unsigned order) const {
-  UnitSeries result;
-  result.end = order + 1;
-  const std::span<double> c = std::span(result.c).first(result.end);
-  result.off = request_.events[event].series(piece, order, c);
-  result.is_nowhere = std::isnan(result.off);
-  if (result.is_nowhere) return result;
-  double power = 1, size = 0;
-  for (double& coefficient : c) {
-    coefficient *= power;
-    power *= piece.h;
-    size += std::abs(coefficient);
-  }
-  const double rounding = of_values * size;
-  result.off += rounding;
-  const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
-  // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
-  if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
-    const double value = value_at_start(event, c[0]);
-    result.is_divided = !request_.events[event].is_beside_zero &&
-                        std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
-    const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
-    if (is_known) result.sign_at_start = sign_of(value);
-  }
-  if (result.is_divided) result.first = 1;
-  return result;
-}
-
-/// The state there has not been rounded by a series.
-double EventSearch::value_at_start(std::size_t event, double of_series) const {
-  const double value = request_.events[event].value(request_.t_start, request_.y_start);
-  return std::abs(value) < std::abs(of_series) ? value : of_series;
-}
-
-/// What g may be away from its first coefficient: the bound over a very short piece, and rounding, which the
-/// whole step may show far larger than it is there.
-double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const {
-  std::vector<double> c(low_order + 1);
-  piece.h *= short_share;
-  piece.defect = {};  // that of the whole step
-  const EventFunction& function = request_.events[event];
-  if (piece.t == request_.t_start && function.rounding_at_start)
-    rounding = std::min(rounding, function.rounding_at_start());
-  return function.series(piece, low_order, c) + rounding;
-}
-
 void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const Crossing direction = request_.events[event].direction;
@@ -296,12 +240,6 @@ bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const
   return series.off <= 2 * doubt_at_start(event, piece, of_values * size);
 }
 
-/// In as many coefficients as are numbers with a bound that is one: near overflow high ones are not.
-EventSearch::UnitSeries EventSearch::finite_series(std::size_t event, const MotionPiece& piece) const {
-  UnitSeries series = unit_series(event, piece, full_order);
-  return series.is_finite() || series.is_nowhere ? series : unit_series(event, piece, low_order);
-}
-
 /// The pieces of [from, to], in times since the step's beginning.
 void EventSearch::explore(std::size_t event, double from, double to, std::vector<Piece>& pieces) {
   const std::size_t most = saw_everything_ ? most_looks : looks_in_doubt;
@@ -351,11 +289,27 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   }
   if (found.failure) return std::nullopt;
   const bool is_after = event.sign_at_start != 0 || std::abs(bracket.value_after) < at_begin;
-  if (!is_bracket()) return is_after ? bracket.after : crossed.before;
-  const SignChange place = find_sign_change(g, bracket);
+  SignChange place = bracket;
+  if (is_bracket()) {
+    place = find_sign_change(g, bracket);
+  } else {
+    place.before = place.after = is_after ? bracket.after : crossed.before;
+    place.value_before = place.value_after = g(place.after);
+  }
   const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
-  if (is_of_g && is_pole(g, bracket, place)) return std::nullopt;
+  const double begin = polynomial_.whole().t;
+  if (is_of_g && !is_bounded_around(crossed.event, place) && grows_towards(g, place, begin, stepper.t()))
+    return std::nullopt;
   return place.after;
+}
+
+/// Whether g is bounded there, so that it crosses zero where its sign changes, however steeply.
+bool EventSearch::is_bounded_around(std::size_t event, const SignChange& place) {
+  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
+  const double around = widened * std::max(place.after - place.before, time_round_off(place.after));
+  const double from = std::max(0.0, place.before - around - begin),
+               to = std::min(h, place.after + around - begin);
+  return to > from && finite_series(event, polynomial_.piece(from, to - from)).is_finite();
 }
 
 void EventSearch::report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found) {

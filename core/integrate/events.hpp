@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -59,6 +60,10 @@ class EventSearch {
   [[nodiscard]] std::vector<Approach> take_approaches() { return approaches_.take(); }
 
  private:
+  static constexpr unsigned low_order = 5;  ///< cheap, and mostly enough to see that nothing happens
+  static constexpr unsigned full_order = 20;
+  static constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
+
   /// A crossing: the event, and a bracket in time.
   struct Crossed {
     std::size_t event{};
@@ -101,6 +106,7 @@ class EventSearch {
   [[nodiscard]] std::pair<UnitSeries, double> told_series(std::size_t event, double from, double length,
                                                           double shortest);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
+  [[nodiscard]] bool is_bounded_around(std::size_t event, const SignChange& place);
   void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
 
   const RunRequest& request_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -197,9 +198,32 @@ TEST(EventSearch, WhatIsMetJustAfterTheStartIsMet) {
   }
 }
 
+/// Without a bound where a pole lies.
+EventFunction with_poles(Function g, std::vector<double> poles) {
+  EventFunction event = event_of(g);
+  event.series = [bare = event, poles](const MotionPiece& piece, unsigned order, std::span<double> c) {
+    const double off = sampled_series(bare, piece, order, c);
+    const bool has_pole =
+        std::ranges::any_of(poles, [&](double pole) { return piece.t <= pole && pole <= piece.t + piece.h; });
+    return has_pole ? std::numeric_limits<double>::infinity() : off;
+  };
+  return event;
+}
+
 TEST(EventSearch, PolesAreNoZeros) {
-  expect_times(times([](double t) { return std::tan(t); }, {1, 2, 3, 4}), {pi});
-  expect_times(times([](double t) { return 1 / (t - 1.1); }, {0, 1, 2}), {});
+  const auto found =
+      find({with_poles([](double t) { return std::tan(t); }, {pi / 2, 1.5 * pi})}, {1, 2, 3, 4});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].t, pi, 1e-14);
+  EXPECT_TRUE(find({with_poles([](double t) { return 1 / (t - 1.1); }, {1.1})}, {0, 1, 2}).empty());
+  EXPECT_TRUE(find({with_poles([](double t) { return 1 / (t - 1); }, {1})}, {0, 1, 2}).empty());
+}
+
+TEST(EventSearch, CrossingsAsSteepAsPolesAreZeros) {
+  const auto steep = [](double t) { return (t - 1.1) / ((t - 1.1) * (t - 1.1) + 1e-34); };
+  const auto found = find({with_poles(steep, {})}, {0, 1, 2});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].t, 1.1, 1e-14);
 }
 
 TEST(EventSearch, JumpsCountAsZeros) {

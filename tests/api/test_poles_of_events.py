@@ -1,0 +1,55 @@
+"""An event whose function has a pole on the way x = v t: there it changes its sign and crosses nothing. Where it jumps,
+or is as steep as it may be without a pole, it crosses zero once."""
+
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+OPTIONS = ({}, {"method": "erk"}, {"accuracy": "fast"}, {"method": "adams"}, {"max_error": 1e-10})
+
+
+class PolesOfEvents(Service):
+    def count(self, function, speed, end, options):
+        scene = lagrangian("free", "", f"x - 0 {speed}", "x_dot^2/2", events=[{"name": "e", "expression": function}])
+        del scene["parameters"]
+        request = {"system": scene, "t_end": end, "samples": 2, "events": ["e"], **options}
+        return len(self.ask("simulate", request)["events"])
+
+    def each(self, shapes, seed, known, cases=20):
+        """The shapes with a place c on the way, a sign and size s, and angles a x - b."""
+        source = random.Random(seed)
+        for shape in shapes:
+            for _ in range(cases):
+                speed, end = f"{source.uniform(0.5, 2):.3f}", round(source.uniform(0.5, 3), 3)
+                way = float(speed) * end
+                c = f"{source.uniform(0.05, 0.95) * way:.4f}"
+                s = source.choice(("", "-")) + f"{10 ** source.uniform(-3, 3):.3g}"
+                a, b, w = f"{source.uniform(3, 20):.3f}", f"{source.uniform(0, 3):.3f}", f"{10 ** source.uniform(-30, -2):.3g}"
+                options = source.choice(OPTIONS)
+                function = shape.format(c=c, s=s, a=a, b=b, w=w)
+                with self.subTest(function, speed=speed, end=end, **options):
+                    self.assertEqual(self.count(function, speed, end, options), known(-float(b), float(a) * way - float(b)))
+
+    def test_poles_are_none(self):
+        shapes = ("{s}/(x - {c})", "{s}/(x - {c})^3", "{s}/tanh(x - {c})", "{s}/sin({a}*x - {b})")
+        self.each(shapes, 1, lambda begin, end: 0)
+
+    def test_zeros_between_poles_are_all_found(self):
+        self.each(("{s}*cos({a}*x - {b})/sin({a}*x - {b})",), 2,
+                  lambda begin, end: math.floor(end / math.pi - 0.5) - math.floor(begin / math.pi - 0.5))
+
+    def test_jumps_and_steep_crossings_are_events(self):
+        shapes = ("{s}*sign(x - {c})", "{s}*abs(x - {c})/(x - {c})", "{s}*atan(1/(x - {c}))",
+                  "{s}*(x - {c})/((x - {c})^2 + {w})", "{s}*(x - {c})*(1 + 0.001/((x - {c})^2 + {w}))",
+                  "{s}*(x - {c})/((x - {c})^2 + 1e-34)")
+        self.each(shapes, 3, lambda begin, end: 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
