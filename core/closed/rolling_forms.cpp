@@ -41,6 +41,14 @@ class RollingRates {
     return form;
   }
 
+  [[nodiscard]] Expression root_of(const Surd& square) const {
+    const Expression without_squares =
+        square.is_rational() ? positive_root(graph_, square.p, values_.sign_of())
+                             : positive_root(graph_, square, root_form(graph_, square.n), values_.sign_of());
+    const Expression whole = sqrt(written(square));
+    return written_length(whole) < written_length(without_squares) ? whole : without_squares;
+  }
+
   /// s^2 + b s + c.
   void of_quadratic(const RationalFunction& c, const RationalFunction& b) {
     if (b.is_zero()) return of_square(Surd(c));
@@ -50,7 +58,7 @@ class RollingRates {
     const int sign = values_.sign(written(square));
     if (sign > 0) swinging(square, rate);
     if (sign >= 0) return;
-    const Expression root = positive_root(graph_, -square.p, values_.sign_of());
+    const Expression root = root_of(-square);
     for (const int side : {1, -1}) creeping(rate + Number(side) * root);
   }
 
@@ -59,9 +67,7 @@ class RollingRates {
     const int sign = values_.sign(plain_expression(graph_, lambda));
     if (sign == 0) return;
     const Surd square = sign > 0 ? lambda : -lambda;
-    const Expression root =
-        square.is_rational() ? positive_root(graph_, square.p, values_.sign_of())
-                             : positive_root(graph_, square, root_form(graph_, square.n), values_.sign_of());
+    const Expression root = root_of(square);
     if (sign > 0) return undamped(square, root);
     creeping(root);
     creeping(-root);
@@ -77,7 +83,7 @@ class RollingRates {
   }
 
   void swinging(const Surd& square, const Expression& decay) {
-    const Expression omega = positive_root(graph_, square.p, values_.sign_of());
+    const Expression omega = root_of(square);
     const int sign = values_.sign(decay);
     auto of_square = formula(written(square));
     const auto of_omega = formula(omega), of_rate = formula(sign < 0 ? -decay : decay);

@@ -122,7 +122,12 @@ Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expre
     result.conservative = result.conservative && force.is_zero();
     result.autonomous = result.autonomous && !depends_on(equation, own.symbols.t);
   }
-  if (!result.autonomous && result.ignored.empty()) take_out_growth(result, own.symbols.t);
+  if (result.autonomous) return result;
+  if (!result.ignored.empty()) {  // a constant momentum may hide what all equations share
+    Reduction whole = derive_reduction(lagrangian, divided, Ignorable::kept);
+    return whole.autonomous ? whole : result;
+  }
+  take_out_growth(result, own.symbols.t);
   return result;
 }
 

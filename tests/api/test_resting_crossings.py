@@ -56,6 +56,12 @@ class RestingCrossings(Service):
         wells = scene("(x_dot^2 + y_dot^2)/2 + (x^2 + y^2)/2 - (x^4 + 2*y^4)/4 - k*(x - y)^2/2", PLANE, k=1)
         self.assert_pitchforks(wells, "k", (0.4, 0.7), [("1/2", 0.5)])
 
+    def test_one_at_a_place_that_moves_is_seen_by_the_change_of_stability(self):
+        wells = scene("(x_dot^2 + y_dot^2)/2 + (x^2 + y^2)/2 - (x^4 + y^4)/4 - k*(x - y)^2/2", PLANE, k=1)
+        found = self.ask("bifurcations", {"system": wells, "parameter": "k", "from": 0.2, "to": 0.4})
+        self.assertFalse(found["complete"])
+        self.assertLessEqual(min(abs(c["value"] - mpmath.mpf(1)/3) - c["error"] for c in found["critical"]), 0)
+
     def test_a_pitchfork_may_follow_from_what_drives_nothing(self):
         # y = 0 near the place for y (1 + 2 x) = 0, and k x = x^3 there.
         for coupling in ("x*y^2", "x*y^3"):

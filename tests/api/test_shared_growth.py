@@ -33,6 +33,19 @@ class SharedGrowth(Service):
         modes = self.ask("modes", {"system": apart})["modes"]
         self.assertEqual([mode["exact"]["rate"]["text"] for mode in modes], ["1/2*b", "1/2*c"])
 
+    def test_what_no_force_holds_drifts(self):
+        free = scene("exp(b*t)*(x_dot^2/2 + y_dot^2/2 - x^2)", "xy", b=0.3)
+        modes = self.ask("modes", {"system": free})["modes"]
+        self.assertEqual([mode["kind"] for mode in modes], ["rigid", "decay", "decay"])
+        self.assertEqual([mode["exact"]["text"] for mode in modes[1:]], ["b", "2 - 1/4*b^2"])
+
+    def test_one_coordinate_is_not_called_several(self):
+        drag = {"forces": [{"value": "-b*x_dot", "along": "x"}]}
+        for system in (scene("exp(b*t)*(x_dot^2/2 - x^4/4)", b=0.3), scene("x_dot^2/2 - x^4/4", b=0.3) | drag):
+            rest, = self.ask("equilibria", {"system": system})["equilibria"]
+            self.assertEqual(rest["stability"], "neutral")
+            self.assertIn("not looked at where a force depends on the velocity", rest["nonlinear"])
+
     def test_what_turns_with_the_time_is_refused_for_what_it_is(self):
         mathieu = scene("x_dot^2/2 - (a + b*cos(t))*x^2/2", a=1, b=0.2)
         for system in ("kapitza_pendulum", mathieu, scene("t^2*(x_dot^2 - x^2)"), scene("exp(t)*x_dot^2 - x^2")):
