@@ -115,6 +115,14 @@ RationalRows part_of(const RationalRows& a, const std::vector<std::size_t>& bloc
   return part;
 }
 
+/// Of four or more rows only where the rates cancel in pairs.
+bool may_have_formulas(const RationalRows& block) {
+  if (block.size() < 4) return true;
+  RationalFunction trace;
+  for (std::size_t i = 0; i < block.size(); ++i) trace = trace + block[i][i];
+  return block.size() <= largest_block && trace.is_zero();
+}
+
 }  // namespace
 
 std::vector<std::optional<ExactMode>> rolling_forms(const Model& model, const Reals& parameters,
@@ -128,7 +136,8 @@ std::vector<std::optional<ExactMode>> rolling_forms(const Model& model, const Re
     const RationalRows& r = departures.matrix;
     RollingRates rates(values, departures.given);
     for (const auto& block : blocks_of(r)) {
-      if (block.size() <= largest_block) rates.add(characteristic_polynomial(part_of(r, block)));
+      const RationalRows part = part_of(r, block);
+      if (may_have_formulas(part)) rates.add(characteristic_polynomial(part));
     }
     for (std::size_t i = 0; i < found.modes.size(); ++i) {
       if (const ModeForms* option = option_of_mode(rates.found(), found.modes[i], values))
