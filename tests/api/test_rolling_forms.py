@@ -76,6 +76,13 @@ class RollingForms(Service):
         fast = self.only(DISK, "oscillation", parameters={"W": 7})
         self.assertEqual(fast["exact"]["text"], "4/5*(3*W^2 - g/r)")
 
+    def test_a_rate_that_is_left_out_is_said(self):
+        # A disk that spins upright on its place is steady only seen from a frame that turns with it.
+        answer = self.ask("modes", {"system": DISK, "initial": {"x_dot": 0, "phi_dot": 0, "psi_dot": 15}})
+        self.assertEqual(answer["equilibrium"]["state"]["psi_dot"], 0)
+        self.assertIn("The start has psi_dot = 15", answer["notes"][0])
+        self.assertNotIn("notes", self.ask("modes", {"system": DISK}))
+
     def test_rates_that_constraints_give_need_no_symbol(self):
         typed = self.only(DISK, "oscillation", initial={"x_dot": 2.1, "phi_dot": 7})
         self.assertEqual(typed["exact"]["text"], "4/5*(3*phi_dot^2 - g/r)")
