@@ -115,11 +115,14 @@ std::optional<Json> read_value(const AnyKind&, const std::string&, const Json& v
   return value;
 }
 
-FieldError bad_name(const Place& place, std::string_view name) {
+FieldError bad_name(const Place& place, std::string_view name, NameOf of) {
+  const std::string end =
+      of == NameOf::thing ? "no _dot or _ddot at the end" : "at the end _dot for a velocity but no _ddot";
   return place.error("bad_name",
                      in_quotes(name) +
                          " cannot be a name: use at most 64 ASCII letters, digits and underscores after a "
-                         "letter, no _dot or _ddot at the end, and neither t, pi nor a function's name.");
+                         "letter, " +
+                         end + ", and neither t, pi nor a function's name.");
 }
 
 std::optional<Real> read_number(const NumberKind& kind, const std::string& name, const Json& value,
@@ -269,7 +272,7 @@ std::optional<Json> read_value(const NameKind& kind, const std::string& name, co
   }
   const auto& text = value.get_ref<const std::string&>();
   if (is_name(text, kind.of)) return value;
-  report(errors, bad_name(place, text));
+  report(errors, bad_name(place, text, kind.of));
   return std::nullopt;
 }
 

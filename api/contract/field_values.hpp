@@ -67,6 +67,6 @@ void report(Errors& errors, FieldError error);
                                              const Place& place, Errors& errors);
 
 /// "'a b' cannot be a name: ..."
-[[nodiscard]] FieldError bad_name(const Place& place, std::string_view name);
+[[nodiscard]] FieldError bad_name(const Place& place, std::string_view name, NameOf of = NameOf::thing);
 
 }  // namespace qdot::api

@@ -223,7 +223,7 @@ class RecordReader {
     Json result = Json::object();
     for (const auto& [key, given] : value.items()) {
       if (!is_name(key, kind.keys)) {
-        report(errors_, bad_name(place, key));
+        report(errors_, bad_name(place, key, kind.keys));
         continue;
       }
       const Place here = place.below(key);

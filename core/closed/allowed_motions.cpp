@@ -91,8 +91,8 @@ Matrix within(const Matrix& a, const Rationals& z, const ExactPlace& place, Grap
 std::optional<LinearMotions> motions_with_multipliers(const Model& model, const Reals& parameters) {
   if (!model.scene.inputs.empty() || has_forces_of_multipliers(model.lagrangian)) return std::nullopt;
   const Lagrangian own = specialized(model, {}, vanishing_among(parameters));
-  const Reduction reduction = derive_reduction(own);
-  if (!reduction.ignored.empty() || !reduction.autonomous) return std::nullopt;
+  const Reduction reduction = derive_reduction(own, {}, Ignorable::kept);
+  if (!reduction.autonomous) return std::nullopt;
   LinearMotions motions = linear_motions(reduction, model.scene);
   for (std::size_t j = 0; j < own.constraints.size(); ++j) {
     const ConstraintEquation& constraint = own.constraints[j];

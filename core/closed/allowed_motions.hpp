@@ -14,8 +14,8 @@
 
 namespace qdot {
 
-/// The motions of all coordinates q, the multipliers among x. None where a force depends on a multiplier, a
-/// constraint moves, or a coordinate is ignorable.
+/// The motions of all coordinates q, ignorable ones included, the multipliers among x. None where a force
+/// depends on a multiplier or a constraint moves.
 [[nodiscard]] std::optional<LinearMotions> motions_with_multipliers(const Model& model,
                                                                     const Reals& parameters);
 

@@ -10,6 +10,7 @@
 #include "core/closed/allowed_motions.hpp"
 #include "core/closed/mode_options.hpp"
 #include "core/closed/place_search.hpp"
+#include "core/closed/rolling_forms.hpp"
 #include "core/closed/steady_modes.hpp"
 #include "core/steady/surface_statics.hpp"
 
@@ -183,13 +184,25 @@ std::vector<Interval> enclosed_place(const Dynamics& dynamics, const Reals& para
 /// Of a scene with constraints.
 ExactModes forms_within_constraints(const Dynamics& dynamics, const Reals& parameters,
                                     const WrittenTexts& written, const Modes& found) {
-  if (!rests(found) || found.modes.size() > most_coordinates) return no_forms(found);
+  if (found.modes.size() > most_coordinates) return no_forms(found);
   const SteadyPlace near{enclosed_place(dynamics, parameters, found), {}};
   const Prepared forms = within_budget([&] {
     const auto motions = motions_with_multipliers(dynamics.model(), parameters);
     return motions ? prepared(dynamics.model(), *motions, near, parameters, written) : Prepared{};
   });
   return chosen(forms, near, ExactValues(dynamics.model(), parameters), found);
+}
+
+/// Of a steady motion with constraints in the velocities.
+ExactModes forms_of_rolling(const Dynamics& dynamics, const Reals& parameters, const WrittenTexts& written,
+                            const Modes& found) {
+  ExactModes result = no_forms(found);
+  try {
+    const WorkScope budget(most_algebra);
+    result.modes = rolling_forms(dynamics.model(), parameters, written, found);
+  } catch (const Error&) {  // the algebra grows too large, or divides by what vanishes
+  }
+  return result;
 }
 
 }  // namespace
@@ -201,7 +214,8 @@ ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const 
     if (const auto text = all_written.find(p.name); text != all_written.end()) written.insert(*text);
   }
   if (dynamics.model().has_constraints())
-    return forms_within_constraints(dynamics, parameters, written, found);
+    return rests(found) ? forms_within_constraints(dynamics, parameters, written, found)
+                        : forms_of_rolling(dynamics, parameters, all_written, found);
   const auto statics = dynamics.statics(parameters);
   const std::vector<std::size_t>& kept = statics->reduction.kept;
   if (kept.size() > most_coordinates) return no_forms(found);

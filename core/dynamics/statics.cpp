@@ -93,8 +93,10 @@ Statics statics_of(Reduction of) {
   Statics statics{std::move(of), {}, {}, {}, {}, {}, {}, {}, {}};
   const Reduction& reduction = statics.reduction;
   if (!reduction.autonomous) {
-    throw Error(ErrorCode::not_applicable,
-                "The time enters the equations of motion, so nothing stays at rest in this system.");
+    throw Error(
+        ErrorCode::not_applicable,
+        "The time enters the equations of motion: where a system rests, and which frequencies small motions "
+        "have, is answered only where it does not.");
   }
   const auto compiled = [&](const std::vector<Expression>& expressions) {
     return compiled_at_rest(reduction, *reduction.graph, expressions);

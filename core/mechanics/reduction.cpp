@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/expr/kept_terms.hpp"
+#include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/explicit_time.hpp"
@@ -38,6 +39,33 @@ Expression lagrange(const Reduction& reduction, const Symbols& symbols, std::siz
   return total_derivative(momentum, rates) - differentiate(reduction.routhian, reduction.x[i]);
 }
 
+/// Divided by the exponentials of the time that all terms share, which have no zero.
+/// Source: Kanai, Prog. Theor. Phys. 3 (1948) 440.
+Expression without_shared_growth(const Expression& equation, const Expression& t) {
+  Graph& graph = equation.graph();
+  const Polynomial terms = multiplied_out(equation);
+  Monomial shared = common_monomial(terms);
+  std::erase_if(shared, [&](const Atom& atom) {
+    const auto* call = std::get_if<Call>(&graph.node(atom.base));
+    return call == nullptr || call->function != Function::exp || !depends_on(Expression(graph, atom.base), t);
+  });
+  return shared.empty() ? equation
+                        : simplify(to_expression(graph, scaled(terms, inverse(shared), Number(1))));
+}
+
+/// Takes such exponentials from all equations, where that leaves no time in them.
+void take_out_growth(Reduction& reduction, const Expression& t) {
+  std::vector<Expression> left;
+  for (const Expression& e : reduction.equations) {
+    left.push_back(depends_on(e, t) ? without_shared_growth(e, t) : e);
+    if (depends_on(left.back(), t)) return;
+  }
+  reduction.equations = std::move(left);
+  reduction.without_growth = reduction.autonomous = true;
+  for (std::size_t k = 0; k < reduction.equations.size(); ++k)
+    reduction.forces_at_rest[k] = simplify(at_rest(reduction, reduction.equations[k]));
+}
+
 Expression force_at_rest(const Reduction& reduction, std::size_t i, const Expression& force) {
   const Expression short_form = simplify(at_rest(reduction, reduction.equations[i]));
   const Expression written =
@@ -48,7 +76,8 @@ Expression force_at_rest(const Reduction& reduction, std::size_t i, const Expres
 
 }  // namespace
 
-Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expression>& divided) {
+Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expression>& divided,
+                           Ignorable ignorable) {
   Lagrangian own = copied(lagrangian);
   const Symbols::Varying& q = own.symbols.coordinates;
   Reduction result;
@@ -56,7 +85,9 @@ Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expre
   result.constants = own.symbols.parameters;
   result.routhian = own.lagrangian;
   std::vector<Replacement> replacements;
-  if (const std::vector<std::size_t> removable = removable_coordinates(own); !removable.empty()) {
+  std::vector<std::size_t> removable;
+  if (ignorable == Ignorable::taken_out) removable = removable_coordinates(own);
+  if (!removable.empty()) {
     if (const auto routh = routhian(own); routh && routh->ignored == removable) {
       result.ignored = removable;
       result.routhian = routh->routhian;
@@ -91,6 +122,12 @@ Reduction derive_reduction(const Lagrangian& lagrangian, const std::vector<Expre
     result.conservative = result.conservative && force.is_zero();
     result.autonomous = result.autonomous && !depends_on(equation, own.symbols.t);
   }
+  if (result.autonomous) return result;
+  if (!result.ignored.empty()) {  // a constant momentum may hide what all equations share
+    Reduction whole = derive_reduction(lagrangian, divided, Ignorable::kept);
+    return whole.autonomous ? whole : result;
+  }
+  take_out_growth(result, own.symbols.t);
   return result;
 }
 

@@ -27,11 +27,16 @@ struct Reduction {
   std::vector<Expression> forces_at_rest;
   std::vector<Expression> ignored_rates;  ///< q_c'(x, x'; p)
   bool autonomous{};                      ///< no E_i contains the time
+  /// The E_i are those of R without an exponential of the time that they share, as exp(b t) of a damped
+  /// oscillator's Lagrangian: they are no gradients, and R contains the time.
+  bool without_growth{};
   /// Every Q_i is zero and R does not contain the time, so that h = sum x_i' dR/dx_i' - R stays constant.
   bool conservative{};
 
   [[nodiscard]] std::size_t degrees_of_freedom() const { return kept.size(); }
 };
+
+enum class Ignorable { taken_out, kept };
 
 /// Works on a graph of its own. What is ignorable depends on the parameters: ask for the Lagrangian with the
 /// vanishing ones replaced by 0. An equation may vanish with them, such as that of a pendulum whose bob loses
@@ -39,7 +44,8 @@ struct Reduction {
 /// by its common factor before that vanished.
 /// `divided` has these for all coordinates in order, in the Lagrangian's graph.
 [[nodiscard]] Reduction derive_reduction(const Lagrangian& lagrangian,
-                                         const std::vector<Expression>& divided = {});
+                                         const std::vector<Expression>& divided = {},
+                                         Ignorable ignorable = Ignorable::taken_out);
 
 /// e with x' = x'' = 0.
 [[nodiscard]] Expression at_rest(const Reduction& reduction, const Expression& e);

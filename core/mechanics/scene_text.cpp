@@ -50,7 +50,8 @@ bool SceneText::has_complaint_below(const std::string& place) const {
 Expression SceneText::declare(const std::string& name, const std::optional<Dimension>& dimension,
                               Context context, const std::string& place) {
   const Expression symbol = graph_.symbol(name);
-  if (!declared_.insert(name).second) {
+  // A coordinate's name is said before that of its velocity, which nobody wrote.
+  if (!declared_.insert(name).second && !has_complaint(place)) {
     complain(place, "duplicate_name", "The name '" + name + "' is used twice.");
   }
   if (dimension) dimensions_[symbol.id()] = *dimension;

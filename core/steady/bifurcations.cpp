@@ -12,6 +12,7 @@
 #include "core/steady/missed_changes.hpp"
 #include "core/steady/missed_growth.hpp"
 #include "core/steady/region_ends.hpp"
+#include "core/steady/resting_crossings.hpp"
 
 namespace qdot {
 namespace {
@@ -122,8 +123,14 @@ class CriticalSearch {
       incomplete("Far out, or at a singularity, the forces are too small to tell whether any are critical.");
     }
     if (axes && !axes->is_complete()) incomplete("On an axis of symmetry, critical values may be missing.");
-    add(axes ? kinds_by_normal_form(problem_, *systems_, found.zeros, *axes, result_.degenerate)
-             : kinds_by_families(problem_, *systems_, found));
+    std::vector<KnownZero> zeros =
+        axes ? kinds_by_normal_form(problem_, *systems_, found.zeros, *axes, result_.degenerate)
+             : kinds_by_families(problem_, *systems_, found);
+    const auto is_unresolved = [](const KnownZero& z) { return z.kind == BifurcationKind::unresolved; };
+    if (chart_->determinants.empty() && (!found.complete || std::ranges::any_of(zeros, is_unresolved)))
+      take_crossings(zeros, resting_crossings(dynamics_.model().scene, problem_, *systems_, index_,
+                                              {from_, to_}, result_.degenerate));
+    add(zeros);
     watch_ends();
     search_growth();
   }

@@ -104,6 +104,10 @@ constexpr const char* several =
     "An eigenvalue of the linearized equations is zero or imaginary to within rounding, and with several "
     "degrees of freedom the terms beyond are not looked at.";
 
+constexpr const char* zero_of_one =
+    "The linearized equations have the eigenvalue 0 to within rounding, and the terms beyond decide, which are "
+    "not looked at where a force depends on the velocity.";
+
 constexpr const char* no_potential =
     "The eigenvalues of the linearized equations are imaginary, and without a potential the terms beyond "
     "decide, which are not looked at.";
@@ -135,7 +139,7 @@ std::string why_undecided(const LinearizedForces& at, bool potential, const Next
   if (at.n > 1) return several;
   if (at.mass[0].contains(0.0)) return no_inertia;
   if (potential) return next_terms();
-  return at.stiffness[0].contains(0.0) ? several : no_potential;
+  return at.stiffness[0].contains(0.0) ? zero_of_one : no_potential;
 }
 
 /// What the eigenvalues say where neither the potential nor its loss decides.

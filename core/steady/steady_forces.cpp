@@ -13,6 +13,7 @@ namespace qdot {
 namespace {
 
 bool has_velocities(const Model& model, const Reduction& reduction) {
+  if (reduction.without_growth) return true;
   const std::vector<Expression>& rate = model.lagrangian.symbols.coordinates.rate;
   return std::any_of(reduction.kept.begin(), reduction.kept.end(),
                      [&](std::size_t i) { return depends_on(model.lagrangian.generalized_forces[i], rate); });

@@ -30,7 +30,8 @@ void check_kind(const Dynamics& dynamics, const Lagrangian& own) {
     undetermined_on_surface("a force depends on their reactions, as friction does.");
   if (dynamics.kinks() != nullptr) undetermined_on_surface("an abs() or a sign() stands in its forces.");
   if (any_depends_on(equations_of(model), model.parsed.symbols.t))
-    undetermined_on_surface("the time enters the equations of motion, so that nothing is steady.");
+    undetermined_on_surface(
+        "the time enters the equations of motion, so that small motions have no frequencies.");
 }
 
 /// Lagrange's equations, all that is in them on one side.

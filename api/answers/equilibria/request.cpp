@@ -65,7 +65,7 @@ void check_equilibria(EquilibriaRequest& request, Findings& findings) {
   check_inputs(request.system, findings);
   if (request.solve_for) {
     check_unknown(request, findings);
-  } else if (!request.system.position.empty()) {
+  } else if (!request.system.position.empty() && !findings.has_error_at({"solve_for"})) {
     findings.report(
         "at", "not_applicable",
         "'at' is the position that 'solve_for' is asked for; without it all equilibria are found.");

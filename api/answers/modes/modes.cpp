@@ -6,11 +6,13 @@
 
 #include "api/answers/exact_json.hpp"
 #include "api/answers/stated.hpp"
+#include "core/base/short_number.hpp"
 #include "core/closed/exact_modes.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/parse.hpp"
 #include "core/mechanics/units.hpp"
 #include "core/steady/constrained_modes.hpp"
+#include "core/steady/steady_rolling.hpp"
 
 namespace qdot::api {
 namespace {
@@ -256,6 +258,18 @@ void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Jso
         "equation divided by the factor that vanishes.");
 }
 
+/// Where constraints hold velocities, rates of the start that a steady motion has not.
+void note_rates_left_out(const Model& model, const Reals& start, const Modes& modes, Json& body) {
+  const std::size_t n = model.scene.coordinates.size();
+  for (std::size_t i = 0; i < n && has_constraint_in_velocities(model); ++i) {
+    if (start[n + i] == 0 || modes.y[n + i] != 0) continue;
+    const std::string& name = model.scene.coordinates[i].name;
+    body["notes"].push_back("The start has " + name + "_dot = " + short_number(start[n + i]) +
+                            ", but these are small motions about the state in 'equilibrium', where " + name +
+                            " rests: something depends on it, so that while it moves nothing is steady.");
+  }
+}
+
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
@@ -271,6 +285,7 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
   Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
   if (!is_constrained)
     note_limits(system.scene(), system.dynamics->statics(parameters)->reduction.limits, body);
+  note_rates_left_out(system.model(), y, modes, body);
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
