@@ -55,7 +55,7 @@ CRITICAL = [
     (scene("shaft", f"m kg 1; l m 1; Omega rad/s 1; {G}", "theta rad 0.1; phi rad 0.1", gravity=DOWN_3D,
            bodies=[particle("m", f"({' + '.join(out)})*cos(Omega*t)", f"({' + '.join(out)})*sin(Omega*t)",
                             f"-({' + '.join(out)})".replace("sin", "cos")) for out in ON_A_SHAFT]),
-     "Omega", 1, 4, ["sqrt((2 - sqrt(2))*g/l)"]),
+     "Omega", 1, 4, ["sqrt((2 - sqrt(2))*g/l)", "sqrt(sqrt(2)*g/l)"]),
     (scene("atoms", "m kg 1; E J 1; l m 1; F N 1", "r m 1.1", bodies=[particle("m", "r", "0")],
            potential="4*E*((l/r)^12 - (l/r)^6) - F*r"), "F", 0.1, 30, ["504*E/(169*l)*(7/26)**(1/6)"]),
     (scene("morse", "m kg 1; D J 2; a 1/m 1.5; F N 1", "x m 0.2", bodies=[particle("m", "x", "0")],
