@@ -42,9 +42,10 @@ std::string fields_in_words(const FieldSet& set) {
 
 /// "an array, such as ["energy"]", where "energy" was given.
 std::string array_in_words(const ListKind& kind, const Json& value) {
-  if (value.is_string() && is_utf8(value.get_ref<const std::string&>()))
-    return "an array, such as [\"" + printable(value.get_ref<const std::string&>()) + "\"]";
   const auto* record = std::get_if<RecordKind>(kind.element.get());
+  const bool is_plain = record == nullptr && !std::holds_alternative<VariantKind>(*kind.element);
+  if (is_plain && value.is_string() && is_utf8(value.get_ref<const std::string&>()))
+    return "an array, such as [\"" + printable(value.get_ref<const std::string&>()) + "\"]";
   return record == nullptr
              ? "an array"
              : "an array of objects, [{\"" + record->set->fields.front().name + "\": ...}, ...]";
@@ -177,7 +178,9 @@ class RecordReader {
     bool complete = true;
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const Place here = place.below(i);
+      is_element_ = true;
       std::optional<Json> element = read_any(*kind.element, name, elements[i], here);
+      is_element_ = false;
       if (element && is_set && std::ranges::find(result, *element) != result.end()) {
         element = refuse(here, "duplicate_item", "'" + name + "' has " + element->dump() + " twice.");
       }
@@ -190,8 +193,10 @@ class RecordReader {
   std::optional<Json> resolve(const RecordKind& kind, const std::string& name, const Json& value,
                               const Place& place) {
     if (!value.is_object()) {
-      return refuse_type(name, "an object with " + fields_in_words(*kind.set), value, place);
+      const std::string needed = "an object with " + fields_in_words(*kind.set);
+      return refuse_type(name, is_element_ ? "in each place " + needed : needed, value, place);
     }
+    is_element_ = false;
     return read(*kind.set, value, place).resolved;
   }
 
@@ -266,6 +271,7 @@ class RecordReader {
   SystemChoice& choice_;
   Errors& errors_;
   std::vector<Real> numbers_;  ///< of the field that is read
+  bool is_element_{};          ///< what is read next stands in an array
 };
 
 }  // namespace

@@ -104,8 +104,27 @@ std::string same_letters(std::string_view name, std::span<const std::string> can
   return found;
 }
 
+namespace {
+
+/// xd, dx, vx, x_t for x_dot.
+std::string velocity_written_otherwise(std::string_view word, std::span<const std::string> candidates) {
+  constexpr std::string_view ending = "_dot";
+  for (const std::string& candidate : candidates) {
+    if (!candidate.ends_with(ending)) continue;
+    const std::string x = candidate.substr(0, candidate.size() - ending.size());
+    for (const std::string& other : {x + "d", x + "_d", x + "t", x + "_t", x + "p", x + "_p", x + "prime",
+                                     "d" + x, "D" + x, "v" + x, "v_" + x, "D_" + x}) {
+      if (word == other) return candidate;
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string closest(std::string_view word, std::span<const std::string> candidates) {
   std::string nearest = same_letters(word, candidates);
+  if (nearest.empty()) nearest = velocity_written_otherwise(word, candidates);
   std::size_t least = largest_distance + 1;
   if (word.size() > longest_word || !nearest.empty()) return nearest;
   for (const std::string& candidate : candidates) {

@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
+#include "core/closed/cosine_roots.hpp"
 #include "core/closed/joined_numbers.hpp"
 #include "core/closed/place_algebra.hpp"
 #include "core/expr/polynomial_gcd.hpp"
@@ -36,8 +37,9 @@ Numbers divided_by_root(const Numbers& c, const Number& root) {
   return result;
 }
 
-/// Those of the first degree with small numbers, and what is left if it is of the second.
-std::vector<Numbers> rational_factors(Numbers c) {
+/// Those of the first degree with small numbers, and what is left if it is of the second; what is of a higher
+/// degree stays in c.
+std::vector<Numbers> rational_factors(Numbers& c) {
   constexpr int largest = 60;
   std::vector<Numbers> result;
   for (int q = 1; q <= 6; ++q) {
@@ -50,7 +52,10 @@ std::vector<Numbers> rational_factors(Numbers c) {
       }
     }
   }
-  if (c.size() == 3) result.push_back(std::move(c));
+  if (c.size() == 3) {
+    result.push_back(std::move(c));
+    c.clear();
+  }
   return result;
 }
 
@@ -65,18 +70,17 @@ class Characteristic {
     is_whole_ = true;
   }
 
-  [[nodiscard]] std::vector<Surd> roots() {
-    std::vector<Surd> found;
-    if (!is_whole_) return found;
+  [[nodiscard]] CharacteristicRoots roots() {
+    if (!is_whole_) return {};
     const Polynomial whole = without_factor(determinant(), lambda_);
-    if (whole.empty()) return found;
+    if (whole.empty()) return {};
     for (const Polynomial& factor : factors(whole)) {
       for (const std::vector<RationalFunction>& c : coefficients(factor)) {
         for (const Surd& root : quadratic_roots(c[2], c[1], c[0]))
-          found.push_back(joined_numbers(graph_, root));
+          found_.surds.push_back(joined_numbers(graph_, root));
       }
     }
-    return found;
+    return std::move(found_);
   }
 
  private:
@@ -150,7 +154,7 @@ class Characteristic {
   }
 
   /// Of 1, lambda and lambda^2, in each part of the factor that is known to be one.
-  [[nodiscard]] std::vector<std::vector<RationalFunction>> coefficients(const Polynomial& factor) const {
+  [[nodiscard]] std::vector<std::vector<RationalFunction>> coefficients(const Polynomial& factor) {
     const int degree = highest_power(factor, lambda_);
     std::vector<Polynomial> parts(static_cast<std::size_t>(degree) + 1);
     for (const auto& [monomial, coefficient] : factor) {
@@ -163,8 +167,8 @@ class Characteristic {
   }
 
   /// Where lambda = mu r, r a product of parameters, leaves numbers only: factors of the first degree with
-  /// rational mu, and the rest if it is short.
-  static std::vector<std::vector<RationalFunction>> by_one_unit(const std::vector<Polynomial>& parts) {
+  /// rational mu, and the rest if it is short; or mu by cosines.
+  std::vector<std::vector<RationalFunction>> by_one_unit(const std::vector<Polynomial>& parts) {
     std::vector<Number> numbers;
     for (const Polynomial& part : parts) {
       if (part.size() > 1) return {};
@@ -182,7 +186,7 @@ class Characteristic {
     }
     const RationalFunction by_unit = in_lowest_terms({{Monomial{}, Number(1)}}, {{r, Number(1)}});
     std::vector<std::vector<RationalFunction>> result;
-    for (const std::vector<Number>& c : rational_factors(std::move(numbers))) {
+    for (const std::vector<Number>& c : rational_factors(numbers)) {
       result.emplace_back(3);
       RationalFunction power{one};
       for (std::size_t k = 0; k < c.size(); ++k) {
@@ -190,6 +194,9 @@ class Characteristic {
         power = power * by_unit;
       }
     }
+    const RationalFunction unit_of_lambda{{{r, Number(1)}}};
+    for (const Expression& mu : cosine_roots(graph_, std::move(numbers)))
+      found_.by_angles.emplace_back(rational_function(mu) * unit_of_lambda);
     return result;
   }
 
@@ -197,6 +204,7 @@ class Characteristic {
   Expression lambda_;
   std::vector<std::vector<Polynomial>> rows_;
   bool is_whole_{};
+  CharacteristicRoots found_;
 };
 
 using Rows = std::vector<std::vector<Surd>>;
@@ -219,8 +227,8 @@ bool eliminates(const Graph& graph, Rows& a, std::size_t row, std::size_t column
 
 }  // namespace
 
-std::vector<Surd> characteristic_roots(Graph& graph, const LinearMatrices& matrices,
-                                       const std::vector<std::size_t>& group) {
+CharacteristicRoots characteristic_roots(Graph& graph, const LinearMatrices& matrices,
+                                         const std::vector<std::size_t>& group) {
   try {
     const WorkScope budget(std::min(most_work, work_left()));
     return Characteristic(graph, matrices, group).roots();

@@ -9,9 +9,14 @@
 
 namespace qdot {
 
+struct CharacteristicRoots {
+  std::vector<Surd> surds;
+  std::vector<Surd> by_angles;  ///< with sines or cosines of shares of a turn (cosine_roots.hpp)
+};
+
 /// Each root once, without 0.
-[[nodiscard]] std::vector<Surd> characteristic_roots(Graph& graph, const LinearMatrices& matrices,
-                                                     const std::vector<std::size_t>& group);
+[[nodiscard]] CharacteristicRoots characteristic_roots(Graph& graph, const LinearMatrices& matrices,
+                                                       const std::vector<std::size_t>& group);
 
 /// v with (K - lambda M) v = 0, of all coordinates; 0 but for those of the group. Empty where there is none.
 [[nodiscard]] std::vector<Surd> null_vector(const Graph& graph, const LinearMatrices& matrices,

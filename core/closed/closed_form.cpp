@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/closed/joined_roots.hpp"
+#include "core/closed/linear_factors.hpp"
+#include "core/closed/split_roots.hpp"
+#include "core/expr/calculus.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/mechanics/notation.hpp"
 
@@ -59,8 +63,39 @@ bool agrees(const Real& formula, double number, double error) {
          std::abs((formula.value - number) + formula.low) <= error + formula.error + rounding;
 }
 
-std::optional<ClosedForm> closed_form(const ExactValues& values, const Expression& e,
+namespace {
+
+/// With the numbers that stand for exponents in all other places, too.
+Expression with_exponents_put_in(const ExactValues& values, const Expression& e) {
+  std::vector<Replacement> numbers;
+  const ExponentValues& put_in = values.model().parsed.exponents.put_in;
+  for (std::size_t i = 0; i < values.symbols().size() && !put_in.empty(); ++i) {
+    const auto exponent = put_in.find(values.model().scene.parameters[i].name);
+    if (exponent != put_in.end())
+      numbers.emplace_back(values.symbols()[i], e.graph().number(exponent->second));
+  }
+  return numbers.empty() ? e : substitute(e, numbers);
+}
+
+/// What stands under roots is taken to keep its sign, but for coordinates, which formulas have for any value.
+Expression short_form(const ExactValues& values, const Expression& formula) {
+  const std::vector<Expression>& coordinates = values.model().parsed.symbols.coordinates.value;
+  const SignOf sign = [&](const Polynomial& a) {
+    return depends_on(to_expression(formula.graph(), a), coordinates) ? 0 : values.sign(a);
+  };
+  constexpr std::size_t few_operations = 6, several = 12;  // of what cannot be made much shorter
+  const Expression put_in = with_exponents_put_in(values, formula);
+  const std::size_t length = written_length(put_in);
+  if (length < few_operations) return put_in;
+  if (length < several) return with_joined_roots(put_in, sign);
+  return with_linear_factors(with_joined_roots(with_split_roots(put_in, sign), sign));
+}
+
+}  // namespace
+
+std::optional<ClosedForm> closed_form(const ExactValues& values, const Expression& formula,
                                       const Relations& relations, std::span<const Expression> allowed) {
+  const Expression e = short_form(values, formula);
   if (written_length(e) > longest_closed_form || !speaks_only_of(e, values.symbols(), allowed))
     return std::nullopt;
   const Notation notation = notation_of(values.model().scene);

@@ -10,7 +10,7 @@ namespace {
 
 using Group = std::vector<std::size_t>;
 
-constexpr std::size_t most_exchanged = 6;
+constexpr std::size_t most_exchanged = 12;
 
 /// Where each coordinate of a group goes, by its place in the group, and with which sign.
 struct Exchange {

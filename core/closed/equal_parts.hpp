@@ -26,7 +26,7 @@ struct FallenApart {
   std::vector<std::vector<int>> basis;  ///< basis[i][k]: coordinate i where the k-th new one alone is 1
 };
 
-/// Groups of one or two stay as they are; so do those of more than six.
+/// Groups of one or two stay as they are; so do those of more than twelve.
 [[nodiscard]] FallenApart fallen_apart(LinearMatrices matrices);
 
 }  // namespace qdot

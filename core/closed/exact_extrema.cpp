@@ -25,6 +25,20 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
   }
 }
 
+void ExactExtrema::consider_start(const Expression& left, const Relations& relations) {
+  const std::optional<Expression> start = equation_.start();
+  if (!start) return;
+  for (const Expression& place : {*start, -*start}) {
+    for (const auto& [extremum, best] :
+         {std::pair(&equation_.found.maximum, &maximum), std::pair(&equation_.found.minimum, &minimum)}) {
+      auto found = extremum->value ? number(place, *extremum, relations) : std::nullopt;
+      if (found && is_root(place, left, relations) &&
+          (!*best || found->second.value.text.size() < (*best)->value.text.size()))
+        *best = std::move(found->second);
+    }
+  }
+}
+
 void ExactExtrema::consider(const Finding& extremum, Function function, const Expression& root,
                             const Expression& left, const Relations& relations,
                             std::optional<ExactExtremum>& best) const {

@@ -28,6 +28,8 @@ class ExactExtrema {
 
   /// The extrema that are roots of `left`, where their formulas are shorter.
   void consider(const Expression& left, const Relations& relations);
+  /// Those at the place where the motion begins, or at its mirror image.
+  void consider_start(const Expression& left, const Relations& relations);
 
   std::optional<ExactExtremum> maximum, minimum;
 

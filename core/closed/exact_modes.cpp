@@ -17,7 +17,9 @@
 namespace qdot {
 namespace {
 
-constexpr std::size_t most_coordinates = 6;
+constexpr std::size_t most_coordinates = 12;
+/// Of more, only what falls apart at once has formulas.
+constexpr std::size_t most_with_all_work = 6;
 
 /// Where the number of a coordinate or multiplier has no bound: of a place among others, a body that may be
 /// anywhere.
@@ -97,9 +99,9 @@ Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlac
 
 /// Nothing where the algebra grows too large, or divides by what vanishes.
 template <class Make>
-Prepared within_budget(const Make& make) {
+Prepared within_budget(std::size_t coordinates, const Make& make) {
   try {
-    const WorkScope budget(most_algebra);
+    const WorkScope budget(coordinates > most_with_all_work ? most_algebra / 8 : most_algebra);
     return make();
   } catch (const Error&) {
     return {};
@@ -186,7 +188,7 @@ ExactModes forms_within_constraints(const Dynamics& dynamics, const Reals& param
                                     const WrittenTexts& written, const Modes& found) {
   if (found.modes.size() > most_coordinates) return no_forms(found);
   const SteadyPlace near{enclosed_place(dynamics, parameters, found), {}};
-  const Prepared forms = within_budget([&] {
+  const Prepared forms = within_budget(found.modes.size(), [&] {
     const auto motions = motions_with_multipliers(dynamics.model(), parameters);
     return motions ? prepared(dynamics.model(), *motions, near, parameters, written) : Prepared{};
   });
@@ -222,7 +224,7 @@ ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const 
   const SteadyPlace near = steady_place(found, kept);
   const ExactValues values(dynamics.model(), parameters);
   const auto make = [&](const Statics& from) {
-    return within_budget([&] {
+    return within_budget(kept.size(), [&] {
       std::vector<bool> vanishes;
       for (const Real& p : found.momenta) vanishes.push_back(p == Real(0));
       const LinearMotions motions = linear_motions(from.reduction, dynamics.model().scene, vanishes);

@@ -48,6 +48,18 @@ void ExactPlace::settle_root(std::size_t k, const Expression& value) {
   for (Expression& e : x_) e = substitute(e, {&now, 1});
 }
 
+namespace {
+
+/// The next integer that is not above it.
+std::optional<Number> whole_part(const Number& x) {
+  const auto small = x.small();
+  if (!small) return std::nullopt;
+  const std::int64_t p = small->numerator, q = small->denominator;
+  return Number(p / q - (p % q < 0 ? 1 : 0));
+}
+
+}  // namespace
+
 /// x^(n k + r) = value^k x^r, and then x itself.
 Expression ExactPlace::with_powers_taken(const Expression& e) const {
   if (powers_.empty()) return e;
@@ -61,13 +73,13 @@ Expression ExactPlace::with_powers_taken(const Expression& e) const {
   const NodeId root[]{result.id()};
   for (const NodeId id : reachable(graph, root)) {
     const auto* power = std::get_if<Power>(&graph.node(id));
-    if (power == nullptr || power->exponent.denominator() != Number(1)) continue;
+    if (power == nullptr) continue;
     const auto known = std::ranges::find(powers_, power->base, [](const Powered& p) { return p.x.id(); });
-    const auto exponent = power->exponent.small();
-    if (known == powers_.end() || !exponent) continue;
-    const int p = static_cast<int>(exponent->numerator), rest = (p % known->n + known->n) % known->n;
+    if (known == powers_.end()) continue;
+    const auto times = whole_part(power->exponent / known->n);
+    if (!times || (known->n.is_integer() && !power->exponent.is_integer())) continue;
     taken.emplace_back(Expression(graph, id),
-                       pow(known->value, Number((p - rest) / known->n)) * pow(known->x, Number(rest)));
+                       pow(known->value, *times) * pow(known->x, power->exponent - *times * known->n));
   }
   result = multiplied(substitute(result, taken));
   for (std::size_t k = 0; k < x_.size(); ++k) {

@@ -45,10 +45,10 @@ class ExactPlace {
     std::optional<Expression> other_value;
   };
 
-  /// x^n = value.
+  /// x^n = value, n > 0.
   struct Powered {
     Expression x;
-    int n;
+    Number n;
     Expression value;
   };
 

@@ -8,6 +8,7 @@
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/equal_parts.hpp"
 #include "core/closed/exact_roots.hpp"
+#include "core/closed/inverted_roots.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/place_search.hpp"
 #include "core/closed/trial.hpp"
@@ -87,6 +88,7 @@ class SolutionForms {
       }
     }
     for (std::size_t i = 0; i < best.size(); ++i) {
+      if (!best[i].form()) consider_inverses(found_.values[i], best[i]);
       result[i].value = best[i].form();
       const auto& rate2 = found_.values[i].stability.rate2;
       if (result[i].value && rate2 && rate2->is_finite())
@@ -116,6 +118,36 @@ class SolutionForms {
       }
     }
     return found;
+  }
+
+  /// Of a force in which u stands under a sine, a root or an exponent.
+  void consider_inverses(const SolvedValue& value, Best& best) const {
+    ExactValues here = values_;
+    here.set(u_, Real(value.value, 0, value.error));
+    const Interval near(value.value - value.error, value.value + value.error);
+    for (const Relations& relations : {Relations{}, values_.relations(), zeros()}) {
+      for (std::size_t k = 0; k < polynomial_.whole.size() && !best.form(); ++k) {
+        const Expression force = substitute(graph_->adopt(polynomial_.whole[k]), relations.replacements);
+        if (!depends_on(force, u_)) continue;
+        std::vector<Expression> roots = inverted_roots(force, u_, here);
+        if (const auto root = solved_for(force, u_, near, here.sign_of())) roots.push_back(*root);
+        for (const Expression& root : roots) {
+          if (!agrees(values_.value(root), value.value, value.error)) continue;
+          Trial trial = trial_at(root, relations);
+          trial.vanishes(terms_of(force));
+          if (trial.passes()) best.consider(root, relations);
+        }
+      }
+    }
+  }
+
+  /// What of the position is 0: without it, equations are simpler.
+  [[nodiscard]] Relations zeros() const {
+    Relations result;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (numbers_[i].is_zero()) result.replacements.emplace_back(places_[i], numbers_[i]);
+    }
+    return result;
   }
 
   /// The square of the rate, K/M, with u replaced by its value in the other parameters.
@@ -187,11 +219,9 @@ class CriticalForm {
   /// A fold where force i gives the parameter by the place. What is left is to find the place from the other
   /// forces and from det K, with that parameter put in.
   [[nodiscard]] std::optional<PlaceProblem> fold_along(std::size_t i) const {
-    const auto c = quadratic_in(motions_.forces[i], p_);
-    if (!c || (!(*c)[1].is_zero() && !(*c)[2].is_zero())) return std::nullopt;
-    const bool squared = (*c)[1].is_zero();
-    const Expression power = -(*c)[0] / (*c)[squared ? 2 : 1];
-    const std::vector<Replacement> p{{p_, squared ? sqrt(power) : power}};
+    const auto value = parameter_in(motions_.forces[i]);
+    if (!value) return std::nullopt;
+    const std::vector<Replacement> p{{p_, *value}};
     PlaceProblem problem = problem_;
     std::vector<Expression> left{determinant(motions_.stiffness)};
     for (std::size_t k = 0; k < motions_.forces.size(); ++k) {
@@ -204,6 +234,19 @@ class CriticalForm {
       problem.forces.push_back(to_expression(*motions_.graph, above));
     }
     return problem;
+  }
+
+  /// The parameter by the place, from a force.
+  [[nodiscard]] std::optional<Expression> parameter_in(const Expression& force) const {
+    if (!depends_on(force, p_)) return std::nullopt;
+    const auto c = quadratic_in(force, p_);
+    if (c && ((*c)[1].is_zero() || (*c)[2].is_zero())) {
+      const bool squared = (*c)[1].is_zero();
+      const Expression power = -(*c)[0] / (*c)[squared ? 2 : 1];
+      return squared ? sqrt(power) : power;
+    }
+    const Interval near(critical_.value - critical_.error, critical_.value + critical_.error);
+    return solved_for(force, p_, near, values_.sign_of());
   }
 
   [[nodiscard]] static Matrix at(const ExactPlace& place, Matrix m) {
@@ -255,7 +298,13 @@ class CriticalForm {
 
   void consider(const Expression& condition, const std::vector<Expression>& all, const Relations& relations,
                 Best& best) const {
-    for (const Expression& root : roots_in(substitute(condition, relations.replacements), p_, values_)) {
+    const Expression equation = substitute(condition, relations.replacements);
+    std::vector<Expression> roots = roots_in(equation, p_, values_);
+    if (roots.empty()) {
+      const Interval near(critical_.value - critical_.error, critical_.value + critical_.error);
+      if (const auto root = solved_for(equation, p_, near, values_.sign_of())) roots.push_back(*root);
+    }
+    for (const Expression& root : roots) {
       if (!agrees(values_.value(root), critical_.value, critical_.error)) continue;
       Trial trial(values_, relations);
       trial.set({p_}, {root});

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
+#include "core/closed/elastic_period.hpp"
 #include "core/closed/period_form.hpp"
 #include "core/closed/turning_equation.hpp"
 #include "core/expr/simplify.hpp"
@@ -20,8 +21,13 @@ class TurningForms {
       : equation_(dynamics, parameters, written, found, energy_name) {}
 
   ExactTurningPoints forms() {
-    if (equation_.take_start()) return forms_from_start();
-    return equation_.by_constants ? forms_by_constants() : ExactTurningPoints{};
+    ExactTurningPoints result;
+    if (equation_.take_start())
+      result = forms_from_start();
+    else if (equation_.by_constants)
+      result = forms_by_constants();
+    put_walls(result);
+    return result;
   }
 
   /// The period by h and the momenta, or with the initial state put in where that is shorter. Needs forms()
@@ -31,6 +37,7 @@ class TurningForms {
         equation_.found.motion == MotionKind::libration || equation_.found.motion == MotionKind::rotation;
     if (!equation_.found.period.value || !returns) return std::nullopt;
     const auto form_of = [&](const QuadratureProblem& problem, const std::vector<std::string>& started) {
+      if (equation_.found.walls) return elastic_form(problem, started);
       return period_form(problem, equation_.values, *equation_.found.motion, equation_.found.period,
                          [&](const Expression& e, const Relations& relations) {
                            return equation_.formula(e, relations, started);
@@ -48,6 +55,40 @@ class TurningForms {
   }
 
  private:
+  [[nodiscard]] std::optional<Expression> place_of(const std::optional<ElasticWall>& wall) const {
+    if (!wall) return std::nullopt;
+    const Model& model = equation_.values.model();
+    const auto event = std::ranges::find(model.scene.events, wall->event, &SceneEvent::name);
+    const auto number = static_cast<std::size_t>(event - model.scene.events.begin());
+    return place_of_wall(*equation_.graph, model, equation_.graph->adopt(model.parsed.events[number].value));
+  }
+
+  /// Extrema at walls are these.
+  void put_walls(ExactTurningPoints& result) const {
+    if (!equation_.found.walls) return;
+    const auto put = [&](const std::optional<ElasticWall>& wall, std::optional<ExactExtremum>& extremum) {
+      const auto place = place_of(wall);
+      const auto form = place ? closed_form(equation_.values, *place, {}) : std::nullopt;
+      if (form) extremum = ExactExtremum{*form, std::nullopt, std::nullopt};
+    };
+    put(equation_.found.walls->below, result.minimum);
+    put(equation_.found.walls->above, result.maximum);
+  }
+
+  [[nodiscard]] std::optional<ClosedForm> elastic_form(const QuadratureProblem& problem,
+                                                       const std::vector<std::string>& started) const {
+    const auto below = place_of(equation_.found.walls->below), above = place_of(equation_.found.walls->above);
+    const Finding& period = equation_.found.period;
+    if (!below && !above) return std::nullopt;
+    for (const Expression& e : elastic_periods(problem, below, above, equation_.values)) {
+      const Expression joined = simplify(e);
+      const Expression& form = written_length(joined) < written_length(e) ? joined : e;
+      if (agrees(equation_.values.value(form), *period.value, period.error))
+        return equation_.formula(form, {}, started);
+    }
+    return std::nullopt;
+  }
+
   static ClosedForm with_zero(ClosedForm form) {
     form.text += " = 0";
     form.latex += " = 0";
@@ -75,6 +116,7 @@ class TurningForms {
         result.equation = with_zero(*form);
       }
       extrema.consider(left, relations);
+      extrema.consider_start(left, relations);
     }
     result.maximum = std::move(extrema.maximum);
     result.minimum = std::move(extrema.minimum);
@@ -90,14 +132,20 @@ class TurningForms {
     return result;
   }
 
+  /// Numbers with decimals are none that a book would print.
   static bool is_short(const std::optional<ExactExtremum>& extremum) {
     constexpr std::size_t short_text = 40;
-    return extremum && extremum->value.text.size() <= short_text;
+    return extremum && extremum->value.text.size() <= short_text && !has_decimals(extremum->value);
   }
+
+  static bool has_decimals(const ClosedForm& form) { return form.text.find('.') != std::string::npos; }
 
   static void take_much_shorter(std::optional<ExactExtremum>& best, std::optional<ExactExtremum>&& other) {
     if (!other) return;
-    if (!best || best->value.text.size() > 2 * other->value.text.size()) best = std::move(other);
+    const std::size_t length = other->value.text.size();
+    if (!best || 2 * best->value.text.size() > 3 * length ||
+        (has_decimals(best->value) && best->value.text.size() > length))
+      best = std::move(other);
   }
 
   ExactTurningPoints forms_by_constants() {

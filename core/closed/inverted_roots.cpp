@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/closed/exact_roots.hpp"
+#include "core/closed/one_unknown.hpp"
 #include "core/closed/place_algebra.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/rational_function.hpp"
@@ -23,7 +24,9 @@ class Inversion {
     by_exponentials(Exponential::rising);
     by_exponentials(Exponential::falling);
     by_power();
+    std::ranges::copy(roots_of_power(e_, x_), std::back_inserter(found_));
     by_circular_functions();
+    by_inner_functions();
     by_one_side();
     return std::move(found_);
   }
@@ -32,8 +35,23 @@ class Inversion {
   /// Of u with c0 + c1 u + c2 u^2 = 0; none where another function of x is left.
   [[nodiscard]] std::vector<Expression> roots_of_polynomial(const Expression& e, const Expression& u) const {
     if (depends_on(e, x_)) return {};
-    const auto c = quadratic_in(e, u);
-    return c ? roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of()) : std::vector<Expression>{};
+    if (const auto c = quadratic_in(e, u)) return roots_of((*c)[0], (*c)[1], (*c)[2], values_.sign_of());
+    return roots_of_power(e, u);
+  }
+
+  /// Of c0 + c1 u^n + c2 u^2n = 0.
+  [[nodiscard]] std::vector<Expression> roots_of_power(const Expression& e, const Expression& u) const {
+    std::vector<Expression> roots;
+    const auto parts = quadratic_in_power(graph_, rational_function(e).above, u);
+    if (!parts || std::ranges::any_of(parts->c, [&](const Expression& c) { return depends_on(c, x_); }))
+      return roots;
+    for (const Expression& value : roots_of(parts->c[0], parts->c[1], parts->c[2], values_.sign_of())) {
+      if (values_.sign(value) <= 0) continue;
+      const Expression root = root_of_power(value, parts->n, values_.sign_of());
+      roots.push_back(root);
+      if ((parts->n / Number(2)).is_integer()) roots.push_back(-root);
+    }
+    return roots;
   }
 
   /// x where a linear function of it has a value.
@@ -74,14 +92,69 @@ class Inversion {
     if (const auto root = n % 2 == 0 ? std::nullopt : size(-value)) found_.push_back(-*root);
   }
 
-  /// |x|: what x is on its side.
+  /// |x|: what x is on either side.
   void by_one_side() {
-    const Replacement one_side{graph_.call(Function::abs, x_), x_};
-    if (!depends_on(e_, one_side.first)) return;
-    const Expression e = substitute(e_, {&one_side, 1});
-    std::vector<Expression> roots = inverted_roots(e, x_, values_);
-    std::ranges::copy(roots_in(e, x_, values_), std::back_inserter(roots));
-    for (const Expression& root : roots) found_.insert(found_.end(), {root, -root});
+    const Expression size = graph_.call(Function::abs, x_);
+    if (!depends_on(e_, size)) return;
+    for (const int side : {1, -1}) {
+      const Replacement there{size, Number(side) * x_};
+      add_roots_of(substitute(e_, {&there, 1}));
+    }
+  }
+
+  void add_roots_of(const Expression& e) {
+    std::ranges::copy(inverted_roots(e, x_, values_), std::back_inserter(found_));
+    std::ranges::copy(qdot::roots_in(e, x_, values_), std::back_inserter(found_));
+  }
+
+  /// x in one function of another one, log(cosh(x)) or sqrt(1 + x^2): what that one is.
+  void by_inner_functions() {
+    const Expression u = graph_.symbol("function of x");
+    const NodeId root = e_.id();
+    for (const NodeId id : reachable(graph_, {&root, 1})) {
+      const Expression outer(graph_, id);
+      if (!depends_on(outer, x_)) continue;
+      const Replacement named{outer, u};
+      const auto inner = inner_function(outer);
+      if (!inner) continue;
+      for (const Expression& value : roots_of_polynomial(substitute(e_, {&named, 1}), u)) {
+        if (const auto inverse = inverse_of(outer, value)) add_roots_of(*inner - *inverse);
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<Expression> inner_function(const Expression& outer) const {
+    if (const auto* power = std::get_if<Power>(&outer.node())) {
+      const Expression base(graph_, power->base);
+      return !power->exponent.is_integer() && !(base == x_) ? std::optional(base) : std::nullopt;
+    }
+    const auto* call = std::get_if<Call>(&outer.node());
+    if (call == nullptr) return std::nullopt;
+    const Expression argument(graph_, call->argument);
+    const bool is_known_road = call->function != Function::log && call->function != Function::atan &&
+                               call->function != Function::asin && is_linear(argument);
+    return is_known_road ? std::nullopt : std::optional(argument);
+  }
+
+  /// y with outer(y) = value.
+  [[nodiscard]] std::optional<Expression> inverse_of(const Expression& outer, const Expression& value) const {
+    if (const auto* power = std::get_if<Power>(&outer.node())) {
+      if (values_.sign(value) <= 0) return std::nullopt;
+      return power->exponent.is_negative() ? pow(value, Number(1) / power->exponent)
+                                           : root_of_power(value, power->exponent, values_.sign_of());
+    }
+    switch (std::get<Call>(outer.node()).function) {
+      case Function::log:
+        return graph_.call(Function::exp, value);
+      case Function::exp:
+        return values_.sign(value) > 0 ? std::optional(graph_.call(Function::log, value)) : std::nullopt;
+      case Function::atan:
+        return graph_.call(Function::tan, value);
+      case Function::asin:
+        return sin(value);
+      default:
+        return std::nullopt;
+    }
   }
 
   [[nodiscard]] std::vector<Expression> circular_arguments() const {

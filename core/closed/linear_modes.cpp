@@ -66,10 +66,12 @@ class Pair {
 std::vector<LinearMode> modes_of_several(Graph& graph, const LinearMatrices& matrices,
                                          const std::vector<std::size_t>& group) {
   std::vector<LinearMode> found;
-  for (const Surd& lambda : characteristic_roots(graph, matrices, group)) {
+  const CharacteristicRoots roots = characteristic_roots(graph, matrices, group);
+  for (const Surd& lambda : roots.surds) {
     std::vector<Surd> shape = null_vector(graph, matrices, group, lambda);
     if (!shape.empty()) found.push_back({lambda, std::move(shape), group, {}});
   }
+  for (const Surd& lambda : roots.by_angles) found.push_back({lambda, {}, group, {}});
   return found;
 }
 
@@ -165,7 +167,7 @@ std::vector<LinearMode> modes_at(const LinearMotions& motions, const ExactPlace&
   std::vector<LinearMode> found;
   for (const std::vector<std::size_t>& group : coupled_groups(parts.matrices)) {
     for (LinearMode& mode : modes_of(*motions.graph, parts.matrices, group)) {
-      mode.shape = in_given_coordinates(parts.basis, mode.shape);
+      if (!mode.shape.empty()) mode.shape = in_given_coordinates(parts.basis, mode.shape);
       mode.lambda = joined_numbers(*motions.graph, mode.lambda);
       mode.decay = joined_numbers(*motions.graph, mode.decay);
       for (Surd& component : mode.shape) component = joined_numbers(*motions.graph, component);

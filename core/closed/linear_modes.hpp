@@ -14,7 +14,8 @@
 
 namespace qdot {
 
-/// lambda and the shape, in the coordinates x; no shape of two coordinates that gyroscopic terms couple.
+/// lambda and the shape, in the coordinates x; no shape of two coordinates that gyroscopic terms couple, nor
+/// where lambda has cosines in it.
 struct LinearMode {
   Surd lambda;
   std::vector<Surd> shape;

@@ -1,11 +1,14 @@
 #include "core/closed/mode_derivation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/parse.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/notation.hpp"
 
 namespace qdot {
 namespace {
@@ -99,6 +102,8 @@ std::vector<ModeForms> ModeDerivation::damped_forms(const LinearMode& mode) {
     found.push_back(swinging(square, rate));
   } else if (sign < 0) {
     for (const int side : {1, -1}) found.push_back(creeping(rate + Number(side) * sqrt(-square)));
+  } else if (vanishes(square, stiffness)) {
+    found.push_back(critically_damped(stiffness, rate));
   }
   std::vector<ModeForms> result;
   for (auto& forms : found) {
@@ -117,6 +122,27 @@ std::optional<ModeForms> ModeDerivation::swinging(const Expression& square, cons
              of_rate = formula(sign < 0 ? -decay : decay);
   if (sign == 0 || !of_square || !of_omega || !of_rate) return std::nullopt;
   return ModeForms{omega, true, {.square = *of_square, .rate = of_omega, .damping = of_rate}, {}, decay};
+}
+
+/// Of what is 0 to twice the digits of a double, beside the size of something.
+bool ModeDerivation::vanishes(const Expression& e, const Expression& size) const {
+  constexpr double sharp = 1e-24;
+  const Real value = values_.value(e);
+  return value.is_finite() &&
+         std::abs(value.value) + value.error <= sharp * std::abs(values_.value(size).value);
+}
+
+/// Both rates are one. Where only the numbers say so, that is assumed.
+std::optional<ModeForms> ModeDerivation::critically_damped(const Expression& stiffness,
+                                                           const Expression& rate) {
+  auto forms = creeping(rate);
+  const Expression square = pow(rate, Number(2));
+  if (forms && !rational_function(stiffness - square).is_zero()) {
+    const Notation notation = notation_of(values_.model().scene);
+    forms->form.square.assumes.push_back(print(stiffness, Form::text, notation) + " = " +
+                                         print(square, Form::text, notation));
+  }
+  return forms;
 }
 
 std::optional<ModeForms> ModeDerivation::creeping(const Expression& decay) {
@@ -186,12 +212,21 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
     for (const Expression& e : *vanishing) trial.vanishes({e});
   }
   const Expression lambda = plain_expression(graph_, mode.lambda);
-  if (mode.shape.empty()) {
+  const std::size_t size = motions_.mass.size();
+  if (mode.shape.empty() && mode.group.size() == 2) {
     trial.vanishes(characteristic_terms(mode.group[0], mode.group[1], lambda));
     return trial.passes();
   }
+  if (mode.shape.empty()) {
+    Matrix characteristic = motions_.stiffness;
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t j = 0; j < size; ++j)
+        characteristic[i][j] = characteristic[i][j] - lambda * motions_.mass[i][j];
+    }
+    trial.is_singular(std::move(characteristic));
+    return trial.passes();
+  }
   const Expression decay = plain_expression(graph_, mode.decay);
-  const std::size_t size = motions_.mass.size();
   for (std::size_t i = 0; i < size; ++i) {
     std::vector<Expression> terms, friction;
     for (std::size_t j = 0; j < size; ++j) {

@@ -44,6 +44,9 @@ class ModeDerivation {
   void add_shape(const LinearMode& mode, ModeForms& result);
   [[nodiscard]] std::optional<ModeForms> swinging(const Expression& square, const Expression& decay);
   [[nodiscard]] std::optional<ModeForms> creeping(const Expression& decay);
+  [[nodiscard]] std::optional<ModeForms> critically_damped(const Expression& stiffness,
+                                                           const Expression& rate);
+  [[nodiscard]] bool vanishes(const Expression& e, const Expression& size) const;
   [[nodiscard]] std::vector<Expression> characteristic_terms(std::size_t i, std::size_t j,
                                                              const Expression& lambda) const;
   [[nodiscard]] Expression root_of(const Polynomial& n);

@@ -36,6 +36,23 @@ std::optional<Expression> angle_of_tangent(Graph& graph, const RationalFunction&
   return std::nullopt;
 }
 
+Expression factored_tangent(Graph& graph, const RationalFunction& f) {
+  const Monomial above = common_monomial(f.above), below = common_monomial(f.below);
+  Monomial front = above * inverse(below);
+  Expression result = to_expression(graph, scaled(f.above, inverse(above), Number(1))) /
+                      to_expression(graph, scaled(f.below, inverse(below), Number(1)));
+  for (const Atom& atom : above) {
+    const auto* call = std::get_if<Call>(&graph.node(atom.base));
+    if (call == nullptr || call->function != Function::sin) continue;
+    const Expression u(graph, call->argument);
+    const NodeId cosine = cos(u).id();
+    if (exponent_of(front, atom.base) != 1 || exponent_of(front, cosine) != -1) continue;
+    front = times(times(front, atom.base, -1), cosine, 1);
+    result = result * graph.call(Function::tan, u);
+  }
+  return to_expression(graph, front) * result;
+}
+
 Expression with_roots_taken(const Expression& e, const SignOf& sign) {
   Graph& graph = e.graph();
   std::vector<Replacement> taken;
@@ -116,6 +133,28 @@ int highest_power(const Polynomial& e, const Expression& u) {
   return highest;
 }
 
+namespace {
+
+/// r with r^n = x > 0, a small fraction; 2 for 8 and n = 3.
+std::optional<Number> whole_root(const Number& x, int n) {
+  constexpr std::int64_t largest = 1000;
+  const auto root_of = [&](std::int64_t value) -> std::optional<std::int64_t> {
+    for (std::int64_t r = 1; r <= largest; ++r) {
+      std::int64_t power = 1;
+      for (int k = 0; k < n && power <= value; ++k) power *= r;
+      if (power == value) return r;
+      if (power > value) break;
+    }
+    return std::nullopt;
+  };
+  const auto small = x.small();
+  if (!small || small->numerator <= 0) return std::nullopt;
+  const auto above = root_of(small->numerator), below = root_of(small->denominator);
+  return above && below ? std::optional(Number::ratio(*above, *below)) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
                                           const SignOf& sign) {
   if (f.above.size() != 1 || f.below.size() != 1) return std::nullopt;
@@ -123,7 +162,9 @@ std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& 
   for (const auto& [part, side] : {std::pair(&f.above, 1), std::pair(&f.below, -1)}) {
     const auto& [monomial, coefficient] = *part->begin();
     if (coefficient.is_negative()) return std::nullopt;
-    result = result * pow(graph.number(coefficient), Number::ratio(side, n));
+    const auto whole = whole_root(coefficient, n);
+    result = result * (whole ? pow(graph.number(*whole), Number(side))
+                             : pow(graph.number(coefficient), Number::ratio(side, n)));
     for (const Atom& atom : monomial) {
       const Expression base(graph, atom.base);
       if (sign(multiplied_out(base)) <= 0) return std::nullopt;

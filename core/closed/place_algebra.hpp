@@ -24,6 +24,9 @@ struct LinearIn {
 /// u where f is tan(u), of one product over another.
 [[nodiscard]] std::optional<Expression> angle_of_tangent(Graph& graph, const RationalFunction& f);
 
+/// f with what all its terms share in front, and sin(u)/cos(u) as tan(u): tan(al)*(M - m)/(M + m).
+[[nodiscard]] Expression factored_tangent(Graph& graph, const RationalFunction& f);
+
 /// With roots of squares taken, sqrt(h^2) = h where h > 0.
 [[nodiscard]] Expression with_roots_taken(const Expression& e, const SignOf& sign);
 

@@ -6,7 +6,10 @@
 #include <numbers>
 
 #include "core/closed/exact_roots.hpp"
+#include "core/closed/one_unknown.hpp"
 #include "core/closed/place_algebra.hpp"
+#include "core/closed/place_angles.hpp"
+#include "core/closed/place_brackets.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/trigonometry.hpp"
 #include "core/steady/exponential_form.hpp"
@@ -15,6 +18,7 @@ namespace qdot {
 namespace {
 
 constexpr double widest_place = 1e-9;
+constexpr double widest_special_place = 1e-7;  ///< where curves meet, places are known less well
 
 bool is_near(const Interval& x, double value) {
   const double rounding = 4e-16 * std::abs(value);
@@ -25,7 +29,8 @@ Polynomial numerator(const Expression& e) { return rational_function(e).above; }
 
 class PlaceSearch {
  public:
-  explicit PlaceSearch(const PlaceProblem& problem) : problem_(problem), place_(problem) {}
+  explicit PlaceSearch(const PlaceProblem& problem)
+      : problem_(problem), place_(problem), equations_(problem.forces) {}
 
   [[nodiscard]] const ExactPlace& place() const { return place_; }
 
@@ -35,13 +40,12 @@ class PlaceSearch {
     constexpr std::array quarters{0, 2, 1, -1, -2};
     for (std::size_t k = 0; k < problem_.x.size(); ++k) {
       const Interval& near = problem_.near[k];
-      if (!(near.width() < widest_place)) continue;
+      if (!(near.width() < widest_special_place)) continue;
       std::vector<PlaceProblem::Known> offsets{{graph.number(0), 0}};
       if (problem_.is_angle[k])
         offsets.insert(offsets.end(), problem_.alike[k].begin(), problem_.alike[k].end());
-      const std::size_t kinds = problem_.is_angle[k] ? quarters.size() : 1;
       for (std::size_t i = 0; i < offsets.size() && !place_.is_known(k); ++i) {
-        for (std::size_t q = 0; q < kinds; ++q) {
+        for (std::size_t q = 0; q < quarters.size(); ++q) {
           if (!is_near(near, offsets[i].value + quarters[q] * (std::numbers::pi / 2))) continue;
           place_.settle(k, offsets[i].symbol + Number::ratio(quarters[q], 2) * pi);
           break;
@@ -62,14 +66,25 @@ class PlaceSearch {
   [[nodiscard]] bool solve_one() {
     for (std::size_t k = 0; k < problem_.x.size(); ++k) {
       if (place_.is_known(k)) continue;
-      for (const Expression& force : problem_.forces) {
+      for (const Expression& force : equations_) {
         const Expression here = place_.at(force);
         if (!depends_on(here, problem_.x[k])) continue;
-        if ((problem_.is_angle[k] && solve_angle(k, here)) || solve(k, here) || solve_bracket(k, here))
-          return true;
+        if (solve_angle(problem_, place_, k, here) || solve(k, here) || solve_bracket(k, here)) return true;
       }
     }
     return false;
+  }
+
+  /// What two brackets are, once.
+  [[nodiscard]] bool take_brackets() {
+    const std::size_t before = equations_.size();
+    if (before == problem_.forces.size()) {
+      std::vector<Expression> here;
+      for (const Expression& force : problem_.forces) here.push_back(place_.at(force));
+      for (Expression& e : equations_of_brackets(here, place_.undecided(), problem_.sign))
+        equations_.push_back(std::move(e));
+    }
+    return equations_.size() > before;
   }
 
   /// Proposes that two unknowns are equal or opposite, as two ions in a trap.
@@ -115,7 +130,10 @@ class PlaceSearch {
     const Polynomial above = without_factor(numerator(force), x);
     const int n = highest_power(above, x);
     const auto parts = n > 0 ? linear_in(graph, above, x, x, n) : std::nullopt;
-    if (!parts) return (n == 2 && solve_quadratic(k, above)) || solve_exponential(k, force);
+    if (!parts) {
+      return (n == 2 && solve_quadratic(k, above)) || solve_exponential(k, force) || solve_power(k, above) ||
+             solve_root(k, above);
+    }
     const RationalFunction value = -in_lowest_terms(parts->rest, parts->slope);
     if (n == 1) {
       place_.settle(k, to_expression(graph, value));
@@ -129,8 +147,31 @@ class PlaceSearch {
       place_.settle(k, *principal);
       return true;
     }
-    place_.settle(k, *principal, ExactPlace::Powered{x, n, power});
+    place_.settle(k, *principal, ExactPlace::Powered{x, Number(n), power});
     return true;
+  }
+
+  /// The value of x^n: the one that is near.
+  [[nodiscard]] bool solve_power(std::size_t k, const Polynomial& force) {
+    const Expression& x = problem_.x[k];
+    const auto e = quadratic_in_power(x.graph(), force, x);
+    if (!e || std::ranges::any_of(e->c, [&](const Expression& c) { return depends_on(c, problem_.x); }))
+      return false;
+    for (const Expression& value : roots_of(e->c[0], e->c[1], e->c[2], problem_.sign)) {
+      if (problem_.sign(multiplied_out(value)) <= 0) continue;
+      const Expression size = root_of_power(value, e->n, problem_.sign);
+      const Expression place = problem_.near[k].middle() < 0 ? -size : size;
+      if (!is_at(problem_, k, place)) continue;
+      place_.settle(k, place, ExactPlace::Powered{x, e->n, value});
+      return true;
+    }
+    return false;
+  }
+
+  /// The root of a sum goes when it is squared.
+  [[nodiscard]] bool solve_root(std::size_t k, const Polynomial& force) {
+    const auto squared = without_square_root(problem_.x[k].graph(), force, problem_.x[k]);
+    return squared && solve_power(k, *squared);
   }
 
   /// A bracket that is known by its power, and then x by the bracket.
@@ -145,7 +186,7 @@ class PlaceSearch {
     if (!value) return false;
     place_.take(*bracket);
     const Expression left = bracket->base - *value;
-    if ((problem_.is_angle[k] && solve_angle(k, left)) || solve(k, left)) return true;
+    if (solve_angle(problem_, place_, k, left) || solve(k, left)) return true;
     place_.forget_bracket();
     return false;
   }
@@ -203,25 +244,6 @@ class PlaceSearch {
     return false;
   }
 
-  /// tan(x) = tan(u): x is u, but for half turns.
-  [[nodiscard]] bool solve_known_tangent(std::size_t k, const RationalFunction& tangent) {
-    const auto u = angle_of_tangent(problem_.x[k].graph(), tangent);
-    if (!u) return false;
-    constexpr double reach = 1e-6;
-    const Expression pi = u->graph().symbol("pi");
-    const auto sign_beside = [&](const Expression& e, double place) {
-      return problem_.sign(multiplied_out(e - u->graph().number(Number::real(place))));
-    };
-    for (const int half_turns : {0, 1, -1, 2, -2}) {
-      const Expression x = *u + Number(half_turns) * pi;
-      const double near = problem_.near[k].middle();
-      if (sign_beside(x, near - reach) <= 0 || sign_beside(x, near + reach) >= 0) continue;
-      place_.settle(k, x);
-      return true;
-    }
-    return false;
-  }
-
   /// The root of x^n = value near x_k.
   [[nodiscard]] std::optional<Expression> root(std::size_t k, int n, const RationalFunction& value) const {
     Graph& graph = problem_.x[k].graph();
@@ -233,69 +255,9 @@ class PlaceSearch {
     return is_below_zero ? -*found : *found;
   }
 
-  [[nodiscard]] bool solve_angle(std::size_t k, const Expression& force) {
-    Graph& graph = force.graph();
-    const Expression& x = problem_.x[k];
-    const Expression sine = sin(x), cosine = cos(x);
-    Polynomial e = with_single_angles(graph, numerator(force));
-    e = without_factor(without_factor(std::move(e), sine), cosine);
-    if (solve_tangent(k, e)) return true;
-    for (const auto& [known, other] : {std::pair(cosine, sine), std::pair(sine, cosine)}) {
-      const auto parts = linear_in(graph, e, known, x);
-      if (!parts) continue;
-      const Expression value = to_expression(graph, -in_lowest_terms(parts->rest, parts->slope));
-      const double near = problem_.near[k].middle();
-      const bool is_cosine = known == cosine;
-      const bool is_negative = is_cosine ? near < 0 : std::abs(near) > std::numbers::pi / 2;
-      const ExactPlace::Solved solved{known, other, value, root_beside(value, is_negative)};
-      const Expression principal = graph.call(is_cosine ? Function::acos : Function::asin, value);
-      if (is_cosine) {
-        place_.settle(k, near < 0 ? -principal : principal, solved);
-      } else {
-        const bool beyond = std::abs(near) > std::numbers::pi / 2;
-        const Expression angle =
-            beyond ? Number(near < 0 ? -1 : 1) * graph.symbol("pi") - principal : principal;
-        place_.settle(k, angle, solved);
-      }
-      return true;
-    }
-    return false;
-  }
-
-  /// +-sqrt(1 - value^2).
-  [[nodiscard]] Expression root_beside(const Expression& value, bool is_negative) const {
-    Graph& graph = value.graph();
-    const Expression root = sqrt(to_expression(graph, rational_function(graph.number(1) - value * value)));
-    return is_negative ? -root : root;
-  }
-
-  /// a sin(x) + b cos(x) = 0.
-  [[nodiscard]] bool solve_tangent(std::size_t k, const Polynomial& force) {
-    const Expression& x = problem_.x[k];
-    Graph& graph = x.graph();
-    const Expression sine = sin(x), cosine = cos(x);
-    const auto by_sine = linear_in(graph, force, sine, sine);
-    const auto by_cosine = linear_in(graph, force, cosine, cosine);
-    if (!by_sine || !by_cosine || by_sine->rest != scaled(by_cosine->slope, times({}, cosine.id(), 1), 1))
-      return false;
-    const RationalFunction tangent = -in_lowest_terms(by_cosine->slope, by_sine->slope);
-    if (depends_on(to_expression(graph, tangent), x)) return false;
-    if (solve_known_tangent(k, tangent)) return true;
-    const double near = problem_.near[k].middle();
-    const int half_turns = std::abs(near) > std::numbers::pi / 2 ? 1 : 0;
-    const int sign = problem_.sign(tangent.below) * (half_turns == 0 ? 1 : -1);
-    if (sign == 0) return false;
-    const Expression above = to_expression(graph, tangent.above), below = to_expression(graph, tangent.below);
-    const Expression length = Number(sign) * sqrt(expand(simplify(above * above + below * below)));
-    const ExactPlace::Solved solved{cosine, sine, below / length, above / length};
-    const Expression angle = graph.call(Function::atan, above / below) +
-                             Number(near < 0 ? -half_turns : half_turns) * graph.symbol("pi");
-    place_.settle(k, angle, solved);
-    return true;
-  }
-
   const PlaceProblem& problem_;
   ExactPlace place_;
+  std::vector<Expression> equations_;  ///< the forces, and what follows from them
 };
 
 }  // namespace
@@ -305,7 +267,7 @@ std::optional<ExactPlace> exact_place(const PlaceProblem& problem) {
     PlaceSearch search(problem);
     if (from_starts) search.take_starts();
     search.take_special_values();
-    while (search.solve_one() || search.take_mirror() || search.take_parameter()) {
+    while (search.solve_one() || search.take_brackets() || search.take_mirror() || search.take_parameter()) {
     }
     const bool rests = std::ranges::all_of(problem.forces, [&](const Expression& force) {
       return rational_function(search.place().at(force)).is_zero();
@@ -313,6 +275,13 @@ std::optional<ExactPlace> exact_place(const PlaceProblem& problem) {
     if (rests) return search.place();
   }
   return std::nullopt;
+}
+
+std::optional<Expression> solved_for(const Expression& e, const Expression& u, const Interval& near,
+                                     const SignOf& sign) {
+  const PlaceProblem problem{{u}, {false}, {{}}, {std::nullopt}, {e}, {near}, sign};
+  const auto place = exact_place(problem);
+  return place && place->is_known(0) ? std::optional(place->x()[0]) : std::nullopt;
 }
 
 ExactPlace special_place(const PlaceProblem& problem) {

@@ -12,6 +12,10 @@ namespace qdot {
 /// No value where none of the forms solves g = 0. The problem has to outlive the place.
 [[nodiscard]] std::optional<ExactPlace> exact_place(const PlaceProblem& problem);
 
+/// u where e = 0, e an expression of u and of what is known: the one that is near.
+[[nodiscard]] std::optional<Expression> solved_for(const Expression& e, const Expression& u,
+                                                   const Interval& near, const SignOf& sign);
+
 /// With the known angles and zeros alone, whether forces vanish there or not.
 [[nodiscard]] ExactPlace special_place(const PlaceProblem& problem);
 

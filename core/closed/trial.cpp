@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace qdot {
 namespace {
@@ -29,6 +31,40 @@ Verdict judged(const std::vector<Expression>& terms, const std::vector<RealAssig
   if (!sum.is_finite()) return Verdict::unknown;
   const double bound = sharp * std::max(size, 1e-280);
   return std::abs(sum.value) <= bound || std::abs(sum.value) <= sum.error ? Verdict::holds : Verdict::fails;
+}
+
+using Rows = std::vector<std::vector<DoubleDouble>>;
+
+double size_of(const DoubleDouble& x) { return std::abs(x.value()); }
+
+/// Brings the largest entry from `k` on to the place k, k and clears the column below it.
+void eliminate(Rows& a, std::size_t k) {
+  std::size_t row = k, column = k;
+  for (std::size_t i = k; i < a.size(); ++i) {
+    for (std::size_t j = k; j < a.size(); ++j) {
+      if (size_of(a[i][j]) > size_of(a[row][column])) std::tie(row, column) = std::pair(i, j);
+    }
+  }
+  std::swap(a[k], a[row]);
+  for (auto& entries : a) std::swap(entries[k], entries[column]);
+  for (std::size_t i = k + 1; i < a.size() && size_of(a[k][k]) > 0; ++i) {
+    const DoubleDouble factor = a[i][k] / a[k][k];
+    for (std::size_t j = k; j < a.size(); ++j) a[i][j] = a[i][j] - factor * a[k][j];
+  }
+}
+
+Verdict judged(const Matrix& matrix, const std::vector<RealAssignment>& values) {
+  Rows a;
+  for (const auto& row : matrix) {
+    a.emplace_back();
+    for (const Expression& e : row) {
+      const Real value = evaluate_exactly(e, values);
+      if (!value.is_finite()) return Verdict::unknown;
+      a.back().push_back(value.double_double());
+    }
+  }
+  for (std::size_t k = 0; k < a.size(); ++k) eliminate(a, k);
+  return size_of(a.back().back()) <= sharp * size_of(a[0][0]) ? Verdict::holds : Verdict::fails;
 }
 
 }  // namespace
@@ -61,6 +97,11 @@ bool Trial::passes() const {
     bool known = true;
     for (const auto& terms : claims_) {
       const Verdict verdict = judged(terms, values);
+      if (verdict == Verdict::fails) return false;
+      known = known && verdict == Verdict::holds;
+    }
+    for (const Matrix& matrix : singular_) {
+      const Verdict verdict = judged(matrix, values);
       if (verdict == Verdict::fails) return false;
       known = known && verdict == Verdict::holds;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/closed/exact_values.hpp"
+#include "core/expr/linear.hpp"
 
 namespace qdot {
 
@@ -17,6 +18,8 @@ class Trial {
   void set(const std::vector<Expression>& symbols, const std::vector<Expression>& values);
   /// Claims that the sum of the terms is zero.
   void vanishes(std::vector<Expression> terms) { claims_.push_back(std::move(terms)); }
+  /// Claims that the determinant is zero.
+  void is_singular(Matrix matrix) { singular_.push_back(std::move(matrix)); }
   /// Every claim holds wherever all its terms have values, and somewhere they have.
   [[nodiscard]] bool passes() const;
 
@@ -27,6 +30,7 @@ class Trial {
   const Relations& relations_;
   std::vector<Replacement> others_;
   std::vector<std::vector<Expression>> claims_;
+  std::vector<Matrix> singular_;
 };
 
 }  // namespace qdot

@@ -88,6 +88,11 @@ Expression TurningEquation::at_start(const Expression& e) const {
   return with_special_angles(substitute(e, start_));
 }
 
+std::optional<Expression> TurningEquation::start() const {
+  if (start_.empty()) return std::nullopt;
+  return at_start(x);
+}
+
 Expression TurningEquation::with_start() {
   const Reduction& reduction = statics->reduction;
   const Expression rate = graph->adopt(reduction.x_dot[0]);

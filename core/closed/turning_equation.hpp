@@ -29,6 +29,9 @@ struct TurningEquation {
   /// take_start().
   [[nodiscard]] Expression with_start();
 
+  /// x where the motion begins; after take_start().
+  [[nodiscard]] std::optional<Expression> start() const;
+
   /// Assumes what was put in for the initial state, `started`, and the signs of constants in it. It may speak
   /// of `allowed`, too.
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e, const Relations& relations,

@@ -82,7 +82,30 @@ class Consistency {
         slope += reach * std::abs(values[surface_.first_slope() + surface_.position_of()[k] * n() + i]);
       }
       for (; term < surface_.ends_of_terms()[k]; ++term) size = std::max(size, std::abs(values[term]));
-      if (slope < flat * size) return true;
+      if (slope < flat * size && !rises_through_zero(y, k, size)) return true;
+    }
+    return false;
+  }
+
+  /// Whether along some coordinate phi number k keeps its slope for as far as rounding of its terms may be
+  /// from the place where it is 0: near the origin a coordinate has no size that tells.
+  [[nodiscard]] bool rises_through_zero(std::span<const double> y, std::size_t k, double size) const {
+    constexpr double rounding_of_terms = 1e-15, beyond = 4;
+    TapeEvaluator<Interval> evaluator(surface_.values(), parameters_.as<Interval>());
+    evaluator.set_time(Interval::literal(t_));
+    std::vector<Interval> box(y.begin(), y.end()), values(surface_.values().outputs());
+    evaluator(box, values);
+    const double off = values[surface_.first_residual() + k].magnitude() + rounding_of_terms * size;
+    const std::size_t first = surface_.first_slope() + surface_.position_of()[k] * n();
+    const std::vector<Interval> slopes(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                       values.begin() + static_cast<std::ptrdiff_t>(first + n()));
+    for (std::size_t i = 0; i < n(); ++i) {
+      if (slopes[i].contains(0.0)) continue;
+      const double reach = beyond * off / std::abs(slopes[i].middle());
+      box[i] = Interval(y[i] - reach, y[i] + reach);
+      evaluator(box, values);
+      if (!values[first + i].contains(0.0) && values[first + i].is_finite()) return true;
+      box[i] = Interval(y[i]);
     }
     return false;
   }

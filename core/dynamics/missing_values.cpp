@@ -7,13 +7,13 @@
 
 namespace qdot {
 
-std::string missing_values(const Model& model, std::span<const double> parameters, std::optional<double> t,
-                           std::span<const double> y) {
+std::string missing_values(const Model& model, const Reals& parameters, std::optional<double> t,
+                           const Reals& y) {
   return without_value(model.partial, model.parsed.symbols, parameters, t, y);
 }
 
-void refuse_missing_values(const Model& model, std::span<const double> parameters, std::optional<double> t,
-                           std::span<const double> y) {
+void refuse_missing_values(const Model& model, const Reals& parameters, std::optional<double> t,
+                           const Reals& y) {
   const std::string names = missing_values(model, parameters, t, y);
   if (!names.empty())
     throw Error(ErrorCode::invalid_state, "In this state there is no finite value of " + names + ".");

@@ -7,16 +7,17 @@
 #include <string>
 
 #include "core/mechanics/model.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot {
 
 /// "L and the position of bob"; empty where all have values. Without a time what contains it is not asked.
-[[nodiscard]] std::string missing_values(const Model& model, std::span<const double> parameters,
-                                         std::optional<double> t, std::span<const double> y);
+[[nodiscard]] std::string missing_values(const Model& model, const Reals& parameters, std::optional<double> t,
+                                         const Reals& y);
 
 /// Throws Error(invalid_state) where something has no value.
-void refuse_missing_values(const Model& model, std::span<const double> parameters, std::optional<double> t,
-                           std::span<const double> y);
+void refuse_missing_values(const Model& model, const Reals& parameters, std::optional<double> t,
+                           const Reals& y);
 
 /// Something has no value at y, nor at the ends of what it is enclosed by: y +- errors.
 [[nodiscard]] bool lacks_values(const Model& model, std::span<const double> parameters,

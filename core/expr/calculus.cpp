@@ -194,16 +194,27 @@ double evaluate(const Expression& e, std::span<const Assignment> values) {
   return evaluated(e, std::move(known), std::numeric_limits<double>::quiet_NaN());
 }
 
+namespace {
+
+Ball enclosed(const Expression& e, std::span<const RealAssignment> values) {
+  std::map<NodeId, Ball> known;
+  for (const auto& [symbol, value] : values) known[symbol.id()] = Ball::literal(value);
+  return evaluated(e, std::move(known), Ball({}, infinity));
+}
+
+}  // namespace
+
 Real evaluate_exactly(const Expression& e, std::span<const RealAssignment> values) {
   if (const Number* number = e.number()) return number->rounded();
-  std::map<NodeId, Ball> known;
+  const Ball result = enclosed(e, values);
+  if (result.is_finite()) return result.real();
   std::vector<Assignment> doubles;
-  for (const auto& [symbol, value] : values) {
-    known[symbol.id()] = Ball::literal(value);
-    doubles.emplace_back(symbol, value.value);
-  }
-  const Ball result = evaluated(e, std::move(known), Ball({}, infinity));
-  return result.is_finite() ? result.real() : evaluate(e, doubles);
+  for (const auto& [symbol, value] : values) doubles.emplace_back(symbol, value.value);
+  return evaluate(e, doubles);
+}
+
+bool is_bounded(const Expression& e, std::span<const RealAssignment> values) {
+  return enclosed(e, values).is_finite();
 }
 
 }  // namespace qdot

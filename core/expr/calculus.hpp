@@ -31,4 +31,7 @@ using RealAssignment = std::pair<Expression, Real>;
 /// The same with what rounding leaves out; where e has no value or its bound is not finite, the double alone.
 [[nodiscard]] Real evaluate_exactly(const Expression& e, std::span<const RealAssignment> values);
 
+/// Whether what is known of the values bounds e: tan(x) has no bound where x is pi/2 to within its error.
+[[nodiscard]] bool is_bounded(const Expression& e, std::span<const RealAssignment> values);
+
 }  // namespace qdot

@@ -228,6 +228,8 @@ Expression Graph::call(Function function, const Expression& argument) {
       return number(1);
   }
   if (function == Function::log && argument.is_one()) return number(0);
+  if (function == Function::abs && argument.number() != nullptr)
+    return argument.number()->is_negative() ? -argument : argument;
   if ((odd || even) && leads_with_minus(argument)) {
     const Expression mirrored = call(function, -argument);
     return odd ? -mirrored : mirrored;

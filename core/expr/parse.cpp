@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/expr/parse_tokens.hpp"
+#include "core/expr/special_angles.hpp"
 
 namespace qdot {
 namespace {
@@ -181,9 +182,21 @@ class Parser {
     return checked(graph_.symbol(text));
   }
 
+  /// An angle that is measured from another right angle, sin(a + pi/2), is read as cos(a).
   Expression call(std::string_view name, const Expression& argument) {
     const auto function = function_named(name);
-    return checked(function ? graph_.call(*function, argument) : sqrt(argument));
+    const Expression made = function ? graph_.call(*function, argument) : sqrt(argument);
+    return checked(has_angle_beside_pi(argument) ? with_special_angles(made) : made);
+  }
+
+  /// A sum of pi, some times, and what is no number.
+  [[nodiscard]] bool has_angle_beside_pi(const Expression& e) const {
+    const auto* sum = std::get_if<Sum>(&graph_.node(e.id()));
+    return sum != nullptr && std::ranges::any_of(sum->terms, [&](NodeId id) {
+             const Expression rest = split_coefficient({graph_, id}).rest;
+             const auto* symbol = std::get_if<Symbol>(&rest.node());
+             return symbol != nullptr && symbol->name == "pi";
+           });
   }
 
   // --- bounds and complaints -------------------------------------------------------------------------------
@@ -229,8 +242,10 @@ class Parser {
     if (noted) return;
     const char* advice = "";
     if (name == "e") advice = ": the exponential function is exp(...)";
+    if (name == "Pi" || name == "PI") advice = ": the number is pi";
     if (name.ends_with("_dot") && is_known(name.substr(0, name.size() - 4)))
-      advice = ": there are no velocities here";
+      advice =
+          name.ends_with("_dot_dot") ? ": there are no accelerations here" : ": there are no velocities here";
     unknown_.push_back({ErrorCode::unknown_symbol, offset, "unknown symbol " + excerpt(name) + advice, name});
   }
 

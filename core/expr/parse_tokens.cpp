@@ -96,6 +96,26 @@ constexpr auto signs_of_books = std::to_array<std::pair<std::string_view, std::s
     {"∞", "there is no number for infinity"},
 });
 
+constexpr auto greek_letters = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"α", "alpha"}, {"β", "beta"},  {"γ", "gamma"}, {"δ", "delta"}, {"ε", "epsilon"}, {"ζ", "zeta"},
+    {"η", "eta"},   {"θ", "theta"}, {"ϑ", "theta"}, {"κ", "kappa"}, {"λ", "lambda"},  {"μ", "mu"},
+    {"ν", "nu"},    {"ξ", "xi"},    {"π", "pi"},    {"ρ", "rho"},   {"σ", "sigma"},   {"τ", "tau"},
+    {"φ", "phi"},   {"ϕ", "phi"},   {"χ", "chi"},   {"ψ", "psi"},   {"ω", "omega"},   {"Ω", "Omega"},
+    {"Δ", "Delta"}, {"Θ", "Theta"}, {"Φ", "Phi"},   {"Ψ", "Psi"},
+});
+
+constexpr std::string_view dot_above = "\xcc\x87";  ///< the letter before
+
+/// "write omega for it, or omega_dot": the letter that the text begins with.
+std::string advice_on_greek(std::string_view rest) {
+  const auto letter =
+      std::ranges::find_if(greek_letters, [&](const auto& pair) { return rest.starts_with(pair.first); });
+  const std::string name = letter != greek_letters.end() ? std::string(letter->second) : "theta";
+  if (letter != greek_letters.end() && rest.substr(letter->first.size()).starts_with(dot_above))
+    return "write " + name + "_dot for the velocity of " + name;
+  return "expressions are ASCII: write " + name + " for the Greek letter";
+}
+
 /// The first bytes of U+0370 to U+03FF.
 bool is_greek(std::string_view rest) {
   const auto first = static_cast<unsigned char>(rest.front());
@@ -106,8 +126,7 @@ std::string advice_on(std::string_view rest) {
   const auto sign =
       std::ranges::find_if(signs_of_books, [&](const auto& pair) { return rest.starts_with(pair.first); });
   if (sign != signs_of_books.end()) return std::string(sign->second);
-  return is_greek(rest) ? "expressions are ASCII: write theta for the Greek letter"
-                        : "expressions are ASCII: this sign is not";
+  return is_greek(rest) ? advice_on_greek(rest) : "expressions are ASCII: this sign is not";
 }
 
 [[noreturn]] void reject_character(std::string_view rest, std::size_t offset) {

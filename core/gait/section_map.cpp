@@ -14,7 +14,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::uint64_t most_steps = 20'000;
 constexpr double least_atol = 1e-100;
 constexpr double of_rounding = 1e-11;  // of u, as far as it has been found
 
@@ -151,8 +150,14 @@ RunRequest SectionMap::request(const VectorXd& start, double rtol) const {
   run.y_start.assign(start.begin(), start.end());
   run.method = Method::erk;
   run.tolerances = {rtol, std::max(rtol * start.lpNorm<Eigen::Infinity>(), least_atol)};
-  run.limits.max_steps = most_steps;
+  run.limits.max_steps = steps_left_;
   return run;
+}
+
+Run SectionMap::followed(const RightHandSide& system, const RunRequest& run) {
+  Run done = integrate(system, run);
+  if (done.ending == Ending::step_limit) steps_left_ = std::max(steps_left_ / 2, fewest_steps);
+  return done;
 }
 
 std::optional<Stride> SectionMap::stride(const VectorXd& u, double rtol) {
@@ -203,7 +208,7 @@ std::optional<Stride> SectionMap::stride_from(const VectorXd& after, double rtol
   crossing.terminal = false;
   crossing.condition = {};
   run.events.push_back(std::move(crossing));
-  const Run done = integrate(system, run);
+  const Run done = followed(system, run);
   if (done.ending != Ending::event) return std::nullopt;
   const auto ended =
       std::ranges::find_if(done.events, [&](const EventOccurrence& e) { return e.event < watches_.size(); });
@@ -236,7 +241,7 @@ std::optional<Flow> SectionMap::flow(const VectorXd& u, double duration, double 
   run.y_start.insert(run.y_start.end(), start->derivative.reshaped().begin(),
                      start->derivative.reshaped().end());
   run.t_end = duration;
-  const Run done = integrate(system, run);
+  const Run done = followed(system, run);
   if (done.ending != Ending::reached_end) return std::nullopt;
   Flow flow;
   flow.after = start->after;

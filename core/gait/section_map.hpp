@@ -52,6 +52,9 @@ struct Flow {
 class SectionMap {
  public:
   static constexpr double longest_stride = 100;  ///< in units of time of the scene
+  /// Of one stride. Where friction holds a body, all are spent, and with every such stride others may take
+  /// fewer.
+  static constexpr std::uint64_t most_steps = 20'000, fewest_steps = 1'000;
 
   /// Throws Error(not_applicable) for a scene without an impact,
   /// and where the motion depends on time explicitly.
@@ -105,6 +108,7 @@ class SectionMap {
   [[nodiscard]] Eigen::VectorXd on_surface(Eigen::VectorXd after);
   [[nodiscard]] bool starts_validly(const Eigen::VectorXd& after);
   [[nodiscard]] RunRequest request(const Eigen::VectorXd& start, double rtol) const;
+  [[nodiscard]] Run followed(const RightHandSide& system, const RunRequest& run);
   [[nodiscard]] bool add_surface(Flow& flow);
 
   const Dynamics& dynamics_;
@@ -115,6 +119,7 @@ class SectionMap {
   Workspace accelerations_workspace_, jacobian_workspace_, jump_workspace_, surface_workspace_;
   std::vector<Watch> watches_;  ///< the impact is the last; empty until asked for
   StateScales scales_;
+  std::uint64_t steps_left_{most_steps};
   std::vector<double> si_, block_;  ///< scratch
 };
 

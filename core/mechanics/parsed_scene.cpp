@@ -192,9 +192,10 @@ class SceneParser {
       const Dimension by = constraint.holonomic ? work : work / *dimension_of_unit("s");
       if (unit) constraint.multiplier_unit = to_text(by / *unit);
       if (scene_.without_units) constraint.multiplier_unit = "1";
-      parsed_.symbols.multipliers.push_back(
-          text_.declare(multiplier_name(scene_.constraints[i]), unit ? std::optional(by / *unit) : unit,
-                        Context::motion, "/constraints/" + std::to_string(i) + "/name"));
+      const bool is_given = !scene_.constraints[i].multiplier.empty();
+      parsed_.symbols.multipliers.push_back(text_.declare(
+          multiplier_name(scene_.constraints[i]), unit ? std::optional(by / *unit) : unit, Context::motion,
+          "/constraints/" + std::to_string(i) + (is_given ? "/multiplier" : "/name")));
     }
   }
 

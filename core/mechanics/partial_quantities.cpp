@@ -32,6 +32,22 @@ bool is_partial(const Expression& e, const std::vector<NodeId>& varying) {
                              [&](NodeId id) { return std::visit(partial, graph.node(id)); });
 }
 
+/// A tangent of what varies, or a denominator with more in it than one coordinate, which is 0 or is not.
+bool may_have_poles(const Expression& e, const std::vector<NodeId>& varying) {
+  const Graph& graph = e.graph();
+  const auto varies = [&](NodeId id) {
+    const auto below = reachable(graph, std::array{id});
+    return std::ranges::any_of(varying, [&](NodeId v) { return std::ranges::binary_search(below, v); });
+  };
+  return std::ranges::any_of(reachable(graph, std::array{e.id()}), [&](NodeId id) {
+    if (const auto* call = std::get_if<Call>(&graph.node(id)))
+      return call->function == Function::tan && varies(call->argument);
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    return power != nullptr && power->exponent < Number(0) &&
+           !std::holds_alternative<Symbol>(graph.node(power->base)) && varies(power->base);
+  });
+}
+
 class Collector {
  public:
   Collector(const ParsedScene& scene, const Lagrangian& lagrangian) : lagrangian_(lagrangian) {
@@ -41,8 +57,9 @@ class Collector {
   }
 
   void add(const std::string& name, const Expression& e) {
-    if (!is_partial(e, varying_)) return;
-    result_.push_back({name, substitute(e, lagrangian_.holding)});
+    const bool poles = may_have_poles(e, varying_);
+    if (!poles && !is_partial(e, varying_)) return;
+    result_.push_back({name, substitute(e, lagrangian_.holding), poles});
   }
   void add(const std::string& name, const Vector& vector) {
     for (const Expression& component : vector) add(name, component);
@@ -56,18 +73,24 @@ class Collector {
   std::vector<PartialQuantity> result_;
 };
 
-double value_of(const PartialQuantity& quantity, const Symbols& symbols, std::span<const double> parameters,
-                double t, std::span<const double> y) {
-  std::vector<Assignment> values;
-  const auto assign = [&](const std::vector<Expression>& to, std::span<const double> from) {
-    for (std::size_t i = 0; i < to.size(); ++i) values.emplace_back(to[i], from[i]);
+std::vector<RealAssignment> assigned(const Symbols& symbols, const Reals& parameters, double t,
+                                     const Reals& y) {
+  std::vector<RealAssignment> values;
+  const auto assign = [&](const std::vector<Expression>& to, const Reals& from, std::size_t first) {
+    for (std::size_t i = 0; i < to.size(); ++i) values.emplace_back(to[i], from.exact(first + i));
   };
-  const std::size_t n = symbols.coordinates.value.size();
-  assign(symbols.parameters, parameters);
-  assign(symbols.coordinates.value, y);
-  assign(symbols.coordinates.rate, y.subspan(n));
+  assign(symbols.parameters, parameters, 0);
+  assign(symbols.coordinates.value, y, 0);
+  assign(symbols.coordinates.rate, y, symbols.coordinates.value.size());
   values.emplace_back(symbols.t, t);
-  return evaluate(quantity.value, values);
+  return values;
+}
+
+bool has_value(const PartialQuantity& quantity, std::span<const RealAssignment> values) {
+  std::vector<Assignment> doubles;
+  for (const auto& [symbol, value] : values) doubles.emplace_back(symbol, value.value);
+  return std::isfinite(evaluate(quantity.value, doubles)) &&
+         (!quantity.may_have_poles || is_bounded(quantity.value, values));
 }
 
 }  // namespace
@@ -86,13 +109,14 @@ std::vector<PartialQuantity> partial_quantities(const ParsedScene& scene, const 
 }
 
 std::string without_value(const std::vector<PartialQuantity>& quantities, const Symbols& symbols,
-                          std::span<const double> parameters, std::optional<double> t,
-                          std::span<const double> y) {
+                          const Reals& parameters, std::optional<double> t, const Reals& y) {
   std::string names;
+  if (quantities.empty()) return names;
+  const std::vector<RealAssignment> values = assigned(symbols, parameters, t.value_or(0), y);
   for (const PartialQuantity& quantity : quantities) {
     if (depends_on(quantity.value, symbols.inputs.value)) continue;
     if (!t && depends_on(quantity.value, symbols.t)) continue;
-    if (std::isfinite(value_of(quantity, symbols, parameters, t.value_or(0), y))) continue;
+    if (has_value(quantity, values)) continue;
     if (names.find(quantity.name) != std::string::npos) continue;
     names += (names.empty() ? "" : " and ") + quantity.name;
   }

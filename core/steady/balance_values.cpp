@@ -4,12 +4,22 @@
 #include <map>
 
 #include "core/compile/tape_evaluator.hpp"
+#include "core/expr/calculus.hpp"
 #include "core/numerics/root_isolation.hpp"
 #include "core/steady/quadratic_roots.hpp"
 #include "core/steady/search_region.hpp"
 
 namespace qdot {
 namespace {
+
+/// The argument of a logarithm, or of a root of an even power.
+[[nodiscard]] std::optional<Expression> what_has_to_be_positive(Graph& graph, NodeId id) {
+  if (const auto* call = std::get_if<Call>(&graph.node(id)))
+    return call->function == Function::log ? std::optional(Expression(graph, call->argument)) : std::nullopt;
+  const auto* power = std::get_if<Power>(&graph.node(id));
+  if (power == nullptr || !(power->exponent.denominator() / Number(2)).is_integer()) return std::nullopt;
+  return Expression(graph, power->base);
+}
 
 [[nodiscard]] bool is_at_kink(const BalanceProblem& problem) {
   const SmoothForces& at_rest = problem.kinks->at_rest;
@@ -61,6 +71,37 @@ namespace {
   return {obstacles.at(found.outcome), std::move(found.values), "", found.square};
 }
 
+/// Half-lines of u outside which a root or a logarithm in the force, of what is linear in u, has no value.
+[[nodiscard]] std::vector<Interval> where_defined(const BalanceProblem& problem, std::size_t k) {
+  const SteadyPolynomial& polynomial = *problem.polynomial;
+  Graph graph(*polynomial.graph);
+  const Expression e = graph.adopt(polynomial.whole[k]), u = graph.symbol(problem.unknown);
+  std::vector<RealAssignment> numbers;
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i)
+    numbers.emplace_back(graph.symbol(problem.scene().parameters[i].name), problem.parameters.exact(i));
+  for (std::size_t i = 0; i < problem.scene().coordinates.size(); ++i) {
+    const std::string& name = problem.scene().coordinates[i].name;
+    numbers.emplace_back(graph.symbol(name), problem.y.exact(i));
+    numbers.emplace_back(graph.symbol(name + "_dot"),
+                         problem.y.exact(problem.scene().coordinates.size() + i));
+  }
+  std::vector<Interval> parts;
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const auto argument = what_has_to_be_positive(graph, id);
+    if (!argument || !depends_on(*argument, u)) continue;
+    const Expression slope = differentiate(*argument, u);
+    const Replacement origin{u, graph.number(0)};
+    if (depends_on(slope, u)) continue;
+    const Interval rise = Interval::literal(evaluate_exactly(slope, numbers)),
+                   offset = Interval::literal(evaluate_exactly(substitute(*argument, {&origin, 1}), numbers));
+    if (rise.contains(0.0) || !rise.is_finite() || !offset.is_finite()) continue;
+    const Interval end = -offset / rise;
+    parts.push_back(rise.lower > 0 ? Interval(end.lower, infinity) : Interval(-infinity, end.upper));
+  }
+  return parts;
+}
+
 /// Of force k along u: enclosed over [-L, L] and u's domain, or over a turn.
 [[nodiscard]] Isolation zeros_along(const BalanceProblem& problem, std::size_t k) {
   const SteadyPolynomial& polynomial = *problem.polynomial;
@@ -80,6 +121,8 @@ namespace {
   const Domain& domain = problem.domain;
   Interval region{std::max(domain.lower, -largest_length), std::min(domain.upper, largest_length)};
   if (polynomial.u_turns) region = intersection(turn, region);
+  for (const Interval& part : where_defined(problem, k)) region = intersection(region, part);
+  if (is_empty(region)) return {};
   return isolate_zeros({1, along(values), along(derivatives)}, {region});
 }
 

@@ -19,6 +19,7 @@ namespace {
 
 /// How near two values of the parameter count as one, as a part of its range.
 constexpr double rounding_of_range = 1e-12;
+constexpr double beside_critical = 1e-7;
 
 class CriticalSearch {
  public:
@@ -172,13 +173,14 @@ class CriticalSearch {
   }
 
   void trace() {
-    result_.branches = branches([&](double p) { return column(p); }, from_, to_, result_.critical, turns());
+    result_.branches = branches([&](double& p) { return column(p); }, from_, to_, result_.critical, turns());
   }
 
   void add_missed() {
     const auto growth = missed_growth(dynamics_, all_, index_, result_.branches, result_.critical);
     add(growth);
-    const auto missed = missed_changes(all_, *chart_, result_.branches, result_.critical, {from_, to_});
+    const auto missed =
+        missed_changes(all_, *chart_, index_, result_.branches, result_.critical, {from_, to_});
     add(missed);
     std::ranges::sort(result_.critical, {}, &CriticalValue::value);
     if (!missed.empty()) trace();
@@ -195,13 +197,20 @@ class CriticalSearch {
 
   /// The equilibria at p. There are none to show where a force vanishes everywhere, for then they are not
   /// points of a curve; and where not all can be found, curves end.
-  [[nodiscard]] std::vector<SteadyState> column(double p) {
+  [[nodiscard]] std::vector<SteadyState> column(double& p) {
     const auto is_there = [&](double value) {
       return std::abs(value - p) <= rounding_of_range * (to_ - from_);
     };
     if (gave_up_ || std::ranges::any_of(result_.degenerate, is_there)) return {};
     try {
       Equilibria found = all_.at(p);
+      if (!found.complete) {  // a column may stand where curves meet
+        const double beside = p + (p < to_ ? beside_critical : -beside_critical) * (to_ - from_);
+        if (Equilibria other = all_.at(beside); other.complete) {
+          p = beside;
+          found = std::move(other);
+        }
+      }
       spend_work(found.states.size() *
                  found.states.size());  // each is compared with those of the column before
       if (!found.complete) end_branches(p, "where not all equilibria are found: " + found.reason);

@@ -18,7 +18,8 @@ struct EquilibriumBranch {
 };
 
 /// All equilibria at one value of the parameter.
-using EquilibriaAt = std::function<std::vector<SteadyState>(double parameter)>;
+/// It may move the parameter a little, off a place where they cannot be told apart.
+using EquilibriaAt = std::function<std::vector<SteadyState>(double& parameter)>;
 
 /// Between two neighbours of from, the critical values and to, no equilibrium appears or vanishes, so each is
 /// the continuation of its nearest; a curve begins or ends only at a critical point, which it includes.

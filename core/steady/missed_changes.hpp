@@ -1,6 +1,6 @@
 #pragma once
-// Where the stability along a curve of equilibria changes and the search for critical points was given up:
-// the value of the parameter, by bisection along the curve.
+// Where the stability along a curve of equilibria changes, or the sign of det dg/dx does, and the search for
+// critical points was given up: the value of the parameter, by bisection along the curve.
 
 #include <span>
 #include <vector>
@@ -15,6 +15,7 @@ namespace qdot {
 /// equilibria on one side than on the other, on the mirror of a symmetry, say that one is a pitchfork; all
 /// others are unresolved.
 [[nodiscard]] std::vector<KnownZero> missed_changes(CriticalProblem& problem, const CriticalChart& chart,
+                                                    std::size_t index,
                                                     std::span<const EquilibriumBranch> branches,
                                                     std::span<const CriticalValue> known,
                                                     const Interval& range);

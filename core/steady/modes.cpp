@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/base/error.hpp"
@@ -86,7 +87,10 @@ class Analysis {
 
   /// Where the potential has no value, such as log(x) where x < 0, its slope may have one, and vanish.
   void refuse_missing() const {
-    const std::string names = missing_values(dynamics_.model(), parameters_, std::nullopt, result_.y);
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
+    Reals y;
+    for (const double x : result_.y) y.push_back({x, 0, rounding * std::abs(x)});
+    const std::string names = missing_values(dynamics_.model(), parameters_, std::nullopt, y);
     if (names.empty()) return;
     std::string place;
     for (const std::size_t i : reduction().kept) {

@@ -64,8 +64,9 @@ std::vector<Expression> centres_of_reflection(const Expression& numerator,
   const Expression& x = variables[0];
   std::vector<Expression> centres;
   for (const Expression& centre : candidates(numerator, factors, variables)) {
-    const std::vector<Replacement> reflection{{x, Number(2) * centre - x}};
-    const bool odd = simplify(with_special_angles(substitute(numerator, reflection)) + numerator).is_zero();
+    const std::vector<Replacement> before{{x, centre - x}}, beyond{{x, centre + x}};
+    const Expression sum = substitute(numerator, before) + substitute(numerator, beyond);
+    const bool odd = simplify(with_special_angles(sum)).is_zero();
     if (odd && std::ranges::find(centres, centre) == centres.end()) centres.push_back(centre);
   }
   return centres;

@@ -4,7 +4,9 @@
 
 namespace qdot {
 
-std::string sentence(const Candidates& found, const std::string& u, const std::string& at) {
+std::string sentence(const Candidates& found, const std::string& u, const std::string& position) {
+  const std::string at = position.empty() ? "any place" : position;
+  const std::string held = position.empty() ? "the system" : position;
   switch (found.obstacle) {
     case Obstacle::none:
       break;
@@ -20,17 +22,17 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
     case Obstacle::undefined:
       return "The forces have no finite value at " + at + ".";
     case Obstacle::no_finite_value:
-      return "No finite " + u + " holds " + at + ": to within rounding it is a position that " + u +
+      return "No finite " + u + " holds " + held + ": to within rounding it is a position that " + u +
              " approaches as it grows without bound.";
     case Obstacle::no_real_value:
-      return "No real " + u + " holds " + at + ".";
+      return "No real " + u + " holds " + held + ".";
     case Obstacle::negative_square:
-      return "No real " + u + " holds " + at + ": " + u + "^2 would have to be " +
+      return "No real " + u + " holds " + held + ": " + u + "^2 would have to be " +
              short_number(found.number, 6) + ".";
     case Obstacle::none_in_domain:
-      return "No " + u + " in its domain holds " + at + ".";
+      return "No " + u + " in its domain holds " + held + ".";
     case Obstacle::not_decided:
-      return "The forces are too small, or vanish too often, to tell which " + u + " hold " + at + ".";
+      return "The forces are too small, or vanish too often, to tell which " + u + " hold " + held + ".";
     case Obstacle::at_kink:
       return "An abs() or a sign() in the forces has its kink at " + at + ", or one that moves with " + u +
              ": forces have no single value there, and whole intervals of " + u + " may hold it.";

@@ -33,7 +33,9 @@ struct Candidates {
   double number{};
 };
 
-/// Empty where there is no obstacle. `u`: the unknown's name; `at`: the position in words.
-[[nodiscard]] std::string sentence(const Candidates& found, const std::string& u, const std::string& at);
+/// Empty where there is no obstacle. `u`: the unknown's name; `position`: in words, empty where no force
+/// depends on it.
+[[nodiscard]] std::string sentence(const Candidates& found, const std::string& u,
+                                   const std::string& position);
 
 }  // namespace qdot

@@ -72,7 +72,7 @@ SteadyForces compiled_forces(const Model& model, const Reduction& reduction, con
     if (!model.scene.coordinates[reduction.kept[j]].domain.contains(0)) nonzero.push_back(x[j]);
     const bool matters = any([&](const Expression& g) { return depends_on(g, x[j]); });
     (matters ? result.unknowns : result.free).push_back(j);
-    const bool angle = model.scene.coordinates[reduction.kept[j]].unit == "rad";
+    const bool angle = model.scene.coordinates[reduction.kept[j]].unit == "rad" || model.scene.without_units;
     result.turns.push_back(angle && !any([&](const Expression& g) { return !has_full_turn(g, x[j]); }));
   }
   result.symmetric = result.rest.size() == x.size() && is_gradient(stiffness, x.size());

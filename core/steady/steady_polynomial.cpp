@@ -6,9 +6,11 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/full_turn.hpp"
 #include "core/expr/linear.hpp"
+#include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/rational_function.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/trigonometry.hpp"
+#include "core/steady/factors.hpp"
 #include "core/steady/numerator.hpp"
 #include "core/steady/steady_forces.hpp"
 
@@ -46,6 +48,7 @@ class PolynomialDerivation {
     compile();
     if (x_.size() == 1) write_small_motion();
     result_.forms = coefficients_;
+    result_.whole = values_;
     result_.graph = own_;
     return std::move(result_);
   }
@@ -97,7 +100,27 @@ class PolynomialDerivation {
         graph_, in_lowest_terms(with_single_angles(graph_, f.above), with_single_angles(graph_, f.below)));
   }
 
-  void add_force(std::size_t equation, const Expression& g) {
+  /// The numerator of g without what u it shares with the inertia: where both vanish, as with a mass of 0,
+  /// the accelerations go on as before.
+  [[nodiscard]] Expression without_inertia(std::size_t equation, const Expression& g) const {
+    if (model_.has_constraints() || !depends_on(g, u_)) return g;
+    Polynomial shared = rational_function(g).above;
+    const Expression& row = reduction_.equations[equation];
+    for (const Expression& x_ddot : reduction_.x_ddot) {
+      const Expression entry = graph_.adopt(at_rest(reduction_, differentiate(row, x_ddot)));
+      const Polynomial above = rational_function(substitute(entry, momenta_)).above;
+      if (!above.empty()) shared = greatest_common_divisor(shared, above);
+    }
+    Expression result = g;
+    for (const Factor& factor : factors_along(to_expression(graph_, shared), u_)) {
+      if (depends_on(factor.base, u_) && !depends_on(factor.base, x_))
+        result = to_expression(graph_, rational_function(result / factor.base));
+    }
+    return result == g ? g : simplify(result);
+  }
+
+  void add_force(std::size_t equation, const Expression& force) {
+    const Expression g = without_inertia(equation, force);
     Derivatives all = derivatives(g);
     if (!momenta_.empty()) {
       Derivatives other = derivatives(in_lowest_terms_of_angles(g));
@@ -105,16 +128,16 @@ class PolynomialDerivation {
       if (other.is_quadratic && (!all.is_quadratic || is_shorter)) all = std::move(other);
     }
     const auto& [e, first, second, is_quadratic] = all;
-    SteadyPolynomial::Force force{equation, !first.is_zero(), std::nullopt, false};
+    SteadyPolynomial::Force result{equation, !first.is_zero(), std::nullopt, false};
     std::vector<Expression> c(3, graph_.number(0));
     if (is_quadratic) {
       c[0] = simplify(substitute(e, {&zero_, 1}));
       c[1] = simplify(substitute(first, {&zero_, 1}));
       c[2] = Number::ratio(1, 2) * second;
-      force.degree = !second.is_zero() ? 2 : force.depends ? 1 : 0;
-      force.linear_vanishes = c[1].is_zero();
+      result.degree = !second.is_zero() ? 2 : result.depends ? 1 : 0;
+      result.linear_vanishes = c[1].is_zero();
     }
-    result_.forces.push_back(force);
+    result_.forces.push_back(result);
     coefficients_.insert(coefficients_.end(), c.begin(), c.end());
     values_.push_back(e);
     derivatives_.push_back(first);
@@ -131,7 +154,8 @@ class PolynomialDerivation {
 
   void describe_coordinates() {
     for (std::size_t j = 0; j < x_.size(); ++j) {
-      const bool angle = model_.scene.coordinates[reduction_.kept[j]].unit == "rad";
+      const bool angle =
+          model_.scene.coordinates[reduction_.kept[j]].unit == "rad" || model_.scene.without_units;
       result_.turns.push_back(angle && all([&](const Expression& e) { return has_full_turn(e, x_[j]); }));
       if (!all([&](const Expression& e) { return !depends_on(e, x_[j]); })) result_.needed.push_back(j);
     }

@@ -30,6 +30,7 @@ struct SteadyPolynomial {
   std::vector<bool> turns;          ///< for each x: see SteadyForces
   std::vector<std::size_t> needed;  ///< places in x that some force depends on
   std::vector<Expression> forms;    ///< `coefficients` as expressions, in `graph`
+  std::vector<Expression> whole;    ///< `values` as expressions
   Expression stiffness, inertia;    ///< K and M of one coordinate, also there; else without a value
   std::shared_ptr<const Graph> graph;
   bool u_turns{};  ///< a full turn of u changes no force

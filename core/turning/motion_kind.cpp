@@ -29,6 +29,10 @@ Finding extremum_at(const MotionBound& bound, const std::string& name) {
       return none(name + " never turns on this side: the kinetic energy stays positive all the way.");
     case MotionBound::Kind::domain_end:
       return none("The motion reaches the end of the range in which " + name + " describes a configuration.");
+    case MotionBound::Kind::near_end:
+      return none("The motion comes to rest at " + where +
+                  ", to within rounding the end of the range in which " + name +
+                  " describes a configuration: whether it turns before it is not known.");
     case MotionBound::Kind::fall:
       return none("At " + name + " = " + where + " the potential has a pole: " + name +
                   " does not turn before it, and towards it the speed grows without bound, as far as double "

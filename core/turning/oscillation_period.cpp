@@ -93,6 +93,38 @@ Finding libration_period(EnergyBalance& energy, const Interval& a, const Interva
   return finding_of(Ball(2) * (halves + Ball::of(rest)));
 }
 
+namespace {
+
+/// From one wall to the other.
+Ball between_walls(PeriodPieces& pieces, const Ball& a, const Ball& b) {
+  const double from = a.value(), to = b.value();
+  const Interval rest =
+      (b - a - (Ball(to) - Ball(from))).interval() * pieces.slowness(hull(a.interval(), b.interval()));
+  return Walk(pieces, nullptr).duration(from, to) + Ball::of(rest);
+}
+
+/// x = a + way sin^2 s with a wall where s = pi/4.
+Ball from_turning_point(PeriodPieces& pieces, const Ball& a, const Ball& wall) {
+  const Ball way = Ball(2) * (wall - a);
+  const PeriodEnd end{a, way};
+  const Ball time = Walk(pieces, &end).duration(0, pi / 4);
+  const Ball gap = Ball(pi_double_double, 1e-32) * Ball(0.25) - Ball(pi / 4);
+  const Interval size(way.interval().magnitude());
+  return time + Ball::of(gap.interval() * size * pieces.slowness(wall.interval()));
+}
+
+}  // namespace
+
+Finding elastic_period(EnergyBalance& energy, const ElasticEnd& a, const ElasticEnd& b) {
+  PeriodPieces pieces(energy);
+  if ((b.place - a.place).contains_zero()) return unknown();
+  const Ball time = a.is_wall && b.is_wall ? between_walls(pieces, a.place, b.place)
+                    : a.is_wall
+                        ? from_turning_point(pieces, turning_place(energy, b.place.interval()), a.place)
+                        : from_turning_point(pieces, turning_place(energy, a.place.interval()), b.place);
+  return finding_of(Ball(2) * time);
+}
+
 Finding rotation_period(EnergyBalance& energy) {
   PeriodPieces pieces(energy);
   const double from = energy.x0(), to = from + 2 * pi;

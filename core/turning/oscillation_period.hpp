@@ -19,6 +19,15 @@ namespace qdot {
 /// There and back between two turning points.
 [[nodiscard]] Finding libration_period(EnergyBalance& energy, const Interval& a, const Interval& b);
 
+/// Where a motion turns: a zero of F, or a wall that gives back all of its speed.
+struct ElasticEnd {
+  Ball place;
+  bool is_wall{};
+};
+
+/// There and back between two ends, one of which is a wall.
+[[nodiscard]] Finding elastic_period(EnergyBalance& energy, const ElasticEnd& a, const ElasticEnd& b);
+
 /// One turn of an angle, 2 pi being a period of U.
 [[nodiscard]] Finding rotation_period(EnergyBalance& energy);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/dynamics/missing_values.hpp"
 #include "core/expr/full_turn.hpp"
 #include "core/numerics/constants.hpp"
@@ -73,7 +74,8 @@ MotionBounds bounds_of(EnergyBalance& energy, const Range& range) {
 std::optional<MotionKind> kind_of(const MotionBounds& bounds) {
   using Kind = MotionBound::Kind;
   const auto either = [&](Kind kind) { return bounds.down.kind == kind || bounds.up.kind == kind; };
-  if (either(Kind::unresolved) || either(Kind::fall) || either(Kind::no_value)) return std::nullopt;
+  if (either(Kind::unresolved) || either(Kind::near_end) || either(Kind::fall) || either(Kind::no_value))
+    return std::nullopt;
   if (either(Kind::asymptote)) return MotionKind::separatrix;
   if (either(Kind::domain_end)) return std::nullopt;
   if (either(Kind::full_turn)) return MotionKind::rotation;
@@ -83,7 +85,7 @@ std::optional<MotionKind> kind_of(const MotionBounds& bounds) {
 /// What the bound says that leaves the kind of motion open.
 std::string why_kind_is_open(const MotionBounds& bounds, const TurningPoints& answer) {
   using Kind = MotionBound::Kind;
-  for (const auto kind : {Kind::unresolved, Kind::fall, Kind::no_value, Kind::domain_end}) {
+  for (const auto kind : {Kind::unresolved, Kind::near_end, Kind::fall, Kind::no_value, Kind::domain_end}) {
     if (bounds.down.kind == kind) return answer.minimum.reason;
     if (bounds.up.kind == kind) return answer.maximum.reason;
   }
@@ -199,6 +201,7 @@ class Question {
     answer_.minimum = extremum_at(bounds.down, q.name);
     if (answer_.initial == InitialPlace::minimum) answer_.minimum = {x0_, energy_.distance_from_start(), ""};
     if (answer_.initial == InitialPlace::maximum) answer_.maximum = {x0_, energy_.distance_from_start(), ""};
+    if (bounces(bounds, q.name)) return;
     answer_.motion = kind_of(bounds);
     if (!answer_.motion) answer_.motion_reason = why_kind_is_open(bounds, answer_);
     const std::optional<PeriodicWay> way = way_of(bounds);
@@ -214,6 +217,49 @@ class Question {
         way->turns_back ? libration_path(energy_, way->from, way->to) : rotation_path(energy_, x0_dot_),
         *way);
     note_singular_places(*way);
+  }
+
+  /// Between walls that give back all of the speed, or one and a turning point. False where it comes to none,
+  /// or that is not known.
+  [[nodiscard]] bool bounces(const MotionBounds& bounds, const std::string& name) {
+    if (!beside_.impacts || dynamics_.model().parsed.impacts.empty()) return false;
+    const auto walls = elastic_walls(dynamics_.model(), parameters_, y0_);
+    if (!walls) return false;
+    const auto low = end_of(bounds.down, walls->below, -1), high = end_of(bounds.up, walls->above, 1);
+    if (!low || !high || !(low->is_wall || high->is_wall)) return false;
+    answer_.walls.emplace();
+    take_wall(*low, walls->below, answer_.walls->below, answer_.minimum, name);
+    take_wall(*high, walls->above, answer_.walls->above, answer_.maximum, name);
+    answer_.motion = MotionKind::libration;
+    if (beside_.period) answer_.period = elastic_period(energy_, *low, *high);
+    if (beside_.along)
+      answer_.validity = no_minima(dynamics_.model(), "A wall turns the motion, which is not followed here.");
+    return true;
+  }
+
+  void take_wall(const ElasticEnd& end, const std::optional<ElasticWall>& wall,
+                 std::optional<ElasticWall>& taken, Finding& extremum, const std::string& name) {
+    if (!end.is_wall) return;
+    taken = wall;
+    extremum = {wall->place.value(), wall->place.error(), ""};
+    answer_.notes.push_back("At " + name + " = " + short_number(wall->place.value(), 10) + " the impact '" +
+                            wall->event + "' turns the motion round, and takes nothing of its speed.");
+  }
+
+  /// Where the motion turns on one side; none where that is not known.
+  [[nodiscard]] std::optional<ElasticEnd> end_of(const MotionBound& bound,
+                                                 const std::optional<ElasticWall>& wall, int side) {
+    using Kind = MotionBound::Kind;
+    const bool turns = bound.kind == Kind::turning;
+    if (!wall) return turns ? std::optional(ElasticEnd{Ball::of(bound.place), false}) : std::nullopt;
+    if (!turns && bound.kind != Kind::unbounded) return std::nullopt;
+    if (turns) {
+      const Interval beyond = Interval(side) * (wall->place.interval() - bound.place);
+      if (beyond.lower > 0) return ElasticEnd{Ball::of(bound.place), false};
+      if (!(beyond.upper < 0)) return std::nullopt;
+    }
+    if (!(energy_.remaining(wall->place.interval()).lower > 0)) return std::nullopt;
+    return ElasticEnd{wall->place, true};
   }
 
   [[nodiscard]] std::optional<PeriodicWay> way_of(const MotionBounds& bounds) const {

@@ -14,6 +14,7 @@
 
 #include "core/dynamics/initial_place.hpp"
 #include "core/numerics/finding.hpp"
+#include "core/turning/elastic_walls.hpp"
 #include "core/turning/energy_problem.hpp"
 #include "core/turning/motion_kind.hpp"
 #include "core/turning/validity_minimum.hpp"
@@ -34,6 +35,8 @@ struct TurningPoints {
   Finding period;
   std::vector<ValidityMinimum> validity;
   std::vector<std::string> notes;
+  /// Walls that turn the motion, which ends at them.
+  std::optional<ElasticWalls> walls;
   /// The first of the scene's events with an impact that the motion comes to, as far as is known: the energy
   /// integral does not lead beyond it. Empty: it comes to none.
   std::string impact;

@@ -118,6 +118,7 @@ MotionBound TurningSearch::look_beyond_resolution() {
       return {is_pole ? MotionBound::Kind::fall : MotionBound::Kind::no_value, around_what_is_singular(next)};
     }
     if (remaining_at(next.q).upper < 0) return {MotionBound::Kind::turning, next.x};
+    if (next.q == limit() && !range_.period) return {MotionBound::Kind::near_end, next.q};
   }
   return {MotionBound::Kind::unresolved, p_};
 }

@@ -28,6 +28,7 @@ struct MotionBound {
     domain_end,  ///< F > 0 up to the end of the coordinate's domain
     fall,        ///< F > 0 up to a pole of U, towards which F grows as far as numbers tell
     no_value,    ///< F > 0 up to where U has no value that could be enclosed
+    near_end,    ///< F > 0 up to next to the end of the domain, where rounding does not tell whether it turns
     unresolved   ///< the search came no further than `place`
   };
   Kind kind{Kind::unresolved};

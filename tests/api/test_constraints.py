@@ -50,6 +50,29 @@ class Motions(Service):
         energy = self.ask("energy", {"system": scene})
         self.assertAlmostEqual(energy["accelerations"]["q0_ddot"], -a, 12)
 
+    def test_a_start_at_the_origin_is_as_good_as_any(self):
+        bead = {"name": "bead", "units": "none", "coordinates": [{"name": "x"}, {"name": "y"}],
+                "lagrangian": "(x_dot^2 + y_dot^2)/2 - y"}
+        for wire, start in [("y - cosh(x) + 1", 1), ("sqrt(x^2 + (y - 1)^2) - 1", 1), ("y - 1 + cos(x)", 0.5),
+                            ("y - exp(x) + 1", 1), ("y - (1 - cos(2*t))", 1), ("y - sqrt(1 + x^2) + 1", 1)]:
+            for x in (0, 1e-9):
+                with self.subTest(wire=wire, x=x):
+                    scene = bead | {"constraints": [{"name": "wire", "expression": wire, "multiplier": "N"}]}
+                    rate = start if x == 0 else 0
+                    rises = "exp" in wire
+                    state = {"x": x, "x_dot": rate, "y": f"exp({x:.9f}) - 1" if rises else 0, "y_dot": rate if rises else 0}
+                    answer = self.ask("simulate", {"system": scene, "initial": state, "t_end": 1, "samples": 5,
+                                                   "accuracy": "accurate"})
+                    error = max(answer["accuracy"]["max_abs_error"].values())
+                    for t, a, b in zip(*(answer["trajectory"][name] for name in ("t", "x", "y"))):
+                        where = {"x": a, "y": b, "t": t} | {name: getattr(math, name)
+                                                            for name in ("cosh", "sqrt", "cos", "exp")}
+                        left = eval(wire.replace("^", "**"), where)  # noqa: S307
+                        self.assertLessEqual(abs(left), 10*error + 1e-14)
+        flat = bead | {"constraints": [{"name": "wire", "expression": "(y - x - 0.1)^2", "multiplier": "N"}]}
+        problem = self.refused("simulate", {"system": flat, "initial": {"y": 0.1}, "t_end": 1})
+        self.assertIn("undetermined", problem["errors"][0]["detail"])
+
     def test_a_pendulum_in_x_and_y_is_that_in_its_angle(self):
         start = {"initial": {"x": "0.7*sin(2)", "y": "-0.7*cos(2)", "x_dot": "0.7*6*cos(2)", "y_dot": "0.7*6*sin(2)"}}
         found = self.motion(scenes.PENDULUM_BY_CONSTRAINT, 10, max_error=1e-9, include=["multipliers", "validity"], **start)

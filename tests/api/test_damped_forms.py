@@ -87,7 +87,8 @@ class DampedForms(Service):
         self.assertEqual((fast["exact"]["of"], fast["exact"]["text"]), ("rate", "sqrt(c^2/(4*m^2) - k/m) + c/(2*m)"))
         self.assertEqual((slow["exact"]["of"], slow["exact"]["text"]), ("rate", "c/(2*m) - sqrt(c^2/(4*m^2) - k/m)"))
         for mode in self.ask("modes", {"system": SPRING, "parameters": {"c": 4}})["modes"]:
-            self.assertNotIn("exact", mode)  # critically damped for all that is known
+            self.assertEqual(mode["exact"]["text"], "c/(2*m)")
+            self.assertIn("k/m = c^2/(4*m^2)", mode["exact"]["assumes"])  # critically damped
 
     def test_what_only_rubs(self):
         rest, decay = self.ask("modes", {"system": SPRING, "parameters": {"k": 0}})["modes"]

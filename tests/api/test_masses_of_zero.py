@@ -32,6 +32,15 @@ class MassesOfZero(Service):
         near = self.ask("energy", {"system": POLE, "initial": {"th": "pi/2 - 1e-3", "th_dot": 1}})
         self.assertLess(near["error"]["T"], 1e-9 * near["T"])
 
+    def test_nothing_rests_at_a_pole(self):
+        for th in ("pi/2", "-90deg"):
+            at = {"system": POLE, "initial": {"th": th}}
+            for endpoint, more in (("simulate", {"t_end": 1}), ("turning_points", {})):
+                problem = self.refused(endpoint, at | more)
+                self.assertIn("there is no finite value of", problem["errors"][0]["detail"])
+        near = {"system": POLE, "initial": {"th": "pi/2 - 1e-3"}}
+        self.assertEqual(self.ask("simulate", near | {"t_end": 1e-9})["status"], "complete")
+
     def test_a_sleeping_top_by_angles_that_fail_there(self):
         refused = self.refused("modes", {"system": "symmetric_top", "initial": {"theta": 0, "phi_dot": 0}})
         self.assertIn("At theta = 0 the forces have no value", refused["detail"])

@@ -1,11 +1,16 @@
 #include "core/steady/bifurcations.hpp"
+
+#include <algorithm>
+
 #include "api/answers/bifurcations/request.hpp"
 #include "api/answers/exact_json.hpp"
 #include "api/answers/gait/request.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
+#include "core/closed/exact_degenerate.hpp"
 #include "core/closed/exact_solution.hpp"
 #include "core/gait/gait_continuation.hpp"
+#include "core/mechanics/followers.hpp"
 
 namespace qdot::api {
 namespace {
@@ -67,6 +72,7 @@ class BifurcationsAnswer {
     if (!found.reason.empty()) body["reason"] = found.reason;
     if (!found.degenerate.empty()) {
       body["degenerate"] = found.degenerate;
+      put_degenerate_forms(body, found);
       body["degenerate_reason"] =
           "At these values a force, or what the others leave of it, vanishes in every position, so equilibria are "
           "not isolated points.";
@@ -77,6 +83,14 @@ class BifurcationsAnswer {
       body["branches"].push_back(branch(i, found.branches[i]));
     body["method"] = method_of_bifurcations;
     return body;
+  }
+
+  void put_degenerate_forms(Json& body, const Bifurcations& found) const {
+    const auto forms = exact_degenerate_values(dynamics_, state_.parameters, state_.y, index_,
+                                               written_texts(request_.system), found);
+    if (!std::ranges::all_of(forms, [](const auto& form) { return form.has_value(); })) return;
+    Json& exact = body["degenerate_exact"] = Json::array();
+    for (const auto& form : forms) exact.push_back(exact_json(*form));
   }
 
   [[nodiscard]] Json critical(const CriticalValue& c) {
@@ -161,9 +175,24 @@ class BifurcationsAnswer {
   Json units_;
 };
 
+/// "While m moves, M = 2*m and k = 2*m*g/l follow it."; empty where none does.
+std::string note_on_followers(const Model& model, const SystemChoice& choice, const std::string& parameter) {
+  std::vector<std::string> names;
+  for (const Parameter& p : model.scene.parameters) names.push_back(p.name);
+  const DefaultValues defaults{*model.parsed.graph, names, model.parsed.parameter_defaults};
+  std::string text;
+  const Followers followers = followers_of(defaults, written_texts(choice), parameter);
+  for (const auto& [name, value] : followers) text += (text.empty() ? "" : ", ") + name + " = " + value;
+  return text.empty() ? text
+                      : "While " + parameter + " moves, " + text +
+                            (followers.size() == 1 ? " follows it." : " follow it.");
+}
+
 Response answer_bifurcations(const Resolved<BifurcationsRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, 0.0, request.parameter);
+  if (std::string note = note_on_followers(system.model(), request.system, request.parameter); !note.empty())
+    call.notes.push_back(std::move(note));
   const Json body = BifurcationsAnswer(*system.dynamics, system.state, request).body();
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, request.digits);

@@ -47,7 +47,9 @@ class EquilibriaAnswer {
     if (!found.free.empty()) put_free(body, found);
     if (!found.momenta.empty()) put_momenta(body, found);
     body["method"] = method_of_equilibria;
-    if (const std::string note = note_on_walls(dynamics_.model()); !note.empty()) body["notes"] = {note};
+    if (const std::string note = note_on_walls(dynamics_.model()); !note.empty())
+      body["notes"].push_back(note);
+    if (scene_.without_units && found.problem.forces) note_turns(body, found.problem);
     body["units"] = units(found);
     return body;
   }
@@ -57,6 +59,17 @@ class EquilibriaAnswer {
     if (dynamics_.model().has_constraints())
       return constrained_equilibria(dynamics_, state_.parameters, state_.y);
     return {equilibria(dynamics_, state_.parameters, state_.y), {}};
+  }
+
+  /// Of coordinates without units, which are not known to be angles.
+  void note_turns(Json& body, const SteadyProblem& problem) const {
+    for (const std::size_t k : problem.forces->unknowns) {
+      if (!problem.forces->turns[k]) continue;
+      const std::string& name = scene_.coordinates[problem.statics->reduction.kept[k]].name;
+      body["notes"].push_back(
+          "All forces are the same where " + name +
+          " is 2*pi more, so it is taken for an angle: equilibria are those of one turn.");
+    }
   }
 
   void put_multipliers(Json& json, const std::optional<std::vector<Ball>>& multipliers) const {

@@ -40,5 +40,15 @@ TEST(SpecialAngles, LeaveTheRestOfAnAngle) {
   EXPECT_EQ(folded("sin(x + pi/6)"), folded("sin(pi/6 + x)"));
 }
 
+TEST(SpecialAngles, AreReadFromTheNextRightAngle) {
+  Graph graph;
+  const std::vector<std::string> names{"x"};
+  const auto read = [&](const std::string& text) { return print(parse(text, graph, names), Form::text); };
+  EXPECT_EQ(read("sin(x + pi/2)"), "cos(x)");
+  EXPECT_EQ(read("cos(2*x - 3*pi/2)"), "-sin(2*x)");
+  EXPECT_EQ(read("sin(pi/6)"), "sin(1/6*pi)");
+  EXPECT_EQ(read("cos(x - pi/3)"), "cos(x - 1/3*pi)");
+}
+
 }  // namespace
 }  // namespace qdot
