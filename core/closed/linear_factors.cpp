@@ -117,6 +117,8 @@ std::optional<Expression> with_complete_square(Graph& graph, const Polynomial& a
 }
 
 Expression factored_rational(const Expression& e) {
+  constexpr std::size_t few_operations = 10;
+  if (written_length(e) < few_operations) return e;
   Graph& graph = e.graph();
   const RationalFunction f = rational_function(e);
   if (f.is_zero() || (f.above.size() < fewest_terms && f.below.size() < fewest_terms)) return e;
