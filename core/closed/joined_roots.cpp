@@ -1,11 +1,11 @@
 #include "core/closed/joined_roots.hpp"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <optional>
 
 #include "core/expr/polynomial.hpp"
-#include "core/expr/print/print.hpp"
 
 namespace qdot {
 namespace {
@@ -20,6 +20,7 @@ class Powers {
     const Number total = power * exponent;
     if (!(e == base)) {
       has_roots_ = has_roots_ || !power.is_integer();
+      if (is_one_thing(base) && exponent.is_integer()) return add(base, total);  // it has a root as it is
       return (power.is_integer() && exponent.is_integer()) || is_positive(base) ? take(base, total) : false;
     }
     if (const Number* number = base.number()) return take_number(*number, total);
@@ -83,6 +84,10 @@ class Powers {
     return true;
   }
 
+  static bool is_one_thing(const Expression& base) {
+    return std::holds_alternative<Symbol>(base.node()) || std::holds_alternative<Sum>(base.node());
+  }
+
   [[nodiscard]] bool is_positive(const Expression& e) const { return sign_(multiplied_out(e)) > 0; }
 
   [[nodiscard]] Expression root(std::int64_t q,
@@ -103,13 +108,21 @@ class Powers {
   bool has_roots_{};
 };
 
+std::size_t roots_in_product(const Expression& e) {
+  const auto* product = std::get_if<Product>(&e.node());
+  const std::vector<NodeId> factors = product != nullptr ? product->factors : std::vector{e.id()};
+  return static_cast<std::size_t>(std::ranges::count_if(factors, [&](NodeId id) {
+    return !split_power({e.graph(), id}).exponent.is_integer();
+  }));
+}
+
 Expression joined_product(const Expression& e, const SignOf& sign) {
   Powers powers(e.graph(), sign);
   if (!powers.take(e, Number(1)) || !powers.has_roots()) return e;
+  constexpr std::size_t one_operation = 2;  // spares too little: m*l^2*sqrt(g/l) is how one writes it
   const Expression result = powers.joined();
-  const std::size_t before = written_length(e), after = written_length(result);
-  if (after != before) return after < before ? result : e;
-  return print(result, Form::text).size() < print(e, Form::text).size() ? result : e;
+  const std::size_t spared = roots_in_product(result) < roots_in_product(e) ? 0 : one_operation;
+  return written_length(result) + spared < written_length(e) ? result : e;
 }
 
 }  // namespace

@@ -77,11 +77,18 @@ class SplitRoots {
   std::vector<Replacement> taken_, symbols_;
 };
 
+/// Only sums share what roots hide.
+bool has_sums(const Expression& e) {
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}),
+                             [&](NodeId id) { return std::holds_alternative<Sum>(e.graph().node(id)); });
+}
+
 }  // namespace
 
 Expression with_split_roots(const Expression& e, const SignOf& sign) {
   SplitRoots roots(e.graph(), sign);
-  if (e.number() != nullptr || !roots.take(e)) return e;
+  if (!has_sums(e) || !roots.take(e)) return e;
   const Expression by_roots = roots.with_roots_as_symbols(e);
   const Expression lowest = to_expression(e.graph(), rational_function(by_roots));
   Expression best = e;

@@ -98,8 +98,10 @@ namespace {
 /// From one wall to the other.
 Ball between_walls(PeriodPieces& pieces, const Ball& a, const Ball& b) {
   const double from = a.value(), to = b.value();
-  const Interval rest =
-      (b - a - (Ball(to) - Ball(from))).interval() * pieces.slowness(hull(a.interval(), b.interval()));
+  const auto beyond = [&](const Ball& end, double place) {
+    return (end - Ball(place)).interval() * pieces.slowness(hull(end.interval(), place));
+  };
+  const Interval rest = beyond(b, to) - beyond(a, from);
   return Walk(pieces, nullptr).duration(from, to) + Ball::of(rest);
 }
 

@@ -102,6 +102,16 @@ class TurningAtWalls(Service):
             self.assertAlmostEqual(period, 2*math.acos(-float(b)), 14)
             self.assertEqual(text.replace(" ", ""), "2*acos(-b)")
 
+    def test_the_error_of_a_period_holds_the_rounding_of_both_walls(self):
+        scene = {**oscillator(wall="x-b", b="-0.486"), "lagrangian": "x_dot^2/2-899/2000*x^2",
+                 "events": [{"name": "w", "expression": "x-b", "direction": "falling"},
+                            {"name": "u", "expression": "29/125-x", "direction": "falling"}],
+                 "impacts": [{"event": "w", "restitution": "1"}, {"event": "u", "restitution": "1"}]}
+        del scene["impact"]
+        answer = self.ask("turning_points", {"system": scene, "initial": {"x": -0.187, "x_dot": -0.441}})
+        true = Fraction("3.805842607372207479858217302864385561")  # 2 (acos(b/A) - acos(c/A))/omega, by mpmath
+        self.assertLessEqual(abs(Fraction(answer["period"]) - true), Fraction(answer["error"]["period"]))
+
     def test_the_period_at_a_wall_is_that_of_the_motion(self):
         """Of potentials without a formula: the second fall meets the wall one period after the first."""
         for potential, b, x, v in (("1-cos(x)", "0.7", "0.93", "-0.096"), ("x^2/2+x^3/10", "0.333", "0.38", "0.075")):

@@ -181,8 +181,14 @@ std::string note_on_followers(const Model& model, const SystemChoice& choice, co
   for (const Parameter& p : model.scene.parameters) names.push_back(p.name);
   const DefaultValues defaults{*model.parsed.graph, names, model.parsed.parameter_defaults};
   std::string text;
-  const Followers followers = followers_of(defaults, written_texts(choice), parameter);
-  for (const auto& [name, value] : followers) text += (text.empty() ? "" : ", ") + name + " = " + value;
+  const WrittenTexts written = written_texts(choice);
+  const Followers followers = followers_of(defaults, written, parameter);
+  for (const Parameter& p : model.scene.parameters) {
+    if (!followers.contains(p.name)) continue;
+    const auto given = written.find(p.name);
+    text += (text.empty() ? "" : ", ") + p.name + " = " +
+            (given != written.end() ? given->second : p.default_value);
+  }
   return text.empty() ? text
                       : "While " + parameter + " moves, " + text +
                             (followers.size() == 1 ? " follows it." : " follow it.");
