@@ -12,7 +12,6 @@ namespace {
 
 constexpr double as_typed = 1e-12;     ///< of the terms: what decimals may leave
 constexpr double found = 1e-14;        ///< of a nearest state
-constexpr double flat = 1e-9;          ///< of the terms: less is no slope
 constexpr int most_steps = 50;         ///< of Newton's method
 constexpr int most_refinements = 4;    ///< in twice the digits
 constexpr double rounding = 0x1p-100;  ///< of such a refinement, relative
@@ -30,7 +29,7 @@ class Consistency {
     if (!states_.evaluate(t_, y))
       throw Error(ErrorCode::invalid_state, "The constraints have no finite value in this state.");
     if (!holds(y, as_typed)) refuse(y, given);
-    if (is_flat(y)) undetermined();
+    if (is_flat({y.begin(), y.end()})) undetermined();
     return refined(y, std::vector<bool>(n(), true));
   }
 
@@ -69,45 +68,24 @@ class Consistency {
   }
 
   /// Whether a phi has no slope where it is 0, as (x - l)^2 there: nothing tells how far it is from 0 then.
-  [[nodiscard]] bool is_flat(std::span<const double> y) const {
-    const CompiledFunction& function = surface_.values();
-    Workspace workspace = function.bind(parameters_);
-    std::vector<double> values(function.outputs());
-    if (function.evaluate(t_, y, workspace, values) != Evaluation::ok) return true;
-    std::size_t term = surface_.first_residual() + surface_.positions() + surface_.constraints();
-    for (std::size_t k = 0; k < surface_.positions(); ++k) {
-      double slope = 0, size = 0;
-      for (std::size_t i = 0; i < n(); ++i) {
-        const double reach = std::max(std::abs(y[i]), scene_.coordinates[i].unit == "rad" ? 1.0 : 0.0);
-        slope += reach * std::abs(values[surface_.first_slope() + surface_.position_of()[k] * n() + i]);
-      }
-      for (; term < surface_.ends_of_terms()[k]; ++term) size = std::max(size, std::abs(values[term]));
-      if (slope < flat * size && !rises_through_zero(y, k, size)) return true;
+  /// A step that takes away as much of it as typed decimals may leave changes such a slope by more than half.
+  [[nodiscard]] bool is_flat(const std::vector<double>& y) {
+    std::vector<double> wanted(surface_.positions()), step(n());
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (!states_.evaluate(t_, y)) return true;
+      std::ranges::fill(wanted, 0.0);
+      wanted[k] = as_typed * states_.size_of_terms(k, y);
+      if (!states_.step_of_positions(wanted, std::vector<bool>(n(), true), step)) return true;
+      if (!keeps_slope(k, wanted[k], y, step, 1) && !keeps_slope(k, wanted[k], y, step, -1)) return true;
     }
     return false;
   }
 
-  /// Whether along some coordinate phi number k keeps its slope for as far as rounding of its terms may be
-  /// from the place where it is 0: near the origin a coordinate has no size that tells.
-  [[nodiscard]] bool rises_through_zero(std::span<const double> y, std::size_t k, double size) const {
-    constexpr double rounding_of_terms = 1e-15, beyond = 4;
-    TapeEvaluator<Interval> evaluator(surface_.values(), parameters_.as<Interval>());
-    evaluator.set_time(Interval::literal(t_));
-    std::vector<Interval> box(y.begin(), y.end()), values(surface_.values().outputs());
-    evaluator(box, values);
-    const double off = values[surface_.first_residual() + k].magnitude() + rounding_of_terms * size;
-    const std::size_t first = surface_.first_slope() + surface_.position_of()[k] * n();
-    const std::vector<Interval> slopes(values.begin() + static_cast<std::ptrdiff_t>(first),
-                                       values.begin() + static_cast<std::ptrdiff_t>(first + n()));
-    for (std::size_t i = 0; i < n(); ++i) {
-      if (slopes[i].contains(0.0)) continue;
-      const double reach = beyond * off / std::abs(slopes[i].middle());
-      box[i] = Interval(y[i] - reach, y[i] + reach);
-      evaluator(box, values);
-      if (!values[first + i].contains(0.0) && values[first + i].is_finite()) return true;
-      box[i] = Interval(y[i]);
-    }
-    return false;
+  /// Whether phi k changes along the step as it does at its beginning; `side` is the way that is taken.
+  bool keeps_slope(std::size_t k, double wanted, std::vector<double> y, std::span<const double> step,
+                   double side) {
+    for (std::size_t i = 0; i < n(); ++i) y[i] += side * step[i];
+    return states_.evaluate(t_, y) && std::abs(states_.change(k, step) + wanted) <= wanted / 2;
   }
 
   [[noreturn]] void refuse(const Reals& y, const std::vector<bool>& given) {

@@ -63,6 +63,12 @@ double ConstrainedStates::size_of_terms(std::size_t k, std::span<const double> y
   return size;
 }
 
+double ConstrainedStates::change(std::size_t k, std::span<const double> step) const {
+  const auto slope = std::span(values_).subspan(
+      surface_.first_slope() + surface_.position_of()[k] * surface_.coordinates(), surface_.coordinates());
+  return std::inner_product(slope.begin(), slope.end(), step.begin(), 0.0);
+}
+
 bool ConstrainedStates::step(std::span<const std::size_t> rows, std::span<const double> residuals,
                              const std::vector<bool>& free, std::span<double> step) const {
   const std::size_t n = surface_.coordinates();

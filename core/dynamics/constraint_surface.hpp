@@ -52,6 +52,8 @@ class ConstrainedStates {
   [[nodiscard]] std::span<const double> residuals() const;
   /// How large the terms are that residual k is the sum of.
   [[nodiscard]] double size_of_terms(std::size_t k, std::span<const double> y) const;
+  /// By how much phi k changes along `step`, by its slopes.
+  [[nodiscard]] double change(std::size_t k, std::span<const double> step) const;
   /// What takes phi (or w) to `residuals` less: dq or dq', 0 where not free. False where there is none.
   [[nodiscard]] bool step_of_positions(std::span<const double> phi, const std::vector<bool>& free,
                                        std::span<double> step) const;

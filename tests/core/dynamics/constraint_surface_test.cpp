@@ -76,5 +76,33 @@ TEST(ConsistentState, KeepsWhatIsGiven) {
   }
 }
 
+bool is_determined(const std::string& constraint, double x, double y) {
+  Scene scene;
+  scene.name = "wire";
+  scene.coordinates = {{"x", "1", "0", "0", "", {}, "", ""}, {"y", "1", "0", "0", "", {}, "", ""}};
+  scene.lagrangian = "(x_dot^2 + y_dot^2)/2 - y";
+  scene.constraints = {{"wire", constraint, "", ""}};
+  const Dynamics dynamics(build_model(scene));
+  const Reals parameters = parameter_values(dynamics.model(), {});
+  const Reals typed = initial_state(dynamics.model(), parameters, {{"x", x}, {"y", y}});
+  try {
+    (void)consistent_state(dynamics, parameters, 0, typed, std::vector<bool>(4));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST(ConsistentState, IsDeterminedWhereTheConstraintHasASlope) {
+  EXPECT_TRUE(is_determined("y - 1 + cos(x)", 0, 0)) << "the terms are 1, the coordinates 0";
+  EXPECT_TRUE(is_determined("sqrt(x^2 + (y - 1)^2) - 1", 0, 0));
+  EXPECT_FALSE(is_determined("(x - 1)^2", 1, 0));
+  EXPECT_FALSE(is_determined("(x - 1)^2", 1 + 1e-7, 0)) << "0 within what typed decimals leave";
+  EXPECT_FALSE(is_determined("(x^2 - 2)^2", 1.41421356237, 0));
+  EXPECT_FALSE(is_determined("1 - cos(x)", 0, 0));
+  EXPECT_FALSE(is_determined("1 - cos(x)", 1e-7, 0));
+  EXPECT_FALSE(is_determined("(x - 1)*(y - 1)", 1, 1));
+}
+
 }  // namespace
 }  // namespace qdot
