@@ -79,6 +79,7 @@ TEST(ConsistentState, KeepsWhatIsGiven) {
 bool is_determined(const std::string& constraint, double x, double y) {
   Scene scene;
   scene.name = "wire";
+  scene.without_units = true;
   scene.coordinates = {{"x", "1", "0", "0", "", {}, "", ""}, {"y", "1", "0", "0", "", {}, "", ""}};
   scene.lagrangian = "(x_dot^2 + y_dot^2)/2 - y";
   scene.constraints = {{"wire", constraint, "", ""}};
