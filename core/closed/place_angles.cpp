@@ -1,5 +1,6 @@
 #include "core/closed/place_angles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/core/integrate/pulled.hpp"
 
 namespace qdot {
