@@ -22,6 +22,7 @@
 #include "server/descriptor.hpp"
 #include "server/line_reader.hpp"
 #include "server/ordered_work.hpp"
+#include "server/processors.hpp"
 #include "server/usage_error.hpp"
 
 namespace qdot::server {
@@ -97,7 +98,7 @@ void skip_answered(LineReader& reader, const BatchOutput& output, BatchProgress&
 
 int threads_of(const BatchOptions& options) {
   if (options.jobs > 0) return options.jobs;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return usable_processors();
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "api/about/examples.hpp"
 #include "api/about/field_help.hpp"
@@ -19,6 +18,7 @@
 #include "api/service.hpp"
 #include "server/output.hpp"
 #include "server/people.hpp"
+#include "server/processors.hpp"
 #include "server/progress.hpp"
 #include "server/spread.hpp"
 #include "server/usage_error.hpp"
@@ -262,7 +262,7 @@ ExitCode run(const Command& command, const Arguments& arguments) {
     {
       Progress progress;
       request.interrupted = [&progress] { return progress.is_stopped(); };
-      request.spread = progress.counting(spread_over(static_cast<int>(std::thread::hardware_concurrency())));
+      request.spread = progress.counting(spread_over(usable_processors()));
       response = service.handle(request);
       is_stopped = progress.is_stopped();
       seconds = progress.passed().count();

@@ -14,6 +14,7 @@
 #include "api/service.hpp"
 #include "server/application.hpp"
 #include "server/hosts.hpp"
+#include "server/processors.hpp"
 #include "server/transport.hpp"
 #include "server/web/pages.hpp"
 
@@ -106,8 +107,7 @@ void keep_memory_small() {
 
 ServeOptions with_defaults(ServeOptions options) {
   if (!options.port && options.unix_socket.empty()) options.port = default_port;
-  if (options.threads <= 0)
-    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (options.threads <= 0) options.threads = usable_processors();
   return options;
 }
 
