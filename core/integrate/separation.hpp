@@ -15,9 +15,9 @@
 #include <span>
 #include <vector>
 
-#include "core/integrate/pairs.hpp"
 #include "core/integrate/run.hpp"
 #include "core/integrate/step_terms.hpp"
+#include "core/numerics/pairs.hpp"
 
 namespace qdot {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/integrate/pairs.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/numerics/pairs.hpp"
 #include "core/numerics/rough_powers.hpp"
 
 namespace qdot {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/integrate/pairs.hpp"
+#include "core/numerics/pairs.hpp"
 
 namespace qdot {
 namespace {

@@ -16,7 +16,10 @@ std::vector<double> rates_of_map(const SectionEnd& impact, double late) {
   if (!impact.map || !(late > 0)) return rates;
   const double tau = longer * late;
   const std::vector<double> later = impact.map(impact.t + tau, impact.before);
-  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (later[i] - impact.after[i]) / tau;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const double rate = (later[i] - impact.after[i]) / tau;
+    if (std::isfinite(rate)) rates[i] = rate;
+  }
   return rates;
 }
 

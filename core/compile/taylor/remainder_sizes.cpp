@@ -2,32 +2,18 @@
 // products do not keep.
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "core/compile/taylor/remainder.hpp"
+#include "core/numerics/pairs.hpp"
 #include "core/numerics/rough_powers.hpp"
 
 namespace qdot::taylor {
 namespace {
 
-using Two [[gnu::vector_size(16)]] = double;
-
-Two pair_at(const double* x) {
-  Two v;
-  std::memcpy(&v, x, sizeof v);
-  return v;
-}
-
-Two magnitudes(Two x) {
-  using Bits [[gnu::vector_size(16)]] = std::uint64_t;
-  constexpr std::uint64_t without_sign = ~(std::uint64_t{1} << 63);
-  return reinterpret_cast<Two>(reinterpret_cast<Bits>(x) & Bits{without_sign, without_sign});
-}
-
 /// sum over i < count of a_i b_i; count is a multiple of four.
 double dot(const double* a, const double* b, unsigned count) {
-  Two first{}, second{};
+  PairOfDoubles first{}, second{};
   for (unsigned i = 0; i < count; i += 4) {
     first += pair_at(a + i) * pair_at(b + i);
     second += pair_at(a + i + 2) * pair_at(b + i + 2);
@@ -61,10 +47,10 @@ double powered(double x, unsigned k) {
 template <std::size_t size>
 void fill_powers(std::array<double, size>& powers, double x, unsigned order) {
   const double x2 = x * x, x4 = x2 * x2;
-  Two low{1, x}, high{x2, x2 * x};
+  PairOfDoubles low{1, x}, high{x2, x2 * x};
   for (unsigned k = 0; k <= order; k += 4, low *= x4, high *= x4) {
-    std::memcpy(&powers[k], &low, sizeof low);
-    std::memcpy(&powers[k + 2], &high, sizeof high);
+    put_pair(&powers[k], low);
+    put_pair(&powers[k + 2], high);
   }
 }
 
@@ -79,17 +65,17 @@ void Remainder::begin(double h, unsigned order) {
 
 std::array<double, 2> Remainder::sums_of_sizes(Index first, Index second) const {
   const double *x = rows_[first].coefficients, *y = rows_[second].coefficients;
-  Two sum{};
-  for (unsigned k = 0; k <= order_; ++k) sum += magnitudes(Two{x[k], y[k]}) * powers_[k];
+  PairOfDoubles sum{};
+  for (unsigned k = 0; k <= order_; ++k) sum += magnitudes(PairOfDoubles{x[k], y[k]}) * powers_[k];
   return {sum[0], sum[1]};
 }
 
 std::array<double, 2> Remainder::sums_of_slopes(Index first, Index second) const {
   const double *x = rows_[first].coefficients, *y = rows_[second].coefficients;
-  Two sum{};
+  PairOfDoubles sum{};
   double factor = 1;
   for (unsigned k = 1; k <= order_; ++k, factor += 1)
-    sum += factor * (magnitudes(Two{x[k], y[k]}) * powers_[k]);
+    sum += factor * (magnitudes(PairOfDoubles{x[k], y[k]}) * powers_[k]);
   return {sum[0], sum[1]};
 }
 
