@@ -8,6 +8,7 @@
 #include "core/symmetry/constrained_changes.hpp"
 #include "core/symmetry/dependence.hpp"
 #include "core/symmetry/exact_coefficients.hpp"
+#include "core/symmetry/gauge_terms.hpp"
 #include "core/symmetry/random_place.hpp"
 
 namespace qdot {
@@ -45,11 +46,17 @@ std::vector<std::vector<Modular>> dependences(PlaceEvaluator& place, std::size_t
   return space.dependences();
 }
 
+Lagrangian copied_without_gauge_terms(const Lagrangian& lagrangian) {
+  Lagrangian copy = copied(lagrangian);
+  copy.lagrangian = without_gauge_terms(copy);
+  return copy;
+}
+
 class SearchForSymmetries {
  public:
   SearchForSymmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known,
                       const MoreChanges& more)
-      : result_{copied(lagrangian), {}, {}, {}},
+      : result_{copied_without_gauge_terms(lagrangian), {}, {}, {}},
         allowed_(allowed_rates(result_.lagrangian)),
         variation_(result_.lagrangian, allowed_ ? allowed_->rates : std::vector<Replacement>{}) {
     if (allowed_) result_.on_constraints = allowed_->rates;

@@ -25,7 +25,8 @@ struct Symmetry {
 };
 
 struct SymmetrySearch {
-  Lagrangian lagrangian;  ///< a copy, whose graph all expressions here belong to
+  /// A copy, whose graph all expressions here belong to; without total derivatives (gauge_terms.hpp).
+  Lagrangian lagrangian;
   std::vector<ElementaryChange> changes;
   std::vector<Symmetry> found;
   /// Rates by others, as the constraints give them.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/expr/print/print.hpp"
 #include "core/mechanics/model.hpp"
 #include "core/symmetry/dependence.hpp"
@@ -66,10 +68,27 @@ TEST(Symmetries, OfARotationAboutAnotherPointHaveTheParameter) {
   EXPECT_EQ(print(search.found[0].change.shift[1], Form::text), "x - a");
 }
 
+/// Total derivatives of functions of x, y and t, and a magnetic field beside one.
+TEST(Symmetries, AreNotHiddenByTotalDerivatives) {
+  for (const char* derivative :
+       {"y_dot*sin(t) + y*cos(t)", "y_dot*t^2 + 2*y*t", "exp(t)*(y_dot + y)", "cos(x)*x_dot",
+        "cos(x)*sin(y)*x_dot + sin(x)*cos(y)*y_dot", "x^2*y*y_dot + x*y^2*x_dot",
+        "cos(x)*cos(t)*x_dot - sin(x)*sin(t)", "a*(x*y_dot - y*x_dot) + cos(x)*x_dot"}) {
+    const SymmetrySearch search =
+        searched(std::string("(x_dot^2 + y_dot^2)/2 - (x^2 + y^2)^2 + ") + derivative);
+    const bool turns = std::ranges::any_of(search.found, [](const Symmetry& one) {
+      return one.change.time.is_zero() && print(one.change.shift[0], Form::text) == "-y" &&
+             print(one.change.shift[1], Form::text) == "x";
+    });
+    EXPECT_TRUE(turns) << derivative;
+  }
+}
+
 TEST(Symmetries, AreNotClaimedWhereThereIsNone) {
   for (const char* lagrangian :
        {"(x_dot^2 + y_dot^2)/2 - x^4 - y^4", "(x_dot^2 + a*y_dot^2)/2 - (x^2 + y^2)^2",
-        "(x_dot^2 + y_dot^2)/2 - sin(x)*y", "(x_dot^2 + y_dot^2)/2 - x*y*cos(t)"}) {
+        "(x_dot^2 + y_dot^2)/2 - sin(x)*y", "(x_dot^2 + y_dot^2)/2 - x*y*cos(t)",
+        "(x_dot^2 + y_dot^2)/2 - x^4 - y^4 + cos(x)*x_dot + x^2*y_dot*sin(t)"}) {
     const SymmetrySearch search = searched(lagrangian);
     EXPECT_TRUE(search.found.empty()) << lagrangian;
     EXPECT_TRUE(search.is_complete) << lagrangian;
