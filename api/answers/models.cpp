@@ -14,7 +14,9 @@ Problem wrong_scene(const SceneError& error, const Place& whole) {
     FieldError found = whole.below("system").error(diagnostic.code, diagnostic.message);
     if (!found.pointer.empty()) found.pointer += diagnostic.place;
     found.allowed = diagnostic.allowed;
-    if (!diagnostic.symbol.empty()) found.did_you_mean = closest(diagnostic.symbol, diagnostic.allowed);
+    found.did_you_mean = diagnostic.meant;
+    if (found.did_you_mean.empty() && !diagnostic.symbol.empty())
+      found.did_you_mean = closest(diagnostic.symbol, diagnostic.allowed);
     errors.push_back(std::move(found));
   }
   return invalid_request(std::move(errors));

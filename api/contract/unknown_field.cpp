@@ -1,6 +1,7 @@
 #include "api/contract/unknown_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -55,10 +56,19 @@ std::string advice_on_symbol(const FieldSet& set, const Scene& scene, const std:
   return names_friction(name) ? std::string(advice_on_friction) : "";
 }
 
+bool names_an_energy(std::string_view name) {
+  constexpr auto energies =
+      std::to_array<std::string_view>({"T", "V", "U", "kinetic", "kinetic_energy", "potential_energy"});
+  return std::ranges::find(energies, name) != energies.end();
+}
+
 /// What the name of an unknown field, or what stands in it, tells of what was meant.
 std::string advice_on_field(const FieldSet& set, const Scene* scene, const std::string& name,
                             const Json& value) {
   if (scene != nullptr) return advice_on_symbol(set, *scene, name);
+  const bool is_scene =
+      std::ranges::any_of(set.fields, [](const FieldInfo& f) { return f.name == "lagrangian"; });
+  if (is_scene && names_an_energy(name)) return R"( Write the energies as one: {"lagrangian": "T - V"}.)";
   if (!has_system(set)) return {};
   if (value.is_object() && value.contains("system"))
     return " What it has inside stands by itself: {\"system\": ...}.";

@@ -1,40 +1,19 @@
 #include "core/expr/parse.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 
 #include "core/expr/parse_tokens.hpp"
+#include "core/expr/refused_sign.hpp"
+#include "core/expr/refused_words.hpp"
 #include "core/expr/special_angles.hpp"
 
 namespace qdot {
 namespace {
 
 bool is_function(std::string_view name) { return name == "sqrt" || function_named(name).has_value(); }
-
-/// Functions of other programs and of books, and how to write them here.
-constexpr auto other_functions = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"ln", "log(...)"},
-    {"arcsin", "asin(...)"},
-    {"arccos", "acos(...)"},
-    {"arctan", "atan(...)"},
-    {"arctg", "atan(...)"},
-    {"tg", "tan(...)"},
-    {"sgn", "sign(...)"},
-    {"fabs", "abs(...)"},
-    {"radians", "30*deg"},
-    {"deg2rad", "30*deg"},
-    {"rad", "a number alone, which is in radians"},
-    {"pow", "x^2"},
-    {"cot", "1/tan(...)"},
-    {"sec", "1/cos(...)"},
-    {"csc", "1/sin(...)"},
-    {"heaviside", "(1 + sign(...))/2"},
-    {"Heaviside", "(1 + sign(...))/2"},
-    {"step", "(1 + sign(...))/2"},
-});
 
 /// The number an expression is or is multiplied with.
 Number coefficient(const Expression& e) {
@@ -240,13 +219,18 @@ class Parser {
     const bool noted =
         std::any_of(unknown_.begin(), unknown_.end(), [&](const auto& e) { return e.symbol == name; });
     if (noted) return;
-    const char* advice = "";
+    std::string advice;
+    const std::string product = product_of(name, allowed_);
+    if (!product.empty()) advice = ": a product is written " + product;
     if (name == "e") advice = ": the exponential function is exp(...)";
     if (name == "Pi" || name == "PI") advice = ": the number is pi";
-    if (name.ends_with("_dot") && is_known(name.substr(0, name.size() - 4)))
-      advice =
-          name.ends_with("_dot_dot") ? ": there are no accelerations here" : ": there are no velocities here";
-    unknown_.push_back({ErrorCode::unknown_symbol, offset, "unknown symbol " + excerpt(name) + advice, name});
+    for (const std::string_view mark : {"_dot_dot", "_ddot", "_dot"}) {
+      if (!name.ends_with(mark) || !is_known(name.substr(0, name.size() - mark.size()))) continue;
+      advice = mark == "_dot" ? ": there are no velocities here" : ": there are no accelerations here";
+      break;
+    }
+    unknown_.push_back(
+        {ErrorCode::unknown_symbol, offset, "unknown symbol " + excerpt(name) + advice, name, product});
   }
 
   [[noreturn]] void reject_juxtaposition(const Token& number) const {
@@ -259,20 +243,25 @@ class Parser {
     const std::string right(token().text.substr(0, 17));
     std::string message = "write " + left + "*" + right + ", not " + left + right;
     if (token().offset > number.offset + number.text.size())
-      message += "; if " + right + " is a unit, leave it out: numbers in expressions are in SI";
+      message += "; if " + right + " is a unit, give the number in SI instead, without it";
     fail(message);
   }
 
   [[noreturn]] void reject_call(const Token& name) const {
     std::string message = "unknown function " + excerpt(name.text) + ", there are sqrt";
     for (const std::string_view known : function_names) message += ", " + std::string(known);
-    const auto* const other =
-        std::ranges::find(other_functions, name.text, [](const auto& pair) { return pair.first; });
-    if (other != other_functions.end())
-      message = "write " + std::string(other->second) + ", not " + std::string(name.text) + "(...)";
-    if (is_known(name.text))
-      message = "write " + std::string(name.text.substr(0, 36)) + "*(...) for a product";
+    if (const std::string_view here = function_here(name.text); !here.empty())
+      message = "write " + std::string(here) + ", not " + std::string(name.text) + "(...)";
+    const std::string known(name.text.substr(0, 36));
+    if (is_known(name.text)) message = "write " + known + "*(...) for a product";
+    if (is_known(name.text) && is_time_in_brackets())
+      message = "write " + known + " alone, not " + known + "(t): every coordinate is a function of time";
     throw Error(ErrorCode::syntax, message, name.offset);
+  }
+
+  [[nodiscard]] bool is_time_in_brackets() const {
+    return next_ + 2 < tokens_.size() && tokens_[next_ + 1].text == "t" &&
+           tokens_[next_ + 2].kind == TokenKind::close;
   }
 
   /// The tokens from here on continue nothing.
@@ -299,7 +288,7 @@ ParseResult parse_all(std::string_view text, Graph& graph, std::span<const std::
   try {
     result.expression = Parser(text, graph, allowed_symbols, limits, result.errors).whole();
   } catch (const Error& error) {
-    result.errors.push_back({error.code(), error.offset(), error.what(), ""});
+    result.errors.push_back({error.code(), error.offset(), error.what(), "", ""});
   }
   if (!result.errors.empty()) result.expression.reset();
   return result;

@@ -41,6 +41,7 @@ struct ParseError {
   std::size_t offset{0};              ///< in bytes from the beginning of the text
   std::string message;                ///< one sentence without a full stop
   std::string symbol;                 ///< the name, of unknown_symbol
+  std::string product;                ///< of symbols, that the name was meant for: m*x for mx; or empty
 };
 
 /// An expression, or why there is none: every unknown name (once each), then at most one other error, which

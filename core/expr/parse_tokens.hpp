@@ -2,7 +2,6 @@
 // The lexical level of expression text: bounded, ASCII only, every token with its byte offset.
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,9 +29,5 @@ struct TextLimits {
 /// The tokens of `text`, an end token last. Throws Error(syntax) at a character no expression has,
 /// Error(too_large) beyond a limit.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text, const TextLimits& limits = {});
-
-/// "text", or the beginning of it when it is longer than 40 bytes, quoted,
-/// with what is not printable ASCII as ?.
-[[nodiscard]] std::string excerpt(std::string_view text);
 
 }  // namespace qdot

@@ -4,6 +4,7 @@
 
 #include "core/base/work.hpp"
 #include "core/expr/parse_tokens.hpp"
+#include "core/expr/refused_sign.hpp"
 #include "core/grading/plain_notation.hpp"
 #include "core/grading/student_functions.hpp"
 #include "core/grading/student_grammar.hpp"

@@ -276,6 +276,7 @@ struct Diagnostic {
   std::string code;      ///< unknown_symbol, syntax, dimension, duplicate_name, domain, missing, ...
   std::string message;   ///< one sentence that names the symbol and says what to write instead
   std::string symbol{};  ///< of unknown_symbol
+  std::string meant{};   ///< product of symbols for it; or empty
   std::vector<std::string> allowed{};  ///< the symbols that may stand there
 };
 

@@ -102,6 +102,7 @@ Expression SceneText::read(const std::string& text, Context context, const std::
     complain(place, error_code(error), sentence(error, text));
     if (error.code != ErrorCode::unknown_symbol) continue;
     diagnostics_.back().symbol = error.symbol;
+    diagnostics_.back().meant = error.product;
     diagnostics_.back().allowed = allowed;
   }
   if (!result.expression) return graph_.number(0);

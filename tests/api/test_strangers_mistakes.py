@@ -32,6 +32,23 @@ class StrangersMistakes(Service):
             self.assertEqual(self.first(f"{name}^2/2 + y_dot^2/2")["did_you_mean"], "x_dot", name)
         self.assertIn("there are no accelerations here", self.first("x_dot_dot*x + y_dot^2/2")["detail"])
 
+    def test_products_without_a_star(self):
+        for word, meant in (("kx", "k*x"), ("kgx", "k*g*x"), ("xy", "x*y")):
+            error = self.first(f"x_dot^2/2 + y_dot^2/2 - {word}")
+            self.assertEqual(error["did_you_mean"], meant)
+            self.assertIn(f"a product is written {meant}", error["detail"])
+        self.assertNotIn("product", self.first("x_dot^2/2 + y_dot^2/2 - kq")["detail"])
+
+    def test_functions_of_time(self):
+        self.assertIn("write x_dot alone, not x_dot(t)", self.first("x_dot(t)^2/2 + y_dot^2/2")["detail"])
+        self.assertIn("there are no accelerations here", self.first("x_ddot*x + y_dot^2/2")["detail"])
+
+    def test_two_energies(self):
+        for name in ("T", "V", "kinetic"):
+            error = self.first(**{name: "x_dot^2/2"})
+            self.assertIn("\"lagrangian\": \"T - V\"", error["detail"])
+            self.assertEqual(error["did_you_mean"], "lagrangian")
+
     def test_the_name_of_a_multiplier(self):
         error = self.first("x_dot^2/2 + y_dot^2/2", constraints=[{"name": "c", "expression": "x - y", "multiplier": "g"}])
         self.assertEqual(error["pointer"], "#/system/constraints/0/multiplier")

@@ -153,18 +153,27 @@ TEST(ParseErrors, SayWhatToWriteAndWhere) {
   expect_error("()", syntax, 1, "expected a number, a symbol or '(', found ')'");
   expect_error("x +", syntax, 3, "expected a number, a symbol or '(', found the end");
   expect_error("x * / y", syntax, 4, "expected a number, a symbol or '(', found '/'");
-  expect_error("x = y", syntax, 2, "expected an expression, not an equation: '='");
-  expect_error("sin(x, y)", syntax, 5,
-               "every function takes one argument: unexpected ','; decimals have a point");
+  expect_error("x = y", syntax, 2, "an expression is no equation: for a = b write a - (b), which is zero");
+  expect_error("sin(x, y)", syntax, 5, "every function takes one argument: unexpected ','");
+  expect_error("1,5*x", syntax, 1, "decimals have a point: unexpected ','");
+  expect_error("(x, y)", syntax, 2, "unexpected ','");
+  expect_error("2*max((x), 0)", syntax, 9, "write (a + b + abs(a - b))/2 for max(a, b)");
+  expect_error("diff(x(t), t)^2", syntax, 9, "write x_dot for the derivative of x by the time");
+  expect_error("D(x)^2", syntax, 0, "write x_dot for the derivative of x by the time, not D(...)");
+  expect_error("x.diff(t)^2", syntax, 1, "write x_dot for the velocity of x");
+  expect_error("y*x'^2", syntax, 3, "write x_dot for the velocity of x");
+  expect_error("y*\\dot{x}^2", syntax, 2, "write x_dot for the velocity of x");
+  expect_error("\\frac{x}{y}", syntax, 0,
+               "leave out LaTeX's backslashes: names stand alone, pi, theta or sin(...)");
   expect_error("x + \xce\xb8", syntax, 4, "expressions are ASCII: write theta for the Greek letter");
   expect_error("x + \xc3\xa9", syntax, 4, "expressions are ASCII: this sign is not");
   expect_error("x \xe2\x88\x92 y", syntax, 2, "write - for a minus");
   expect_error("x\xc2\xb7y", syntax, 1, "write * for a product");
   expect_error("30\xc2\xb0", syntax, 2, "write 30*deg for 30 degrees");
   expect_error("\xe1\xba\x8b^2/2", syntax, 0, "write x_dot for the velocity of x");
-  expect_error("y\xcc\x87^2/2", syntax, 1, "write x_dot for the velocity of x");
+  expect_error("y\xcc\x87^2/2", syntax, 1, "write y_dot for the velocity of y");
   expect_error("9.81 x/y", syntax, 5,
-               "write 9.81*x, not 9.81x; if x is a unit, leave it out: numbers in expressions are in SI");
+               "write 9.81*x, not 9.81x; if x is a unit, give the number in SI instead, without it");
   expect_error("theta'", syntax, 5, "write theta_dot for the velocity of theta");
   expect_error("[x]", syntax, 0, "write ( and ) for brackets");
   expect_error("x & y", syntax, 2, "an expression cannot contain '&'");
