@@ -8,6 +8,7 @@
 
 #include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
+#include "core/steady/linearization.hpp"
 #include "core/steady/steady_state.hpp"
 
 namespace qdot {
@@ -231,6 +232,17 @@ class NewtonSearch {
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
+  /// A coordinate with a force that depends on no coordinate and is not zero; empty where there is none.
+  [[nodiscard]] std::string never_held() const {
+    const std::vector<Ball> x(guess_.begin(), guess_.end());
+    const std::vector<Ball> g = evaluated(statics_.forces, enclosed_constants_, x);
+    for (std::size_t i = 0; i < statics_.rest.size(); ++i) {
+      if (!depends_on(statics_.rest[i], statics_.reduction.x) && !g[i].contains_zero())
+        return dynamics_.model().scene.coordinates[statics_.reduction.kept[i]].name;
+    }
+    return {};
+  }
+
   [[nodiscard]] Error none() {
     const std::span<const double> at(guess_.data(), sizes_.size());
     const auto g = forces(guess_);
@@ -241,6 +253,10 @@ class NewtonSearch {
               " the forces have no value, as where a coordinate fails, so that nothing is known of small motions "
               "there. Other coordinates may have no such place: angles about x, y and z where Euler's angles "
               "have one."};
+    }
+    if (const std::string held = never_held(); !held.empty()) {
+      return {ErrorCode::not_applicable, "No place is an equilibrium: the force along '" + held +
+                                             "' is the same everywhere, and not zero."};
     }
     return {ErrorCode::not_applicable, "There is no equilibrium near " +
                                            written(dynamics_.model().scene, statics_, at) +

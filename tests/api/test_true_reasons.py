@@ -100,6 +100,12 @@ class TrueReasons(Service):
         answer = self.ask("simulate", {"system": free_particle("0.7", "0", slower), "t_end": 1, "samples": 3})
         self.assertEqual(answer["status"], "complete")
 
+    def test_where_nothing_can_rest_no_other_guess_is_asked_for(self):
+        for system in ("bouncing_ball", "wedge_and_block", "atwood_machine"):
+            self.assertIn("is the same everywhere", self.refused("modes", {"system": system})["detail"])
+        balanced = self.ask("modes", {"system": "atwood_machine", "parameters": {"m1": 2, "m2": 2}})
+        self.assertEqual(balanced["modes"][0]["kind"], "rigid")
+
 
 if __name__ == "__main__":
     unittest.main()
