@@ -36,6 +36,9 @@ class KinkModes {
   /// The way on from (t, y). `met`: kinks that count as u = 0, beside those where u is zero but for
   /// round-off; they are none any more where u is far from it. None where it is undetermined.
   [[nodiscard]] std::optional<Way> way_on(double t, std::span<const double> y, const std::vector<bool>& met);
+  /// What y may be off by soon after that way has begun there, as its kinks are zero for a while in these
+  /// digits; empty where it is nothing.
+  [[nodiscard]] std::vector<double> doubt_of_begin(const Way& way);
   /// y, which is there but for a rounding error, on the kinks on which the way begins.
   void settle(const Way& way, double t, std::vector<double>& y);
 

@@ -60,6 +60,7 @@ bool MotionSections::begin(double t, std::vector<double>& y) {
   tried_.clear();
   if (now_ == nullptr) modes_->begin_at(typed_start(request_));
   if (!go_on(t, y)) return false;
+  doubt_of_begin_ = modes_->doubt_of_begin(way_);
   modes_->settle(way_, t, y);
   note_size(y);
   return true;

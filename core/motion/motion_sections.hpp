@@ -51,6 +51,9 @@ class MotionSections {
   [[nodiscard]] double doubt_of_instant() const { return doubt_of_instant_; }
   /// By how many it has moved it, which is taken back in the state there.
   [[nodiscard]] double moved_instant() const { return moved_instant_; }
+  /// What each component may be off by soon after the motion has begun, beside a kink whose side is not told
+  /// at once; empty where nothing is in doubt.
+  [[nodiscard]] const std::vector<double>& doubt_of_begin() const { return doubt_of_begin_; }
 
   /// Whether it was one of several kinks between which the way is not known.
   [[nodiscard]] bool is_unclear() const { return is_unclear_; }
@@ -92,6 +95,7 @@ class MotionSections {
   KinkModes::Way way_;
   double t_{};  ///< when the section began
   double doubt_of_instant_{}, moved_instant_{};
+  std::vector<double> doubt_of_begin_;
   bool is_unclear_{false};
   std::vector<double> largest_;               ///< |y_i| where sections have begun
   std::vector<bool> met_;                     ///< at that instant

@@ -42,6 +42,7 @@ class Simulator {
     result_.y = request.y_start;
     result_.method = request.method;
     is_determined_ = sections_.begin(result_.t, result_.y);
+    doubt_begin();
     result_.symplectic = sections_.system().canonical.has_value();
   }
 
@@ -74,6 +75,11 @@ class Simulator {
  private:
   [[nodiscard]] MotionStart start() const {
     return {result_.t, result_.y, request_.t_end - request_.t_start};
+  }
+
+  void doubt_begin() {
+    apart_.doubt(sections_.doubt_of_begin());
+    result_.kinks_in_doubt = result_.kinks_in_doubt || !sections_.doubt_of_begin().empty();
   }
 
   bool stopped_at_start() {
@@ -147,6 +153,7 @@ class Simulator {
   }
 
   void note_unclear_kinks() {
+    result_.kinks_in_doubt = result_.kinks_in_doubt || sections_.doubt_of_instant() > sections_.resolution();
     if (!sections_.is_unclear() || result_.unclear_from) return;
     result_.unclear_from = result_.t;
     result_.is_unclear_by_kinks = true;
@@ -341,6 +348,7 @@ class Simulator {
     finish(end);
     doubt_instant(end, passed, std::max({time_round_off(end.t), passed.within, late}));
     apart_.pass(std::move(end));
+    doubt_begin();
     return true;
   }
 
