@@ -11,10 +11,12 @@ namespace {
 
 constexpr double of_doubt = 16;  ///< times what g may be away from its series
 constexpr std::size_t most_looks = 4000;
-constexpr std::size_t looks_in_doubt = 200;  ///< once not everything was seen: the rest is worth less work
+constexpr std::size_t looks_in_doubt = 200;   ///< once not everything was seen: the rest is worth less work
+constexpr std::size_t looks_of_change = 256;  ///< more for each change of sign: as many as a pole takes
 constexpr int halvings = 60;
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
-constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
+constexpr double shortest_piece = 0x1p-6;         ///< of what is looked at in pieces
+constexpr double shortest_beside_pole = 0x1p-50;  ///< of a step: rounding of states hides the place
 constexpr double growth_at_pole = 3;
 constexpr double widened = 256;  ///< times what a place is known to
 /// A sketch is this share of a step's change off at most.
@@ -171,7 +173,8 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const Crossing direction = request_.events[event].direction;
   std::vector<Piece>& pieces = pieces_[event];
-  looks_ = 0;
+  looks_ = counted_ = changes_ = 0;
+  last_sign_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
   doubt_hidden(event, pieces);
@@ -207,6 +210,7 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces)
   for (const Piece& piece : pieces) {
     if (piece.is_nowhere) before = nullptr;
     if (piece.sign == 0) continue;
+
     if (before != nullptr && before->sign == piece.sign && before->to < piece.from)
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
@@ -240,13 +244,26 @@ bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const
   return series.off <= 2 * doubt_at_start(event, piece, of_values * size);
 }
 
+/// Of pieces that are told, as far as they have been looked at.
+std::size_t EventSearch::changes_of_sign(std::span<const Piece> pieces) {
+  for (; counted_ < pieces.size(); ++counted_) {
+    const int sign = pieces[counted_].sign;
+    if (sign == 0) continue;
+    if (sign != last_sign_) ++changes_;
+    last_sign_ = sign;
+  }
+  return changes_;
+}
+
 /// The pieces of [from, to], in times since the step's beginning.
 void EventSearch::explore(std::size_t event, double from, double to, std::vector<Piece>& pieces) {
-  const std::size_t most = saw_everything_ ? most_looks : looks_in_doubt;
+  const std::size_t most =
+      (saw_everything_ ? most_looks : looks_in_doubt) + looks_of_change * changes_of_sign(pieces);
   if (++looks_ > most) saw_everything_ = false;
   const MotionPiece whole = polynomial_.piece(from, to - from);
-  const double shortest = 16 * time_round_off(whole.t + whole.h);
   const UnitSeries series = finite_series(event, whole);
+  const double of_state = series.is_finite() ? 0 : shortest_beside_pole * polynomial_.whole().h;
+  const double shortest = std::max(16 * time_round_off(whole.t + whole.h), of_state);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
   if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
   if (series.is_nowhere && request_.events[event].must_have_value)

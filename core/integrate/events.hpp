@@ -79,6 +79,7 @@ class EventSearch {
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
+  [[nodiscard]] std::size_t changes_of_sign(std::span<const Piece> pieces);
   void explore(std::size_t event, double from, double to, std::vector<Piece>& pieces);
   /// g over a piece, in the unit of its length.
   struct UnitSeries {
@@ -118,8 +119,10 @@ class EventSearch {
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
   std::vector<std::vector<Piece>> pieces_;
-  std::vector<double> y_;  ///< scratch
-  std::size_t looks_{};    ///< at one function in one step
+  std::vector<double> y_;              ///< scratch
+  std::size_t looks_{};                ///< at one function in one step
+  std::size_t counted_{}, changes_{};  ///< of its pieces, and how often they change their sign
+  int last_sign_{};
   bool starts_at_zero_{false};
   int sign_at_start_{};
   bool saw_everything_{true};
