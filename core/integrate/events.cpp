@@ -15,8 +15,8 @@ constexpr std::size_t looks_in_doubt = 200;   ///< once not everything was seen:
 constexpr std::size_t looks_of_change = 256;  ///< more for each change of sign: as many as a pole takes
 constexpr int halvings = 60;
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
-constexpr double shortest_piece = 0x1p-6;         ///< of what is looked at in pieces
-constexpr double shortest_beside_pole = 0x1p-50;  ///< of a step: rounding of states hides the place
+constexpr double shortest_piece = 0x1p-6;     ///< of what is looked at in pieces
+constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
 constexpr double growth_at_pole = 3;
 constexpr double widened = 256;  ///< times what a place is known to
 /// A sketch is this share of a step's change off at most.
@@ -236,6 +236,13 @@ double EventSearch::past_start(std::size_t event) const {
   return function.direction == Crossing::rising ? moved : -moved;
 }
 
+/// Whether g comes clear of what it may be away from its coefficients.
+bool EventSearch::is_seen(const UnitSeries& series) {
+  double size = 0;
+  for (const double c : series.coefficients()) size += std::abs(c);
+  return series.is_finite() && size > of_doubt * series.off;
+}
+
 /// g is zero but for the round-off of its values, all along: looking closer shows no more.
 bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
@@ -262,7 +269,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   if (++looks_ > most) saw_everything_ = false;
   const MotionPiece whole = polynomial_.piece(from, to - from);
   const UnitSeries series = finite_series(event, whole);
-  const double of_state = series.is_finite() ? 0 : shortest_beside_pole * polynomial_.whole().h;
+  const double of_state = is_seen(series) ? 0 : shortest_of_step * polynomial_.whole().h;
   const double shortest = std::max(16 * time_round_off(whole.t + whole.h), of_state);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
   if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;

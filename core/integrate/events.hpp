@@ -100,6 +100,7 @@ class EventSearch {
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
   [[nodiscard]] double value_at_start(std::size_t event, double of_series) const;
   [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
+  [[nodiscard]] static bool is_seen(const UnitSeries& series);
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void look_for_approaches(const Stepper& stepper, const Found& found);
