@@ -70,6 +70,7 @@ class Passing {
       if (change) {
         s = change->middle;
         passage.doubt = std::max(passage.doubt, change->doubt);
+        passage.is_hidden = passage.is_hidden || change->doubt > motions_.resolution();
       }
       const bool is_near = change || (is_crossed && std::abs(s) <= farthest_);
       if (!change) passage.doubt = std::max(passage.doubt, rounding_of_size * size_[kink] / std::abs(u[1]));

@@ -49,6 +49,8 @@ class MotionSections {
   [[nodiscard]] double resolution() const { return resolution_; }
   /// By how many seconds rounding may have moved the instant that was passed last.
   [[nodiscard]] double doubt_of_instant() const { return doubt_of_instant_; }
+  /// Whether twice the digits did not tell that instant, either.
+  [[nodiscard]] bool is_instant_hidden() const { return is_instant_hidden_; }
   /// By how many it has moved it, which is taken back in the state there.
   [[nodiscard]] double moved_instant() const { return moved_instant_; }
   /// What each component may be off by soon after the motion has begun, beside a kink whose side is not told
@@ -96,6 +98,7 @@ class MotionSections {
   double t_{};  ///< when the section began
   double doubt_of_instant_{}, moved_instant_{};
   std::vector<double> doubt_of_begin_;
+  bool is_instant_hidden_{false};
   bool is_unclear_{false};
   std::vector<double> largest_;               ///< |y_i| where sections have begun
   std::vector<bool> met_;                     ///< at that instant

@@ -153,7 +153,7 @@ class Simulator {
   }
 
   void note_unclear_kinks() {
-    result_.kinks_in_doubt = result_.kinks_in_doubt || sections_.doubt_of_instant() > sections_.resolution();
+    result_.kinks_in_doubt = result_.kinks_in_doubt || sections_.is_instant_hidden();
     if (!sections_.is_unclear() || result_.unclear_from) return;
     result_.unclear_from = result_.t;
     result_.is_unclear_by_kinks = true;
