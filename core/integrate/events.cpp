@@ -72,10 +72,11 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   for (const std::size_t i : open) {
     if (!found.failure) walk(i, crossed);
   }
-  std::vector<std::pair<double, std::size_t>> zeros;
+  std::vector<Zero> zeros;
   for (const Crossed& crossing : crossed) {
     if (found.failure) break;
-    if (const auto t = locate(stepper, crossing, found)) zeros.emplace_back(*t, crossing.event);
+    const auto t = crossing.hidden > 0 ? crossing.after : locate(stepper, crossing, found);
+    if (t) zeros.push_back({*t, crossing.event, crossing.hidden});
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
   if (nowhere_from_ < (found.terminal ? found.events.back().t - polynomial_.whole().t : infinity))
@@ -199,9 +200,20 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     if (signs_[event] == -piece.sign && is_wanted) {
       crossed.push_back({event, std::max(begin, definite_[event]), begin + piece.from});
     }
+    if (const double hidden = hidden_before(event, begin + piece.from, piece.sign); hidden > 0)
+      crossed.push_back({event, begin + piece.from, begin + piece.from, hidden});
     signs_[event] = piece.sign;
     definite_[event] = begin + piece.to;
   }
+}
+
+/// For how long until t, where g has that sign, none was seen after the same one; 0 where nobody asks.
+double EventSearch::hidden_before(std::size_t event, double t, int sign) const {
+  const EventFunction& function = request_.events[event];
+  const bool is_begin = function.is_zero_at_start && definite_[event] <= request_.t_start;
+  if (!function.ends_where_hidden || is_begin || signs_[event] != sign) return 0;
+  const double hidden = t - definite_[event];
+  return hidden > of_doubt * time_round_off(t) ? hidden : 0;
 }
 
 /// Between pieces of one sign g may be anything where it has none that is seen.
@@ -336,22 +348,22 @@ bool EventSearch::is_bounded_around(std::size_t event, const SignChange& place) 
   return to > from && finite_series(event, polynomial_.piece(from, to - from)).is_finite();
 }
 
-void EventSearch::report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found) {
-  std::ranges::sort(zeros);
+void EventSearch::report(Stepper& stepper, std::vector<Zero> zeros, Found& found) {
+  std::ranges::sort(zeros, {}, [](const Zero& zero) { return std::pair(zero.t, zero.event); });
   for (auto first = zeros.begin(); first != zeros.end() && !found.terminal && !found.failure;) {
     auto last = first + 1;
-    while (last != zeros.end() && same_instant((last - 1)->first, last->first)) ++last;
-    const double t = (last - 1)->first;
-    std::sort(first, last, [](const auto& a, const auto& b) { return a.second < b.second; });
+    while (last != zeros.end() && same_instant((last - 1)->t, last->t)) ++last;
+    const double t = (last - 1)->t;
+    std::sort(first, last, [](const Zero& a, const Zero& b) { return a.event < b.event; });
     found.failure = stepper.interpolate(t, y_);
     for (; first != last && !found.failure; ++first) {
-      const EventFunction& event = request_.events[first->second];
+      const EventFunction& event = request_.events[first->event];
       if (event.condition) {
         const double value = event.condition(t, y_);
-        approaches_.ask_condition(first->second, polynomial_, t - polynomial_.whole().t, value);
+        approaches_.ask_condition(first->event, polynomial_, t - polynomial_.whole().t, value);
         if (!(value > 0)) continue;
       }
-      found.events.push_back({first->second, t, y_});
+      found.events.push_back({first->event, t, y_, first->hidden});
       found.terminal = found.terminal || event.terminal;
     }
   }

@@ -68,6 +68,12 @@ class EventSearch {
   struct Crossed {
     std::size_t event{};
     double before{}, after{};
+    double hidden{};
+  };
+  struct Zero {
+    double t{};
+    std::size_t event{};
+    double hidden{};
   };
 
   [[nodiscard]] bool is_quiet(std::size_t event);
@@ -76,6 +82,7 @@ class EventSearch {
     bool is_nowhere{false};
   };
   void walk(std::size_t event, std::vector<Crossed>& crossed);
+  [[nodiscard]] double hidden_before(std::size_t event, double t, int sign) const;
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
@@ -109,7 +116,7 @@ class EventSearch {
                                                           double shortest);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   [[nodiscard]] bool is_bounded_around(std::size_t event, const SignChange& place);
-  void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
+  void report(Stepper& stepper, std::vector<Zero> zeros, Found& found);
 
   const RunRequest& request_;
   StepPolynomial polynomial_;

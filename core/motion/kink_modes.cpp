@@ -97,21 +97,32 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
 std::vector<double> KinkModes::doubt_of_begin(const Way& way) {
   std::vector<double> off;
   for (const std::size_t k : active_) {
-    if (way.sides[k] == 0 || motions_.is_slope_told(way.sides, k)) continue;
-    const double late = motions_.told_after(way.sides, k);
-    Sides others = way.sides;
-    others[k] = -others[k];
-    if (!(late > motions_.resolution()) || !motions_.series(others)) continue;
-    const std::size_t n = motions_.y().size() / 2;
-    off.resize(2 * n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double of_velocity =
-          late * std::abs(motions_.rate(way.sides, n + i) - motions_.rate(others, n + i));
-      off[n + i] += of_velocity;
-      off[i] += late * of_velocity;
-    }
+    if (way.sides[k] != 0 && !motions_.is_slope_told(way.sides, k))
+      add_doubt(way.sides, k, motions_.told_after(way.sides, k), off);
   }
   return off;
+}
+
+std::vector<double> KinkModes::doubt_behind(const Sides& sides, std::size_t kink, double hidden, double t,
+                                            std::span<const double> y) {
+  motions_.look_from(t, y);
+  std::vector<double> off;
+  add_doubt(sides, kink, motions_.time_elsewhere(sides, kink, hidden), off);
+  return off;
+}
+
+/// What the forces of the kink's other side make in that time, where it is more than an instant.
+void KinkModes::add_doubt(const Sides& sides, std::size_t kink, double late, std::vector<double>& off) {
+  Sides others = sides;
+  others[kink] = -others[kink];
+  if (!(late > motions_.resolution()) || !motions_.series(sides) || !motions_.series(others)) return;
+  const std::size_t n = motions_.y().size() / 2;
+  off.resize(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double of_velocity = late * std::abs(motions_.rate(sides, n + i) - motions_.rate(others, n + i));
+    off[n + i] += of_velocity;
+    off[i] += late * of_velocity;
+  }
 }
 
 void KinkModes::settle(const Way& way, double t, std::vector<double>& y) {

@@ -39,6 +39,9 @@ class KinkModes {
   /// What y may be off by soon after that way has begun there, as its kinks are zero for a while in these
   /// digits; empty where it is nothing.
   [[nodiscard]] std::vector<double> doubt_of_begin(const Way& way);
+  /// The same behind a time in which the kink's side was hidden, `hidden` seconds up to (t, y).
+  [[nodiscard]] std::vector<double> doubt_behind(const Sides& sides, std::size_t kink, double hidden,
+                                                 double t, std::span<const double> y);
   /// y, which is there but for a rounding error, on the kinks on which the way begins.
   void settle(const Way& way, double t, std::vector<double>& y);
 
@@ -65,6 +68,7 @@ class KinkModes {
   };
   enum class Verdict { no, neutral, yes };
 
+  void add_doubt(const Sides& sides, std::size_t kink, double late, std::vector<double>& off);
   [[nodiscard]] std::optional<Lead> lead(const Sides& sides, std::size_t kink);
   [[nodiscard]] bool attracts(Sides sides, std::size_t kink);
   [[nodiscard]] Verdict judge(const Sides& sides);

@@ -14,6 +14,7 @@ constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature do
 constexpr double several = 4;
 constexpr double small_bend = 1e-2;
 constexpr double short_part = 0.1;  ///< of a section
+constexpr int halvings = 40;        ///< of where it may be
 constexpr int most_doublings = 60;  ///< of the time in which the sign of an argument changes
 constexpr int refinements = 4;      ///< of where a kink was passed, each much closer than the one before
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();  ///< as in kink_ends.cpp
@@ -123,6 +124,21 @@ class Passing {
   struct SignChange {
     double middle{}, doubt{};
   };
+  /// Between the last place where it is seen to have one sign and the first of the other, as if there is one
+  /// change.
+  double middle_of_change(std::size_t kink, const Sides& sides, const std::vector<double>& rows, double first,
+                          double last) {
+    const auto edge = [&](const auto& is_before) {
+      double from = first, to = last;
+      for (int i = 0; i < halvings; ++i) {
+        const double middle = (from + to) / 2;
+        (is_before(sign_along(kink, sides, rows, middle)) ? from : to) = middle;
+      }
+      return to;
+    };
+    return (edge([](int s) { return s > 0; }) + edge([](int s) { return s >= 0; })) / 2;
+  }
+
   /// Where the argument changes its sign along the old way, beyond the rounding of doubles: at a multiple
   /// root its coefficients do not tell. What was before the section is not of that way.
   std::optional<SignChange> sign_change(std::size_t kink, const Sides& sides, const Sides& next) {
@@ -145,7 +161,8 @@ class Passing {
       first = piece->to;
     for (auto piece = pieces.rbegin(); piece != pieces.rend() && piece->sign == -before_[kink]; ++piece)
       last = piece->from;
-    return SignChange{(first + last) / 2, (last - first) / 2};
+    const double seen = middle_of_change(kink, sides, old, first, last);
+    return SignChange{seen, std::max(last - seen, seen - first)};
   }
 
   /// Whether an argument vanishes altogether, as that of ||x| - x| does where x > 0: it has any side there,

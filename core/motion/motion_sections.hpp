@@ -24,6 +24,11 @@ class MotionSections {
   [[nodiscard]] bool begin(double t, std::vector<double>& y);
   /// The section has ended at (t, y), where it `met` these kinks.
   [[nodiscard]] bool pass(double t, std::vector<double>& y, const std::vector<bool>& met);
+  /// What y may be off by at (t, y) for a kink whose side was hidden so many seconds up to there.
+  [[nodiscard]] std::vector<double> doubt_behind(std::size_t kink, double hidden, double t,
+                                                 std::span<const double> y) {
+    return modes_->doubt_behind(way_.sides, kink, hidden, t, y);
+  }
   /// The motion is over.
   void finish(double t);
 

@@ -48,8 +48,11 @@ class SignsAlong {
     const bool is_hopeless = !(series.size > small_beside_digits * series.in_digits);
     if (h <= shortest_ || ++looks_ > most_looks_along || is_hopeless) return add(from, to, sign_of(series));
     if (!std::isfinite(series.off)) return halve(from, to);
+    double told = from;
     for (const SignPiece& piece : signs_of(series.c, series.off)) {
       const double begin = from + piece.from * h, end = piece.to == 1 ? to : from + piece.to * h;
+      if (begin > told) halve(told, begin);  // around one zero
+      told = end;
       if (piece.sign != 0)
         add(begin, end, piece.sign);
       else if (piece.to - piece.from < 0.5)

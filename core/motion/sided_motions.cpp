@@ -232,6 +232,15 @@ double SidedMotions::told_after(const Sides& sides, std::size_t kink) {
   return after;
 }
 
+double SidedMotions::time_elsewhere(const Sides& sides, std::size_t kink, double duration) {
+  if (!tells(sides, duration)) return duration;
+  double elsewhere = 0;
+  for (const SignPiece& piece : argument_signs(kink, sides, rows(sides), -duration, 0)) {
+    if (piece.sign != sides[kink]) elsewhere += piece.to - piece.from;
+  }
+  return elsewhere;
+}
+
 double SidedMotions::equivalent_side(const Sides& sides, std::size_t kink) {
   const Mode& with = *mode(sides);
   Workspace workspace = with.motion->sides[kink]->bind(with.parameters);

@@ -88,6 +88,8 @@ class SidedMotions {
                                                       std::span<const double> rows, double from, double to);
   /// From when on u has the sign of its side along the motion, as far as twice the digits tell.
   [[nodiscard]] double told_after(const Sides& sides, std::size_t kink);
+  /// For how much of so many seconds before t u has not had the sign of its side, as far as is told.
+  [[nodiscard]] double time_elsewhere(const Sides& sides, std::size_t kink, double duration);
   /// The side, -1 to 1, that is equivalent to staying on the kink; not a number where there is none.
   [[nodiscard]] double equivalent_side(const Sides& sides, std::size_t kink);
 
