@@ -11,10 +11,12 @@ namespace {
 
 constexpr double of_doubt = 16;  ///< times what g may be away from its series
 constexpr std::size_t most_looks = 4000;
-constexpr std::size_t looks_in_doubt = 200;  ///< once not everything was seen: the rest is worth less work
+constexpr std::size_t looks_in_doubt = 200;   ///< once not everything was seen: the rest is worth less work
+constexpr std::size_t looks_of_change = 256;  ///< more for each change of sign: as many as a pole takes
 constexpr int halvings = 60;
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
-constexpr double shortest_piece = 0x1p-6;  ///< of what is looked at in pieces
+constexpr double shortest_piece = 0x1p-6;     ///< of what is looked at in pieces
+constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
 constexpr double growth_at_pole = 3;
 constexpr double widened = 256;  ///< times what a place is known to
 /// A sketch is this share of a step's change off at most.
@@ -70,10 +72,11 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   for (const std::size_t i : open) {
     if (!found.failure) walk(i, crossed);
   }
-  std::vector<std::pair<double, std::size_t>> zeros;
+  std::vector<Zero> zeros;
   for (const Crossed& crossing : crossed) {
     if (found.failure) break;
-    if (const auto t = locate(stepper, crossing, found)) zeros.emplace_back(*t, crossing.event);
+    const auto t = crossing.hidden > 0 ? crossing.after : locate(stepper, crossing, found);
+    if (t) zeros.push_back({*t, crossing.event, crossing.hidden});
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
   if (nowhere_from_ < (found.terminal ? found.events.back().t - polynomial_.whole().t : infinity))
@@ -171,7 +174,8 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const Crossing direction = request_.events[event].direction;
   std::vector<Piece>& pieces = pieces_[event];
-  looks_ = 0;
+  looks_ = counted_ = changes_ = 0;
+  last_sign_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
   doubt_hidden(event, pieces);
@@ -196,9 +200,20 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     if (signs_[event] == -piece.sign && is_wanted) {
       crossed.push_back({event, std::max(begin, definite_[event]), begin + piece.from});
     }
+    if (const double hidden = hidden_before(event, begin + piece.from, piece.sign); hidden > 0)
+      crossed.push_back({event, begin + piece.from, begin + piece.from, hidden});
     signs_[event] = piece.sign;
     definite_[event] = begin + piece.to;
   }
+}
+
+/// For how long until t, where g has that sign, none was seen after the same one; 0 where nobody asks.
+double EventSearch::hidden_before(std::size_t event, double t, int sign) const {
+  const EventFunction& function = request_.events[event];
+  const bool is_begin = function.is_zero_at_start && definite_[event] <= request_.t_start;
+  if (!function.ends_where_hidden || is_begin || signs_[event] != sign) return 0;
+  const double hidden = t - definite_[event];
+  return hidden > of_doubt * time_round_off(t) ? hidden : 0;
 }
 
 /// Between pieces of one sign g may be anything where it has none that is seen.
@@ -207,6 +222,7 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces)
   for (const Piece& piece : pieces) {
     if (piece.is_nowhere) before = nullptr;
     if (piece.sign == 0) continue;
+
     if (before != nullptr && before->sign == piece.sign && before->to < piece.from)
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
@@ -232,6 +248,13 @@ double EventSearch::past_start(std::size_t event) const {
   return function.direction == Crossing::rising ? moved : -moved;
 }
 
+/// Whether g comes clear of what it may be away from its coefficients.
+bool EventSearch::is_seen(const UnitSeries& series) {
+  double size = 0;
+  for (const double c : series.coefficients()) size += std::abs(c);
+  return series.is_finite() && size > of_doubt * series.off;
+}
+
 /// g is zero but for the round-off of its values, all along: looking closer shows no more.
 bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
@@ -240,13 +263,26 @@ bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const
   return series.off <= 2 * doubt_at_start(event, piece, of_values * size);
 }
 
+/// Of pieces that are told, as far as they have been looked at.
+std::size_t EventSearch::changes_of_sign(std::span<const Piece> pieces) {
+  for (; counted_ < pieces.size(); ++counted_) {
+    const int sign = pieces[counted_].sign;
+    if (sign == 0) continue;
+    if (sign != last_sign_) ++changes_;
+    last_sign_ = sign;
+  }
+  return changes_;
+}
+
 /// The pieces of [from, to], in times since the step's beginning.
 void EventSearch::explore(std::size_t event, double from, double to, std::vector<Piece>& pieces) {
-  const std::size_t most = saw_everything_ ? most_looks : looks_in_doubt;
+  const std::size_t most =
+      (saw_everything_ ? most_looks : looks_in_doubt) + looks_of_change * changes_of_sign(pieces);
   if (++looks_ > most) saw_everything_ = false;
   const MotionPiece whole = polynomial_.piece(from, to - from);
-  const double shortest = 16 * time_round_off(whole.t + whole.h);
   const UnitSeries series = finite_series(event, whole);
+  const double of_state = is_seen(series) ? 0 : shortest_of_step * polynomial_.whole().h;
+  const double shortest = std::max(16 * time_round_off(whole.t + whole.h), of_state);
   starts_at_zero_ = starts_at_zero_ || series.is_divided;
   if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
   if (series.is_nowhere && request_.events[event].must_have_value)
@@ -312,22 +348,22 @@ bool EventSearch::is_bounded_around(std::size_t event, const SignChange& place) 
   return to > from && finite_series(event, polynomial_.piece(from, to - from)).is_finite();
 }
 
-void EventSearch::report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found) {
-  std::ranges::sort(zeros);
+void EventSearch::report(Stepper& stepper, std::vector<Zero> zeros, Found& found) {
+  std::ranges::sort(zeros, {}, [](const Zero& zero) { return std::pair(zero.t, zero.event); });
   for (auto first = zeros.begin(); first != zeros.end() && !found.terminal && !found.failure;) {
     auto last = first + 1;
-    while (last != zeros.end() && same_instant((last - 1)->first, last->first)) ++last;
-    const double t = (last - 1)->first;
-    std::sort(first, last, [](const auto& a, const auto& b) { return a.second < b.second; });
+    while (last != zeros.end() && same_instant((last - 1)->t, last->t)) ++last;
+    const double t = (last - 1)->t;
+    std::sort(first, last, [](const Zero& a, const Zero& b) { return a.event < b.event; });
     found.failure = stepper.interpolate(t, y_);
     for (; first != last && !found.failure; ++first) {
-      const EventFunction& event = request_.events[first->second];
+      const EventFunction& event = request_.events[first->event];
       if (event.condition) {
         const double value = event.condition(t, y_);
-        approaches_.ask_condition(first->second, polynomial_, t - polynomial_.whole().t, value);
+        approaches_.ask_condition(first->event, polynomial_, t - polynomial_.whole().t, value);
         if (!(value > 0)) continue;
       }
-      found.events.push_back({first->second, t, y_});
+      found.events.push_back({first->event, t, y_, first->hidden});
       found.terminal = found.terminal || event.terminal;
     }
   }

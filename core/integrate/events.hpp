@@ -68,6 +68,12 @@ class EventSearch {
   struct Crossed {
     std::size_t event{};
     double before{}, after{};
+    double hidden{};
+  };
+  struct Zero {
+    double t{};
+    std::size_t event{};
+    double hidden{};
   };
 
   [[nodiscard]] bool is_quiet(std::size_t event);
@@ -76,9 +82,11 @@ class EventSearch {
     bool is_nowhere{false};
   };
   void walk(std::size_t event, std::vector<Crossed>& crossed);
+  [[nodiscard]] double hidden_before(std::size_t event, double t, int sign) const;
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
+  [[nodiscard]] std::size_t changes_of_sign(std::span<const Piece> pieces);
   void explore(std::size_t event, double from, double to, std::vector<Piece>& pieces);
   /// g over a piece, in the unit of its length.
   struct UnitSeries {
@@ -99,6 +107,7 @@ class EventSearch {
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
   [[nodiscard]] double value_at_start(std::size_t event, double of_series) const;
   [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
+  [[nodiscard]] static bool is_seen(const UnitSeries& series);
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void look_for_approaches(const Stepper& stepper, const Found& found);
@@ -107,7 +116,7 @@ class EventSearch {
                                                           double shortest);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   [[nodiscard]] bool is_bounded_around(std::size_t event, const SignChange& place);
-  void report(Stepper& stepper, std::vector<std::pair<double, std::size_t>> zeros, Found& found);
+  void report(Stepper& stepper, std::vector<Zero> zeros, Found& found);
 
   const RunRequest& request_;
   StepPolynomial polynomial_;
@@ -118,8 +127,10 @@ class EventSearch {
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
   std::vector<std::vector<Piece>> pieces_;
-  std::vector<double> y_;  ///< scratch
-  std::size_t looks_{};    ///< at one function in one step
+  std::vector<double> y_;              ///< scratch
+  std::size_t looks_{};                ///< at one function in one step
+  std::size_t counted_{}, changes_{};  ///< of its pieces, and how often they change their sign
+  int last_sign_{};
   bool starts_at_zero_{false};
   int sign_at_start_{};
   bool saw_everything_{true};

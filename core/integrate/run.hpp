@@ -81,8 +81,9 @@ struct EventFunction {
   bool is_beside_zero{false};  ///< that sign is known of g itself, which is no zero, however small it is
   /// What rounding may do to g at t_start, where that is known; it is asked where g is small there.
   std::function<double()> rounding_at_start{};
-  bool must_have_value{false};   ///< where g has none for a while, the run ends before it
-  bool is_zero_at_start{false};  ///< g is zero at t_start, however far from it the error of y leaves it
+  bool ends_where_hidden{false};  ///< the run ends behind a time in which the sign of g is hidden, too
+  bool must_have_value{false};    ///< where g has none for a while, the run ends before it
+  bool is_zero_at_start{false};   ///< g is zero at t_start, however far from it the error of y leaves it
 };
 
 /// A step's error is held below rtol |y_i| + atol, both positive. The error of a run is larger: for adams and
@@ -157,6 +158,7 @@ struct EventOccurrence {
   std::size_t event{};  ///< index into RunRequest::events
   double t{};
   std::vector<double> y{};
+  double hidden{};  ///< no crossing: for so many seconds up to there rounding hid the sign of g
 };
 
 struct Run {

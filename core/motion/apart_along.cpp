@@ -213,6 +213,11 @@ double ApartAlong::seconds(SectionEnd end, std::span<const double> unseen) const
   return std::min(of_instant + seconds_apart(end, errors), longest_time(end));
 }
 
+void ApartAlong::doubt(std::span<const double> off) {
+  for (std::size_t i = 0; is_wanted_ && i < off.size(); ++i)
+    now_.by_truncation[i] += std::copysign(off[i], now_.by_truncation[i]);
+}
+
 void ApartAlong::pass(SectionEnd end) {
   if (!is_wanted_) return;
   end.reached = reached_;

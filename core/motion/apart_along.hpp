@@ -48,6 +48,9 @@ class ApartAlong {
   /// Its `reached` is filled in here. The instant is off by its rounding.
   void pass(SectionEnd end);
 
+  /// All computations may be off by that from here on.
+  void doubt(std::span<const double> off);
+
   /// As in Run, of all runs.
   struct Rows {
     std::vector<double> all, by_rounding;

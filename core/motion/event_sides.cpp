@@ -8,9 +8,10 @@
 namespace qdot {
 namespace {
 
-constexpr double lost_rate = 1e-9;         ///< is rounding
-constexpr double of_own_rounding = 64;     ///< so much a state's own is larger than that of its numbers
-constexpr double same_surface = 1e-12;     ///< relative
+constexpr double lost_rate = 1e-9;      ///< is rounding
+constexpr double of_own_rounding = 64;  ///< so much a state's own is larger than that of its numbers
+constexpr double same_surface = 1e-12;  ///< relative
+constexpr double told_by_half = 0.5;
 constexpr unsigned order_of_slopes = 5;    ///< the least that a series has
 constexpr double longest_of_rates = 1e-2;  ///< of the motion's span
 constexpr double next_of_rates = 4;
@@ -59,6 +60,8 @@ void EventSides::pass(const SectionRecord& impact) {
     const bool is_moved = watch.value(impact.t, impact.before) != watch.value(impact.t, impact.after);
     if (is_moved) sides_[i] = 0;
     if (!is_crossed_[i]) continue;
+    if (sides_[i] == 0 && watch.direction != Crossing::either)
+      sides_[i] = watch.direction == Crossing::falling ? 1 : -1;
     if (goes_through(watch, impact))
       sides_[i] = -sides_[i];
     else if (watch.kind != Watch::Kind::impact)
@@ -90,10 +93,22 @@ void EventSides::mark_impacts(const SectionRecord& last, std::vector<EventFuncti
     const bool is_turned = turns || !goes_through(watch, last);
     if (is_turned && event.direction == Crossing::either && sides_[first + impact] != 0)
       event.direction = sides_[first + impact] > 0 ? Crossing::falling : Crossing::rising;
+    if (is_turned && leaves_unseen(watch, last, sides_[first + impact])) {
+      event.sign_at_start = sides_[first + impact];
+      event.is_beside_zero = true;
+      continue;
+    }
     event.is_zero_at_start = event.direction != Crossing::either && is_turned;
     event.counts_at_start = event.is_zero_at_start;
     if (event.is_zero_at_start) event.sign_at_start = 0, event.is_beside_zero = false;
   }
+}
+
+/// Whether the motion goes away from the surface to that side, and the slope there does not tell: rounding
+/// hides it for a while, in which nothing is met.
+bool EventSides::leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const {
+  const double now = rate(watch, impact.t, impact.after), told = slope(watch, impact.t, impact.after);
+  return side * now > 0 && std::abs(now - told) > told_by_half * std::max(std::abs(now), std::abs(told));
 }
 
 /// By as much as the motion may be off there, or goes on in an instant.

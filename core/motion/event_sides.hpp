@@ -53,6 +53,7 @@ class EventSides {
 
  private:
   [[nodiscard]] double slope(const Watch& watch, double t, const std::vector<double>& y) const;
+  [[nodiscard]] bool leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const;
   void mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const;
   [[nodiscard]] bool is_near_zero(const Watch& watch, double t, std::span<const double> y) const;
 

@@ -67,7 +67,9 @@ std::vector<EventFunction> kink_ends(const KinkModes& modes, const KinkModes::Wa
                     .condition = {},
                     .sign_at_start = 1,
                     .rounding_at_start = [rounding = some_round_off * way.size[k]] { return rounding; },
-                    .must_have_value = true});
+                    .ends_where_hidden = !stays,
+                    .must_have_value = true,
+                    .is_zero_at_start = leaves});
   }
   return ends;
 }

@@ -72,9 +72,9 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
     sizes.push_back(size);
     if (typed) typed_sides_[k] = motions_.argument_sign(k, sides, *typed);
     if (typed_sides_[k] != 0) sides[k] = typed_sides_[k];
-    if (typed_sides_[k] != 0 ||
-        !(std::abs(of_kink[0]) <= (met[k] ? std::max(far * size, far) : round_off * size)))
-      continue;
+    if (typed_sides_[k] != 0) continue;
+    const double zero = met[k] ? std::max(far * size, far) : round_off * size;
+    if (!(std::abs(of_kink[0]) <= zero) && motions_.is_told(sides, k, t, y)) continue;
     active_.push_back(k);
   }
   Way way{sides, std::vector<unsigned>(sides.size()), sizes, {}};
@@ -88,9 +88,41 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
     const std::optional<Lead> first = way.sides[k] == 0 ? std::nullopt : lead(way.sides, k);
     const bool leaves = first && first->sign != 0;
     if (leaves) way.contact[k] = first->power;
-    if (!leaves || first->power > 1) way.begins.push_back(k);
+    const bool is_slow = !leaves || first->power > 1;
+    if (is_slow && motions_.is_gradient_told(way.sides, k)) way.begins.push_back(k);
   }
   return way;
+}
+
+std::vector<double> KinkModes::doubt_of_begin(const Way& way) {
+  std::vector<double> off;
+  for (const std::size_t k : active_) {
+    if (way.sides[k] != 0 && !motions_.is_slope_told(way.sides, k))
+      add_doubt(way.sides, k, motions_.told_after(way.sides, k), off);
+  }
+  return off;
+}
+
+std::vector<double> KinkModes::doubt_behind(const Sides& sides, std::size_t kink, double hidden, double t,
+                                            std::span<const double> y) {
+  motions_.look_from(t, y);
+  std::vector<double> off;
+  add_doubt(sides, kink, motions_.time_elsewhere(sides, kink, hidden), off);
+  return off;
+}
+
+/// What the forces of the kink's other side make in that time, where it is more than an instant.
+void KinkModes::add_doubt(const Sides& sides, std::size_t kink, double late, std::vector<double>& off) {
+  Sides others = sides;
+  others[kink] = -others[kink];
+  if (!(late > motions_.resolution()) || !motions_.series(sides) || !motions_.series(others)) return;
+  const std::size_t n = motions_.y().size() / 2;
+  off.resize(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double of_velocity = late * std::abs(motions_.rate(sides, n + i) - motions_.rate(others, n + i));
+    off[n + i] += of_velocity;
+    off[i] += late * of_velocity;
+  }
 }
 
 void KinkModes::settle(const Way& way, double t, std::vector<double>& y) {
@@ -143,12 +175,12 @@ bool KinkModes::attracts(Sides sides, std::size_t kink) {
 
 /// The coefficient that rules when time first can be told apart.
 std::optional<KinkModes::Lead> KinkModes::lead(const Sides& sides, std::size_t kink) {
-  const SidedMotions::Series& all = motions_.series(sides);
-  if (!all) return std::nullopt;
+  if (!motions_.series(sides)) return std::nullopt;
+  const std::vector<double> told = motions_.told_series(sides, kink);
   Lead result;
   double largest = 0, power = motions_.resolution();
   for (unsigned k = 1; k <= SidedMotions::order; ++k, power *= motions_.resolution()) {
-    const double c = (*all)[kink][k], size = std::abs(c) * power;
+    const double c = told[k], size = std::abs(c) * power;
     if (std::isnan(c)) return std::nullopt;
     if (size > largest) {
       largest = size;

@@ -36,6 +36,12 @@ class KinkModes {
   /// The way on from (t, y). `met`: kinks that count as u = 0, beside those where u is zero but for
   /// round-off; they are none any more where u is far from it. None where it is undetermined.
   [[nodiscard]] std::optional<Way> way_on(double t, std::span<const double> y, const std::vector<bool>& met);
+  /// What y may be off by soon after that way has begun there, as its kinks are zero for a while in these
+  /// digits; empty where it is nothing.
+  [[nodiscard]] std::vector<double> doubt_of_begin(const Way& way);
+  /// The same behind a time in which the kink's side was hidden, `hidden` seconds up to (t, y).
+  [[nodiscard]] std::vector<double> doubt_behind(const Sides& sides, std::size_t kink, double hidden,
+                                                 double t, std::span<const double> y);
   /// y, which is there but for a rounding error, on the kinks on which the way begins.
   void settle(const Way& way, double t, std::vector<double>& y);
 
@@ -62,6 +68,7 @@ class KinkModes {
   };
   enum class Verdict { no, neutral, yes };
 
+  void add_doubt(const Sides& sides, std::size_t kink, double late, std::vector<double>& off);
   [[nodiscard]] std::optional<Lead> lead(const Sides& sides, std::size_t kink);
   [[nodiscard]] bool attracts(Sides sides, std::size_t kink);
   [[nodiscard]] Verdict judge(const Sides& sides);

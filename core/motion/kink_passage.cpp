@@ -14,10 +14,11 @@ constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature do
 constexpr double several = 4;
 constexpr double small_bend = 1e-2;
 constexpr double short_part = 0.1;  ///< of a section
-constexpr int halvings = 60;        ///< of the time in which the sign of an argument changes
+constexpr int halvings = 40;        ///< of where it may be
+constexpr int most_doublings = 60;  ///< of the time in which the sign of an argument changes
 constexpr int refinements = 4;      ///< of where a kink was passed, each much closer than the one before
-constexpr double margin = 32 * std::numeric_limits<double>::epsilon();   ///< as in kink_ends.cpp
-constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
+constexpr double margin = 32 * std::numeric_limits<double>::epsilon();  ///< as in kink_ends.cpp
+constexpr double rounding_of_size = 2 * std::numeric_limits<double>::epsilon();
 
 /// As at a multiple root, or where the argument turns: a slope does not tell where its zero is.
 bool is_hardly_crossed(double c0, double c1, double c2) { return std::abs(4 * c0 * c2) > hardly * c1 * c1; }
@@ -26,15 +27,6 @@ bool is_hardly_crossed(double c0, double c1, double c2) { return std::abs(4 * c0
 double zero_beside(double c0, double c1, double c2) {
   if (is_hardly_crossed(c0, c1, c2)) return std::sqrt(std::abs(c0 / c2)) / hardly;
   return -2 * c0 / (c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1));
-}
-
-/// Of series of `count` terms each.
-std::vector<double> sums_at(double s, std::span<const double> rows, std::size_t count) {
-  std::vector<double> sums(rows.size() / count);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    for (std::size_t k = count; k-- > 0;) sums[i] = sums[i] * s + rows[i * count + k];
-  }
-  return sums;
 }
 
 /// A kink that is to be passed.
@@ -52,7 +44,7 @@ class Passing {
   KinkPassage pass(double duration) {
     KinkPassage passage{.move = std::vector<double>(motions_.y().size())};
     if (!find_ahead()) return passage;
-    const double farthest = farthest_back(duration);
+    find_farthest(duration);
     const bool is_one = ahead_.size() == 1;
     std::vector<double> move(motions_.y().size());
     for (Sides now = before_; !ahead_.empty();) {
@@ -74,20 +66,22 @@ class Passing {
       }
       const std::vector<double>& u = old[kink];
       const bool is_hard = is_hardly_crossed(here.u, u[1], u[2]) || (is_one && !changes_beside(kink, now, s));
-      const auto change = is_one && is_hard ? sign_change(kink, now, std::abs(s), farthest) : std::nullopt;
+      const auto change = is_one && is_hard ? sign_change(kink, now, next) : std::nullopt;
       const bool is_crossed = change || !is_hardly_crossed(here.u, u[1], u[2]);
       if (change) {
         s = change->middle;
         passage.doubt = std::max(passage.doubt, change->doubt);
+        passage.is_hidden = passage.is_hidden || change->doubt > motions_.resolution();
       }
-      const bool is_near = is_crossed && std::abs(s) <= farthest;
-      if (!change) passage.doubt = std::max(passage.doubt, of_state * size_[kink] / std::abs(u[1]));
+      const bool is_near = change || (is_crossed && std::abs(s) <= farthest_);
+      if (!change) passage.doubt = std::max(passage.doubt, rounding_of_size * size_[kink] / std::abs(u[1]));
       if (!is_near) passage.doubt = std::max(passage.doubt, std::abs(s));
       const bool is_explained = is_crossed && std::abs(here.u) <= here.explained;
       if (!(is_near || is_explained) || !motions_.series(next)) return passage;
       passage.is_unclear = passage.is_unclear || bends_on_the_way(now, next, s);
       for (auto& [k, other] : ahead_) other.u += s * (old[k][1] - (*motions_.series(next))[k][1]);
-      for (std::size_t i = 0; i < move.size(); ++i) move[i] += s * (rate(now, i) - rate(next, i));
+      for (std::size_t i = 0; i < move.size(); ++i)
+        move[i] += s * (motions_.rate(now, i) - motions_.rate(next, i));
       passage.early = std::max(passage.early, std::abs(s));
       if (is_one && std::abs(s) > motions_.resolution()) refine(now, next, kink, s, change.has_value(), move);
       now = std::move(next);
@@ -98,25 +92,9 @@ class Passing {
 
  private:
   /// All of a section where the last coefficients are nothing there, else a part of it.
-  double farthest_back(double duration) {
-    constexpr std::size_t terms = SidedMotions::order + 1;
-    const std::vector<double>& rows = motions_.rows(before_);
-    const bool is_told = ahead_.empty() || is_small_back(rows, terms, duration);
-    return std::max(motions_.resolution(), is_told ? duration : short_part * duration);
-  }
-
-  /// Of each row the last two terms.
-  static bool is_small_back(std::span<const double> rows, std::size_t terms, double duration) {
-    for (std::size_t i = 0; i < rows.size(); i += terms) {
-      double power = 1, all = 0, last = 0;
-      for (std::size_t k = 0; k < terms; ++k, power *= duration) {
-        const double term = std::abs(rows[i + k]) * power;
-        all += term;
-        if (k + 2 >= terms) last += term;
-      }
-      if (!(last <= of_state * all)) return false;
-    }
-    return true;
+  void find_farthest(double duration) {
+    is_whole_ = ahead_.empty() || motions_.tells(before_, duration);
+    farthest_ = std::max(motions_.resolution(), is_whole_ ? duration : short_part * duration);
   }
 
   /// Those that are passed from one way to the other; false where the way before has no series.
@@ -132,7 +110,7 @@ class Passing {
 
   /// Of the argument, before to after, along a way as a sign beyond the rounding of doubles.
   int sign_along(std::size_t kink, const Sides& sides, const std::vector<double>& rows, double s) {
-    const auto y = sums_at(s, rows, SidedMotions::order + 1);
+    const auto y = SidedMotions::sums_at(s, rows);
     return before_[kink] * motions_.argument_sign(kink, sides, motions_.t() + s, y);
   }
 
@@ -146,26 +124,45 @@ class Passing {
   struct SignChange {
     double middle{}, doubt{};
   };
-  /// Where the argument changes its sign along the old way, beyond the rounding of doubles: at a multiple
-  /// root its coefficients do not tell.
-  std::optional<SignChange> sign_change(std::size_t kink, const Sides& sides, double guess, double farthest) {
-    const std::vector<double> old = motions_.rows(sides);
-    const auto sign = [&](double s) { return sign_along(kink, sides, old, s); };
-    double reach = std::max(guess, motions_.resolution());
-    while (!(sign(-reach) > 0 && sign(reach) < 0)) {
-      reach *= 2;
-      if (!(reach <= std::max(farthest, guess))) return std::nullopt;
-    }
+  /// Between the last place where it is seen to have one sign and the first of the other, as if there is one
+  /// change.
+  double middle_of_change(std::size_t kink, const Sides& sides, const std::vector<double>& rows, double first,
+                          double last) {
     const auto edge = [&](const auto& is_before) {
-      double from = -reach, to = reach;
+      double from = first, to = last;
       for (int i = 0; i < halvings; ++i) {
         const double middle = (from + to) / 2;
-        (is_before(sign(middle)) ? from : to) = middle;
+        (is_before(sign_along(kink, sides, rows, middle)) ? from : to) = middle;
       }
       return to;
     };
-    const double first = edge([](int s) { return s > 0; }), last = edge([](int s) { return s >= 0; });
-    return SignChange{(first + last) / 2, (last - first) / 2};
+    return (edge([](int s) { return s > 0; }) + edge([](int s) { return s >= 0; })) / 2;
+  }
+
+  /// Where the argument changes its sign along the old way, beyond the rounding of doubles: at a multiple
+  /// root its coefficients do not tell. What was before the section is not of that way.
+  std::optional<SignChange> sign_change(std::size_t kink, const Sides& sides, const Sides& next) {
+    const std::vector<double> old = motions_.rows(sides);
+    const auto is_clear = [&](double s, int sign) {
+      return motions_.is_told(kink, sides, old, s, sign * before_[kink]);
+    };
+    double from = motions_.resolution(), to = from;
+    for (; from < farthest_ && !is_clear(-from, 1); from = std::min(2 * from, farthest_)) {
+    }
+    if (!is_whole_ && !is_clear(-from, 1)) return std::nullopt;
+    for (int i = 0; !is_clear(to, -1); ++i, to *= 2) {
+      if (i == most_doublings ||
+          !(to <= farthest_ || (motions_.tells(sides, to) && motions_.tells(next, to))))
+        return std::nullopt;
+    }
+    double first = -from, last = to;
+    const std::vector<SignPiece> pieces = motions_.argument_signs(kink, sides, old, -from, to);
+    for (auto piece = pieces.begin(); piece != pieces.end() && piece->sign == before_[kink]; ++piece)
+      first = piece->to;
+    for (auto piece = pieces.rbegin(); piece != pieces.rend() && piece->sign == -before_[kink]; ++piece)
+      last = piece->from;
+    const double seen = middle_of_change(kink, sides, old, first, last);
+    return SignChange{seen, std::max(last - seen, seen - first)};
   }
 
   /// Whether an argument vanishes altogether, as that of ||x| - x| does where x > 0: it has any side there,
@@ -187,15 +184,9 @@ class Passing {
     });
   }
 
-  /// y_i' of the motion.
-  double rate(const Sides& sides, std::size_t i) {
-    return motions_.rows(sides)[i * (SidedMotions::order + 1) + 1];
-  }
-
   /// Where s is long, linear terms are not all. The argument has no more rounding at t + s than at t.
   void refine(const Sides& before, const Sides& after, std::size_t kink, const double first, bool is_known,
               std::vector<double>& move) {
-    constexpr std::size_t terms = SidedMotions::order + 1;
     const std::vector<double>& old = motions_.rows(before);
     const std::vector<double> u = (*motions_.series(before))[kink];
     const std::size_t n = move.size() / 2;
@@ -203,13 +194,14 @@ class Passing {
     double s = first;
     for (int i = 0; i < refinements; ++i) {
       if (!is_known)
-        s -= motions_.exact_argument(kink, before, motions_.t() + s, sums_at(s, old, terms)) /
+        s -= motions_.exact_argument(kink, before, motions_.t() + s, SidedMotions::sums_at(s, old)) /
              (u[1] + 2 * s * u[2]);
       std::vector<double> from = motions_.y();
       for (std::size_t k = 0; k < from.size(); ++k) from[k] += better[k];
       const std::optional<std::vector<double>> rows = motions_.rows_from(after, from);
       if (!rows) return;
-      const std::vector<double> wanted = sums_at(s, old, terms), reached = sums_at(s, *rows, terms);
+      const std::vector<double> wanted = SidedMotions::sums_at(s, old),
+                                reached = SidedMotions::sums_at(s, *rows);
       for (std::size_t k = 0; k < n; ++k) {
         const double of_velocity = wanted[n + k] - reached[n + k];
         better[n + k] += of_velocity;
@@ -226,6 +218,8 @@ class Passing {
   const Sides& after_;
   std::span<const double> size_;
   std::map<std::size_t, Ahead> ahead_;
+  double farthest_{};  ///< back from t, where series tell the section
+  bool is_whole_{};    ///< that is all of it
 };
 
 }  // namespace

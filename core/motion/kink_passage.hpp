@@ -14,6 +14,7 @@ struct KinkPassage {
   std::vector<double> move;  ///< what y is off by for that
   double doubt{};            ///< by how many seconds an instant may be elsewhere
   double early{};            ///< and by how many it was: rows so near to it are on the wrong side
+  bool is_hidden{};          ///< twice the digits do not tell the instant either
   bool is_unclear{};         ///< forces between two of these kinks change the way to the next one by much
 };
 

@@ -253,7 +253,7 @@ std::string differing_events(const ComputedMotion& motion, const Simulation& che
 
 SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {
   const Simulation& first = motion.simulation;
-  if (motion.is_stiff || first.rows == 0) return {};
+  if (motion.is_stiff || first.rows == 0 || first.kinks_in_doubt) return {};
   const std::vector<double>& all = motion.event_rows.instants();
   const auto end = std::ranges::upper_bound(all, motion.grid.t[first.rows - 1]) - all.begin();
   const std::span<const double> instants = std::span(all).first(static_cast<std::size_t>(end));

@@ -60,6 +60,7 @@ bool MotionSections::begin(double t, std::vector<double>& y) {
   tried_.clear();
   if (now_ == nullptr) modes_->begin_at(typed_start(request_));
   if (!go_on(t, y)) return false;
+  doubt_of_begin_ = modes_->doubt_of_begin(way_);
   modes_->settle(way_, t, y);
   note_size(y);
   return true;
@@ -84,7 +85,7 @@ bool MotionSections::pass(double t, std::vector<double>& y, const std::vector<bo
   const Sides before = way_.sides;
   const double begun = t_;
   doubt_of_instant_ = moved_instant_ = 0;
-  is_unclear_ = false;
+  is_unclear_ = is_instant_hidden_ = false;
   if (go_on(t, y)) {
     if (is_first) take_back(before, begun, t, y);
   } else if (!(come_together(t, y) && go_on(t, y))) {
@@ -100,6 +101,7 @@ void MotionSections::take_back(const Sides& before, double begun, double t, std:
   const KinkPassage passage = modes_->passage(before, way_, t, y, t - begun);
   doubt_of_instant_ = passage.doubt;
   moved_instant_ = passage.early;
+  is_instant_hidden_ = passage.is_hidden;
   is_unclear_ = passage.is_unclear;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += passage.move[i];
 }

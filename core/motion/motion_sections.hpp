@@ -24,6 +24,11 @@ class MotionSections {
   [[nodiscard]] bool begin(double t, std::vector<double>& y);
   /// The section has ended at (t, y), where it `met` these kinks.
   [[nodiscard]] bool pass(double t, std::vector<double>& y, const std::vector<bool>& met);
+  /// What y may be off by at (t, y) for a kink whose side was hidden so many seconds up to there.
+  [[nodiscard]] std::vector<double> doubt_behind(std::size_t kink, double hidden, double t,
+                                                 std::span<const double> y) {
+    return modes_->doubt_behind(way_.sides, kink, hidden, t, y);
+  }
   /// The motion is over.
   void finish(double t);
 
@@ -49,8 +54,13 @@ class MotionSections {
   [[nodiscard]] double resolution() const { return resolution_; }
   /// By how many seconds rounding may have moved the instant that was passed last.
   [[nodiscard]] double doubt_of_instant() const { return doubt_of_instant_; }
+  /// Whether twice the digits did not tell that instant, either.
+  [[nodiscard]] bool is_instant_hidden() const { return is_instant_hidden_; }
   /// By how many it has moved it, which is taken back in the state there.
   [[nodiscard]] double moved_instant() const { return moved_instant_; }
+  /// What each component may be off by soon after the motion has begun, beside a kink whose side is not told
+  /// at once; empty where nothing is in doubt.
+  [[nodiscard]] const std::vector<double>& doubt_of_begin() const { return doubt_of_begin_; }
 
   /// Whether it was one of several kinks between which the way is not known.
   [[nodiscard]] bool is_unclear() const { return is_unclear_; }
@@ -92,6 +102,8 @@ class MotionSections {
   KinkModes::Way way_;
   double t_{};  ///< when the section began
   double doubt_of_instant_{}, moved_instant_{};
+  std::vector<double> doubt_of_begin_;
+  bool is_instant_hidden_{false};
   bool is_unclear_{false};
   std::vector<double> largest_;               ///< |y_i| where sections have begun
   std::vector<bool> met_;                     ///< at that instant

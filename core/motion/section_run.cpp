@@ -72,7 +72,10 @@ std::vector<EventFunction> SectionRun::events_from(const Simulation& so_far) con
   }
   const bool begins_by_impact = !so_far.sections.empty() && so_far.sections.back().t == so_far.t;
   sides_.mark(so_far.t, so_far.y, begins_by_impact ? &so_far.sections.back() : nullptr, events);
-  for (EventFunction& end : sections_.ends()) events.push_back(std::move(end));
+  for (EventFunction& end : sections_.ends()) {
+    end.ends_where_hidden = end.ends_where_hidden && so_far.hidden_kinks < most_hidden;
+    events.push_back(std::move(end));
+  }
   return events;
 }
 

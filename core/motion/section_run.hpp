@@ -15,6 +15,9 @@ namespace qdot {
 
 class SectionRun {
  public:
+  /// Hidden kinks behind which a section ends: any more are not looked for.
+  static constexpr std::size_t most_hidden = 1000;
+
   /// Keeps the references.
   SectionRun(const Dynamics& dynamics, const SimulationRequest& request, const MotionSections& sections,
              const ApartAlong& apart, const EventSides& sides);

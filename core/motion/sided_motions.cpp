@@ -8,8 +8,15 @@
 #include "core/compile/taylor/composition.hpp"
 #include "core/compile/taylor/expansion.hpp"
 #include "core/motion/extended_pieces.hpp"
+#include "core/motion/sharp_signs.hpp"
 
 namespace qdot {
+namespace {
+
+constexpr double of_state = 2 * std::numeric_limits<double>::epsilon();  ///< rounding
+constexpr int doublings = 60;  ///< of the time after which a sign is looked for
+
+}  // namespace
 
 Staying staying_on(const Sides& sides) {
   Staying staying;
@@ -47,6 +54,12 @@ std::vector<double> SidedMotions::parameters(const Sides& sides) const {
 
 std::shared_ptr<const KinkedMotion> SidedMotions::motion(const Sides& sides) const {
   return dynamics_.kinked(staying_on(sides));
+}
+
+std::vector<Ball> SidedMotions::numbers(const Sides& sides) const {
+  std::vector<Ball> all = Reals(parameters_).as<Ball>();
+  for (const int side : sides) all.emplace_back(side);
+  return all;
 }
 
 SidedMotions::Mode* SidedMotions::mode(const Sides& sides) {
@@ -119,6 +132,113 @@ std::optional<std::vector<double>> SidedMotions::rows_from(const Sides& sides, s
   std::vector<double> rows(y.size() * (order + 1));
   const bool ok = mode(sides)->expansion.expand(t_, y, order, rows) == Evaluation::ok;
   return ok ? std::optional(std::move(rows)) : std::nullopt;
+}
+
+bool SidedMotions::tells(const Sides& sides, double s) {
+  if (!series(sides)) return false;
+  const std::vector<double>& all = rows(sides);
+  for (std::size_t i = 0; i < all.size(); i += order + 1) {
+    double power = 1, size = 0, last = 0;
+    for (std::size_t k = 0; k <= order; ++k, power *= s) {
+      const double term = std::abs(all[i + k]) * power;
+      size += term;
+      if (k + 1 >= order) last += term;
+    }
+    if (!(last <= of_state * size)) return false;
+  }
+  return true;
+}
+
+std::vector<double> SidedMotions::sums_at(double s, std::span<const double> rows) {
+  std::vector<double> sums(rows.size() / (order + 1));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    for (std::size_t k = order + 1; k-- > 0;) sums[i] = sums[i] * s + rows[i * (order + 1) + k];
+  }
+  return sums;
+}
+
+std::vector<Interval> SidedMotions::enclosed_geometry(const Sides& sides, double t,
+                                                      std::span<const double> y) {
+  const std::vector<double> with = parameters(sides);
+  const std::vector<Interval> constants(with.begin(), with.end());
+  if (!enclosed_geometry_)
+    enclosed_geometry_.emplace(kinks_.geometry, constants);
+  else
+    enclosed_geometry_->bind(constants);
+  std::vector<Interval> places(kinks_.geometry.outputs());
+  enclosed_geometry_->set_time(t);
+  (*enclosed_geometry_)(std::vector<Interval>(y.begin(), y.end()), places);
+  return places;
+}
+
+bool SidedMotions::is_told(const Sides& sides, std::size_t kink, double t, std::span<const double> y) {
+  return !enclosed_geometry(sides, t, y)[kink * (2 + y.size())].contains(0);
+}
+
+bool SidedMotions::is_slope_told(const Sides& sides, std::size_t kink) {
+  const std::vector<Interval> places = enclosed_geometry(sides, t_, y_);
+  const std::size_t first = kink * (2 + y_.size());
+  Interval slope = places[first + 1];
+  for (std::size_t i = 0; i < y_.size(); ++i)
+    slope = slope + places[first + 2 + i] * Interval(rate(sides, i));
+  return !slope.contains(0);
+}
+
+bool SidedMotions::is_gradient_told(const Sides& sides, std::size_t kink) {
+  const std::vector<Interval> places = enclosed_geometry(sides, t_, y_);
+  const auto slopes = std::span(places).subspan(kink * (2 + y_.size()) + 2, y_.size());
+  return std::ranges::any_of(slopes, [](const Interval& slope) { return !slope.contains(0); });
+}
+
+std::vector<double> SidedMotions::told_series(const Sides& sides, std::size_t kink) {
+  if (is_slope_told(sides, kink)) return (*series(sides))[kink];
+  const std::vector<Ball> with = numbers(sides);
+  const auto of_motion =
+      sharp_series({*mode(sides)->motion->arguments[kink], with, t_, rows(sides), order + 1});
+  std::vector<double> told;
+  for (std::size_t k = 0; k <= order; ++k)
+    told.push_back(of_motion[k].contains_zero() ? 0 : of_motion[k].value());
+  return told;
+}
+
+bool SidedMotions::is_told(std::size_t kink, const Sides& sides, std::span<const double> rows, double s,
+                           int sign) {
+  const Mode& with = *mode(sides);
+  TapeEvaluator<Interval> u(*with.motion->arguments[kink],
+                            std::vector<Interval>(with.parameters.begin(), with.parameters.end()));
+  const std::vector<double> y = sums_at(s, rows);
+  Interval value;
+  u.set_time(t_ + s);
+  u(std::vector<Interval>(y.begin(), y.end()), {&value, 1});
+  return sign > 0 ? value.lower > 0 : value.upper < 0;
+}
+
+std::vector<SignPiece> SidedMotions::argument_signs(std::size_t kink, const Sides& sides,
+                                                    std::span<const double> rows, double from, double to) {
+  const std::vector<Ball> with = numbers(sides);
+  return sharp_signs({*mode(sides)->motion->arguments[kink], with, t_, rows, order + 1}, from, to,
+                     resolution_);
+}
+
+double SidedMotions::told_after(const Sides& sides, std::size_t kink) {
+  const std::vector<double> along = rows(sides);
+  double to = resolution_;
+  for (int i = 0; i < doublings && tells(sides, 2 * to) && !is_told(kink, sides, along, to, sides[kink]); ++i)
+    to *= 2;
+  double after = 0;
+  for (const SignPiece& piece : argument_signs(kink, sides, along, 0, to)) {
+    if (piece.sign != sides[kink]) after = piece.to;
+  }
+  return after;
+}
+
+double SidedMotions::time_elsewhere(const Sides& sides, std::size_t kink, double duration) {
+  if (!tells(sides, duration)) return duration;
+  double elsewhere = 0;
+  for (const SignPiece& piece : argument_signs(kink, sides, rows(sides), -duration, 0)) {
+    if (piece.sign != sides[kink]) elsewhere += piece.to - piece.from;
+  }
+  return elsewhere;
 }
 
 double SidedMotions::equivalent_side(const Sides& sides, std::size_t kink) {

@@ -8,7 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "core/compile/tape_evaluator.hpp"
 #include "core/dynamics/dynamics.hpp"
+#include "core/numerics/ball.hpp"
+#include "core/numerics/sign_search.hpp"
 
 namespace qdot {
 
@@ -40,6 +43,9 @@ class SidedMotions {
   [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides, double t,
                                       std::span<const double> y);
 
+  /// Whether doubles tell u from 0.
+  [[nodiscard]] bool is_told(const Sides& sides, std::size_t kink, double t, std::span<const double> y);
+
   /// Its sign; 0 where that is not seen in twice the digits.
   [[nodiscard]] int argument_sign(std::size_t kink, const Sides& sides, double t, std::span<const double> y);
   /// The same at a place that is known beyond doubles, as what was typed is.
@@ -49,7 +55,6 @@ class SidedMotions {
     Reals y;
   };
   [[nodiscard]] int argument_sign(std::size_t kink, const Sides& sides, const Typed& place);
-
   /// From here on what follows is of the place (t, y).
   void look_from(double t, std::span<const double> y);
   [[nodiscard]] double t() const { return t_; }
@@ -62,6 +67,29 @@ class SidedMotions {
   [[nodiscard]] const std::vector<double>& rows(const Sides& sides);
   /// The same from another state at the same instant.
   [[nodiscard]] std::optional<std::vector<double>> rows_from(const Sides& sides, std::span<const double> y);
+  /// y_i' of the motion.
+  [[nodiscard]] double rate(const Sides& sides, std::size_t i) { return rows(sides)[i * (order + 1) + 1]; }
+  /// Whether its series tell the motion s seconds before and after t.
+  [[nodiscard]] bool tells(const Sides& sides, double s);
+  /// y along series about t.
+  [[nodiscard]] static std::vector<double> sums_at(double s, std::span<const double> rows);
+
+  /// Whether doubles tell u' from 0, where there is that motion.
+  [[nodiscard]] bool is_slope_told(const Sides& sides, std::size_t kink);
+  /// Whether they tell its slopes from 0 there: at a multiple root there is no place to be put on.
+  [[nodiscard]] bool is_gradient_told(const Sides& sides, std::size_t kink);
+  /// Its series, where doubles do not tell in twice the digits: 0 for what these do not tell from 0.
+  [[nodiscard]] std::vector<double> told_series(const Sides& sides, std::size_t kink);
+  /// Whether doubles tell that u has that sign along the rows, s seconds later.
+  [[nodiscard]] bool is_told(std::size_t kink, const Sides& sides, std::span<const double> rows, double s,
+                             int sign);
+  /// Its signs beyond doubles along a way, rows of order + 1 terms about t(), from <= s <= to.
+  [[nodiscard]] std::vector<SignPiece> argument_signs(std::size_t kink, const Sides& sides,
+                                                      std::span<const double> rows, double from, double to);
+  /// From when on u has the sign of its side along the motion, as far as twice the digits tell.
+  [[nodiscard]] double told_after(const Sides& sides, std::size_t kink);
+  /// For how much of so many seconds before t u has not had the sign of its side, as far as is told.
+  [[nodiscard]] double time_elsewhere(const Sides& sides, std::size_t kink, double duration);
   /// The side, -1 to 1, that is equivalent to staying on the kink; not a number where there is none.
   [[nodiscard]] double equivalent_side(const Sides& sides, std::size_t kink);
 
@@ -69,12 +97,16 @@ class SidedMotions {
   /// The motion with given sides, ready to be looked at.
   struct Mode;
   [[nodiscard]] Mode* mode(const Sides& sides);
+  [[nodiscard]] std::vector<Interval> enclosed_geometry(const Sides& sides, double t,
+                                                        std::span<const double> y);
+  [[nodiscard]] std::vector<Ball> numbers(const Sides& sides) const;
 
   const Dynamics& dynamics_;
   const Kinks& kinks_;
   std::vector<double> parameters_;
   double resolution_;
   std::map<Sides, std::unique_ptr<Mode>> modes_;
+  std::optional<TapeEvaluator<Interval>> enclosed_geometry_;
   // Of the place:
   double t_{};
   std::vector<double> y_;

@@ -7,6 +7,7 @@
 #include "core/integrate/events.hpp"
 #include "core/motion/apart_along.hpp"
 #include "core/motion/impacts_along.hpp"
+#include "core/motion/many_pieces.hpp"
 #include "core/motion/motion_sections.hpp"
 #include "core/motion/section_run.hpp"
 #include "core/motion/simulation_output.hpp"
@@ -18,9 +19,6 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_impacts = 10'000;
-constexpr std::size_t pieces_judged = 1000;
-constexpr double clearly_longer = 1.01;
-constexpr double far_too_many = 10;  ///< times the steps that are left
 constexpr const char* accumulation =
     "The impacts follow each other faster and faster, and accumulate at this time.";
 
@@ -42,6 +40,7 @@ class Simulator {
     result_.y = request.y_start;
     result_.method = request.method;
     is_determined_ = sections_.begin(result_.t, result_.y);
+    doubt_begin();
     result_.symplectic = sections_.system().canonical.has_value();
   }
 
@@ -58,6 +57,7 @@ class Simulator {
     record_piece({});
     sections_.finish(result_.t);
     doubt_last_row();
+    result_.bounded = result_.bounded && result_.hidden_kinks < SectionRun::most_hidden;
     result_.stays = std::move(sections_.stays());
     for (auto* approaches : {&result_.approaches, &result_.near_events})
       std::ranges::stable_sort(*approaches, {}, [](const auto& a) { return a.place.instant(); });
@@ -74,6 +74,11 @@ class Simulator {
  private:
   [[nodiscard]] MotionStart start() const {
     return {result_.t, result_.y, request_.t_end - request_.t_start};
+  }
+
+  void doubt_begin() {
+    apart_.doubt(sections_.doubt_of_begin());
+    result_.kinks_in_doubt = result_.kinks_in_doubt || !sections_.doubt_of_begin().empty();
   }
 
   bool stopped_at_start() {
@@ -100,13 +105,15 @@ class Simulator {
       if (run_.leaves_rest(done)) continue;
       if (done.ending != Ending::event) return false;
       std::vector<bool> met = kinks_met(done);
+      doubt_hidden_kinks(done);
       if (done.t >= request_.t_end) {
         result_.ending = Ending::reached_end;
         met_at_end_ = std::move(met);
         return false;
       }
+      if (std::ranges::find(met, true) == met.end()) continue;
       record_piece(met);
-      if (takes_too_many_pieces()) {
+      if (takes_too_many_pieces(result_, request_)) {
         result_.ending = Ending::step_limit;
         return false;
       }
@@ -114,20 +121,6 @@ class Simulator {
     }
     result_.ending = Ending::undetermined;
     return false;
-  }
-
-  /// Whether kinks follow each other so fast, and no more slowly than before, that the steps which are left
-  /// are far too few for the rest.
-  [[nodiscard]] bool takes_too_many_pieces() const {
-    const std::vector<PieceRecord>& all = result_.pieces;
-    if (all.size() <= 2 * pieces_judged || all.size() % pieces_judged != 0) return false;
-    const auto ended = [&](std::size_t back) { return all[all.size() - 1 - back].t; };
-    const double now = ended(0) - ended(pieces_judged),
-                 before = ended(pieces_judged) - ended(2 * pieces_judged);
-    const double left =
-        static_cast<double>(request_.limits.max_steps - std::min(request_.limits.max_steps, result_.steps));
-    return now <= clearly_longer * before &&
-           (request_.t_end - result_.t) / now * pieces_judged > far_too_many * left;
   }
 
   void pass_kinks(const std::vector<bool>& met) {
@@ -146,7 +139,21 @@ class Simulator {
     apart_.pass(std::move(end));
   }
 
+  /// Kinks that may have been passed, to and fro, in a time that ends there.
+  void doubt_hidden_kinks(const Run& done) {
+    const std::size_t first = sections_.watches().size();
+    for (const EventOccurrence& occurrence : done.events) {
+      if (occurrence.event < first || occurrence.hidden == 0) continue;
+      const std::vector<double> off =
+          sections_.doubt_behind(occurrence.event - first, occurrence.hidden, result_.t, result_.y);
+      apart_.doubt(off);
+      result_.kinks_in_doubt = result_.kinks_in_doubt || !off.empty();
+      ++result_.hidden_kinks;
+    }
+  }
+
   void note_unclear_kinks() {
+    result_.kinks_in_doubt = result_.kinks_in_doubt || sections_.is_instant_hidden();
     if (!sections_.is_unclear() || result_.unclear_from) return;
     result_.unclear_from = result_.t;
     result_.is_unclear_by_kinks = true;
@@ -219,7 +226,8 @@ class Simulator {
     std::vector<bool> met(sections_.kinks());
     const std::size_t first = sections_.watches().size();
     for (const EventOccurrence& occurrence : done.events) {
-      if (occurrence.event >= first && occurrence.t == done.t) met[occurrence.event - first] = true;
+      if (occurrence.event >= first && occurrence.t == done.t && occurrence.hidden == 0)
+        met[occurrence.event - first] = true;
     }
     return met;
   }
@@ -341,6 +349,7 @@ class Simulator {
     finish(end);
     doubt_instant(end, passed, std::max({time_round_off(end.t), passed.within, late}));
     apart_.pass(std::move(end));
+    doubt_begin();
     return true;
   }
 

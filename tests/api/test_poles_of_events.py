@@ -44,6 +44,24 @@ class PolesOfEvents(Service):
         self.each(("{s}*cos({a}*x - {b})/sin({a}*x - {b})",), 2,
                   lambda begin, end: math.floor(end / math.pi - 0.5) - math.floor(begin / math.pi - 0.5))
 
+    def test_zeros_of_a_tangent_are_all_found_on_the_way_up_and_down(self):
+        source = random.Random(4)
+        cases = [("0.787", "2.23", "11.4", "0.933", 4), ("0.528", "2.62", "15.7", "-0.98", 3)]
+        for _ in range(20):
+            draw = [f"{source.uniform(*ends):.3f}" for ends in ((0.3, 2), (0.5, 3), (2, 20), (-2, 2))]
+            cases.append((*draw, round(source.uniform(1, 5), 2)))
+        for speed, fall, w, c, end in cases:
+            v, g = float(speed), float(fall)
+            turns = [(float(w) * (0.1 + v * t - g * t * t / 2) - math.atan(float(c))) / math.pi
+                     for t in (0, min(end, v / g), end)]
+            known = sum(abs(math.floor(after) - math.floor(before)) for before, after in zip(turns, turns[1:]))
+            scene = lagrangian("thrown", "", f"x - 0.1 {speed}", f"x_dot^2/2 - {fall}*x",
+                               events=[{"name": "e", "expression": f"tan({w}*x) - ({c})"}])
+            del scene["parameters"]
+            request = {"system": scene, "t_end": end, "samples": 2, "events": ["e"]}
+            with self.subTest(speed=speed, fall=fall, w=w, c=c, end=end):
+                self.assertEqual(len(self.ask("simulate", request)["events"]), known)
+
     def test_jumps_and_steep_crossings_are_events(self):
         shapes = ("{s}*sign(x - {c})", "{s}*abs(x - {c})/(x - {c})", "{s}*atan(1/(x - {c}))",
                   "{s}*(x - {c})/((x - {c})^2 + {w})", "{s}*(x - {c})*(1 + 0.001/((x - {c})^2 + {w}))",

@@ -1,0 +1,126 @@
+#include "core/motion/sharp_signs.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/compile/tape_evaluator.hpp"
+#include "core/numerics/taylor_enclosure.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double of_doubles = 64 * std::numeric_limits<double>::epsilon();  ///< of the coefficients
+/// Times what twice the digits leave in doubt: a shorter piece shows no more.
+constexpr double small_beside_digits = 64;
+constexpr int most_looks_along = 400;
+constexpr std::size_t last_term = quadrature_order;
+
+std::vector<FineSeries> constants_of(std::span<const Ball> parameters) {
+  std::vector<FineSeries> constants;
+  for (const Ball& p : parameters) constants.push_back(FineSeries::constant(p));
+  return constants;
+}
+
+/// Along the way about `centre`, over all of the piece.
+FineSeries along(const FunctionAlong& g, TapeEvaluator<FineSeries>& function, double centre,
+                 const Interval& piece) {
+  const FineSeries s = FineSeries::variable(Ball(centre), piece);
+  std::vector<FineSeries> y;
+  for (std::size_t i = 0; i < g.rows.size(); i += g.terms) {
+    FineSeries sum = FineSeries::constant(Ball(g.rows[i + g.terms - 1]));
+    for (std::size_t k = g.terms - 1; k-- > 0;) sum = sum * s + FineSeries::constant(Ball(g.rows[i + k]));
+    y.push_back(sum);
+  }
+  function.set_time(FineSeries::constant(Ball(g.t)) + s);
+  FineSeries value;
+  function(y, {&value, 1});
+  return value;
+}
+
+class SignsAlong {
+ public:
+  SignsAlong(const FunctionAlong& g, double shortest)
+      : g_(g), shortest_(shortest), function_(g.function, constants_of(g.parameters)) {}
+
+  void explore(double from, double to) {
+    const double h = to - from;
+    const Series series = series_on(from, to);
+    const bool is_hopeless = !(series.size > small_beside_digits * series.in_digits);
+    if (h <= shortest_ || ++looks_ > most_looks_along || is_hopeless) return add(from, to, sign_of(series));
+    if (!std::isfinite(series.off)) return halve(from, to);
+    double told = from;
+    for (const SignPiece& piece : signs_of(series.c, series.off)) {
+      const double begin = from + piece.from * h, end = piece.to == 1 ? to : from + piece.to * h;
+      if (begin > told) halve(told, begin);  // around one zero
+      told = end;
+      if (piece.sign != 0)
+        add(begin, end, piece.sign);
+      else if (piece.to - piece.from < 0.5)
+        explore(begin, end);
+      else
+        halve(begin, end);
+    }
+  }
+
+  [[nodiscard]] std::vector<SignPiece> pieces() && { return std::move(pieces_); }
+
+ private:
+  /// In the unit of the piece.
+  struct Series {
+    std::vector<double> c;
+    double size{}, in_digits{}, off{};
+  };
+
+  Series series_on(double from, double to) {
+    const FineSeries value = along(g_, function_, from, {from, to});
+    Series series;
+    double power = 1;
+    for (std::size_t k = 0; k < last_term && k < value.terms; ++k, power *= to - from) {
+      series.c.push_back(value.at[k].value() * power);
+      series.size += std::abs(series.c.back());
+      series.in_digits += value.at[k].radius * power;
+    }
+    const double rest = value.terms > last_term ? value.over[last_term].magnitude() * power : 0;
+    series.off = series.in_digits + rest + of_doubles * series.size;
+    return series;
+  }
+
+  static int sign_of(const Series& series) {
+    double others = series.off;
+    for (std::size_t k = 1; k < series.c.size(); ++k) others += std::abs(series.c[k]);
+    if (!(std::abs(series.c[0]) > others)) return 0;
+    return series.c[0] > 0 ? 1 : -1;
+  }
+
+  void halve(double from, double to) {
+    const double middle = from + (to - from) / 2;
+    explore(from, middle);
+    explore(middle, to);
+  }
+
+  void add(double from, double to, int sign) { pieces_.push_back({from, to, sign}); }
+
+  const FunctionAlong& g_;
+  double shortest_;
+  TapeEvaluator<FineSeries> function_;
+  std::vector<SignPiece> pieces_;
+  int looks_{};
+};
+
+}  // namespace
+
+std::vector<Ball> sharp_series(const FunctionAlong& g) {
+  TapeEvaluator<FineSeries> function(g.function, constants_of(g.parameters));
+  const FineSeries value = along(g, function, 0, 0);
+  std::vector<Ball> series(value.at.begin(), value.at.end());
+  for (std::size_t k = value.terms; k < series.size(); ++k) series[k] = Ball();
+  return series;
+}
+
+std::vector<SignPiece> sharp_signs(const FunctionAlong& g, double from, double to, double shortest) {
+  SignsAlong signs(g, shortest);
+  signs.explore(from, to);
+  return std::move(signs).pieces();
+}
+
+}  // namespace qdot
