@@ -99,7 +99,7 @@ class EquilibriaAnswer {
     Json json = Json::object();
     std::size_t i = 0;
     for (const auto& [name, value] : names.items()) {
-      json[name] = stated_error({steady.y[i], steady.errors[i]}, digits_);
+      json[name] = stated_error(Stated{steady.y[i], steady.errors[i]}.as_typed(state_.y.exact(i)), digits_);
       ++i;
     }
     return json;
