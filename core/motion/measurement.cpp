@@ -242,8 +242,13 @@ void Measurement::forgive_rounding_of_zeros(const std::vector<double>& error,
                                             std::vector<double>& wanted) const {
   const std::vector<double> size = largest_magnitudes(motion(), Rows::wanted),
                             of_kind = largest_of_kind(motion());
+  std::vector<double> at_rest;
   for (std::size_t k = 0; k < error.size(); ++k) {
-    if (size[k] <= error[k]) wanted[k] = std::max(wanted[k], near_round_off * of_kind[k]);
+    if (size[k] > error[k]) continue;
+    wanted[k] = std::max(wanted[k], near_round_off * of_kind[k]);
+    if (error[k] <= wanted[k]) continue;
+    if (at_rest.empty()) at_rest = rounding_at_rest(motion());
+    wanted[k] = std::max(wanted[k], at_rest[k]);
   }
 }
 
