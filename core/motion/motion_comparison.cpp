@@ -8,7 +8,6 @@
 
 #include "core/motion/event_comparison.hpp"
 #include "core/motion/kept_quantities.hpp"
-#include "core/motion/rounded_forces.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/rows_at_impacts.hpp"
 #include "core/motion/winding.hpp"
@@ -170,11 +169,9 @@ class Comparing {
     }
   }
 
-  [[nodiscard]] bool is_useful(std::span<const double> error) {
+  [[nodiscard]] bool is_useful(std::span<const double> error) const {
     for (std::size_t k = 0; k < width_; ++k) {
-      if (!(error[k] > useful * (largest_[k] > 0 ? largest_[k] : 1))) continue;  // also between rows
-      if (at_rest_.empty()) at_rest_ = rounding_at_rest(motion_);
-      if (std::max(largest_[k], error[k]) > at_rest_[k]) return false;
+      if (error[k] > useful * (largest_[k] > 0 ? largest_[k] : 1)) return false;  // also between rows
     }
     return true;
   }
@@ -226,7 +223,6 @@ class Comparing {
   std::vector<double> missed_, acceleration_;
   std::vector<double> tau_;         ///< L_q / L_v of each coordinate; 0 where that is no time
   std::vector<double> difference_;  ///< in a row, the largest of each column
-  std::vector<double> at_rest_;     ///< rounding_at_rest, where it was asked for
 };
 
 }  // namespace
