@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/base/error.hpp"
+#include "core/closed/place_algebra.hpp"
 #include "core/closed/root_integral.hpp"
 #include "core/expr/trigonometry.hpp"
 
@@ -149,16 +150,6 @@ class PeriodSearch {
       if (function == Function::cosh) return Number::ratio(1, 2) * twice_cosh;
       return function == Function::tanh ? std::optional(twice_sinh / twice_cosh) : std::nullopt;
     });
-  }
-
-  [[nodiscard]] Expression with_tangents_written(const Expression& e) {
-    std::vector<Replacement> tangents;
-    for (const Call& call : calls(e)) {
-      if (call.function != Function::tan) continue;
-      const Expression argument(graph_, call.argument);
-      tangents.emplace_back(graph_.call(Function::tan, argument), sin(argument) / cos(argument));
-    }
-    return substitute(e, tangents);
   }
 
   /// No value where y stands in something else.

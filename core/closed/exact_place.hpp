@@ -72,6 +72,7 @@ class ExactPlace {
  private:
   void settle_root(std::size_t k, const Expression& value);
   [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
+  [[nodiscard]] Expression with_solved_angles(const Expression& e) const;
   [[nodiscard]] Polynomial with_angles_taken(const Polynomial& e, const Solved& angle) const;
 
   const PlaceProblem* problem_;

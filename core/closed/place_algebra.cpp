@@ -53,6 +53,19 @@ Expression factored_tangent(Graph& graph, const RationalFunction& f) {
   return to_expression(graph, front) * result;
 }
 
+Expression with_tangents_written(const Expression& e) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> tangents;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (call == nullptr || call->function != Function::tan) continue;
+    const Expression argument(graph, call->argument);
+    tangents.emplace_back(Expression(graph, id), sin(argument) / cos(argument));
+  }
+  return tangents.empty() ? e : substitute(e, tangents);
+}
+
 Expression with_roots_taken(const Expression& e, const SignOf& sign) {
   Graph& graph = e.graph();
   std::vector<Replacement> taken;
@@ -91,8 +104,14 @@ Expression with_logarithms_taken(const Expression& e) {
   const NodeId root[]{e.id()};
   for (const NodeId id : reachable(graph, root)) {
     const auto* call = std::get_if<Call>(&graph.node(id));
-    if (call == nullptr || call->function == Function::log) continue;
+    if (call == nullptr) continue;
     const Function function = call->function;
+    if (function == Function::log) {
+      const auto* inner = std::get_if<Call>(&graph.node(call->argument));
+      if (inner != nullptr && inner->function == Function::exp)
+        taken.emplace_back(Expression(graph, id), Expression(graph, inner->argument));
+      continue;
+    }
     const auto power = power_of_logarithm(expand(Expression(graph, call->argument)));
     if (!power) continue;
     const Expression up = power->first * graph.call(Function::exp, expand(power->second));

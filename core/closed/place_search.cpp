@@ -9,6 +9,7 @@
 #include "core/closed/one_unknown.hpp"
 #include "core/closed/place_algebra.hpp"
 #include "core/closed/place_angles.hpp"
+#include "core/closed/place_balances.hpp"
 #include "core/closed/place_brackets.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/trigonometry.hpp"
@@ -127,7 +128,9 @@ class PlaceSearch {
   [[nodiscard]] bool solve(std::size_t k, const Expression& force) {
     Graph& graph = force.graph();
     const Expression& x = problem_.x[k];
-    const Polynomial above = without_factor(numerator(force), x);
+    if (const auto linear = balance_of_powers(problem_, k, force)) return solve(k, *linear);
+    const Polynomial above = without_lasting_factors(graph, without_factor(numerator(force), x));
+    if (const auto inside = without_logarithm(graph, above, x)) return solve(k, *inside);
     const int n = highest_power(above, x);
     const auto parts = n > 0 ? linear_in(graph, above, x, x, n) : std::nullopt;
     if (!parts) {
