@@ -8,6 +8,7 @@
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/allowed_motions.hpp"
+#include "core/closed/decided_coordinates.hpp"
 #include "core/closed/mode_options.hpp"
 #include "core/closed/place_search.hpp"
 #include "core/closed/rolling_forms.hpp"
@@ -90,7 +91,12 @@ Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlac
   result.state.resize(model.scene.coordinates.size());
   ExactValues values(model, all.graph, written, parameters);
   set_momenta(values, all.momenta, near);
-  const PlaceProblem problem = place_problem(all, values, near.x);
+  PlaceProblem problem = place_problem(all, values, near.x);
+  std::vector<bool> decided;
+  problem.is_decided = [&](std::size_t k) {
+    if (decided.empty()) decided = decided_coordinates(all, values);
+    return decided[k];
+  };
   if (const auto place = exact_place(problem)) derive(all, *place, values, result);
   consider_by_place(all, values, result);
   result.signs = values.asked();

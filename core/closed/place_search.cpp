@@ -48,6 +48,7 @@ class PlaceSearch {
       for (std::size_t i = 0; i < offsets.size() && !place_.is_known(k); ++i) {
         for (std::size_t q = 0; q < quarters.size(); ++q) {
           if (!is_near(near, offsets[i].value + quarters[q] * (std::numbers::pi / 2))) continue;
+          if (i > 0 && !is_decided(k)) continue;
           place_.settle(k, offsets[i].symbol + Number::ratio(quarters[q], 2) * pi);
           break;
         }
@@ -111,7 +112,7 @@ class PlaceSearch {
       if (!may_be_proposed(k) || problem_.is_angle[k]) continue;
       for (const PlaceProblem::Known& p : problem_.alike[k]) {
         for (const int side : {1, -1}) {
-          if (!is_near(problem_.near[k], side * p.value)) continue;
+          if (!is_near(problem_.near[k], side * p.value) || !is_decided(k)) continue;
           place_.settle(k, Number(side) * p.symbol);
           return true;
         }
@@ -123,6 +124,10 @@ class PlaceSearch {
  private:
   [[nodiscard]] bool may_be_proposed(std::size_t k) const {
     return !place_.is_known(k) && problem_.near[k].width() < widest_place;
+  }
+
+  [[nodiscard]] bool is_decided(std::size_t k) const {
+    return !problem_.is_decided || problem_.is_decided(k);
   }
 
   [[nodiscard]] bool solve(std::size_t k, const Expression& force) {

@@ -66,6 +66,19 @@ class BalancedPlaces(Service):
         self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "sqrt(k1)*d/(sqrt(k1) + sqrt(k2))")
         self.assertEqual(found["modes"][0]["exact"]["text"], "2*(sqrt(k1) + sqrt(k2))^4/(m*d^3*sqrt(k1*k2))")
 
+    def test_what_may_rest_anywhere_has_no_formula(self):
+        """Its number may be that of a parameter."""
+        ring = "m*(a_dot^2 + b_dot^2 + c_dot^2)/2 - k*((a - b)^2 + (b - c)^2 + (c - a)^2)/2"
+        for scene in (lagrangian("free", "m - 1; k - 2", "y - 1", "m*y_dot^2/2"),
+                      lagrangian("three", "m - 2; M - 3; R - 0.5", "x - 2; y - 3; z - 0.5", "m*(x_dot^2 + y_dot^2 + z_dot^2)/2"),
+                      lagrangian("ring", "m - 2; k - 3", "a - 2; b - 2; c - 2", ring),
+                      lagrangian("ring", "m - 2; k - 3", "a - 3; b - 3; c - 3", ring),
+                      lagrangian("two", "m - 1; M - 2", "a - 2; b - 2", "m*a_dot^2/2 + M*b_dot^2/2 - (a - b)^2")):
+            self.assertNotIn("exact", self.ask("modes", {"system": scene})["equilibrium"], scene["lagrangian"])
+        held = lagrangian("held", "m - 1; k - 3; d - 2", "a - 2; b - 2", "m*(a_dot^2 + b_dot^2)/2 - k*(a - d)^2/2 - (a - b)^4 - (a - b)^2")
+        exact = self.ask("modes", {"system": held})["equilibrium"]["exact"]
+        self.assertEqual([exact[name]["text"] for name in "ab"], ["d", "d"])
+
 
 if __name__ == "__main__":
     unittest.main()
