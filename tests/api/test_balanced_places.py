@@ -66,6 +66,30 @@ class BalancedPlaces(Service):
         self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "sqrt(k1)*d/(sqrt(k1) + sqrt(k2))")
         self.assertEqual(found["modes"][0]["exact"]["text"], "2*(sqrt(k1) + sqrt(k2))^4/(m*d^3*sqrt(k1*k2))")
 
+    def test_all_equilibria_have_their_formulas(self):
+        found = self.ask("equilibria", {"system": "bead_on_hoop"})["equilibria"]
+        self.assertEqual([entry.get("exact", {}).get("theta", {}).get("text") for entry in found],
+                         ["-acos(g/(R*Omega^2))", None, "acos(g/(R*Omega^2))", "pi"])
+        side, bottom, top = "Omega^2 - g^2/(R^2*Omega^2)", "g/R - Omega^2", "-Omega^2 - g/R"
+        self.assertEqual([entry["exact_rate2"]["text"] for entry in found], [side, bottom, side, top])
+        for name in ("henon_heiles", "governor", "orbiting_pendulum", "spring_pendulum"):
+            for entry in self.ask("equilibria", {"system": name})["equilibria"]:
+                at = self.ask("modes", {"system": name, "equilibrium": {
+                    q: x for q, x in entry["state"].items() if not q.endswith("_dot")}})
+                self.assertEqual(entry.get("exact", {}), at["equilibrium"].get("exact", {}), name)
+
+    def test_rates_that_are_left_out_are_named(self):
+        spinning = {"name": "spinning", "units": "none", "coordinates": [{"name": q} for q in "abc"],
+                    "parameters": [{"name": p, "default": v} for p, v in (("m", "1"), ("A", "2"), ("B", "3"), ("C", "4"))],
+                    "bodies": [{"kind": "rigid_body", "mass": "m", "principal_moments": ["A", "B", "C"],
+                                "centre": ["0", "0", "0"], "orientation": {"sequence": "XYZ", "angles": ["a", "b", "c"]}}]}
+        for body in ({"system": spinning, "initial": {"c_dot": 10}},
+                     {"system": "plane_pendulum", "initial": {"theta_dot": 3}}):
+            name = next(iter(body["initial"]))
+            self.assertIn(f"{name} = {body['initial'][name]}", self.ask("modes", body)["notes"][0])
+        for body in ({"system": "plane_pendulum"}, {"system": "free_spin_pendulum", "initial": {"psi_dot": 3}}):
+            self.assertNotIn("notes", self.ask("modes", body))
+
     def test_what_may_rest_anywhere_has_no_formula(self):
         """Its number may be that of a parameter."""
         ring = "m*(a_dot^2 + b_dot^2 + c_dot^2)/2 - k*((a - b)^2 + (b - c)^2 + (c - a)^2)/2"

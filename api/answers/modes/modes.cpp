@@ -265,15 +265,26 @@ void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Jso
         "equation divided by the factor that vanishes.");
 }
 
-/// Where constraints hold velocities, rates of the start that a steady motion has not.
-void note_rates_left_out(const Model& model, const Reals& start, const Modes& modes, Json& body) {
+/// Rates of the start that a steady motion has not: those of the request, and where constraints hold
+/// velocities those of the scene.
+void note_rates_left_out(const Model& model, const SystemChoice& choice, const Reals& start,
+                         const Modes& modes, Json& body) {
   const std::size_t n = model.scene.coordinates.size();
-  for (std::size_t i = 0; i < n && has_constraint_in_velocities(model); ++i) {
-    if (start[n + i] == 0 || modes.y[n + i] != 0) continue;
+  const bool rolls = has_constraint_in_velocities(model);
+  const auto angles =
+      std::ranges::count_if(model.scene.coordinates, [](const Coordinate& q) { return q.unit == "rad"; });
+  for (std::size_t i = 0; i < n; ++i) {
     const std::string& name = model.scene.coordinates[i].name;
-    body["notes"].push_back("The start has " + name + "_dot = " + short_number(start[n + i]) +
-                            ", but these are small motions about the state in 'equilibrium', where " + name +
-                            " rests: something depends on it, so that while it moves nothing is steady.");
+    const bool was_given =
+        std::ranges::any_of(choice.initial, [&](const auto& given) { return given.first == name + "_dot"; });
+    if ((!rolls && !was_given) || start[n + i] == 0 || modes.y[n + i] != 0) continue;
+    std::string note = "The start has " + name + "_dot = " + short_number(start[n + i]) +
+                       ", but these are small motions about the state in 'equilibrium', where " + name +
+                       " rests: something depends on it, so that ";
+    note += rolls ? "while it moves nothing is steady." : "its rate is left out.";
+    if (!rolls && angles >= 3)
+      note += " A body's steady spin is told where its angle is the first in the sequence.";
+    body["notes"].push_back(std::move(note));
   }
 }
 
@@ -294,7 +305,7 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
   Json body = ModesAnswer(system.model(), parameters, place, modes, exact, digits).body();
   if (!is_constrained)
     note_limits(system.scene(), system.dynamics->statics(parameters)->reduction.limits, body);
-  note_rates_left_out(system.model(), y, modes, body);
+  note_rates_left_out(system.model(), request.system, y, modes, body);
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
