@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/rational_function.hpp"
 
 namespace qdot {
@@ -176,10 +178,17 @@ std::optional<Number> whole_root(const Number& x, int n) {
 
 std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
                                           const SignOf& sign) {
-  if (f.above.size() != 1 || f.below.size() != 1) return std::nullopt;
   Expression result = graph.number(1);
   for (const auto& [part, side] : {std::pair(&f.above, 1), std::pair(&f.below, -1)}) {
-    const auto& [monomial, coefficient] = *part->begin();
+    Monomial monomial = common_monomial(*part);
+    Number coefficient = content(*part);
+    if (part->size() == 1) {
+      std::tie(monomial, coefficient) = *part->begin();
+    } else {
+      const Polynomial sum = scaled(*part, inverse(monomial), Number(1) / coefficient);
+      if (sign(sum) <= 0) return std::nullopt;
+      result = result * pow(to_expression(graph, sum), Number::ratio(side, n));
+    }
     if (coefficient.is_negative()) return std::nullopt;
     const auto whole = whole_root(coefficient, n);
     result = result * (whole ? pow(graph.number(*whole), Number(side))

@@ -40,7 +40,7 @@ struct LinearIn {
 /// is left out.
 [[nodiscard]] ByExponential in_powers_apart(const ByExponential& f);
 
-/// f^(1/n) where f is a product of what is positive.
+/// f^(1/n) where f is a product of what is positive, sums among it.
 [[nodiscard]] std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
                                                         const SignOf& sign);
 
