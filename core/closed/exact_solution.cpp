@@ -204,6 +204,14 @@ class CriticalForm {
   }
 
   std::optional<ClosedForm> form() const {
+    std::optional<ClosedForm> found = found_form();
+    const std::string itself = std::get<Symbol>(p_.node()).name + " = 0";
+    if (found) std::erase(found->assumes, itself);
+    return found;
+  }
+
+ private:
+  std::optional<ClosedForm> found_form() const {
     Best best(values_, {});
     const auto proven = exact_place(problem_);
     consider(proven ? *proven : special_place(problem_), best);
@@ -215,7 +223,6 @@ class CriticalForm {
     return best.form();
   }
 
- private:
   /// A fold where force i gives the parameter by the place. What is left is to find the place from the other
   /// forces and from det K, with that parameter put in.
   [[nodiscard]] std::optional<PlaceProblem> fold_along(std::size_t i) const {
@@ -290,6 +297,8 @@ class CriticalForm {
         conditions.push_back(determinant(part(stiffness, group)));
       }
       std::erase_if(conditions, [](const Expression& e) { return rational_function(e).is_zero(); });
+      // The system was derived without a parameter that is 0: all holds there.
+      if (critical_.value == 0 && conditions.empty()) best.consider(motions_.graph->number(0), {});
       for (const Relations& relations : {Relations{}, values_.relations()}) {
         for (const Expression& condition : conditions) consider(condition, conditions, relations, best);
       }
@@ -377,7 +386,6 @@ Forms exact_critical_values(const Dynamics& dynamics, const Reals& parameters, c
   Forms result;
   for (const CriticalValue& critical : found.critical) {
     result.emplace_back();
-    if (critical.value == 0) continue;
     const Reals there = with(parameters, index, critical.value);
     try {
       const WorkScope budget(most_algebra);

@@ -81,6 +81,13 @@ class BalancedPlaces(Service):
                     q: x for q, x in entry["state"].items() if not q.endswith("_dot")}})
                 self.assertEqual(entry.get("exact", {}), at["equilibrium"].get("exact", {}), name)
 
+    def test_a_critical_value_of_zero_is_exact(self):
+        for force, kind in (("p*x^2/2 - b*x^3/3", "transcritical"), ("p*x^2/2 - x^4/4", "pitchfork"),
+                            ("-x^4/4 + a*x^3/3 - p*x", "saddle_node")):
+            line = lagrangian("line", "m - 1; a - 1; b - 1; p - 0.5", "x - 0.1", f"m*x_dot^2/2 + ({force})")
+            first = self.ask("bifurcations", {"system": line, "parameter": "p", "from": -1, "to": 1})["critical"][0]
+            self.assertEqual((first["value"], first["kind"], first["exact"]["text"], first["exact"]["assumes"]), (0, kind, "0", []))
+
     def test_rates_that_are_left_out_are_named(self):
         spinning = {"name": "spinning", "units": "none", "coordinates": [{"name": q} for q in "abc"],
                     "parameters": [{"name": p, "default": v} for p, v in (("m", "1"), ("A", "2"), ("B", "3"), ("C", "4"))],
