@@ -7,8 +7,8 @@
 #include "api/answers/gait/request.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
+#include "core/closed/critical_values.hpp"
 #include "core/closed/exact_degenerate.hpp"
-#include "core/closed/exact_solution.hpp"
 #include "core/gait/gait_continuation.hpp"
 #include "core/mechanics/followers.hpp"
 
