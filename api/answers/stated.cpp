@@ -39,6 +39,11 @@ Interval enclosed_pi() { return {pi, std::nextafter(pi, infinity)}; }
 
 Interval Stated::enclosure() const { return Interval(value) + Interval(-error, error); }
 
+Stated Stated::as_typed(const Real& typed) const {
+  if (error != 0 || value != typed.value) return *this;
+  return {value, (Interval(std::abs(typed.low)) + Interval(typed.error)).upper};
+}
+
 Json stated_error(const Stated& number, int digits) {
   if (!std::isfinite(number.error)) return nullptr;
   const double lost = rounded_away(number.value, digits);

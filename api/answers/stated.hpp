@@ -9,6 +9,7 @@
 #include "api/json/json.hpp"
 #include "api/json/writer.hpp"
 #include "core/numerics/interval.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot::api {
 
@@ -19,6 +20,8 @@ struct Stated {
   /// A number near the true one, which is in `enclosure`.
   [[nodiscard]] static Stated within(double value, const Interval& enclosure);
   [[nodiscard]] Interval enclosure() const;
+  /// Where nothing but the request decides it, so that it is the double beside what was typed: pi/2 is none.
+  [[nodiscard]] Stated as_typed(const Real& typed) const;
 };
 
 /// pi is between two doubles.

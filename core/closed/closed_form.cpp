@@ -9,6 +9,7 @@
 #include "core/closed/split_roots.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/expr/rational_function.hpp"
 #include "core/mechanics/notation.hpp"
 
 namespace qdot {
@@ -77,21 +78,60 @@ Expression with_exponents_put_in(const ExactValues& values, const Expression& e)
   return numbers.empty() ? e : substitute(e, numbers);
 }
 
+/// exp(1)^3 as exp(3).
+Expression with_short_exponentials(const Expression& e) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> taken;
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    const auto* call = power == nullptr ? nullptr : std::get_if<Call>(&graph.node(power->base));
+    if (call == nullptr || call->function != Function::exp) continue;
+    const Expression argument = power->exponent * Expression(graph, call->argument);
+    taken.emplace_back(Expression(graph, id), graph.call(Function::exp, expand(argument)));
+  }
+  return taken.empty() ? e : substitute(e, taken);
+}
+
+/// Sums of fractions under roots as one fraction.
+Expression with_fractions_under_roots(const Expression& e) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> taken;
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    if (power == nullptr || power->exponent.is_integer()) continue;
+    const Expression base(graph, power->base);
+    if (!std::holds_alternative<Sum>(base.node())) continue;
+    const RationalFunction f = rational_function(base);
+    if (f.below.size() == 1 && f.below.begin()->first.empty()) continue;
+    const Expression quotient = to_expression(graph, f.above) / to_expression(graph, f.below);
+    taken.emplace_back(Expression(graph, id), pow(quotient, power->exponent));
+  }
+  return taken.empty() ? e : substitute(e, taken);
+}
+
+}  // namespace
+
 /// What stands under roots is taken to keep its sign, but for coordinates, which formulas have for any value.
 Expression short_form(const ExactValues& values, const Expression& formula) {
   const std::vector<Expression>& coordinates = values.model().parsed.symbols.coordinates.value;
   const SignOf sign = [&](const Polynomial& a) {
     return depends_on(to_expression(formula.graph(), a), coordinates) ? 0 : values.sign(a);
   };
-  constexpr std::size_t few_operations = 6, several = 12;  // of what cannot be made much shorter
-  const Expression put_in = with_exponents_put_in(values, formula);
-  const std::size_t length = written_length(put_in);
-  if (length < few_operations) return put_in;
-  if (length < several) return with_joined_roots(put_in, sign);
-  return with_linear_factors(with_joined_roots(with_split_roots(put_in, sign), sign));
+  constexpr std::size_t few_operations = 3, several = 12;  // of what cannot be made much shorter
+  const auto shortened = [&](const Expression& e) {
+    const std::size_t length = written_length(e);
+    if (length < few_operations) return e;
+    if (length < several) return with_joined_roots(e, sign);
+    return with_linear_factors(with_joined_roots(with_split_roots(e, sign), sign));
+  };
+  const Expression put_in = with_short_exponentials(with_exponents_put_in(values, formula));
+  const Expression plain = shortened(put_in), other = with_fractions_under_roots(put_in);
+  if (other == put_in) return plain;
+  const Expression joined = shortened(other);
+  return written_length(joined) < written_length(plain) ? joined : plain;
 }
-
-}  // namespace
 
 std::optional<ClosedForm> closed_form(const ExactValues& values, const Expression& formula,
                                       const Relations& relations, std::span<const Expression> allowed) {

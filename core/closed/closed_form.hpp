@@ -26,6 +26,9 @@ void assume_signs(ClosedForm& form, const ExactValues& values, const Expression&
 /// Whether the value of the formula and a number, known to within `error`, agree within both bounds.
 [[nodiscard]] bool agrees(const Real& formula, double number, double error);
 
+/// As it is written: with one root for each kind, factors and squares.
+[[nodiscard]] Expression short_form(const ExactValues& values, const Expression& formula);
+
 /// The formula, an expression of `values.graph()`, written out. `relations`: what was put in. No value
 /// where it is too long, or speaks of what is no parameter nor in `allowed`.
 [[nodiscard]] std::optional<ClosedForm> closed_form(const ExactValues& values, const Expression& formula,

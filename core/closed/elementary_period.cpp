@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/base/error.hpp"
+#include "core/closed/place_algebra.hpp"
 #include "core/closed/root_integral.hpp"
 #include "core/expr/trigonometry.hpp"
 
@@ -40,7 +41,9 @@ class PeriodSearch {
     take_numbers();
     for (const Substitution& w : substitutions()) {
       try {
-        if (try_out(w)) break;
+        const bool fits_once = try_out(w);
+        const bool fits_sides = w.kind == Substitution::Kind::one_side && try_both_sides(w.argument);
+        if (fits_once || fits_sides) break;
       } catch (const Error&) {  // the algebra grows too large: another may do
       }
     }
@@ -71,6 +74,36 @@ class PeriodSearch {
     if (!fits(by_square(*e))) return false;
     const auto all = by_u(speed2_, w);
     return all && take(by_square(*all), w.kind);
+  }
+
+  /// Where the potential has another form on each side of a place, as of two springs: there and back on both.
+  bool try_both_sides(const Expression& argument) {
+    constexpr int there_and_back = 2;
+    Expression sum = graph_.number(0);
+    for (const int side : {1, -1}) {
+      const auto e = by_side(argument, side);
+      if (!e) return false;
+      const auto [above, below] = sides(*e);
+      if (!above || !below) return false;
+      const auto half = root_integral_from_zero(graph_, *above, *below, values_.sign_of(), there_and_back);
+      if (!half) return false;
+      sum = sum + *half;
+    }
+    found_.push_back(sum);
+    return true;
+  }
+
+  /// (du/dt)^2 by u = |y| where y has this sign.
+  [[nodiscard]] std::optional<Expression> by_side(const Expression& argument, int side) {
+    const Expression slope = differentiate(argument, x_);
+    if (slope.is_zero() || depends_on(slope, x_)) return std::nullopt;
+    const Replacement zero{x_, graph_.number(0)};
+    const Replacement by_y{x_, (y_ - substitute(argument, {&zero, 1})) / slope};
+    const std::vector<Replacement> one_side{{graph_.call(Function::abs, y_), u_},
+                                            {graph_.call(Function::sign, y_), graph_.number(Number(side))},
+                                            {y_, Number(side) * u_}};
+    const Expression e = substitute(substitute(speed2_, {&by_y, 1}), one_side);
+    return depends_on(e, y_) ? std::nullopt : std::optional(e * slope * slope);
   }
 
   [[nodiscard]] std::vector<Substitution> substitutions() const {
@@ -149,16 +182,6 @@ class PeriodSearch {
       if (function == Function::cosh) return Number::ratio(1, 2) * twice_cosh;
       return function == Function::tanh ? std::optional(twice_sinh / twice_cosh) : std::nullopt;
     });
-  }
-
-  [[nodiscard]] Expression with_tangents_written(const Expression& e) {
-    std::vector<Replacement> tangents;
-    for (const Call& call : calls(e)) {
-      if (call.function != Function::tan) continue;
-      const Expression argument(graph_, call.argument);
-      tangents.emplace_back(graph_.call(Function::tan, argument), sin(argument) / cos(argument));
-    }
-    return substitute(e, tangents);
   }
 
   /// No value where y stands in something else.

@@ -8,6 +8,7 @@
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/allowed_motions.hpp"
+#include "core/closed/decided_coordinates.hpp"
 #include "core/closed/mode_options.hpp"
 #include "core/closed/place_search.hpp"
 #include "core/closed/rolling_forms.hpp"
@@ -69,14 +70,18 @@ void consider_by_place(const LinearMotions& motions, const ExactValues& values, 
   result.options = {*std::move(by_place)};
 }
 
+enum class Wanted { place, modes };
+
 /// Derives the options from a place that has formulas.
-void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues& values, Prepared& result) {
-  const Model& model = values.model();
-  const std::optional<LinearMotions> motions =
-      model.has_constraints() ? allowed_motions(all, place, values) : all;
-  if (!motions) return;
+void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues& values, Wanted wanted,
+            Prepared& result) {
+  if (wanted == Wanted::modes) {
+    const std::optional<LinearMotions> motions =
+        values.model().has_constraints() ? allowed_motions(all, place, values) : all;
+    if (!motions) return;
+    result.options = mode_options(*motions, place, values);
+  }
   result.place = place.x();
-  result.options = mode_options(*motions, place, values);
   for (std::size_t k = 0; k < all.moving.size(); ++k) {
     auto& state = result.state[all.moving[k]];
     state = closed_form(values, place.x()[k], {}, all.momenta);
@@ -85,17 +90,25 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
 }
 
 Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlace& near,
-                  const Reals& parameters, const WrittenTexts& written) {
+                  const Reals& parameters, const WrittenTexts& written, Wanted wanted) {
   Prepared result{all.graph, all.x, all.momenta, {}, {}, {}, {}};
   result.state.resize(model.scene.coordinates.size());
   ExactValues values(model, all.graph, written, parameters);
   set_momenta(values, all.momenta, near);
-  const PlaceProblem problem = place_problem(all, values, near.x);
-  if (const auto place = exact_place(problem)) derive(all, *place, values, result);
-  consider_by_place(all, values, result);
+  PlaceProblem problem = place_problem(all, values, near.x);
+  std::vector<bool> decided;
+  problem.is_decided = [&](std::size_t k) {
+    if (decided.empty()) decided = decided_coordinates(all, values);
+    return decided[k];
+  };
+  if (const auto place = exact_place(problem)) derive(all, *place, values, wanted, result);
+  if (wanted == Wanted::modes) consider_by_place(all, values, result);
   result.signs = values.asked();
   return result;
 }
+
+/// Where no mode was found, or asked for, only its place is told.
+Wanted wanted_of(const Modes& found) { return found.modes.empty() ? Wanted::place : Wanted::modes; }
 
 /// Nothing where the algebra grows too large, or divides by what vanishes.
 template <class Make>
@@ -111,7 +124,7 @@ Prepared within_budget(std::size_t coordinates, const Make& make) {
 /// Names what formulas depend on: the signs of the parameters, which of them are given, and in which eighth
 /// of a turn the place is.
 std::string key_of(const Reals& parameters, const WrittenTexts& written, const Modes& found) {
-  std::string key = "modes";
+  std::string key = wanted_of(found) == Wanted::modes ? "modes" : "place";
   for (const Real& p : found.momenta) key += p == Real(0) ? '0' : p.value < 0 ? '-' : '+';
   for (const double p : parameters) key += p > 0 ? '+' : p < 0 ? '-' : '0';
   for (const auto& [name, text] : written) key += " " + name;
@@ -190,7 +203,8 @@ ExactModes forms_within_constraints(const Dynamics& dynamics, const Reals& param
   const SteadyPlace near{enclosed_place(dynamics, parameters, found), {}};
   const Prepared forms = within_budget(found.modes.size(), [&] {
     const auto motions = motions_with_multipliers(dynamics.model(), parameters);
-    return motions ? prepared(dynamics.model(), *motions, near, parameters, written) : Prepared{};
+    return motions ? prepared(dynamics.model(), *motions, near, parameters, written, wanted_of(found))
+                   : Prepared{};
   });
   return chosen(forms, near, ExactValues(dynamics.model(), parameters), found);
 }
@@ -228,7 +242,7 @@ ExactModes exact_modes(const Dynamics& dynamics, const Reals& parameters, const 
       std::vector<bool> vanishes;
       for (const Real& p : found.momenta) vanishes.push_back(p == Real(0));
       const LinearMotions motions = linear_motions(from.reduction, dynamics.model().scene, vanishes);
-      return prepared(dynamics.model(), motions, near, parameters, written);
+      return prepared(dynamics.model(), motions, near, parameters, written, wanted_of(found));
     });
   };
   if (!values.may_have_relations(written)) {

@@ -96,10 +96,6 @@ Polynomial ExactPlace::with_angles_taken(const Polynomial& e, const Solved& angl
   for (const auto& [monomial, coefficient] : e) {
     const int known = exponent_of(monomial, angle.known.id()),
               other = exponent_of(monomial, angle.other.id());
-    if (known < 0 || other < 0) {
-      add(next, monomial, coefficient);
-      continue;
-    }
     const int replaced = angle.other_value ? other : other - other % 2;
     const Monomial rest = times(times(monomial, angle.known.id(), -known), angle.other.id(), -replaced);
     const Expression square = graph.number(1) - angle.value * angle.value;
@@ -118,9 +114,19 @@ Expression ExactPlace::at(const Expression& e) const {
   Expression result = with_roots_taken(with_powers_taken(there), problem_->sign);
   if (solved_.empty()) return result;
   Graph& graph = e.graph();
-  Polynomial opened = with_single_angles(graph, multiplied_out(result));
+  Polynomial opened = with_single_angles(graph, multiplied_out(with_tangents_written(result)));
   for (const Solved& angle : solved_) opened = with_angles_taken(opened, angle);
-  return to_expression(graph, opened);
+  return with_solved_angles(to_expression(graph, opened));
+}
+
+/// An angle that stands outside sines and cosines, as in exp(-b x).
+Expression ExactPlace::with_solved_angles(const Expression& e) const {
+  std::vector<Replacement> angles;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const auto is_k = [&](const Solved& solved) { return depends_on(solved.known, problem_->x[k]); };
+    if (std::ranges::any_of(solved_, is_k)) angles.emplace_back(problem_->x[k], x_[k]);
+  }
+  return substitute(e, angles);
 }
 
 }  // namespace qdot

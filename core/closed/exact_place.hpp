@@ -5,6 +5,7 @@
 // sqrt(x^2 + l^2) = l0, or that are a parameter. What is known of it, and what an expression is there; it is
 // found by place_search.hpp.
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,6 +32,8 @@ struct PlaceProblem {
   std::vector<Expression> forces;            ///< g
   std::vector<Interval> near;                ///< encloses x
   SignOf sign;                               ///< also of what holds x
+  /// Whether the forces decide x_k, so that a parameter may be meant where it has its number; none: all.
+  std::function<bool(std::size_t)> is_decided{};
 };
 
 class ExactPlace {
@@ -72,6 +75,7 @@ class ExactPlace {
  private:
   void settle_root(std::size_t k, const Expression& value);
   [[nodiscard]] Expression with_powers_taken(const Expression& e) const;
+  [[nodiscard]] Expression with_solved_angles(const Expression& e) const;
   [[nodiscard]] Polynomial with_angles_taken(const Polynomial& e, const Solved& angle) const;
 
   const PlaceProblem* problem_;

@@ -108,12 +108,20 @@ class Powers {
   bool has_roots_{};
 };
 
-std::size_t roots_in_product(const Expression& e) {
+struct RootsInProduct {
+  std::size_t above{}, below{};
+  [[nodiscard]] std::size_t all() const { return above + below; }
+};
+
+RootsInProduct roots_in_product(const Expression& e) {
   const auto* product = std::get_if<Product>(&e.node());
   const std::vector<NodeId> factors = product != nullptr ? product->factors : std::vector{e.id()};
-  return static_cast<std::size_t>(std::ranges::count_if(factors, [&](NodeId id) {
-    return !split_power({e.graph(), id}).exponent.is_integer();
-  }));
+  RootsInProduct found;
+  for (const NodeId id : factors) {
+    const Number exponent = split_power({e.graph(), id}).exponent;
+    if (!exponent.is_integer()) ++(exponent.is_negative() ? found.below : found.above);
+  }
+  return found;
 }
 
 Expression joined_product(const Expression& e, const SignOf& sign) {
@@ -121,7 +129,9 @@ Expression joined_product(const Expression& e, const SignOf& sign) {
   if (!powers.take(e, Number(1)) || !powers.has_roots()) return e;
   constexpr std::size_t one_operation = 2;  // spares too little: m*l^2*sqrt(g/l) is how one writes it
   const Expression result = powers.joined();
-  const std::size_t spared = roots_in_product(result) < roots_in_product(e) ? 0 : one_operation;
+  const RootsInProduct before = roots_in_product(e), after = roots_in_product(result);
+  if (after.all() < before.all()) return written_length(result) <= written_length(e) ? result : e;
+  const std::size_t spared = after.below < before.below ? 0 : one_operation;
   return written_length(result) + spared < written_length(e) ? result : e;
 }
 

@@ -25,6 +25,14 @@ bool has_calls(const Expression& e) {
                              [&](NodeId id) { return std::holds_alternative<Call>(e.graph().node(id)); });
 }
 
+bool has_roots(const Expression& e) {
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
+    const auto* power = std::get_if<Power>(&e.graph().node(id));
+    return power != nullptr && !power->exponent.is_integer();
+  });
+}
+
 /// The shape with 1 as its first component that is not 0.
 std::vector<Surd> normalized(std::vector<Surd> shape) {
   const auto first = std::ranges::find_if_not(shape, [](const Surd& x) { return x.is_zero(); });
@@ -79,9 +87,23 @@ ModeForms ModeDerivation::forms(const LinearMode& mode) {
   ModeForms result{sqrt(plain_expression(graph_, square)), is_oscillation, {.square = *form(mode)}, {}, {}};
   result.form.rate = formula(root(square));
   if (is_oscillation) result.form.period = period(square);
+  take_root_as_written(square, result);
   result.form.lambda = scaled_lambda(mode.lambda);
   add_shape(mode, result);
   return result;
+}
+
+/// Where the square has roots, they are joined in it already.
+void ModeDerivation::take_root_as_written(const Surd& square, ModeForms& result) {
+  if (!square.is_rational()) return;
+  const Expression short_square = short_form(values_, written(square));
+  if (!has_roots(short_square) && result.form.rate) return;
+  const auto take = [](std::optional<ClosedForm>& form, std::optional<ClosedForm> other) {
+    if (other && (!form || other->text.size() < form->text.size())) form = std::move(other);
+  };
+  take(result.form.rate, formula(sqrt(short_square)));
+  if (result.oscillates)
+    take(result.form.period, formula(Number(2) * graph_.symbol("pi") / sqrt(short_square)));
 }
 
 void ModeDerivation::add_shape(const LinearMode& mode, ModeForms& result) {

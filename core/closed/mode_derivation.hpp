@@ -41,6 +41,7 @@ class ModeDerivation {
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const;
   [[nodiscard]] bool oscillates(const LinearMode& mode) const;
   [[nodiscard]] bool is_true(const LinearMode& mode) const;
+  void take_root_as_written(const Surd& square, ModeForms& result);
   void add_shape(const LinearMode& mode, ModeForms& result);
   [[nodiscard]] std::optional<ModeForms> swinging(const Expression& square, const Expression& decay);
   [[nodiscard]] std::optional<ModeForms> creeping(const Expression& decay);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "core/expr/calculus.hpp"
+#include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/rational_function.hpp"
 
 namespace qdot {
@@ -53,6 +55,19 @@ Expression factored_tangent(Graph& graph, const RationalFunction& f) {
   return to_expression(graph, front) * result;
 }
 
+Expression with_tangents_written(const Expression& e) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> tangents;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (call == nullptr || call->function != Function::tan) continue;
+    const Expression argument(graph, call->argument);
+    tangents.emplace_back(Expression(graph, id), sin(argument) / cos(argument));
+  }
+  return tangents.empty() ? e : substitute(e, tangents);
+}
+
 Expression with_roots_taken(const Expression& e, const SignOf& sign) {
   Graph& graph = e.graph();
   std::vector<Replacement> taken;
@@ -91,8 +106,14 @@ Expression with_logarithms_taken(const Expression& e) {
   const NodeId root[]{e.id()};
   for (const NodeId id : reachable(graph, root)) {
     const auto* call = std::get_if<Call>(&graph.node(id));
-    if (call == nullptr || call->function == Function::log) continue;
+    if (call == nullptr) continue;
     const Function function = call->function;
+    if (function == Function::log) {
+      const auto* inner = std::get_if<Call>(&graph.node(call->argument));
+      if (inner != nullptr && inner->function == Function::exp)
+        taken.emplace_back(Expression(graph, id), Expression(graph, inner->argument));
+      continue;
+    }
     const auto power = power_of_logarithm(expand(Expression(graph, call->argument)));
     if (!power) continue;
     const Expression up = power->first * graph.call(Function::exp, expand(power->second));
@@ -157,10 +178,17 @@ std::optional<Number> whole_root(const Number& x, int n) {
 
 std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
                                           const SignOf& sign) {
-  if (f.above.size() != 1 || f.below.size() != 1) return std::nullopt;
   Expression result = graph.number(1);
   for (const auto& [part, side] : {std::pair(&f.above, 1), std::pair(&f.below, -1)}) {
-    const auto& [monomial, coefficient] = *part->begin();
+    Monomial monomial = common_monomial(*part);
+    Number coefficient = content(*part);
+    if (part->size() == 1) {
+      std::tie(monomial, coefficient) = *part->begin();
+    } else {
+      const Polynomial sum = scaled(*part, inverse(monomial), Number(1) / coefficient);
+      if (sign(sum) <= 0) return std::nullopt;
+      result = result * pow(to_expression(graph, sum), Number::ratio(side, n));
+    }
     if (coefficient.is_negative()) return std::nullopt;
     const auto whole = whole_root(coefficient, n);
     result = result * (whole ? pow(graph.number(*whole), Number(side))

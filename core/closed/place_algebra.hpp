@@ -27,17 +27,20 @@ struct LinearIn {
 /// f with what all its terms share in front, and sin(u)/cos(u) as tan(u): tan(al)*(M - m)/(M + m).
 [[nodiscard]] Expression factored_tangent(Graph& graph, const RationalFunction& f);
 
+/// With sin(u)/cos(u) for tan(u).
+[[nodiscard]] Expression with_tangents_written(const Expression& e);
+
 /// With roots of squares taken, sqrt(h^2) = h where h > 0.
 [[nodiscard]] Expression with_roots_taken(const Expression& e, const SignOf& sign);
 
-/// With exp(n log(u)) = u^n.
+/// With exp(n log(u)) = u^n and log(exp(u)) = u.
 [[nodiscard]] Expression with_logarithms_taken(const Expression& e);
 
 /// As a polynomial in w^n where the powers of w are n apart: in exp(2 a x) of 1/cosh(a x)^2. The lowest power
 /// is left out.
 [[nodiscard]] ByExponential in_powers_apart(const ByExponential& f);
 
-/// f^(1/n) where f is a product of what is positive.
+/// f^(1/n) where f is a product of what is positive, sums among it.
 [[nodiscard]] std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
                                                         const SignOf& sign);
 

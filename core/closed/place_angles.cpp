@@ -5,7 +5,10 @@
 #include <numbers>
 
 #include "core/closed/exact_roots.hpp"
+#include "core/closed/joined_roots.hpp"
+#include "core/closed/one_unknown.hpp"
 #include "core/closed/place_algebra.hpp"
+#include "core/closed/place_balances.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/trigonometry.hpp"
 
@@ -20,8 +23,10 @@ class AngleSearch {
     Graph& graph = force.graph();
     const Expression& x = problem_.x[k];
     const Expression sine = sin(x), cosine = cos(x);
-    Polynomial e = rational_function(force).above;
+    Polynomial e = rational_function(with_tangents_written(force)).above;
     if (trigonometric_arguments(graph, e).empty()) return false;
+    e = without_lasting_factors(graph, e);
+    if (solve_power_of_tangent(k, e)) return true;
     e = with_single_angles(graph, e);
     e = without_factor(without_factor(std::move(e), sine), cosine);
     if (solve_tangent(k, e)) return true;
@@ -103,6 +108,39 @@ class AngleSearch {
     const Expression angle = graph.call(Function::atan, factored_tangent(graph, tangent)) +
                              Number(near < 0 ? -half_turns : half_turns) * graph.symbol("pi");
     place_.settle(k, angle, solved);
+    return true;
+  }
+
+  /// p sin(x)^n + q cos(x)^n = 0, n > 1, times what they share.
+  [[nodiscard]] bool solve_power_of_tangent(std::size_t k, const Polynomial& force) {
+    const Expression& x = problem_.x[k];
+    Graph& graph = x.graph();
+    const Expression sine = sin(x), cosine = cos(x), one = graph.number(1);
+    Polynomial e = without_factor(without_factor(force, sine), cosine);
+    const Polynomial square = multiplied_out(pow(sine, Number(2)) + pow(cosine, Number(2)));
+    while (auto quotient = exact_quotient(e, square)) e = *std::move(quotient);
+    const int n = highest_power(e, sine);
+    if (n < 2 || n != highest_power(e, cosine)) return false;
+    Polynomial of_sine, of_cosine;
+    for (const auto& [monomial, coefficient] : e) {
+      const int above = exponent_of(monomial, sine.id()), below = exponent_of(monomial, cosine.id());
+      if (above + below != n || (above != 0 && below != 0)) return false;
+      add(above == n ? of_sine : of_cosine, times(times(monomial, sine.id(), -above), cosine.id(), -below),
+          coefficient);
+    }
+    RationalFunction power = -in_lowest_terms(of_cosine, of_sine);
+    const double near = problem_.near[k].middle();
+    const int half_turns = std::abs(near) > std::numbers::pi / 2 ? 1 : 0;
+    const int side = (near < 0 ? -1 : 1) * (half_turns == 0 ? 1 : -1);
+    if (problem_.sign(power.above) * problem_.sign(power.below) < 0) power = -power;
+    const Expression size = to_expression(graph, power);
+    if (depends_on(size, problem_.x)) return false;
+    const Expression tangent = Number(side) * root_of_power(size, Number(n), problem_.sign);
+    const Expression length = sqrt(to_expression(graph, rational_function(one + tangent * tangent)));
+    const Expression value = Number(half_turns == 0 ? 1 : -1) * one / length;
+    const Expression angle = graph.call(Function::atan, with_joined_roots(tangent, problem_.sign)) +
+                             Number(near < 0 ? -half_turns : half_turns) * graph.symbol("pi");
+    place_.settle(k, angle, ExactPlace::Solved{cosine, sine, value, tangent * value});
     return true;
   }
 

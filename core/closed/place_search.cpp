@@ -9,6 +9,7 @@
 #include "core/closed/one_unknown.hpp"
 #include "core/closed/place_algebra.hpp"
 #include "core/closed/place_angles.hpp"
+#include "core/closed/place_balances.hpp"
 #include "core/closed/place_brackets.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/trigonometry.hpp"
@@ -47,6 +48,7 @@ class PlaceSearch {
       for (std::size_t i = 0; i < offsets.size() && !place_.is_known(k); ++i) {
         for (std::size_t q = 0; q < quarters.size(); ++q) {
           if (!is_near(near, offsets[i].value + quarters[q] * (std::numbers::pi / 2))) continue;
+          if (i > 0 && !is_decided(k)) continue;
           place_.settle(k, offsets[i].symbol + Number::ratio(quarters[q], 2) * pi);
           break;
         }
@@ -110,7 +112,7 @@ class PlaceSearch {
       if (!may_be_proposed(k) || problem_.is_angle[k]) continue;
       for (const PlaceProblem::Known& p : problem_.alike[k]) {
         for (const int side : {1, -1}) {
-          if (!is_near(problem_.near[k], side * p.value)) continue;
+          if (!is_near(problem_.near[k], side * p.value) || !is_decided(k)) continue;
           place_.settle(k, Number(side) * p.symbol);
           return true;
         }
@@ -124,10 +126,16 @@ class PlaceSearch {
     return !place_.is_known(k) && problem_.near[k].width() < widest_place;
   }
 
+  [[nodiscard]] bool is_decided(std::size_t k) const {
+    return !problem_.is_decided || problem_.is_decided(k);
+  }
+
   [[nodiscard]] bool solve(std::size_t k, const Expression& force) {
     Graph& graph = force.graph();
     const Expression& x = problem_.x[k];
-    const Polynomial above = without_factor(numerator(force), x);
+    if (const auto linear = balance_of_powers(problem_, k, force)) return solve(k, *linear);
+    const Polynomial above = without_lasting_factors(graph, without_factor(numerator(force), x));
+    if (const auto inside = without_logarithm(graph, above, x)) return solve(k, *inside);
     const int n = highest_power(above, x);
     const auto parts = n > 0 ? linear_in(graph, above, x, x, n) : std::nullopt;
     if (!parts) {

@@ -149,9 +149,30 @@ std::optional<Expression> root_integral(Graph& graph, const Univariate& above, c
   return pi * (opposed ? first - second : first + second);
 }
 
+namespace {
+
+/// sqrt(d/n) acos(-mean/sqrt(mean^2 - c)) with D/N = d/(n (-w^2 + 2 mean w - c)), c < 0.
+std::optional<Expression> arc_from_zero(Graph& graph, const Univariate& above, const RationalFunction& below,
+                                        const SignOf& sign, int passes) {
+  const RationalFunction mean = -(above[1] / above[2]) * rational(Number::ratio(1, 2));
+  const RationalFunction c = above[0] / above[2];
+  const int side = sign(mean.above) * sign(mean.below);
+  if (side == 0 || sign(c.above) * sign(c.below) >= 0) return std::nullopt;
+  const Expression cosine = Number(-side) * positive_root(graph, mean * mean / (mean * mean - c), sign);
+  const RationalFunction factor = rational(Number(passes * passes));
+  return positive_root(graph, -(factor * below / above[2]), sign) * graph.call(Function::acos, cosine);
+}
+
+}  // namespace
+
 std::optional<Expression> root_integral_from_zero(Graph& graph, const Univariate& above,
                                                   const Univariate& below, const SignOf& sign, int passes) {
-  if (degree(above) != 1 || degree(below) != 0) return std::nullopt;
+  if (degree(below) != 0) return std::nullopt;
+  if (degree(above) == 2) {
+    if (!above[1].is_zero()) return arc_from_zero(graph, above, below[0], sign, passes);
+    return passes % 2 == 0 ? root_integral(graph, above, below, sign, passes / 2) : std::nullopt;
+  }
+  if (degree(above) != 1) return std::nullopt;
   // sqrt(d/(n (w - r))): 2 sqrt(-d r/n)
   const RationalFunction zero = -(above[0] / above[1]);
   const RationalFunction factor = rational(Number(4 * passes * passes));

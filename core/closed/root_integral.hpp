@@ -30,7 +30,7 @@ using Univariate = std::vector<RationalFunction>;
                                                       const Univariate& below, const SignOf& sign,
                                                       int passes);
 
-/// From w = 0 to the zero of `above`, which is linear; `below` is a number.
+/// From w = 0 to the zero of `above`, which is linear or quadratic; `below` is a number.
 [[nodiscard]] std::optional<Expression> root_integral_from_zero(Graph& graph, const Univariate& above,
                                                                 const Univariate& below, const SignOf& sign,
                                                                 int passes);

@@ -1,8 +1,10 @@
 #include "core/closed/split_roots.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
+#include "core/closed/linear_factors.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/simplify.hpp"
 
@@ -13,35 +15,49 @@ class SplitRoots {
  public:
   SplitRoots(Graph& graph, const SignOf& sign) : graph_(graph), sign_(sign) {}
 
-  /// Every square root of a product of positive symbols and numbers in e; false where there are others.
+  /// Every root of a product of positive symbols and numbers in e; false where there are others.
   [[nodiscard]] bool take(const Expression& e) {
+    std::vector<Power> powers;
     const NodeId root = e.id();
     for (const NodeId id : reachable(graph_, {&root, 1})) {
       if (std::holds_alternative<Call>(graph_.node(id))) return false;
       const auto* power = std::get_if<Power>(&graph_.node(id));
       if (power == nullptr || power->exponent.is_integer()) continue;
-      const Expression base(graph_, power->base);
-      const Number exponent = power->exponent;
-      if (!(exponent * Number(2)).is_integer()) return false;
+      if (!take_order(power->exponent)) return false;
+      powers.push_back(*power);
+    }
+    for (const Power& power : powers) {
+      const Expression base(graph_, power.base);
       const auto inside = root_of(base);
       if (!inside) return false;
-      taken_.emplace_back(Expression(graph_, id), pow(*inside, exponent * Number(2)));
+      taken_.emplace_back(pow(base, power.exponent), pow(*inside, power.exponent * Number(order_)));
     }
     return symbols_.size() > 1;
   }
 
   [[nodiscard]] Expression with_roots_as_symbols(const Expression& e) {
-    for (const auto& [symbol, root] : symbols_) taken_.emplace_back(symbol, pow(root, Number(2)));
+    for (const auto& [symbol, root] : symbols_) taken_.emplace_back(symbol, pow(root, Number(order_)));
     return substitute(e, taken_);
   }
 
   [[nodiscard]] Expression with_symbols_as_roots(const Expression& e) const {
     std::vector<Replacement> back;
-    for (const auto& [symbol, root] : symbols_) back.emplace_back(root, sqrt(symbol));
+    for (const auto& [symbol, root] : symbols_) back.emplace_back(root, taken_root(symbol));
     return substitute(e, back);
   }
 
  private:
+  /// Of the roots that all are powers of.
+  [[nodiscard]] bool take_order(const Number& exponent) {
+    constexpr std::int64_t highest = 6;
+    const auto small = exponent.small();
+    if (!small) return false;
+    order_ = std::lcm(order_, small->denominator);
+    return order_ <= highest;
+  }
+
+  [[nodiscard]] Expression taken_root(const Expression& e) const { return pow(e, Number::ratio(1, order_)); }
+
   /// sqrt(k1 k2/4) is s1 s2 sqrt(1/4).
   [[nodiscard]] std::optional<Expression> root_of(const Expression& base) {
     const auto [factor, exponent] = split_power(base);
@@ -50,12 +66,12 @@ class SplitRoots {
       return inside ? std::optional(pow(*inside, exponent)) : std::nullopt;
     }
     if (const Number* number = base.number())
-      return number->is_negative() ? std::nullopt : std::optional(sqrt(base));
+      return number->is_negative() ? std::nullopt : std::optional(taken_root(base));
     if (std::holds_alternative<Symbol>(base.node())) return root_of_symbol(base);
     const auto* product = std::get_if<Product>(&base.node());
     if (product == nullptr || product->coefficient.is_negative()) return std::nullopt;
     const Product parts = *product;
-    Expression result = sqrt(graph_.number(parts.coefficient));
+    Expression result = taken_root(graph_.number(parts.coefficient));
     for (const NodeId id : parts.factors) {
       const auto inside = root_of({graph_, id});
       if (!inside) return std::nullopt;
@@ -74,6 +90,7 @@ class SplitRoots {
 
   Graph& graph_;
   const SignOf& sign_;
+  std::int64_t order_{1};
   std::vector<Replacement> taken_, symbols_;
 };
 
@@ -92,7 +109,7 @@ Expression with_split_roots(const Expression& e, const SignOf& sign) {
   const Expression by_roots = roots.with_roots_as_symbols(e);
   const Expression lowest = to_expression(e.graph(), rational_function(by_roots));
   Expression best = e;
-  for (const Expression& form : {lowest, simplify(lowest)}) {
+  for (const Expression& form : {lowest, simplify(lowest), with_linear_factors(lowest)}) {
     const Expression result = roots.with_symbols_as_roots(form);
     if (written_length(result) < written_length(best)) best = result;
   }

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
 constexpr double unmeasurable = 1e-200;  ///< is no error of a column that is 0 all along: room for underflow
+constexpr double useful_part = 1e-3;     ///< horizon: of a column's largest magnitude
 constexpr double without_bound = 1e299;  ///< are errors that follow from what has none
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
@@ -207,7 +208,7 @@ void Measurement::state(const std::vector<Simulation>& others) {
     result_.events_in_doubt = event_lost_in_errors(motion(), result_.max_abs_error);
   result_.event_errors = std::move(comparison.event_errors);
   result_.stop_error = comparison.stop_error;
-  result_.horizon = comparison.horizon;
+  result_.horizon = comparison.horizon && rests_within_rounding() ? std::nullopt : comparison.horizon;
   result_.at_impacts = std::move(comparison.at_impacts);
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
     result_.reason = accuracy_reasons::may_not_stop;
@@ -242,9 +243,30 @@ void Measurement::forgive_rounding_of_zeros(const std::vector<double>& error,
                                             std::vector<double>& wanted) const {
   const std::vector<double> size = largest_magnitudes(motion(), Rows::wanted),
                             of_kind = largest_of_kind(motion());
+  std::vector<double> at_rest;
   for (std::size_t k = 0; k < error.size(); ++k) {
-    if (size[k] <= error[k]) wanted[k] = std::max(wanted[k], near_round_off * of_kind[k]);
+    if (size[k] > error[k]) continue;
+    wanted[k] = std::max(wanted[k], near_round_off * of_kind[k]);
+    if (error[k] <= wanted[k]) continue;
+    if (at_rest.empty()) at_rest = rounding_at_rest(motion());
+    wanted[k] = std::max(wanted[k], at_rest[k]);
   }
+}
+
+/// Some columns are 0 to within their errors, which are what rounding makes of rest, and all others are
+/// known.
+bool Measurement::rests_within_rounding() const {
+  const std::vector<double>& error = result_.max_abs_error;
+  const std::vector<double> size = largest_magnitudes(motion(), Rows::all);
+  const auto is_lost = [&](std::size_t k) { return error[k] > useful_part * size[k]; };
+  std::vector<double> at_rest;
+  for (std::size_t k = 0; k < error.size(); ++k) {
+    if (!is_lost(k)) continue;
+    if (size[k] > error[k]) return false;
+    if (at_rest.empty()) at_rest = rounding_at_rest(motion());
+    if (error[k] > at_rest[k]) return false;
+  }
+  return !at_rest.empty();
 }
 
 /// The largest error in units of what is wanted; 1 is met.

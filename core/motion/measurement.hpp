@@ -28,6 +28,7 @@ class Measurement {
 
   [[nodiscard]] MeasuredSimulation& result() { return result_; }
   /// The largest error in units of what is wanted; 1 is met.
+  [[nodiscard]] bool rests_within_rounding() const;
   [[nodiscard]] double excess() const { return excess(result_.max_abs_error); }
   [[nodiscard]] std::optional<double> expected_excess() const { return expected_excess_; }
   /// What is conserved has changed.

@@ -56,6 +56,23 @@ std::vector<double> rounding_of_forces(const ComputedMotion& motion) {
   return rounding;
 }
 
+std::vector<double> rounding_at_rest(const ComputedMotion& motion) {
+  constexpr double some_times = 64;  // solving for accelerations rounds, too, and so do several computations
+  const std::vector<double> off = rounding_of_forces(motion);
+  const auto& coordinates = motion.dynamics.model().scene.coordinates;
+  const std::size_t n = off.size();
+  const double duration = motion.request.t_end - motion.request.t_start;
+  std::vector<double> left(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (coordinates[i].unit == coordinates[j].unit)
+        left[n + i] = std::max(left[n + i], some_times * off[j] * duration);
+    }
+    left[i] = left[n + i] * duration;
+  }
+  return left;
+}
+
 void add_rounding_of_forces(const ComputedMotion& motion, Simulation& check) {
   if (check.method != Method::bdf || check.rows == 0) return;
   const std::size_t width = motion.width(), n = width / 2;

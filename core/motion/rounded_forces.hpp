@@ -16,6 +16,10 @@ namespace qdot {
 /// d of each acceleration, the largest.
 [[nodiscard]] std::vector<double> rounding_of_forces(const ComputedMotion& motion);
 
+/// What it may make of each column of a motion that rests, such as a ladder that friction holds: of
+/// velocities d T, of coordinates d T^2, some times over, with the largest d of their kind.
+[[nodiscard]] std::vector<double> rounding_at_rest(const ComputedMotion& motion);
+
 /// Adds it to what a check by bdf has not seen. Not where there are kinks.
 void add_rounding_of_forces(const ComputedMotion& motion, Simulation& check);
 

@@ -7,7 +7,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
-from short_scene import DOWN, lagrangian, particle, scene  # noqa: E402
+from short_scene import DOWN, lagrangian, particle, rod, scene  # noqa: E402
 
 
 def parameter(name, unit, default):
@@ -37,6 +37,13 @@ CRADLE = lagrangian("cradle", "l - 1; g - 9.81; e - 1", "a - -0.8; b - 0; c - 0.
                             {"name": "right", "expression": "c - b", "direction": "falling"}],
                     impacts=[{"event": "left", "restitution": "e"}, {"event": "right", "restitution": "e"}])
 
+# Friction at the floor holds it against a smooth wall.
+LADDER = scene("held_ladder", "m kg 3; l m 2; mu 1 0.5; g m/s^2 9.81", "x m l/2*sin(0.6); y m l/2*cos(0.6); th rad 0.6",
+               gravity=DOWN, bodies=[rod("m", ["x + l/2*sin(th)", "y - l/2*cos(th)"], ["x - l/2*sin(th)", "y + l/2*cos(th)"])],
+               constraints=[{"name": "floor", "expression": "y - l/2*cos(th)", "multiplier": "N"},
+                            {"name": "wall", "expression": "x - l/2*sin(th)"}],
+               forces=[{"value": "-mu*N*sign(x_dot + l/2*th_dot*cos(th))", "along": "x + l/2*sin(th)"}])
+
 
 class ColumnsOfZeros(Service):
     def test_the_promise_is_met_beside_a_column_of_zeros(self):
@@ -52,6 +59,13 @@ class ColumnsOfZeros(Service):
             for accuracy in ("fast", "balanced", "accurate"):
                 found = self.ask("simulate", {"system": scene, "t_end": end, "samples": 2, "accuracy": accuracy})["accuracy"]
                 self.assertTrue(found["meets_request"], (scene["name"], found.get("reason"), found["max_abs_error"]))
+
+    def test_the_promise_is_met_where_all_rests(self):
+        for end in (0.1, 1, 50):
+            for accuracy in ("fast", "balanced", "accurate"):
+                found = self.ask("simulate", {"system": LADDER, "t_end": end, "samples": 5, "accuracy": accuracy})["accuracy"]
+                self.assertTrue(found["meets_request"], (end, found.get("reason"), found["max_abs_error"]))
+                self.assertIsNone(found["horizon"])
 
     def test_a_column_that_is_not_zero_keeps_its_promise(self):
         two = lagrangian("two", "k - 4; e - 1e-9", "x - 1; y - 0", "(x_dot^2 + y_dot^2)/2 - k*x^2/2 - y^2/2 + e*x*y")

@@ -15,6 +15,7 @@ import mpmath
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
 
 CASES = 500
 mpmath.mp.dps = 60
@@ -60,6 +61,11 @@ def plain(potential, parameters=()):
 
 def parameter(name, unit="1", default="1"):
     return {"name": name, "unit": unit, "default": default}
+
+
+BEADS = lagrangian("two_beads", "m - 1; k - 2", "a - 0.1; b - 0.3", "m/2*(a_dot^2 + b_dot^2) - k/2*(b - a)^2")
+TURNTABLE = lagrangian("pendulum_on_a_turntable", "m - 1; l - 1; g - 9.81", "a - 0.1; b - 0.3",
+                       "m*l^2/2*(a_dot^2 + sin(b)^2*a_dot^2 + b_dot^2) + m*g*l*cos(b)")
 
 
 class ExactNumbers(Service):
@@ -214,6 +220,19 @@ class ExactNumbers(Service):
                                                        "initial": {"theta": degrees + "deg", "psi_dot": 0}})
             exact = exactly(degrees) * mpmath.pi / 180
             self.holds(answer["theta_max"], answer["error"]["theta_max"], exact, degrees)
+
+    def test_what_nothing_decides_is_where_it_was_typed(self):
+        place = {"a": "pi/2", "b": "pi/2"}
+        for name, found in (("a", self.ask("modes", {"system": BEADS, "equilibrium": place})["equilibrium"]),
+                            ("a", self.ask("modes", {"system": TURNTABLE, "initial": {"a": "pi/2"}})["equilibrium"]),
+                            ("b", self.ask("modes", {"system": BEADS, "equilibrium": place})["equilibrium"])):
+            self.holds(found["state"][name], found["error"][name], mpmath.pi / 2, name)
+            self.assertLess(found["error"][name], 2e-16)
+        turning = {"system": TURNTABLE, "initial": {"a": "1/7", "a_dot": "1/3"}}
+        body = turning | {"parameter": "g", "from": 0, "to": 5}
+        for found in (self.ask("equilibria", turning)["equilibria"] + self.ask("bifurcations", body)["critical"]):
+            error = found["state_error" if "value" in found else "error"]
+            self.holds(found["state"]["a"], error["a"], mpmath.mpf(1) / 7, found)
 
     def test_what_no_double_is_near_is_refused(self):
         for number in ("1e-400", "-1e-330", "1e400"):

@@ -152,6 +152,24 @@ class ExactPeriods(Service):
             numbers.append([found[key] for key in ("r_max", "r_min", "period")])
         self.assertEqual(*numbers)
 
+    def test_potentials_of_two_sides_have_both_halves(self):
+        line = "m*x_dot^2/2 - "
+        for potential, start, period, by_hand in (
+                ("(k1 + k2)/4*x^2 - (k1 - k2)/4*x*abs(x)", "0.5", "pi*(sqrt(m/k1) + sqrt(m/k2))",
+                 "pi*(sqrt(m/k1) + sqrt(m/k2))"),
+                ("(k1 + k2)/4*x^2 - (k1 - k2)/4*x*abs(x)", "0 1", "pi*(sqrt(m/k1) + sqrt(m/k2))",
+                 "pi*(sqrt(m/k1) + sqrt(m/k2))"),
+                ("(k1 + k2)/2*abs(x) - (k1 - k2)/2*x", "0.5", "(2/k1 + 2/k2)*sqrt(2*m*h)", "(2/k1 + 2/k2)*sqrt(m*k1)"),
+                ("k1*x^2/2 - k2*abs(x)", "0.5", "4*acos(2*k2/(k1 + 2*k2))*sqrt(m/k1)",
+                 "4*acos(k2/sqrt(k1*(k1/4 + k2) + k2**2))*sqrt(m/k1)"),
+                ("k1*(x^2 + x*abs(x))/4 - k2*(abs(x) - x)/2", "0.5", "pi*sqrt(m/k1) + sqrt(m*k1)/k2",
+                 "pi*sqrt(m/k1) + sqrt(m*k1)/k2")):
+            system = lagrangian("two_sides", "m - 1.3; k1 - 2; k2 - 3", f"x - {start}", line + potential)
+            found = self.ask("turning_points", {"system": system})
+            self.assertEqual(found["exact"]["period"]["text"], period)
+            numbers = {"m": 1.3, "k1": 2, "k2": 3, "sqrt": mpmath.sqrt, "acos": mpmath.acos, "pi": mpmath.pi}
+            self.assertAlmostEqual(found["period"], float(eval(by_hand, numbers)), delta=1e-13)  # noqa: S307
+
     def test_none_is_claimed_where_it_is_no_such_integral(self):
         for system in NOT_ELEMENTARY:
             self.assertNotIn("period", self.ask("turning_points", {"system": system}).get("exact", {}), system)

@@ -1,5 +1,6 @@
 """Reasons that answers give are true."""
 
+import math
 import pathlib
 import sys
 import unittest
@@ -90,6 +91,20 @@ class TrueReasons(Service):
         pole = self.refused("simulate", {"system": free_particle("1", "0", {"name": "f", "value": "x^3", "along": "x"}),
                                          "t_end": 9, "samples": 2})
         self.assertEqual(pole["reason"], "blow-up")
+
+    def test_a_puck_on_a_rough_table_comes_to_rest(self):
+        speed = "sqrt(x_dot^2 + y_dot^2)"
+        for v, w, k in ((1, 0.5, 0), (2, 0.5, 0), (0.3, -0.4, 0), (1, 0.5, 1)):
+            puck = {"name": "puck", "units": "none", "lagrangian": f"(x_dot^2 + y_dot^2)/2 - {k}*(x^2 + y^2)/2",
+                    "coordinates": [{"name": "x", "initial": "0.3", "initial_rate": str(v)},
+                                    {"name": "y", "initial_rate": str(w)}],
+                    "forces": [{"value": f"-3*{q}_dot/{speed}", "along": q} for q in "xy"]}
+            problem = self.refused("simulate", {"system": puck, "t_end": 2})
+            self.assertEqual(problem["reason"], "undetermined")
+            self.assertIn("x_dot^2 + y_dot^2 comes to 0", problem["detail"])
+            self.assertIn("comes to rest", problem["detail"])
+            if k == 0:
+                self.assertAlmostEqual(problem["t_reached"], math.hypot(v, w) / 3, delta=1e-9)
 
     def test_too_many_kinks_are_told_early(self):
         """A mass that goes to and fro over a kink ten million times a second."""

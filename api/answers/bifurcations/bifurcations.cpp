@@ -7,8 +7,8 @@
 #include "api/answers/gait/request.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
+#include "core/closed/critical_values.hpp"
 #include "core/closed/exact_degenerate.hpp"
-#include "core/closed/exact_solution.hpp"
 #include "core/gait/gait_continuation.hpp"
 #include "core/mechanics/followers.hpp"
 
@@ -99,8 +99,10 @@ class BifurcationsAnswer {
               {"state", state_json(scene_, c.y)},
               {"error", stated_error({c.value, c.error}, digits_)},
               {"state_error", state_json(scene_, c.errors)}};
+    std::size_t i = 0;
     for (auto& [name, error] : json["state_error"].items()) {
-      error = stated_error({json["state"][name].get<double>(), error.get<double>()}, digits_);
+      error = stated_error(Stated{c.y[i], c.errors[i]}.as_typed(state_.y.exact(i)), digits_);
+      ++i;
     }
     if (c.omega > 0) {
       json["omega"] = c.omega;

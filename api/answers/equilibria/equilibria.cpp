@@ -8,6 +8,7 @@
 #include "api/answers/steady_json.hpp"
 #include "api/answers/units_of.hpp"
 #include "api/json/text.hpp"
+#include "core/closed/exact_equilibrium.hpp"
 #include "core/closed/exact_solution.hpp"
 #include "core/dynamics/consistent_state.hpp"
 #include "core/steady/constrained_equilibria.hpp"
@@ -22,6 +23,7 @@ constexpr const char* method_of_equilibria =
     "Interval arithmetic: branch and bound with Krawczyk's operator over one turn of each angle and the "
     "whole domain of each other coordinate. 'complete' means that no other equilibrium exists there; errors "
     "are proven bounds.";
+constexpr std::size_t most_with_formulas = 12;
 constexpr const char* multiple =
     "A multiple zero of the forces, several too close to be told apart in double precision, or none where "
     "the forces only come as near to zero as rounding: all of them lie within the error. Given is the place "
@@ -29,8 +31,14 @@ constexpr const char* multiple =
 
 class EquilibriaAnswer {
  public:
-  EquilibriaAnswer(const Dynamics& dynamics, const ResolvedState& state, int digits)
-      : dynamics_(dynamics), scene_(dynamics.model().scene), state_(state), digits_(digits) {}
+  /// `written`: what formulas are made of; none where they are not asked for.
+  EquilibriaAnswer(const Dynamics& dynamics, const ResolvedState& state, std::optional<WrittenTexts> written,
+                   int digits)
+      : dynamics_(dynamics),
+        scene_(dynamics.model().scene),
+        state_(state),
+        written_(std::move(written)),
+        digits_(digits) {}
 
   Json body() {
     const ConstrainedEquilibria all = found_places();
@@ -41,6 +49,7 @@ class EquilibriaAnswer {
       body["equilibria"].push_back(entry(found.states[i]));
       if (!all.multipliers.empty()) put_multipliers(body["equilibria"].back(), all.multipliers[i]);
     }
+    if (written_ && found.states.size() <= most_with_formulas) put_formulas(body["equilibria"], found);
     body["complete"] = found.complete;
     if (!found.reason.empty()) body["reason"] = found.reason;
     body["searched"] = searched(found);
@@ -55,6 +64,25 @@ class EquilibriaAnswer {
   }
 
  private:
+  /// Of coordinates that are not zero, and of the square of the rate.
+  void put_formulas(Json& entries, const Equilibria& found) const {
+    std::vector<Real> momenta;
+    if (!found.momenta.empty()) {
+      const auto& constants = found.problem.constants;
+      for (const Interval& p : std::span(constants).last(found.momenta.size()))
+        momenta.emplace_back(p.middle(), 0, p.width());
+    }
+    for (std::size_t i = 0; i < found.states.size(); ++i) {
+      const ExactEquilibrium exact =
+          exact_equilibrium(dynamics_, state_.parameters, *written_, found.states[i], momenta);
+      for (std::size_t k = 0; k < exact.state.size(); ++k) {
+        if (exact.state[k] && exact.state[k]->text != "0")
+          entries[i]["exact"][scene_.coordinates[k].name] = exact_json(*exact.state[k]);
+      }
+      if (exact.rate2) entries[i]["exact_rate2"] = exact_json(*exact.rate2);
+    }
+  }
+
   [[nodiscard]] ConstrainedEquilibria found_places() const {
     if (dynamics_.model().has_constraints())
       return constrained_equilibria(dynamics_, state_.parameters, state_.y);
@@ -99,7 +127,7 @@ class EquilibriaAnswer {
     Json json = Json::object();
     std::size_t i = 0;
     for (const auto& [name, value] : names.items()) {
-      json[name] = stated_error({steady.y[i], steady.errors[i]}, digits_);
+      json[name] = stated_error(Stated{steady.y[i], steady.errors[i]}.as_typed(state_.y.exact(i)), digits_);
       ++i;
     }
     return json;
@@ -171,6 +199,7 @@ class EquilibriaAnswer {
   const Dynamics& dynamics_;
   const Scene& scene_;
   const ResolvedState& state_;
+  std::optional<WrittenTexts> written_;
   int digits_;
 };
 
@@ -352,8 +381,11 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
   } else {
     system.echo.erase("at");
   }
-  const Json body = request.solve_for ? SolutionAnswer(dynamics, system.state, request, digits).body()
-                                      : EquilibriaAnswer(dynamics, system.state, digits).body();
+  std::optional<WrittenTexts> written;
+  if (wants(call, "exact") || wants(call, "exact_rate2")) written = written_texts(request.system);
+  const Json body = request.solve_for
+                        ? SolutionAnswer(dynamics, system.state, request, digits).body()
+                        : EquilibriaAnswer(dynamics, system.state, std::move(written), digits).body();
   call.timing.lap("solve");
   if (auto errors = unread_initial(body, request, Place(road_of(call))); !errors.empty())
     return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);

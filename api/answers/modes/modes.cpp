@@ -24,16 +24,15 @@ constexpr const char* not_isolated =
     "The equilibrium is not isolated to first order, so no bound of its error could be proven.";
 
 /// The place that a request names, what it leaves out taken from the initial state.
-std::optional<std::vector<double>> guess_of(const Scene& scene, const SystemChoice& choice,
-                                            const std::vector<double>& y) {
-  if (choice.equilibrium.empty()) return std::nullopt;
-  std::vector<double> guess(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(y.size() / 2));
-  for (const auto& [name, value] : choice.equilibrium) {
-    for (std::size_t i = 0; i < guess.size(); ++i) {
-      if (scene.coordinates[i].name == name) guess[i] = value.value;
+Reals place_of(const Scene& scene, const SystemChoice& choice, const Reals& y) {
+  Reals place;
+  for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
+    place.push_back(y.exact(i));
+    for (const auto& [name, value] : choice.equilibrium) {
+      if (scene.coordinates[i].name == name) place.set(i, value);
     }
   }
-  return guess;
+  return place;
 }
 
 /// The value of an expression of the parameters.
@@ -49,9 +48,9 @@ double value_of(const Model& model, std::span<const double> parameters, const st
 
 class ModesAnswer {
  public:
-  ModesAnswer(const Model& model, std::span<const double> parameters, const Modes& modes,
+  ModesAnswer(const Model& model, std::span<const double> parameters, const Reals& place, const Modes& modes,
               const ExactModes& exact, int digits)
-      : scene_(model.scene), modes_(modes), exact_(exact), digits_(digits) {
+      : scene_(model.scene), place_(place), modes_(modes), exact_(exact), digits_(digits) {
     for (const Coordinate& q : scene_.coordinates) {
       scales_.push_back(q.scale.empty() ? 1 : value_of(model, parameters, q.scale));
       scaled_units_.push_back(q.scale.empty() ? q.unit : "m");
@@ -85,6 +84,13 @@ class ModesAnswer {
     return error ? stated_error({value, *error}, digits_) : Json(nullptr);
   }
 
+  /// A coordinate that nothing decides is where it was typed.
+  [[nodiscard]] Json state_error(std::size_t i) const {
+    if (!modes_.y_error[i]) return nullptr;
+    const Stated number{modes_.y[i], *modes_.y_error[i]};
+    return stated_error(i < size() ? number.as_typed(place_.exact(i)) : number, digits_);
+  }
+
   /// Frequency and period, from omega with what their own rounding adds to its error.
   void put_cycle(Json& json, double omega, const std::optional<double>& error) const {
     const Interval turn = Interval(2) * enclosed_pi();
@@ -105,7 +111,7 @@ class ModesAnswer {
     std::size_t i = 0;
     bool proven = true;
     for (auto& [coordinate, value] : error.items()) {
-      value = written_error(modes_.y[i], modes_.y_error[i]);
+      value = state_error(i);
       proven = proven && modes_.y_error[i].has_value();
       ++i;
     }
@@ -235,6 +241,7 @@ class ModesAnswer {
   }
 
   const Scene& scene_;
+  const Reals& place_;  ///< as it was typed
   const Modes& modes_;
   const ExactModes& exact_;
   int digits_;
@@ -258,15 +265,26 @@ void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Jso
         "equation divided by the factor that vanishes.");
 }
 
-/// Where constraints hold velocities, rates of the start that a steady motion has not.
-void note_rates_left_out(const Model& model, const Reals& start, const Modes& modes, Json& body) {
+/// Rates of the start that a steady motion has not: those of the request, and where constraints hold
+/// velocities those of the scene.
+void note_rates_left_out(const Model& model, const SystemChoice& choice, const Reals& start,
+                         const Modes& modes, Json& body) {
   const std::size_t n = model.scene.coordinates.size();
-  for (std::size_t i = 0; i < n && has_constraint_in_velocities(model); ++i) {
-    if (start[n + i] == 0 || modes.y[n + i] != 0) continue;
+  const bool rolls = has_constraint_in_velocities(model);
+  const auto angles =
+      std::ranges::count_if(model.scene.coordinates, [](const Coordinate& q) { return q.unit == "rad"; });
+  for (std::size_t i = 0; i < n; ++i) {
     const std::string& name = model.scene.coordinates[i].name;
-    body["notes"].push_back("The start has " + name + "_dot = " + short_number(start[n + i]) +
-                            ", but these are small motions about the state in 'equilibrium', where " + name +
-                            " rests: something depends on it, so that while it moves nothing is steady.");
+    const bool was_given =
+        std::ranges::any_of(choice.initial, [&](const auto& given) { return given.first == name + "_dot"; });
+    if ((!rolls && !was_given) || start[n + i] == 0 || modes.y[n + i] != 0) continue;
+    std::string note = "The start has " + name + "_dot = " + short_number(start[n + i]) +
+                       ", but these are small motions about the state in 'equilibrium', where " + name +
+                       " rests: something depends on it, so that ";
+    note += rolls ? "while it moves nothing is steady." : "its rate is left out.";
+    if (!rolls && angles >= 3)
+      note += " A body's steady spin is told where its angle is the first in the sequence.";
+    body["notes"].push_back(std::move(note));
   }
 }
 
@@ -274,7 +292,9 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
   const auto& [parameters, y] = system.state;
-  const auto guess = guess_of(system.scene(), request.system, y);
+  const Reals place = place_of(system.scene(), request.system, y);
+  const auto guess =
+      request.system.equilibrium.empty() ? std::nullopt : std::optional<std::vector<double>>(place);
   const bool is_constrained = system.model().has_constraints();
   const Modes modes = is_constrained ? constrained_modes(*system.dynamics, parameters, y, guess)
                                      : normal_modes(*system.dynamics, parameters, y, guess);
@@ -282,10 +302,10 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
       wants(call, "exact") ? exact_modes(*system.dynamics, parameters, written_texts(request.system), modes)
                            : no_formulas(modes);
   const int digits = request.digits.value_or(shortest_digits);
-  Json body = ModesAnswer(system.model(), parameters, modes, exact, digits).body();
+  Json body = ModesAnswer(system.model(), parameters, place, modes, exact, digits).body();
   if (!is_constrained)
     note_limits(system.scene(), system.dynamics->statics(parameters)->reduction.limits, body);
-  note_rates_left_out(system.model(), y, modes, body);
+  note_rates_left_out(system.model(), request.system, y, modes, body);
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);
 }

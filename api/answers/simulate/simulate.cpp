@@ -10,6 +10,7 @@
 #include "api/answers/simulate/terms.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/units_of.hpp"
+#include "core/motion/vanishing_speed.hpp"
 
 namespace qdot::api {
 namespace {
@@ -22,13 +23,7 @@ class SimulationAnswer {
   Response response() {
     run();
     call_.timing.lap("solve");
-    if (has_failed(result_.ending)) {
-      const bool allowed_too_little = request_.max_evaluations && result_.ending == Ending::step_limit;
-      return integration_failure(call_, scene(), result_.ending, result_.t, result_.y,
-                                 allowed_too_little ? "'max_evaluations' is not enough for this motion, even "
-                                                      "at the loosest tolerance."
-                                                    : "");
-    }
+    if (has_failed(result_.ending)) return failure();
     make_table();
     Response answer = format() == Format::json ? json() : rows();
     answer.evaluations = measured_.evaluations;
@@ -37,6 +32,14 @@ class SimulationAnswer {
   }
 
  private:
+  [[nodiscard]] Response failure() {
+    std::string why = speed_that_vanished(dynamics(), system_.state.parameters, system_.state.y, result_);
+    const Ending ending = why.empty() ? result_.ending : Ending::undetermined;
+    if (request_.max_evaluations && ending == Ending::step_limit)
+      why = "'max_evaluations' is not enough for this motion, even at the loosest tolerance.";
+    return integration_failure(call_, scene(), ending, result_.t, result_.y, why);
+  }
+
   [[nodiscard]] const Dynamics& dynamics() const { return *system_.dynamics; }
   [[nodiscard]] const Scene& scene() const { return system_.scene(); }
   [[nodiscard]] int digits() const { return request_.digits.value_or(shortest_digits); }

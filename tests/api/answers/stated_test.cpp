@@ -43,6 +43,13 @@ TEST(StatedNumber, ThatWasConvertedHasTheConversionsRoundingInItsError) {
   EXPECT_LT(found.error, 1e-13);
 }
 
+TEST(StatedNumber, ThatNothingDecidesIsOffByWhatTheDoubleLeavesOut) {
+  const Real half_pi{exact_pi.value / 2, exact_pi.low / 2, exact_pi.error / 2};
+  EXPECT_GE((Stated{half_pi.value, 0}.as_typed(half_pi).error), half_pi.low);
+  EXPECT_EQ((Stated{half_pi.value, 1e-20}.as_typed(half_pi).error), 1e-20);
+  EXPECT_EQ((Stated{0.5, 0}.as_typed(half_pi).error), 0);
+}
+
 TEST(StatedNumber, OfTheComplexPlaneCountsBothParts) {
   const double error = stated_error(std::complex<double>(1.04, 2.03), 0, 2).get<double>();
   EXPECT_GE(error, 0.05 - 1e-12);

@@ -1,0 +1,118 @@
+"""Places of rest where an exponential, a logarithm, a tangent or a power of a length stands beside the coordinate: their
+formulas and those of the rates, as a book prints them, against 40 digits of mpmath."""
+
+import pathlib
+import sys
+import unittest
+
+import mpmath
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mpmath.mp.dps = 40
+VALUES = {"m": mpmath.mpf("1.3"), "a": mpmath.mpf(2), "b": mpmath.mpf("1.5")}
+
+# -V, a place nearby, its formula, omega^2 as it is written, and by mpmath.
+PLACES = [
+    ("a*x*exp(-b*x)", 0.4, "1/b", "a*b*exp(-1)/m", "a*b*exp(-1)/m"),
+    ("a*x^2*exp(-b*x)", 0.9, "2/b", "2*a*exp(-2)/m", "2*a*exp(-2)/m"),
+    ("a*x*exp(-b*x^2)", 0.4, "1/sqrt(2*b)", "2*a*exp(-1/2)*sqrt(2*b)/m", "2*sqrt(2*b)*a*exp(mpf(-1)/2)/m"),
+    ("a*x^2*exp(-b*x^2)", 0.7, "1/sqrt(b)", "4*a*exp(-1)/m", "4*a*exp(-1)/m"),
+    ("a*x*(1-x)*exp(-b*x)", 0.4, "(2 + b - sqrt(4 + b^2))/(2*b)", None, "a*sqrt(4+b**2)*exp(sqrt(4+b**2)/2-1-b/2)/m"),
+    ("a*sin(x)*exp(-b*x)", 0.4, "atan(1/b)", "a*sqrt(1 + b^2)*exp(-b*atan(1/b))/m", "a*sqrt(1+b**2)*exp(-b*atan(1/b))/m"),
+    ("-a*x*log(x/b)", 0.5, "b*exp(-1)", "a*exp(1)/(m*b)", "a*exp(1)/(m*b)"),
+    ("-a*x^2*log(x/b)", 0.9, "b*exp(-1/2)", "2*a/m", "2*a/m"),
+    ("a*log(x)/x", 2.5, "exp(1)", "a*exp(-3)/m", "a*exp(-3)/m"),
+    ("-a*tan(x)-b/tan(x)", 0.7, "atan(sqrt(b/a))", "2*(a + b)^2/(m*sqrt(a*b))", "2*(a+b)**2/(m*sqrt(a*b))"),
+    ("-a*tan(x)-b/tan(x)", -2.4, "atan(sqrt(b/a)) - pi", "2*(a + b)^2/(m*sqrt(a*b))", "2*(a+b)**2/(m*sqrt(a*b))"),
+    ("-tan(x)+b*x", 0.5, "acos(1/sqrt(b))", "2*b*sqrt(b - 1)/m", "2*b*sqrt(b-1)/m"),
+    ("-a/cos(x)-b/sin(x)", 0.7, "atan((b/a)^(1/3))", "3*(a^(2/3) + b^(2/3))^(3/2)/m",
+     "3*(cbrt(a)**2+cbrt(b)**2)**1.5/m"),
+    ("-a/x^2-b/(1-x)^2", 0.7, "a^(1/3)/(a^(1/3) + b^(1/3))", "6*(a^(1/3) + b^(1/3))^5/(m*(a*b)^(1/3))",
+     "6*(cbrt(a)+cbrt(b))**5/(m*cbrt(a*b))"),
+    ("-a/x-b/(1-x)", 0.7, "sqrt(a)/(sqrt(a) + sqrt(b))", "2*(sqrt(a) + sqrt(b))^4/(m*sqrt(a*b))",
+     "2*(sqrt(a)+sqrt(b))**4/(m*sqrt(a*b))"),
+    ("-(a+b)*x^2-a/x^2", 0.8, "(a/(a + b))^(1/4)", "8*(a + b)/m", "8*(a+b)/m"),
+    ("-a*x^2-(a+b)/x^2", 1.2, "((a + b)/a)^(1/4)", "8*a/m", "8*a/m"),
+    ("-(a+b)*x^2/2-a/x", 0.8, "(a/(a + b))^(1/3)", "3*(a + b)/m", "3*(a+b)/m"),
+    ("-a*x-b/(x-1)", 1.7, "1 + sqrt(b/a)", "2*a*sqrt(a/b)/m", "2*a*sqrt(a/b)/m"),
+    ("-a*cosh(x)+b*sinh(x)", 0.9, None, "sqrt((a - b)*(a + b))/m", "sqrt(a**2-b**2)/m"),
+    ("-a*exp(x)-b*exp(-x)", 0.1, "1/2*log(b/a)", "2*sqrt(a*b)/m", "2*sqrt(a*b)/m"),
+    ("a*x/sqrt(1+b*x^4)", 0.7, None, "sqrt(2)*a*b^(1/4)/m", "sqrt(2)*a*sqrt(sqrt(b))/m"),
+]
+
+
+def value(text):
+    functions = {name: getattr(mpmath, name) for name in ("sqrt", "cbrt", "exp", "atan", "mpf")}
+    return eval(text, functions | VALUES)  # noqa: S307: the lines above
+
+
+class BalancedPlaces(Service):
+    def test_places_and_rates_have_their_formulas(self):
+        for force, near, place, square, by_hand in PLACES:
+            with self.subTest(force=force):
+                scene = lagrangian("line", "m - 1.3; a - 2; b - 1.5", f"x - {near}", f"m*x_dot^2/2 + ({force})")
+                found = self.ask("modes", {"system": scene, "equilibrium": {"x": near}})
+                if place:
+                    self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], place)
+                mode = found["modes"][0]
+                if square:
+                    self.assertEqual(mode["exact"]["text"], square)
+                self.assertIn("omega", mode["exact"])
+                self.assertAlmostEqual(mode["omega"] ** 2, float(value(by_hand)), delta=1e-13 * mode["omega"] ** 2)
+
+    def test_charges_at_both_ends_of_a_wire(self):
+        wire = lagrangian("charges", "m - 1; k1 - 1; k2 - 2; d - 1", "x - 0.4", "m*x_dot^2/2 - k1/x - k2/(d - x)")
+        found = self.ask("modes", {"system": wire, "equilibrium": {"x": 0.4}})
+        self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "sqrt(k1)*d/(sqrt(k1) + sqrt(k2))")
+        self.assertEqual(found["modes"][0]["exact"]["text"], "2*(sqrt(k1) + sqrt(k2))^4/(m*d^3*sqrt(k1*k2))")
+
+    def test_all_equilibria_have_their_formulas(self):
+        found = self.ask("equilibria", {"system": "bead_on_hoop"})["equilibria"]
+        self.assertEqual([entry.get("exact", {}).get("theta", {}).get("text") for entry in found],
+                         ["-acos(g/(R*Omega^2))", None, "acos(g/(R*Omega^2))", "pi"])
+        side, bottom, top = "Omega^2 - g^2/(R^2*Omega^2)", "g/R - Omega^2", "-Omega^2 - g/R"
+        self.assertEqual([entry["exact_rate2"]["text"] for entry in found], [side, bottom, side, top])
+        for name in ("henon_heiles", "governor", "orbiting_pendulum", "spring_pendulum"):
+            for entry in self.ask("equilibria", {"system": name})["equilibria"]:
+                at = self.ask("modes", {"system": name, "equilibrium": {
+                    q: x for q, x in entry["state"].items() if not q.endswith("_dot")}})
+                self.assertEqual(entry.get("exact", {}), at["equilibrium"].get("exact", {}), name)
+
+    def test_a_critical_value_of_zero_is_exact(self):
+        for force, kind in (("p*x^2/2 - b*x^3/3", "transcritical"), ("p*x^2/2 - x^4/4", "pitchfork"),
+                            ("-x^4/4 + a*x^3/3 - p*x", "saddle_node")):
+            line = lagrangian("line", "m - 1; a - 1; b - 1; p - 0.5", "x - 0.1", f"m*x_dot^2/2 + ({force})")
+            first = self.ask("bifurcations", {"system": line, "parameter": "p", "from": -1, "to": 1})["critical"][0]
+            self.assertEqual((first["value"], first["kind"], first["exact"]["text"], first["exact"]["assumes"]), (0, kind, "0", []))
+
+    def test_rates_that_are_left_out_are_named(self):
+        spinning = {"name": "spinning", "units": "none", "coordinates": [{"name": q} for q in "abc"],
+                    "parameters": [{"name": p, "default": v} for p, v in (("m", "1"), ("A", "2"), ("B", "3"), ("C", "4"))],
+                    "bodies": [{"kind": "rigid_body", "mass": "m", "principal_moments": ["A", "B", "C"],
+                                "centre": ["0", "0", "0"], "orientation": {"sequence": "XYZ", "angles": ["a", "b", "c"]}}]}
+        for body in ({"system": spinning, "initial": {"c_dot": 10}},
+                     {"system": "plane_pendulum", "initial": {"theta_dot": 3}}):
+            name = next(iter(body["initial"]))
+            self.assertIn(f"{name} = {body['initial'][name]}", self.ask("modes", body)["notes"][0])
+        for body in ({"system": "plane_pendulum"}, {"system": "free_spin_pendulum", "initial": {"psi_dot": 3}}):
+            self.assertNotIn("notes", self.ask("modes", body))
+
+    def test_what_may_rest_anywhere_has_no_formula(self):
+        """Its number may be that of a parameter."""
+        ring = "m*(a_dot^2 + b_dot^2 + c_dot^2)/2 - k*((a - b)^2 + (b - c)^2 + (c - a)^2)/2"
+        for scene in (lagrangian("free", "m - 1; k - 2", "y - 1", "m*y_dot^2/2"),
+                      lagrangian("three", "m - 2; M - 3; R - 0.5", "x - 2; y - 3; z - 0.5", "m*(x_dot^2 + y_dot^2 + z_dot^2)/2"),
+                      lagrangian("ring", "m - 2; k - 3", "a - 2; b - 2; c - 2", ring),
+                      lagrangian("ring", "m - 2; k - 3", "a - 3; b - 3; c - 3", ring),
+                      lagrangian("two", "m - 1; M - 2", "a - 2; b - 2", "m*a_dot^2/2 + M*b_dot^2/2 - (a - b)^2")):
+            self.assertNotIn("exact", self.ask("modes", {"system": scene})["equilibrium"], scene["lagrangian"])
+        held = lagrangian("held", "m - 1; k - 3; d - 2", "a - 2; b - 2", "m*(a_dot^2 + b_dot^2)/2 - k*(a - d)^2/2 - (a - b)^4 - (a - b)^2")
+        exact = self.ask("modes", {"system": held})["equilibrium"]["exact"]
+        self.assertEqual([exact[name]["text"] for name in "ab"], ["d", "d"])
+
+
+if __name__ == "__main__":
+    unittest.main()
