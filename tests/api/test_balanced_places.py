@@ -81,6 +81,21 @@ class BalancedPlaces(Service):
                     q: x for q, x in entry["state"].items() if not q.endswith("_dot")}})
                 self.assertEqual(entry.get("exact", {}), at["equilibrium"].get("exact", {}), name)
 
+    def test_a_place_is_the_parameter_at_which_it_rests(self):
+        """Another one has the same number."""
+        pendulum = lagrangian("pendulum", "A - 1; k - 2; c - 1", "x - 0", "x_dot^2/2 - A*cos(x - c) - k*(x - c)^2/2")
+        found = self.ask("modes", {"system": pendulum, "equilibrium": {"x": 1}})
+        self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "c")
+        fork, = self.ask("bifurcations", {"system": pendulum, "parameter": "k", "from": 0.5, "to": 1.5})["critical"]
+        self.assertEqual(fork["exact"]["text"], "A")
+
+    def test_koiters_strut(self):
+        strut = {"name": "strut", "units": "none", "coordinates": [{"name": "a", "unit": "rad", "initial": "0.1"}],
+                 "parameters": [{"name": n, "default": d} for n, d in (("c", "1"), ("l", "1"), ("P", "0.5"), ("e", "0.1"))],
+                 "lagrangian": "l^2*a_dot^2/2 - c*sin(a)^2/2 - P*l*cos(a) - P*e*sin(a)"}
+        fold, = self.ask("bifurcations", {"system": strut, "parameter": "P", "from": 0.1, "to": 2})["critical"]
+        self.assertEqual(fold["exact"]["text"], "c/(l^(2/3) + e^(2/3))^(3/2)")
+
     def test_a_critical_value_of_zero_is_exact(self):
         for force, kind in (("p*x^2/2 - b*x^3/3", "transcritical"), ("p*x^2/2 - x^4/4", "pitchfork"),
                             ("-x^4/4 + a*x^3/3 - p*x", "saddle_node")):
