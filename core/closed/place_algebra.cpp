@@ -178,6 +178,7 @@ std::optional<Number> whole_root(const Number& x, int n) {
 
 std::optional<Expression> root_of_product(Graph& graph, const RationalFunction& f, int n,
                                           const SignOf& sign) {
+  if (f.is_zero()) return std::nullopt;
   Expression result = graph.number(1);
   for (const auto& [part, side] : {std::pair(&f.above, 1), std::pair(&f.below, -1)}) {
     Monomial monomial = common_monomial(*part);

@@ -49,10 +49,33 @@ class AngleSearch {
       }
       return true;
     }
-    return solve_cosine(k, e);
+    return solve_cosine(k, e) || solve_power_of_cosine(k, e);
   }
 
  private:
+  /// p + q cos(x)^n = 0, n > 2.
+  [[nodiscard]] bool solve_power_of_cosine(std::size_t k, const Polynomial& e) {
+    const Expression& x = problem_.x[k];
+    Graph& graph = x.graph();
+    const Expression sine = sin(x), cosine = cos(x);
+    const double near = problem_.near[k].middle();
+    const bool is_beyond = std::abs(near) > std::numbers::pi / 2;
+    const int n = highest_power(e, cosine);
+    const auto parts = n > 2 ? linear_in(graph, e, cosine, x, n) : std::nullopt;
+    if (!parts) return false;
+    RationalFunction power = -in_lowest_terms(parts->rest, parts->slope);
+    if (is_beyond && n % 2 != 0) power = -power;
+    const Expression size = to_expression(graph, power);
+    if (depends_on(size, problem_.x) || problem_.sign(power.above) * problem_.sign(power.below) <= 0)
+      return false;
+    const Expression value = Number(is_beyond ? -1 : 1) * root_of_power(size, Number(n), problem_.sign);
+    const Expression principal = graph.call(Function::acos, with_joined_roots(value, problem_.sign));
+    const Expression angle = near < 0 ? -principal : principal;
+    if (!is_at(problem_, k, angle)) return false;
+    place_.settle(k, angle, ExactPlace::Solved{cosine, sine, value, root_beside(value, near < 0)});
+    return true;
+  }
+
   /// c0 + c1 cos(x) + c2 cos(x)^2 = 0, or the same of a sine.
   [[nodiscard]] bool solve_cosine(std::size_t k, const Polynomial& e) {
     const Expression& x = problem_.x[k];

@@ -10,6 +10,7 @@
 namespace qdot {
 
 Polynomial without_lasting_factors(const Graph& graph, const Polynomial& e) {
+  if (e.empty()) return e;
   Monomial lasting;
   for (const Atom& atom : common_monomial(e)) {
     const auto* call = std::get_if<Call>(&graph.node(atom.base));

@@ -106,22 +106,42 @@ class PlaceSearch {
     return false;
   }
 
-  /// Proposes a parameter; whether the forces vanish there is seen later.
+  /// Proposes a parameter; whether the forces vanish there is seen later. Of several with the same number one
+  /// at which a force vanishes at once.
   [[nodiscard]] bool take_parameter() {
     for (std::size_t k = 0; k < problem_.x.size(); ++k) {
       if (!may_be_proposed(k) || problem_.is_angle[k]) continue;
-      for (const PlaceProblem::Known& p : problem_.alike[k]) {
-        for (const int side : {1, -1}) {
-          if (!is_near(problem_.near[k], side * p.value) || !is_decided(k)) continue;
-          place_.settle(k, Number(side) * p.symbol);
-          return true;
-        }
-      }
+      const std::vector<Expression> alike = alike_at(k);
+      if (alike.empty() || !is_decided(k)) continue;
+      const auto fits = [&](const Expression& value) { return alike.size() == 1 || ends_a_force(k, value); };
+      const auto best = std::ranges::find_if(alike, fits);
+      place_.settle(k, best == alike.end() ? alike.front() : *best);
+      return true;
     }
     return false;
   }
 
  private:
+  /// The parameters, and what is opposite to them, that have the number of x_k.
+  [[nodiscard]] std::vector<Expression> alike_at(std::size_t k) const {
+    std::vector<Expression> found;
+    for (const PlaceProblem::Known& p : problem_.alike[k]) {
+      for (const int side : {1, -1}) {
+        if (is_near(problem_.near[k], side * p.value)) found.push_back(Number(side) * p.symbol);
+      }
+    }
+    return found;
+  }
+
+  /// Whether a force vanishes where x_k has the value.
+  [[nodiscard]] bool ends_a_force(std::size_t k, const Expression& value) const {
+    ExactPlace there = place_;
+    there.settle(k, value);
+    return std::ranges::any_of(equations_, [&](const Expression& force) {
+      return depends_on(force, problem_.x[k]) && rational_function(there.at(force)).is_zero();
+    });
+  }
+
   [[nodiscard]] bool may_be_proposed(std::size_t k) const {
     return !place_.is_known(k) && problem_.near[k].width() < widest_place;
   }

@@ -1,6 +1,7 @@
 """Places of rest where an exponential, a logarithm, a tangent or a power of a length stands beside the coordinate: their
 formulas and those of the rates, as a book prints them, against 40 digits of mpmath."""
 
+import math
 import pathlib
 import sys
 import unittest
@@ -30,6 +31,7 @@ PLACES = [
     ("-tan(x)+b*x", 0.5, "acos(1/sqrt(b))", "2*b*sqrt(b - 1)/m", "2*b*sqrt(b-1)/m"),
     ("-a/cos(x)-b/sin(x)", 0.7, "atan((b/a)^(1/3))", "3*(a^(2/3) + b^(2/3))^(3/2)/m",
      "3*(cbrt(a)**2+cbrt(b)**2)**1.5/m"),
+    ("-a*cos(x)^4/4+b*cos(x)", -0.5, "-acos((b/a)^(1/3))", None, "3*cbrt(b**2/a)*(cbrt(a)**2-cbrt(b)**2)/m"),
     ("-a/x^2-b/(1-x)^2", 0.7, "a^(1/3)/(a^(1/3) + b^(1/3))", "6*(a^(1/3) + b^(1/3))^5/(m*(a*b)^(1/3))",
      "6*(cbrt(a)+cbrt(b))**5/(m*cbrt(a*b))"),
     ("-a/x-b/(1-x)", 0.7, "sqrt(a)/(sqrt(a) + sqrt(b))", "2*(sqrt(a) + sqrt(b))^4/(m*sqrt(a*b))",
@@ -80,6 +82,29 @@ class BalancedPlaces(Service):
                 at = self.ask("modes", {"system": name, "equilibrium": {
                     q: x for q, x in entry["state"].items() if not q.endswith("_dot")}})
                 self.assertEqual(entry.get("exact", {}), at["equilibrium"].get("exact", {}), name)
+
+    def test_a_place_is_the_parameter_at_which_it_rests(self):
+        """Another one has the same number."""
+        pendulum = lagrangian("pendulum", "A - 1; k - 2; c - 1", "x - 0", "x_dot^2/2 - A*cos(x - c) - k*(x - c)^2/2")
+        found = self.ask("modes", {"system": pendulum, "equilibrium": {"x": 1}})
+        self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "c")
+        fork, = self.ask("bifurcations", {"system": pendulum, "parameter": "k", "from": 0.5, "to": 1.5})["critical"]
+        self.assertEqual(fork["exact"]["text"], "A")
+
+    def test_koiters_strut(self):
+        strut = {"name": "strut", "units": "none", "coordinates": [{"name": "a", "unit": "rad", "initial": "0.1"}],
+                 "parameters": [{"name": n, "default": d} for n, d in (("c", "1"), ("l", "1"), ("P", "0.5"), ("e", "0.1"))],
+                 "lagrangian": "l^2*a_dot^2/2 - c*sin(a)^2/2 - P*l*cos(a) - P*e*sin(a)"}
+        fold, = self.ask("bifurcations", {"system": strut, "parameter": "P", "from": 0.1, "to": 2})["critical"]
+        self.assertEqual(fold["exact"]["text"], "c/(l^(2/3) + e^(2/3))^(3/2)")
+
+    def test_the_truss_of_von_mises_by_its_angle(self):
+        truss = {"name": "truss", "units": "none", "coordinates": [{"name": "a", "unit": "rad", "initial": "0.4"}],
+                 "parameters": [{"name": n, "default": d} for n, d in (("k", "2"), ("l", "1"), ("b", "0.5"), ("P", "0.1"))],
+                 "lagrangian": "l^2*a_dot^2/2 - k*(2*l*(cos(b) - cos(a)))^2/2 - P*l*sin(a)"}
+        fold, = self.ask("bifurcations", {"system": truss, "parameter": "P", "from": 0.01, "to": 1})["critical"]
+        self.assertEqual(fold["exact"]["text"], "4*k*l*(1 - cos(b)^(2/3))^(3/2)")
+        self.assertAlmostEqual(fold["value"], 8 * (1 - math.cos(0.5) ** (2 / 3)) ** 1.5, delta=1e-14)
 
     def test_a_critical_value_of_zero_is_exact(self):
         for force, kind in (("p*x^2/2 - b*x^3/3", "transcritical"), ("p*x^2/2 - x^4/4", "pitchfork"),
