@@ -100,10 +100,12 @@ std::vector<int> EventSearch::signs_before(double t) const {
 void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found) {
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
   const double end = found.terminal ? found.events.back().t : stepper.t();
-  const bool is_last = found.terminal || end >= request_.t_end;
+  const auto ends_run = [&](const EventOccurrence& event) { return event.t == end && event.hidden == 0; };
+  const bool is_last =
+      (found.terminal && std::ranges::any_of(found.events, ends_run)) || end >= request_.t_end;
   for (const std::size_t i : near_) {
     const bool is_met = std::ranges::any_of(
-        found.events, [&](const EventOccurrence& event) { return event.event == i && event.t == end; });
+        found.events, [&](const EventOccurrence& event) { return event.event == i && ends_run(event); });
     look_along(i, h > 0 ? end - begin : h, is_last, is_met);
     const int sign = sign_before(i, is_met);
     if (!is_met || !request_.events[i].terminal || sign == 0) continue;
