@@ -61,7 +61,7 @@ Sides KinkModes::sides_at(double t, std::span<const double> y) {
 std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double> y,
                                                 const std::vector<bool>& met) {
   Sides sides = sides_at(t, y);
-  const auto typed = std::exchange(typed_, std::nullopt);
+  const auto& typed = begun_ = std::exchange(typed_, std::nullopt);
   const std::vector<double> places = motions_.geometry(sides, t, y);
   const std::size_t row = 2 + y.size();
   std::vector<double> sizes;
@@ -98,7 +98,7 @@ std::vector<double> KinkModes::doubt_of_begin(const Way& way) {
   std::vector<double> off;
   for (const std::size_t k : active_) {
     if (way.sides[k] != 0 && !motions_.is_slope_told(way.sides, k))
-      add_doubt(way.sides, k, motions_.told_after(way.sides, k), off);
+      add_doubt(way.sides, k, motions_.told_after(way.sides, k, begun_), off);
   }
   return off;
 }

@@ -78,7 +78,8 @@ class KinkModes {
   [[nodiscard]] bool is_same_motion(const Sides& one, const Sides& other);
 
   SidedMotions motions_;
-  std::optional<SidedMotions::Typed> typed_;
+  std::optional<SidedMotions::Typed> typed_;  ///< where the next way begins
+  std::optional<SidedMotions::Typed> begun_;  ///< where the last one began
   std::vector<int> typed_sides_;     ///< of kinks at which the place is but for what was typed; 0: the others
   std::vector<std::size_t> active_;  ///< the kinks at which the place is that is looked at
 };

@@ -28,7 +28,10 @@ FineSeries along(const FunctionAlong& g, TapeEvaluator<FineSeries>& function, do
   std::vector<FineSeries> y;
   for (std::size_t i = 0; i < g.rows.size(); i += g.terms) {
     FineSeries sum = FineSeries::constant(Ball(g.rows[i + g.terms - 1]));
-    for (std::size_t k = g.terms - 1; k-- > 0;) sum = sum * s + FineSeries::constant(Ball(g.rows[i + k]));
+    for (std::size_t k = g.terms - 1; k-- > 0;) {
+      const bool is_known = k == 0 && !g.start.empty();
+      sum = sum * s + FineSeries::constant(is_known ? g.start[i / g.terms] : Ball(g.rows[i + k]));
+    }
     y.push_back(sum);
   }
   function.set_time(FineSeries::constant(Ball(g.t)) + s);

@@ -21,6 +21,7 @@ struct FunctionAlong {
   double t{};
   std::span<const double> rows;
   std::size_t terms{};
+  std::span<const Ball> start{};  ///< y(t), where more is known of it than a double; else empty
 };
 
 /// Its coefficients about s = 0.

@@ -56,8 +56,8 @@ std::shared_ptr<const KinkedMotion> SidedMotions::motion(const Sides& sides) con
   return dynamics_.kinked(staying_on(sides));
 }
 
-std::vector<Ball> SidedMotions::numbers(const Sides& sides) const {
-  std::vector<Ball> all = Reals(parameters_).as<Ball>();
+std::vector<Ball> SidedMotions::numbers(const Reals& parameters, const Sides& sides) {
+  std::vector<Ball> all = parameters.as<Ball>();
   for (const int side : sides) all.emplace_back(side);
   return all;
 }
@@ -192,7 +192,7 @@ bool SidedMotions::is_gradient_told(const Sides& sides, std::size_t kink) {
 
 std::vector<double> SidedMotions::told_series(const Sides& sides, std::size_t kink) {
   if (is_slope_told(sides, kink)) return (*series(sides))[kink];
-  const std::vector<Ball> with = numbers(sides);
+  const std::vector<Ball> with = numbers(parameters_, sides);
   const auto of_motion =
       sharp_series({*mode(sides)->motion->arguments[kink], with, t_, rows(sides), order + 1});
   std::vector<double> told;
@@ -215,18 +215,21 @@ bool SidedMotions::is_told(std::size_t kink, const Sides& sides, std::span<const
 
 std::vector<SignPiece> SidedMotions::argument_signs(std::size_t kink, const Sides& sides,
                                                     std::span<const double> rows, double from, double to) {
-  const std::vector<Ball> with = numbers(sides);
+  const std::vector<Ball> with = numbers(parameters_, sides);
   return sharp_signs({*mode(sides)->motion->arguments[kink], with, t_, rows, order + 1}, from, to,
                      resolution_);
 }
 
-double SidedMotions::told_after(const Sides& sides, std::size_t kink) {
+double SidedMotions::told_after(const Sides& sides, std::size_t kink, const std::optional<Typed>& place) {
   const std::vector<double> along = rows(sides);
   double to = resolution_;
   for (int i = 0; i < doublings && tells(sides, 2 * to) && !is_told(kink, sides, along, to, sides[kink]); ++i)
     to *= 2;
+  const std::vector<Ball> with = numbers(place ? place->parameters : Reals(parameters_), sides);
+  const std::vector<Ball> start = place ? place->y.as<Ball>() : std::vector<Ball>();
+  const FunctionAlong argument{*mode(sides)->motion->arguments[kink], with, t_, along, order + 1, start};
   double after = 0;
-  for (const SignPiece& piece : argument_signs(kink, sides, along, 0, to)) {
+  for (const SignPiece& piece : sharp_signs(argument, 0, to, resolution_)) {
     if (piece.sign != sides[kink]) after = piece.to;
   }
   return after;

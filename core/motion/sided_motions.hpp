@@ -86,8 +86,9 @@ class SidedMotions {
   /// Its signs beyond doubles along a way, rows of order + 1 terms about t(), from <= s <= to.
   [[nodiscard]] std::vector<SignPiece> argument_signs(std::size_t kink, const Sides& sides,
                                                       std::span<const double> rows, double from, double to);
-  /// From when on u has the sign of its side along the motion, as far as twice the digits tell.
-  [[nodiscard]] double told_after(const Sides& sides, std::size_t kink);
+  /// From when on u has the sign of its side along the motion, as far as twice the digits tell, from the
+  /// place as it was typed if it was.
+  [[nodiscard]] double told_after(const Sides& sides, std::size_t kink, const std::optional<Typed>& place);
   /// For how much of so many seconds before t u has not had the sign of its side, as far as is told.
   [[nodiscard]] double time_elsewhere(const Sides& sides, std::size_t kink, double duration);
   /// The side, -1 to 1, that is equivalent to staying on the kink; not a number where there is none.
@@ -99,7 +100,7 @@ class SidedMotions {
   [[nodiscard]] Mode* mode(const Sides& sides);
   [[nodiscard]] std::vector<Interval> enclosed_geometry(const Sides& sides, double t,
                                                         std::span<const double> y);
-  [[nodiscard]] std::vector<Ball> numbers(const Sides& sides) const;
+  [[nodiscard]] static std::vector<Ball> numbers(const Reals& parameters, const Sides& sides);
 
   const Dynamics& dynamics_;
   const Kinks& kinks_;

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <optional>
 
+#include "core/compile/tape_evaluator.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
-#include "core/steady/linearization.hpp"
 #include "core/steady/steady_state.hpp"
 
 namespace qdot {
@@ -235,7 +235,8 @@ class NewtonSearch {
   /// A coordinate with a force that depends on no coordinate and is not zero; empty where there is none.
   [[nodiscard]] std::string never_held() const {
     const std::vector<Ball> x(guess_.begin(), guess_.end());
-    const std::vector<Ball> g = evaluated(statics_.forces, enclosed_constants_, x);
+    std::vector<Ball> g(statics_.rest.size());
+    TapeEvaluator<Ball>(statics_.forces, enclosed_constants_)(x, g);
     for (std::size_t i = 0; i < statics_.rest.size(); ++i) {
       if (!depends_on(statics_.rest[i], statics_.reduction.x) && !g[i].contains_zero())
         return dynamics_.model().scene.coordinates[statics_.reduction.kept[i]].name;
