@@ -36,7 +36,7 @@ class GaugeTerms {
     if (!is_quadratic(momenta_, rates_)) return graph_.number(0);
     Expressions linear;
     for (const Expression& p : momenta_) linear.push_back(at_rest(p));
-    for (const Expressions& a : {linear, terms_apart(linear)}) {
+    for (const Expressions& a : {linear, beside_a_uniform_field(linear), terms_apart(linear)}) {
       if (std::ranges::all_of(a, &Expression::is_zero) || !is_gradient(a)) continue;
       if (const auto b = rate_of_time(a)) return with(a, *b);
     }
@@ -50,18 +50,31 @@ class GaugeTerms {
     return substitute(e, stopped);
   }
 
+  template <class IsKept>
+  [[nodiscard]] Expressions selected(const Expressions& a, IsKept is_kept) const {
+    Expressions result;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      Expressions kept = terms_of(a[i]);
+      std::erase_if(kept, [&](const Expression& term) { return !is_kept(i, term); });
+      result.push_back(graph_.sum(kept));
+    }
+    return result;
+  }
+
+  /// Without what is linear in the coordinates, as the potential of a uniform magnetic field.
+  [[nodiscard]] Expressions beside_a_uniform_field(const Expressions& a) const {
+    return selected(a, [&](std::size_t, const Expression& term) {
+      return depends_on(term, t_) || degree_of(term) != Number(1);
+    });
+  }
+
   /// Of each a_i what has to do with q_i and t alone.
   [[nodiscard]] Expressions terms_apart(const Expressions& a) const {
-    Expressions apart;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      Expressions others = q_, kept;
+    return selected(a, [&](std::size_t i, const Expression& term) {
+      Expressions others = q_;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      for (const Expression& term : terms_of(a[i])) {
-        if (!depends_on(term, others) && !depends_on(term, inputs_)) kept.push_back(term);
-      }
-      apart.push_back(graph_.sum(kept));
-    }
-    return apart;
+      return !depends_on(term, others) && !depends_on(term, inputs_);
+    });
   }
 
   [[nodiscard]] bool is_gradient(const Expressions& a) const {
@@ -74,14 +87,19 @@ class GaugeTerms {
     return true;
   }
 
-  /// b for a.
+  /// b for a: the integral of what has a degree in the coordinates, and terms of L for the rest.
   [[nodiscard]] std::optional<Expression> rate_of_time(const Expressions& a) const {
     Expressions slopes;
     for (const Expression& one : a) slopes.push_back(differentiate(one, t_));
-    for (const auto& proposed : {along_rays(slopes), std::optional(terms_in_time())}) {
-      if (proposed && has_slopes(*proposed, slopes)) return proposed;
-    }
-    return std::nullopt;
+    const auto has_degree = [&](std::size_t, const Expression& term) {
+      const auto degree = degree_of(term);
+      return degree && *degree != Number(-1);
+    };
+    const Expressions even = selected(slopes, has_degree);
+    Expressions rest;
+    for (std::size_t i = 0; i < slopes.size(); ++i) rest.push_back(expand(slopes[i] - even[i]));
+    const Expression b = along_rays(even) + terms_with(rest);
+    return has_slopes(b, slopes) ? std::optional(b) : std::nullopt;
   }
 
   [[nodiscard]] bool has_slopes(const Expression& b, const Expressions& slopes) const {
@@ -91,15 +109,12 @@ class GaugeTerms {
     return true;
   }
 
-  /// The integral of slopes(s q).q over s from 0 to 1: term / (degree + 1) for each that has a degree in q.
-  [[nodiscard]] std::optional<Expression> along_rays(const Expressions& slopes) const {
+  /// The integral of slopes(s q).q over s from 0 to 1: term / (degree + 1) for each.
+  [[nodiscard]] Expression along_rays(const Expressions& slopes) const {
     Expressions terms;
     for (std::size_t i = 0; i < q_.size(); ++i) {
-      for (const Expression& term : terms_of(slopes[i])) {
-        const auto degree = degree_of(term);
-        if (!degree || *degree == Number(-1)) return std::nullopt;
-        terms.push_back(q_[i] * term / graph_.number(*degree + Number(1)));
-      }
+      for (const Expression& term : terms_of(slopes[i]))
+        terms.push_back(q_[i] * term / graph_.number(*degree_of(term) + Number(1)));
     }
     return graph_.sum(terms);
   }
@@ -112,13 +127,25 @@ class GaugeTerms {
     return degree.number() ? std::optional(*degree.number()) : std::nullopt;
   }
 
-  /// What of L without velocities has to do with coordinates and the time.
-  [[nodiscard]] Expression terms_in_time() const {
-    Expressions terms;
+  /// Those terms of L without velocities whose slopes are among these, one after another.
+  [[nodiscard]] Expression terms_with(Expressions slopes) const {
+    Expressions found;
+    if (std::ranges::all_of(slopes, &Expression::is_zero)) return graph_.number(0);
     for (const Expression& term : terms_of(at_rest(lagrangian_))) {
-      if (depends_on(term, t_) && depends_on(term, q_)) terms.push_back(term);
+      Expressions left;
+      for (std::size_t i = 0; i < q_.size(); ++i)
+        left.push_back(expand(slopes[i] - differentiate(term, q_[i])));
+      if (number_of_terms(left) >= number_of_terms(slopes)) continue;
+      slopes = std::move(left);
+      found.push_back(term);
     }
-    return graph_.sum(terms);
+    return graph_.sum(found);
+  }
+
+  [[nodiscard]] static std::size_t number_of_terms(const Expressions& sums) {
+    std::size_t number = 0;
+    for (const Expression& sum : sums) number += sum.is_zero() ? 0 : terms_of(sum).size();
+    return number;
   }
 
   [[nodiscard]] Expression with(const Expressions& a, const Expression& b) const {

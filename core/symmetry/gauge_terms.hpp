@@ -12,10 +12,10 @@
 
 namespace qdot {
 
-/// L without them: all of A where it is such a derivative, otherwise those of its terms that have to do with
-/// their own coordinate and the time alone. b is found where a is of a degree in the coordinates, or where it
-/// is what L says of coordinates and time without velocities. Else, and where L is not quadratic in the
-/// velocities, L as it is.
+/// L without them: all of A where it is such a derivative; otherwise what is not linear in the coordinates,
+/// as beside a uniform magnetic field; otherwise those terms that have to do with their own coordinate and
+/// the time alone. b is found where a has degrees in the coordinates, and where L has it in terms of its own.
+/// Else, and where L is not quadratic in the velocities, L as it is.
 [[nodiscard]] Expression without_gauge_terms(const Lagrangian& lagrangian);
 
 }  // namespace qdot

@@ -73,7 +73,10 @@ TEST(Symmetries, AreNotHiddenByTotalDerivatives) {
   for (const char* derivative :
        {"y_dot*sin(t) + y*cos(t)", "y_dot*t^2 + 2*y*t", "exp(t)*(y_dot + y)", "cos(x)*x_dot",
         "cos(x)*sin(y)*x_dot + sin(x)*cos(y)*y_dot", "x^2*y*y_dot + x*y^2*x_dot",
-        "cos(x)*cos(t)*x_dot - sin(x)*sin(t)", "a*(x*y_dot - y*x_dot) + cos(x)*x_dot"}) {
+        "cos(x)*cos(t)*x_dot - sin(x)*sin(t)", "a*(x*y_dot - y*x_dot) + cos(x)*x_dot",
+        "a*(x*y_dot - y*x_dot) + t*x*y_dot + t*x_dot*y + x*y",
+        "a*(x*y_dot - y*x_dot) + x_dot*y*cos(x) + y_dot*sin(x)", "2*t*x*x_dot/(x^2 + 1) + log(x^2 + 1)",
+        "(1 + t)*cos(x + x*t)*x_dot + x*cos(x + x*t)"}) {
     const SymmetrySearch search =
         searched(std::string("(x_dot^2 + y_dot^2)/2 - (x^2 + y^2)^2 + ") + derivative);
     const bool turns = std::ranges::any_of(search.found, [](const Symmetry& one) {
