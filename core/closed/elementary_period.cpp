@@ -15,7 +15,7 @@ namespace {
 using Rewrite = std::function<std::optional<Expression>(Function, const Number& multiple)>;
 
 /// How often the way of w is gone: there and back, or twice where w is even in x.
-constexpr int possible_passes[]{2, 4};
+constexpr int there_and_back = 2, both_sides = 4;
 
 /// w by x: x itself, or |y| on one side of 0; or a function of y = part * argument, linear in x.
 struct Substitution {
@@ -70,15 +70,14 @@ class PeriodSearch {
     numbered.argument = substitute(w.argument, numbers_);
     const auto e = by_u(tried_, numbered);
     if (!e) return false;
-    if (fits(e)) return take(by_u(speed2_, w), w.kind);
+    if (fits(e)) return take(by_u(speed2_, w), w);
     if (!fits(by_square(*e))) return false;
     const auto all = by_u(speed2_, w);
-    return all && take(by_square(*all), w.kind);
+    return all && take(by_square(*all), w);
   }
 
   /// Where the potential has another form on each side of a place, as of two springs: there and back on both.
   bool try_both_sides(const Expression& argument) {
-    constexpr int there_and_back = 2;
     Expression sum = graph_.number(0);
     for (const int side : {1, -1}) {
       const auto e = by_side(argument, side);
@@ -252,12 +251,20 @@ class PeriodSearch {
     return above && below && is_root_integral(*above, *below);
   }
 
-  bool take(const std::optional<Expression>& e, Substitution::Kind kind) {
+  /// Whether the potential says the same on both sides, whatever the parameters.
+  [[nodiscard]] bool is_even(const Expression& argument) {
+    const auto right = by_side(argument, 1), left = by_side(argument, -1);
+    return right && left && rational_function(*right - *left).is_zero();
+  }
+
+  bool take(const std::optional<Expression>& e, const Substitution& w) {
     if (!e) return false;
     const auto [above, below] = sides(*e);
     if (!above || !below) return false;
-    const auto integral = kind == Substitution::Kind::one_side ? root_integral_from_zero : root_integral;
-    for (const int passes : possible_passes) {
+    const bool is_one_side = w.kind == Substitution::Kind::one_side;
+    const auto integral = is_one_side ? root_integral_from_zero : root_integral;
+    for (const int passes : {there_and_back, both_sides}) {
+      if (is_one_side && passes == both_sides && !is_even(w.argument)) continue;
       if (const auto period = integral(graph_, *above, *below, values_.sign_of(), passes))
         found_.push_back(*period);
     }

@@ -32,11 +32,16 @@ std::optional<GammaPeriod> gamma_period(const QuadratureProblem& problem, const 
   Graph& graph = *values.graph();
   const Expression& x = problem.x;
   if (depends_on(problem.inertia, x)) return std::nullopt;
-  const Replacement one_side{graph.call(Function::abs, x), x};
-  const RationalFunction u = rational_function(substitute(problem.potential, {&one_side, 1}));
+  const auto on_side = [&](int side) {
+    const Expression sign = graph.number(Number(side));
+    const std::vector<Replacement> there{
+        {graph.call(Function::abs, x), x}, {graph.call(Function::sign, x), sign}, {x, sign * x}};
+    return substitute(problem.potential, there);
+  };
+  const RationalFunction u = rational_function(on_side(1));
   const int n = highest_power(u.above, x);
-  const bool is_even = n % 2 == 0 || depends_on(problem.potential, one_side.first);
-  if (n < 3 || !is_even || depends_on(to_expression(graph, u.below), x)) return std::nullopt;
+  if (n < 3 || depends_on(to_expression(graph, u.below), x)) return std::nullopt;
+  if (!rational_function(on_side(1) - on_side(-1)).is_zero()) return std::nullopt;
   const auto parts = linear_in(graph, u.above, x, x, n);
   if (!parts) return std::nullopt;
   const Expression below = to_expression(graph, u.below);

@@ -170,6 +170,14 @@ class ExactPeriods(Service):
             numbers = {"m": 1.3, "k1": 2, "k2": 3, "sqrt": mpmath.sqrt, "acos": mpmath.acos, "pi": mpmath.pi}
             self.assertAlmostEqual(found["period"], float(eval(by_hand, numbers)), delta=1e-13)  # noqa: S307
 
+    def test_sides_with_equal_numbers_keep_their_names(self):
+        for potential, period in (("(a*(x + abs(x))^2 + b*(x - abs(x))^2)/8", "pi*(sqrt(m/a) + sqrt(m/b))"),
+                                  ("(a + b)*abs(x) + (a - b)*x", "(1/a + 1/b)*sqrt(2*m*h)"),
+                                  ("a*x^2*(1 + sign(x)) + b*x^2*(1 - sign(x))", "1/2*pi*(sqrt(m/a) + sqrt(m/b))"),
+                                  ("a*(x + abs(x))^4 + b*(x - abs(x))^4", None), ("a*(x + abs(x))^6 + b*(x - abs(x))^6", None)):
+            found = self.ask("turning_points", {"system": lagrangian("alike", "m - 1.5; a - 2; b - 2", "x - 0.4", f"m*x_dot^2/2 - ({potential})")})
+            self.assertEqual(found["exact"].get("period", {}).get("text"), period, potential)
+
     def test_none_is_claimed_where_it_is_no_such_integral(self):
         for system in NOT_ELEMENTARY:
             self.assertNotIn("period", self.ask("turning_points", {"system": system}).get("exact", {}), system)
