@@ -124,8 +124,10 @@ void EventSearch::look_along(std::size_t event, double until, bool is_last, bool
     const auto [series, length] = told_series(event, from, left, until * shortest_piece);
     const bool is_end = !(length < left);
     const bool nearly_ends = is_last && is_end && !is_met;
-    const ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off};
-    if (is_terminal)
+    const ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off, is_told(series)};
+    if (series.is_nowhere)
+      approaches_.leave(event);
+    else if (is_terminal)
       approaches_.look(g, polynomial_, nearly_ends);
     else
       approaches_.look_at_both_sides(g, polynomial_, nearly_ends);
@@ -139,10 +141,14 @@ std::pair<EventSearch::UnitSeries, double> EventSearch::told_series(std::size_t 
                                                                     double length, double shortest) {
   for (;; length /= 2) {
     UnitSeries series = finite_series(event, polynomial_.piece(from, length));
-    double size = 0;
-    for (const double c : series.in_whole()) size += std::abs(c);
-    if (series.off <= well_known * size || !(length > shortest)) return {std::move(series), length};
+    if (is_told(series) || !(length > shortest)) return {std::move(series), length};
   }
+}
+
+bool EventSearch::is_told(const UnitSeries& series) {
+  double size = 0;
+  for (const double c : series.in_whole()) size += std::abs(c);
+  return series.off <= well_known * size;
 }
 
 /// That g has had before the step's event, which it has met there or not.

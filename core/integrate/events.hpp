@@ -114,6 +114,7 @@ class EventSearch {
   void look_along(std::size_t event, double until, bool is_last, bool is_met);
   [[nodiscard]] std::pair<UnitSeries, double> told_series(std::size_t event, double from, double length,
                                                           double shortest);
+  [[nodiscard]] static bool is_told(const UnitSeries& series);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   [[nodiscard]] bool is_bounded_around(std::size_t event, const SignChange& place);
   void report(Stepper& stepper, std::vector<Zero> zeros, Found& found);
