@@ -62,7 +62,18 @@ bool ApproachSearch::is_near(std::size_t event, double lower, double upper) {
   return is_near;
 }
 
+/// In a step in which g comes into its domain nothing is known of it as a whole.
+void ApproachSearch::widen_reach(const Along& g) {
+  double& reach = of_events_[g.event].reach;
+  const auto widen = [&](double value) {
+    if (std::isfinite(value)) reach = std::max(reach, std::abs(value));
+  };
+  widen(g.c[0]);
+  if (g.is_told) widen(sum_at(1, g.c));
+}
+
 void ApproachSearch::look(const Along& g, StepPolynomial& step, bool is_last) {
+  widen_reach(g);
   const Slopes slopes(g);
   constexpr double before = 1 - of_coefficients;  // what is met at the end is not nearly met
   int slope = of_events_[g.event].slope;
@@ -82,6 +93,7 @@ void ApproachSearch::look(const Along& g, StepPolynomial& step, bool is_last) {
 /// Where g turns it is on the side to which it turns back, or past zero by no more than is seen.
 void ApproachSearch::look_at_both_sides(Along g, StepPolynomial& step, bool is_last) {
   g.sign = 1;
+  widen_reach(g);
   const Slopes slopes(g);
   const auto note_turn = [&](double place, int sign) {
     g.sign = sign;

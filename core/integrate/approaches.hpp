@@ -65,6 +65,7 @@ class ApproachSearch {
     int slope{};     ///< the sign of |g|' where the step before ended; 0 where that does not count. Of an
                      ///< event that does not end the run that of g'.
   };
+  void widen_reach(const Along& g);
   void pass_slowly(const Along& g, StepPolynomial& step);
   void add(Approach approach, StepPolynomial& step);
   static void set_rows(Approach& approach, StepPolynomial& step);
