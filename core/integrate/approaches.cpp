@@ -95,8 +95,10 @@ void ApproachSearch::look_at_both_sides(Along g, StepPolynomial& step, bool is_l
   g.sign = 1;
   widen_reach(g);
   const Slopes slopes(g);
+  const bool is_told = g.is_told, was_told = std::exchange(of_events_[g.event].is_told, is_told);
   const auto note_turn = [&](double place, int sign) {
     g.sign = sign;
+    g.is_told = is_told && (place > 0 || was_told);
     note(g, step, place, sign * sum_at(place, g.c), {});
   };
   int slope = of_events_[g.event].slope;

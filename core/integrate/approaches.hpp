@@ -61,9 +61,10 @@ class ApproachSearch {
 
  private:
   struct OfEvent {
-    double reach{};  ///< the largest |g|
-    int slope{};     ///< the sign of |g|' where the step before ended; 0 where that does not count. Of an
-                     ///< event that does not end the run that of g'.
+    double reach{};      ///< the largest |g|
+    int slope{};         ///< the sign of |g|' where the step before ended; 0 where that does not count. Of an
+                         ///< event that does not end the run that of g'.
+    bool is_told{true};  ///< that slope
   };
   void widen_reach(const Along& g);
   void pass_slowly(const Along& g, StepPolynomial& step);

@@ -224,17 +224,31 @@ double EventSearch::hidden_before(std::size_t event, double t, int sign) const {
   return hidden > of_doubt * time_round_off(t) ? hidden : 0;
 }
 
-/// Between pieces of one sign g may be anything where it has none that is seen.
+/// Between pieces of one sign g may be anything where it has none that is seen, but for a pole.
 void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces) {
   const Piece* before = nullptr;
   for (const Piece& piece : pieces) {
     if (piece.is_nowhere) before = nullptr;
     if (piece.sign == 0) continue;
-
-    if (before != nullptr && before->sign == piece.sign && before->to < piece.from)
+    const bool is_hidden = before != nullptr && before->sign == piece.sign && before->to < piece.from;
+    if (is_hidden && !is_pole_between(event, before->to, piece.from))
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
   }
+}
+
+/// Of an event that is reported only.
+bool EventSearch::is_pole_between(std::size_t event, double from, double to) {
+  if (request_.events[event].terminal) return false;
+  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
+  const auto g = [&](double t) {
+    const MotionPiece there = polynomial_.piece(t - begin, h);
+    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = there.rows[i * (there.order + 1)];
+    return request_.events[event].value(t, y_);
+  };
+  const double before = begin + from, after = begin + to;
+  const SignChange place{before, g(before), after, g(after)};
+  return !is_bounded_around(event, place) && grows_towards(g, place, begin, begin + h);
 }
 
 /// g was zero at t_start, but its number past that, and has not been on the side before it since then.

@@ -37,7 +37,8 @@ class DomainsOfEvents(Service):
 
     def test_where_a_function_has_no_value_or_a_pole_its_events_are_not_in_doubt(self):
         shapes = ("sqrt(x - ({a})) - {c}", "sqrt({a} - x) - {c}", "log(x - ({a})) + {c}", "(x - ({a}))^1.5 - {c}",
-                  "tan({w}*x) - ({d})", "1/(x - ({a})) - ({d})", "asin(x - ({a})) - {c}")
+                  "tan({w}*x) - ({d})", "1/(x - ({a})) - ({d})", "asin(x - ({a})) - {c}", "1/(x - ({a}))^2 - ({d})", "tan({w}*x)^2 - {c}",
+                  "abs(x - ({a}))^(-0.5) - {c}")
         for source, square, x, v, amplitude in self.motions(1, 15):
             for shape in shapes:
                 a = f"{source.uniform(-0.9, 0.9) * float(amplitude):.3f}"
