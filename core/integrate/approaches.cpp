@@ -12,6 +12,7 @@ namespace {
 constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
+constexpr double part_beside = 0.125;  ///< of a piece: what is a minimum over that counts
 
 double sum_at(double s, std::span<const double> c) {
   double sum = 0;
@@ -61,7 +62,18 @@ bool ApproachSearch::is_near(std::size_t event, double lower, double upper) {
   return is_near;
 }
 
+/// In a step in which g comes into its domain nothing is known of it as a whole.
+void ApproachSearch::widen_reach(const Along& g) {
+  double& reach = of_events_[g.event].reach;
+  const auto widen = [&](double value) {
+    if (std::isfinite(value)) reach = std::max(reach, std::abs(value));
+  };
+  widen(g.c[0]);
+  if (g.is_told) widen(sum_at(1, g.c));
+}
+
 void ApproachSearch::look(const Along& g, StepPolynomial& step, bool is_last) {
+  widen_reach(g);
   const Slopes slopes(g);
   constexpr double before = 1 - of_coefficients;  // what is met at the end is not nearly met
   int slope = of_events_[g.event].slope;
@@ -81,9 +93,12 @@ void ApproachSearch::look(const Along& g, StepPolynomial& step, bool is_last) {
 /// Where g turns it is on the side to which it turns back, or past zero by no more than is seen.
 void ApproachSearch::look_at_both_sides(Along g, StepPolynomial& step, bool is_last) {
   g.sign = 1;
+  widen_reach(g);
   const Slopes slopes(g);
+  const bool is_told = g.is_told, was_told = std::exchange(of_events_[g.event].is_told, is_told);
   const auto note_turn = [&](double place, int sign) {
     g.sign = sign;
+    g.is_told = is_told && (place > 0 || was_told);
     note(g, step, place, sign * sum_at(place, g.c), {});
   };
   int slope = of_events_[g.event].slope;
@@ -138,7 +153,27 @@ void ApproachSearch::note(const Along& g, StepPolynomial& step, double s, double
   const double reach = of_events_[g.event].reach;
   if (!(std::abs(value) <= near_zero * reach) || value < -unseen * g.off) return;
   const double t = step.whole().t + g.from + s * g.length;
-  add({.event = g.event, .t = t, .met = met, .sign = g.sign, .distance = std::abs(value)}, step);
+  Approach approach{.event = g.event, .t = t, .met = met, .sign = g.sign, .distance = std::abs(value)};
+  if (!g.is_told && !request_.events[g.event].terminal) {
+    set_rows(approach, step);
+    if (!takes_own_sign(approach, part_beside * g.length, s == 1)) return;
+  }
+  add(std::move(approach), step);
+}
+
+/// Where coefficients do not tell, as beside a pole or the end of a root's domain, values do: false where g
+/// has none, or is nearer to zero beside that place.
+bool ApproachSearch::takes_own_sign(Approach& approach, double beside, bool is_end) const {
+  const auto value_at = [&](double s) {
+    return request_.events[approach.event].value(approach.t + s, approach.state_at(s));
+  };
+  const double value = value_at(0), before = value_at(-beside), after = is_end ? value : value_at(beside);
+  if (!std::isfinite(value)) return false;
+  const auto is_nearer = [&](double other) { return other * value > 0 && std::abs(other) < std::abs(value); };
+  if (is_nearer(before) || is_nearer(after)) return false;
+  approach.distance = std::abs(value);
+  if (value != 0) approach.sign = value > 0 ? 1 : -1;
+  return true;
 }
 
 void ApproachSearch::doubt(const Along& g, StepPolynomial& step) {
@@ -155,9 +190,10 @@ void ApproachSearch::ask_condition(std::size_t event, StepPolynomial& step, doub
       step);
 }
 
-void ApproachSearch::add(Approach approach, StepPolynomial& step) {
+void ApproachSearch::set_rows(Approach& approach, StepPolynomial& step) {
   const MotionPiece& whole = step.whole();
   approach.h = whole.h;
+  approach.rows.clear();
   const double end = whole.t + (1 + beyond_step) * whole.h;
   const bool is_beyond = approach.t > end;
   const MotionPiece there = step.piece((is_beyond ? *approach.met : approach.t) - whole.t, whole.h);
@@ -168,6 +204,10 @@ void ApproachSearch::add(Approach approach, StepPolynomial& step) {
     approach.rows.resize(approach.rows.size() + Approach::order - order);
   }
   if (is_beyond) approach.shift(approach.t - *approach.met);
+}
+
+void ApproachSearch::add(Approach approach, StepPolynomial& step) {
+  set_rows(approach, step);
   const EventFunction& event = request_.events[approach.event];
   const bool counts =
       approach.is_condition || !event.condition || event.condition(approach.t, approach.state_at(0)) > 0;

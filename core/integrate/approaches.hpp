@@ -39,12 +39,15 @@ class ApproachSearch {
     int sign{};                 ///< that g has had up to there
     std::span<const double> c;  ///< coefficients
     double off{};               ///< what g may be away from it
+    bool is_told{true};         ///< small beside its coefficients
   };
   /// Of a step's pieces, one after the other; `is_last`: the run ends with this one, by another event.
   void look(const Along& g, StepPolynomial& step, bool is_last);
   /// The same of an event that does not end the run; g may have been met in the step: its sign does not
   /// count.
   void look_at_both_sides(Along g, StepPolynomial& step, bool is_last);
+  /// g has no value in what follows.
+  void leave(std::size_t event) { of_events_[event].slope = 0; }
   /// The event was met where the piece begins.
   void pass(const Along& g, StepPolynomial& step);
 
@@ -58,12 +61,16 @@ class ApproachSearch {
 
  private:
   struct OfEvent {
-    double reach{};  ///< the largest |g|
-    int slope{};     ///< the sign of |g|' where the step before ended; 0 where that does not count. Of an
-                     ///< event that does not end the run that of g'.
+    double reach{};      ///< the largest |g|
+    int slope{};         ///< the sign of |g|' where the step before ended; 0 where that does not count. Of an
+                         ///< event that does not end the run that of g'.
+    bool is_told{true};  ///< that slope
   };
+  void widen_reach(const Along& g);
   void pass_slowly(const Along& g, StepPolynomial& step);
   void add(Approach approach, StepPolynomial& step);
+  static void set_rows(Approach& approach, StepPolynomial& step);
+  [[nodiscard]] bool takes_own_sign(Approach& approach, double beside, bool is_end) const;
   void note(const Along& g, StepPolynomial& step, double s, double value, std::optional<double> met);
 
   const RunRequest& request_;

@@ -124,8 +124,10 @@ void EventSearch::look_along(std::size_t event, double until, bool is_last, bool
     const auto [series, length] = told_series(event, from, left, until * shortest_piece);
     const bool is_end = !(length < left);
     const bool nearly_ends = is_last && is_end && !is_met;
-    const ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off};
-    if (is_terminal)
+    const ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off, is_told(series)};
+    if (series.is_nowhere)
+      approaches_.leave(event);
+    else if (is_terminal)
       approaches_.look(g, polynomial_, nearly_ends);
     else
       approaches_.look_at_both_sides(g, polynomial_, nearly_ends);
@@ -139,10 +141,14 @@ std::pair<EventSearch::UnitSeries, double> EventSearch::told_series(std::size_t 
                                                                     double length, double shortest) {
   for (;; length /= 2) {
     UnitSeries series = finite_series(event, polynomial_.piece(from, length));
-    double size = 0;
-    for (const double c : series.in_whole()) size += std::abs(c);
-    if (series.off <= well_known * size || !(length > shortest)) return {std::move(series), length};
+    if (is_told(series) || !(length > shortest)) return {std::move(series), length};
   }
+}
+
+bool EventSearch::is_told(const UnitSeries& series) {
+  double size = 0;
+  for (const double c : series.in_whole()) size += std::abs(c);
+  return series.off <= well_known * size;
 }
 
 /// That g has had before the step's event, which it has met there or not.
@@ -218,17 +224,31 @@ double EventSearch::hidden_before(std::size_t event, double t, int sign) const {
   return hidden > of_doubt * time_round_off(t) ? hidden : 0;
 }
 
-/// Between pieces of one sign g may be anything where it has none that is seen.
+/// Between pieces of one sign g may be anything where it has none that is seen, but for a pole.
 void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces) {
   const Piece* before = nullptr;
   for (const Piece& piece : pieces) {
     if (piece.is_nowhere) before = nullptr;
     if (piece.sign == 0) continue;
-
-    if (before != nullptr && before->sign == piece.sign && before->to < piece.from)
+    const bool is_hidden = before != nullptr && before->sign == piece.sign && before->to < piece.from;
+    if (is_hidden && !is_pole_between(event, before->to, piece.from))
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
   }
+}
+
+/// Of an event that is reported only.
+bool EventSearch::is_pole_between(std::size_t event, double from, double to) {
+  if (request_.events[event].terminal) return false;
+  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
+  const auto g = [&](double t) {
+    const MotionPiece there = polynomial_.piece(t - begin, h);
+    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = there.rows[i * (there.order + 1)];
+    return request_.events[event].value(t, y_);
+  };
+  const double before = begin + from, after = begin + to;
+  const SignChange place{before, g(before), after, g(after)};
+  return !is_bounded_around(event, place) && grows_towards(g, place, begin, begin + h);
 }
 
 /// g was zero at t_start, but its number past that, and has not been on the side before it since then.

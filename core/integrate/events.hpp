@@ -84,6 +84,7 @@ class EventSearch {
   void walk(std::size_t event, std::vector<Crossed>& crossed);
   [[nodiscard]] double hidden_before(std::size_t event, double t, int sign) const;
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
+  [[nodiscard]] bool is_pole_between(std::size_t event, double from, double to);
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
   [[nodiscard]] std::size_t changes_of_sign(std::span<const Piece> pieces);
@@ -114,6 +115,7 @@ class EventSearch {
   void look_along(std::size_t event, double until, bool is_last, bool is_met);
   [[nodiscard]] std::pair<UnitSeries, double> told_series(std::size_t event, double from, double length,
                                                           double shortest);
+  [[nodiscard]] static bool is_told(const UnitSeries& series);
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   [[nodiscard]] bool is_bounded_around(std::size_t event, const SignChange& place);
   void report(Stepper& stepper, std::vector<Zero> zeros, Found& found);

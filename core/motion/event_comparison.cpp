@@ -198,11 +198,32 @@ std::optional<EventError> EventComparison::of_stop() {
     error = std::max(error.value_or(0), safety_of_differences * std::abs(other.stop->t - stop.t));
   }
   if (!error) return std::nullopt;
+  const std::vector<SectionRecord>& impacts = motion_.simulation.sections;
+  const bool is_broken =
+      !impacts.empty() && impacts.back().t == stop.t && of_state_.breaks(impacts.back(), stop, of_state);
   auto least = accumulates ? of_accumulation(of_state, of_rows)
+               : is_broken ? of_breaking_impact(of_state, *error)
                            : of_state_.of(stop, motion_.simulation.y, of_state, *error);
   if (!least || !std::isfinite(least->time)) return std::nullopt;
   least->time = std::max(least->time, *error);
   return least;
+}
+
+/// What an impact breaks by far ends when the impact happens.
+std::optional<EventError> EventComparison::of_breaking_impact(std::span<const double> of_state,
+                                                              double at_least) {
+  const Simulation& motion = motion_.simulation;
+  for (const std::size_t impact : motion.sections.back().impacts) {
+    const std::string& name = motion_.dynamics.model().parsed.impacts[impact].event;
+    const auto event =
+        std::ranges::find_if(motion.events.rbegin(), motion.events.rend(),
+                             [&](const EventRecord& e) { return e.name == name && e.t == motion.stop->t; });
+    if (event == motion.events.rend() || event->is_in_doubt) return std::nullopt;
+    const auto own = of_state_.of(*event, of_state, scale_);
+    if (!own) return std::nullopt;
+    at_least = std::max(at_least, own->time);
+  }
+  return of_state_.at(motion.stop->t, motion.y, of_state, at_least);
 }
 
 /// Flights may be shorter than the errors of their impacts.

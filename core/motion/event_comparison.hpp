@@ -59,6 +59,8 @@ class EventComparison {
   [[nodiscard]] bool is_small(std::span<const double> errors) const;
   [[nodiscard]] std::optional<EventError> of_accumulation(std::span<const double> of_state,
                                                           std::span<const double> of_rows);
+  [[nodiscard]] std::optional<EventError> of_breaking_impact(std::span<const double> of_state,
+                                                             double at_least);
   [[nodiscard]] std::optional<double> accumulation_error(std::span<const double> of_state);
 
   const ComputedMotion& motion_;

@@ -48,23 +48,43 @@ std::optional<EventError> EventErrors::of(const Stop& stop, std::span<const doub
   const auto distance = [&](const Watch& watch) { return std::abs(watch.value(stop.t, y)); };
   for (const Watch& watch : watches_) {
     const bool fits = watch.reason == stop.reason && watch.message == stop.message;
-    if (fits && stop.t == t_start_ && is_away_from_zero(watch, stop.t, y, errors))
+    if (fits && stop.t == t_start_ && sign_of(watch, stop.t, y, errors) != 0)
       return EventError{at_least, {errors.begin(), errors.end()}};
     if (fits && (ended == nullptr || distance(watch) < distance(*ended))) ended = &watch;
   }
   return ended == nullptr ? std::nullopt : of(*ended, stop.t, y, errors, scale_, at_least);
 }
 
-/// As a condition is that does not hold at the start: by no error of the state the motion goes on.
-bool EventErrors::is_away_from_zero(const Watch& watch, double t, std::span<const double> y,
-                                    std::span<const double> errors) {
+std::optional<EventError> EventErrors::at(double t, std::span<const double> y, std::span<const double> errors,
+                                          double time) {
+  Place place{t, y, accelerations(t, y), {errors.begin(), errors.end()}};
+  if (!std::ranges::all_of(place.accelerations, [](double a) { return std::isfinite(a); }))
+    return std::nullopt;
+  for (std::size_t k = 0; k < y.size(); ++k)
+    place.errors[k] += rounding_of_values * std::max(scale_[k], std::abs(y[k]));
+  return with_state(time, std::move(place));
+}
+
+bool EventErrors::breaks(const SectionRecord& impact, const Stop& stop,
+                         std::span<const double> errors) const {
+  return std::ranges::any_of(watches_, [&](const Watch& watch) {
+    return watch.reason == stop.reason && watch.message == stop.message &&
+           sign_of(watch, impact.t, impact.before, errors) > 0 &&
+           sign_of(watch, impact.t, impact.after, errors) < 0;
+  });
+}
+
+/// 0 where errors do not leave it one. A condition that has one at the start does not hold: by no error of
+/// the state the motion goes on.
+int EventErrors::sign_of(const Watch& watch, double t, std::span<const double> y,
+                         std::span<const double> errors) {
   std::vector<Interval> state;
   for (std::size_t k = 0; k < y.size(); ++k) {
     const double error = errors[k] + rounding_of_values * std::abs(y[k]);
     state.emplace_back(y[k] - error, y[k] + error);
   }
   const Interval value = watch.enclosure(t, state);
-  return value.lower > 0 || value.upper < 0;
+  return value.lower > 0 ? 1 : value.upper < 0 ? -1 : 0;
 }
 
 std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::span<const double> y,

@@ -37,13 +37,19 @@ class EventErrors {
   /// `at_least` so much.
   [[nodiscard]] std::optional<EventError> of(const Stop& stop, std::span<const double> y,
                                              std::span<const double> errors, double at_least);
+  /// Of any place of the motion whose time may be off by so much.
+  [[nodiscard]] std::optional<EventError> at(double t, std::span<const double> y,
+                                             std::span<const double> errors, double time);
+  /// Whether what stops the motion held before that impact and does not after it, by more than these errors.
+  [[nodiscard]] bool breaks(const SectionRecord& impact, const Stop& stop,
+                            std::span<const double> errors) const;
 
  private:
   [[nodiscard]] std::optional<EventError> of(const Watch& watch, double t, std::span<const double> y,
                                              std::span<const double> errors, std::span<const double> reached,
                                              double at_least = 0);
-  [[nodiscard]] static bool is_away_from_zero(const Watch& watch, double t, std::span<const double> y,
-                                              std::span<const double> errors);
+  [[nodiscard]] static int sign_of(const Watch& watch, double t, std::span<const double> y,
+                                   std::span<const double> errors);
   /// A motion at t with its accelerations, and bounds of what its components may be off there.
   struct Place {
     double t{};

@@ -6,6 +6,7 @@
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/events.hpp"
 #include "core/motion/apart_along.hpp"
+#include "core/motion/conditions_after_impact.hpp"
 #include "core/motion/impacts_along.hpp"
 #include "core/motion/many_pieces.hpp"
 #include "core/motion/motion_sections.hpp"
@@ -350,7 +351,17 @@ class Simulator {
     doubt_instant(end, passed, std::max({time_round_off(end.t), passed.within, late}));
     apart_.pass(std::move(end));
     doubt_begin();
+    note_conditions();
     return true;
+  }
+
+  void note_conditions() {
+    if (!request_.notes_approaches) return;
+    for (Approach& place : conditions_near_zero(sections_, result_.sections.back())) {
+      place.apart = apart_.at_end();
+      place.unseen = unseen_.so_far();
+      result_.approaches.push_back(sections_.approach(std::move(place), result_.t));
+    }
   }
 
   /// The motion may go on for so long as each of several impacts has left it.

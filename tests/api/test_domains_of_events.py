@@ -1,0 +1,65 @@
+"""Events whose functions have no value, or a pole, somewhere along an oscillation x(t) = A cos(omega t - phi). Beside such a
+place nothing is in doubt; where x turns as near to an event as the motion's error, it is, in the step in which the function
+gets its first values, too."""
+
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+import mpmath
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mpmath.mp.dps = 40
+mpf = mpmath.mpf
+OPTIONS = ({}, {"method": "erk"}, {"accuracy": "fast"}, {"max_error": 1e-9}, {"method": "bdf"})
+NEAR = "comes as near to"
+ROOTS = {"sqrt(x - ({a}))": lambda x, a: mpmath.sqrt(x - a), "(x - ({a}))^1.5": lambda x, a: (x - a)**mpf("1.5"),
+         "log(x - ({a}))": lambda x, a: mpmath.log(x - a)}
+
+
+class DomainsOfEvents(Service):
+    def reason(self, square, x, v, end, function, **options):
+        scene = lagrangian("oscillator", "", f"x - {x} {v}", f"x_dot^2/2 - {square}*x^2/2", events=[{"name": "e", "expression": function}])
+        del scene["parameters"]
+        answer = self.ask("simulate", {"system": scene, "t_end": end, "samples": 3, "events": ["e"], **options})
+        return answer["accuracy"].get("reason", ""), answer["events"]
+
+    def motions(self, seed, cases):
+        source = random.Random(seed)
+        for _ in range(cases):
+            square, x, v = (f"{source.uniform(*ends):.3f}" for ends in ((1, 6), (-1.5, 1.5), (-2, 2)))
+            yield source, square, x, v, mpmath.sqrt(mpf(x)**2 + mpf(v)**2/mpf(square))
+
+    def test_where_a_function_has_no_value_or_a_pole_its_events_are_not_in_doubt(self):
+        shapes = ("sqrt(x - ({a})) - {c}", "sqrt({a} - x) - {c}", "log(x - ({a})) + {c}", "(x - ({a}))^1.5 - {c}",
+                  "tan({w}*x) - ({d})", "1/(x - ({a})) - ({d})", "asin(x - ({a})) - {c}", "1/(x - ({a}))^2 - ({d})", "tan({w}*x)^2 - {c}",
+                  "abs(x - ({a}))^(-0.5) - {c}")
+        for source, square, x, v, amplitude in self.motions(1, 15):
+            for shape in shapes:
+                a = f"{source.uniform(-0.9, 0.9) * float(amplitude):.3f}"
+                c, w, d = f"{10 ** source.uniform(-3, -0.3):.4f}", f"{source.uniform(2, 15):.3f}", f"{source.uniform(-2, 2):.3f}"
+                function, end, options = shape.format(a=a, c=c, w=w, d=d), round(source.uniform(1, 6), 2), source.choice(OPTIONS)
+                with self.subTest(function, square=square, x=x, v=v, end=end, **options):
+                    self.assertNotIn(NEAR, self.reason(square, x, v, end, function, **options)[0])
+
+    def test_where_the_motion_turns_at_an_event_it_is_in_doubt(self):
+        for source, square, x, v, amplitude in self.motions(2, 15):
+            a = f"{source.uniform(-0.9, 0.8) * float(amplitude):.3f}"
+            turn = (mpmath.atan2(mpf(v)/mpmath.sqrt(mpf(square)), mpf(x)) % (2*mpmath.pi))/mpmath.sqrt(mpf(square))
+            for shape, value in ROOTS.items():
+                off = mpf(source.choice(("1e-17", "-1e-17", "1e-18", "-1e-18")))
+                function = shape.format(a=a) + f" - ({mpmath.nstr(value(amplitude + off, mpf(a)), 30)})"
+                for options in OPTIONS:
+                    with self.subTest(function, square=square, x=x, v=v, **options):
+                        reason, events = self.reason(square, x, v, math.ceil(turn + mpf("0.1")), function, **options)
+                        no_error = [event for event in events if event["error"] is None]
+                        self.assertTrue(NEAR in reason or "how often it happens" in reason or len(no_error) == 2, (reason, events))
+
+
+if __name__ == "__main__":
+    unittest.main()
