@@ -70,7 +70,7 @@ class ConditionsBrokenByImpacts(Service):
                 for options in OPTIONS:
                     with self.subTest(h=height, g=gravity, e=restitution, off=off, **options):
                         condition = f"{mpmath.nstr(speed - mpf(off), 30)} - x_dot"
-                        answer = self.bounce(height, gravity, restitution, condition, float(speed/mpf(gravity)*3), options)
+                        answer = self.bounce(height, gravity, restitution, condition, float(speed/mpf(gravity)*(1 + 1/mpf(restitution))), options)
                         why = answer["accuracy"].get("reason", "")
                         self.assertTrue("stop" in answer or "as near to 'slow'" in why or "computation stopped" in why, answer)
 
