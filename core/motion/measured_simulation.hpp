@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/events_in_doubt.hpp"
 #include "core/motion/simulation.hpp"
 
 namespace qdot {
@@ -30,7 +31,7 @@ struct MeasuredSimulation {
   std::optional<double> horizon;
   std::optional<bool> meets_request;  ///< no value where no error was wanted
   std::string reason;                 ///< why the error is not known, or not met
-  std::string events_in_doubt;        ///< why there may be more or fewer of them; empty: there are not
+  EventsInDoubt events_in_doubt;
   /// Whether nothing lies hidden between the places that the computations looked at: every step of all of
   /// them has a bound of its defect. An error without it is what the places looked at say.
   bool bounded{false};

@@ -85,7 +85,8 @@ void Measurement::measure(GivesUp gives_up) {
   contradicts_ = false;
   doubt_ = 0;
   event_rows_.emplace(grid_.t, result_.simulation);
-  result_.events_in_doubt = event_lost_in_rounding(motion());
+  result_.events_in_doubt = {};
+  result_.events_in_doubt.add(events_lost_in_rounding(motion()));
   expected_excess_.reset();
   const bool is_near = motion().is_near_round_off();
   std::optional<Simulation> sharper;
@@ -185,7 +186,7 @@ bool Measurement::can_be_checked_by(const Simulation& other) {
     result_.reason = reason;
     return false;
   }
-  if (result_.events_in_doubt.empty()) result_.events_in_doubt = differing_events(motion(), other);
+  result_.events_in_doubt.add(differing_events(motion(), other));
   if (result_.simulation.stop && ended_well(other.ending) && !other.stop) {
     result_.reason = accuracy_reasons::went_on;
   }
@@ -199,13 +200,11 @@ void Measurement::state(const std::vector<Simulation>& others) {
     return;
   }
   RowComparison comparison = compare(motion(), others, doubt_);
-  if (result_.events_in_doubt.empty())
-    result_.events_in_doubt = event_that_may_happen(motion(), comparison.near_events);
+  result_.events_in_doubt.add(events_that_may_happen(motion(), comparison.near_events));
   OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);
-  if (result_.events_in_doubt.empty())
-    result_.events_in_doubt = event_lost_in_errors(motion(), result_.max_abs_error);
+  result_.events_in_doubt.add(events_lost_in_errors(motion(), result_.max_abs_error));
   result_.event_errors = std::move(comparison.event_errors);
   result_.stop_error = comparison.stop_error;
   result_.horizon = comparison.horizon && rests_within_rounding() ? std::nullopt : comparison.horizon;

@@ -233,7 +233,7 @@ const char* not_comparable(const ComputedMotion& motion, const Simulation& check
   return "The second computation, which would have measured the error, did not come to its end.";
 }
 
-std::string differing_events(const ComputedMotion& motion, const Simulation& check) {
+std::vector<EventDoubt> differing_events(const ComputedMotion& motion, const Simulation& check) {
   const double end = std::min(motion.simulation.t, check.t), span = end - motion.request.t_start;
   const auto count = [&](const Simulation& simulation, const std::string& name) {
     return std::ranges::count_if(simulation.events, [&](const EventRecord& event) {
@@ -242,13 +242,15 @@ std::string differing_events(const ComputedMotion& motion, const Simulation& che
       return event.name == name && !is_at_an_end;
     });
   };
+  std::vector<EventDoubt> found;
   for (const std::string& name : events_compared(motion)) {
     const auto own = count(motion.simulation, name), others = count(check, name);
     if (own == others) continue;
-    return "The second computation meets " + name + " " + std::to_string(others) + " times, this one " +
-           std::to_string(own) + " times: how often it happens is no more certain than the errors allow.";
+    found.push_back({name, "The second computation meets " + name + " " + std::to_string(others) +
+                               " times, this one " + std::to_string(own) +
+                               " times: how often it happens is no more certain than the errors allow."});
   }
-  return {};
+  return found;
 }
 
 SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {

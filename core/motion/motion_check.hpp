@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/motion/computed_motion.hpp"
+#include "core/motion/events_in_doubt.hpp"
 
 namespace qdot {
 
@@ -30,9 +31,9 @@ namespace qdot {
 [[nodiscard]] const char* not_comparable(const ComputedMotion& motion, const Simulation& check);
 
 /// Which impact a check meets more or less often than the motion, or which event, where it looks for them, in
-/// a sentence; empty: none. Checks look where the method's steps hide more than its error, or where that is
+/// a sentence. Checks look where the method's steps hide more than its error, or where that is
 /// large: the motion may come so near to an event that it happens in one and not in the other.
-[[nodiscard]] std::string differing_events(const ComputedMotion& motion, const Simulation& check);
+[[nodiscard]] std::vector<EventDoubt> differing_events(const ComputedMotion& motion, const Simulation& check);
 
 struct SharperMotion {
   std::optional<Simulation> simulation;  ///< rows of states alone, the last ones may be missing

@@ -185,12 +185,15 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
   return result;
 }
 
-std::string event_that_may_happen(const ComputedMotion& motion, std::span<const ApproachAsTold> near_events) {
+std::vector<EventDoubt> events_that_may_happen(const ComputedMotion& motion,
+                                               std::span<const ApproachAsTold> near_events) {
+  std::vector<EventDoubt> found;
   for (const ApproachAsTold& near : near_events) {
-    if (Fork(motion, near).is_open())
-      return place_in_words(near.approach) + ": whether it happens there cannot be told.";
+    const std::string& name = near.approach.name;
+    if (std::ranges::find(found, name, &EventDoubt::event) == found.end() && Fork(motion, near).is_open())
+      found.push_back({name, place_in_words(near.approach) + ": whether it happens there cannot be told."});
   }
-  return {};
+  return found;
 }
 
 /// Computations that have gone both ways differ without others, too.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/events_in_doubt.hpp"
 #include "core/motion/motion_check.hpp"
 #include "core/motion/motion_comparison.hpp"
 #include "core/numerics/constants.hpp"
@@ -40,10 +41,9 @@ struct OtherWays {
 /// The same of kinks.
 [[nodiscard]] std::string several_kinks_at_once(double t);
 
-/// A sentence on the first event that the errors allow to happen where the motion nearly meets it; empty
-/// where there is none.
-[[nodiscard]] std::string event_that_may_happen(const ComputedMotion& motion,
-                                                std::span<const ApproachAsTold> near_events);
+/// The events that the errors allow to happen where the motion nearly meets them.
+[[nodiscard]] std::vector<EventDoubt> events_that_may_happen(const ComputedMotion& motion,
+                                                             std::span<const ApproachAsTold> near_events);
 
 /// A sentence on what they do to the errors; empty where that is little, and where nothing else may happen.
 [[nodiscard]] std::string what_they_change(const OtherWays& ways, const RowComparison& without,

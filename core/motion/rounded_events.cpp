@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/dynamics/watch.hpp"
@@ -54,38 +55,43 @@ bool is_off_by_much(const Watch& watch, const ComputedMotion& motion, std::span<
   return values.is_finite() && values.radius() > near_zero * std::abs(watch.value(t, row_of(motion, *row)));
 }
 
-/// The name of the first event of which that is true.
+/// The names of events of which that is true.
 template <class Property>
-std::string event_that(const ComputedMotion& motion, const Property& property) {
+std::vector<std::string> events_that(const ComputedMotion& motion, const Property& property) {
   const SimulationRequest& request = motion.request;
   if (request.events.empty()) return {};
   const std::vector<Watch> all = watches(motion.dynamics, {.parameters = request.parameters,
                                                            .events = request.events,
                                                            .on_invalid = OnInvalid::go_on,
                                                            .impacts = Impacts::ignore});
+  std::vector<std::string> names;
   for (const std::string& name : request.events) {
     const auto watch = std::ranges::find(all, name, &Watch::name);
-    if (watch != all.end() && property(*watch)) return name;
+    if (watch != all.end() && property(*watch)) names.push_back(name);
   }
-  return {};
+  return names;
 }
 
 }  // namespace
 
-std::string event_lost_in_rounding(const ComputedMotion& motion) {
-  const std::string name =
-      event_that(motion, [&](const Watch& watch) { return is_mostly_rounding(watch, motion); });
-  if (name.empty()) return {};
-  return "The numbers of which " + name +
-         " is the difference are rounded by as much as it changes: how often it happens cannot be told.";
+std::vector<EventDoubt> events_lost_in_rounding(const ComputedMotion& motion) {
+  std::vector<EventDoubt> found;
+  for (const std::string& name :
+       events_that(motion, [&](const Watch& watch) { return is_mostly_rounding(watch, motion); }))
+    found.push_back(
+        {name,
+         "The numbers of which " + name +
+             " is the difference are rounded by as much as it changes: how often it happens cannot be told."});
+  return found;
 }
 
-std::string event_lost_in_errors(const ComputedMotion& motion, std::span<const double> errors) {
-  const std::string name =
-      event_that(motion, [&](const Watch& watch) { return is_off_by_much(watch, motion, errors); });
-  if (name.empty()) return {};
-  return "The errors of the motion are a large part of what the function of " + name +
-         " is along it: how often it happens cannot be told.";
+std::vector<EventDoubt> events_lost_in_errors(const ComputedMotion& motion, std::span<const double> errors) {
+  std::vector<EventDoubt> found;
+  for (const std::string& name :
+       events_that(motion, [&](const Watch& watch) { return is_off_by_much(watch, motion, errors); }))
+    found.push_back({name, "The errors of the motion are a large part of what the function of " + name +
+                               " is along it: how often it happens cannot be told."});
+  return found;
 }
 
 }  // namespace qdot

@@ -4,15 +4,17 @@
 // The same of events whose functions the errors of a motion change by much of what they are.
 
 #include <span>
-#include <string>
+#include <vector>
 
+#include "core/motion/events_in_doubt.hpp"
 #include "core/motion/motion_check.hpp"
 
 namespace qdot {
 
-/// Of the first such event a sentence; empty where none is seen. Each is judged at one row, that of at most
+/// Each such event that is seen. Each is judged at one row, that of at most
 /// 16 at which its function is largest: a hint beside the errors of the instants, which do not rest on it.
-[[nodiscard]] std::string event_lost_in_rounding(const ComputedMotion& motion);
-[[nodiscard]] std::string event_lost_in_errors(const ComputedMotion& motion, std::span<const double> errors);
+[[nodiscard]] std::vector<EventDoubt> events_lost_in_rounding(const ComputedMotion& motion);
+[[nodiscard]] std::vector<EventDoubt> events_lost_in_errors(const ComputedMotion& motion,
+                                                            std::span<const double> errors);
 
 }  // namespace qdot

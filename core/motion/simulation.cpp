@@ -254,7 +254,10 @@ class Simulator {
     return impact && !result_.stop;
   }
 
-  void stop_by(const Watch& watch) { result_.stop = Stop{watch.reason, result_.t, watch.message}; }
+  void stop_by(const Watch& watch) {
+    result_.stop = Stop{watch.reason, result_.t, watch.message};
+    meet_condition(watch.name, result_.t, result_.approaches);
+  }
 
   /// What an impact of the same instant turns the motion away from may lie behind it, and does where both are
   /// one surface.
@@ -351,17 +354,8 @@ class Simulator {
     doubt_instant(end, passed, std::max({time_round_off(end.t), passed.within, late}));
     apart_.pass(std::move(end));
     doubt_begin();
-    note_conditions();
+    if (request_.notes_approaches) note_conditions(sections_, apart_.at_end(), unseen_.so_far(), result_);
     return true;
-  }
-
-  void note_conditions() {
-    if (!request_.notes_approaches) return;
-    for (Approach& place : conditions_near_zero(sections_, result_.sections.back())) {
-      place.apart = apart_.at_end();
-      place.unseen = unseen_.so_far();
-      result_.approaches.push_back(sections_.approach(std::move(place), result_.t));
-    }
   }
 
   /// The motion may go on for so long as each of several impacts has left it.

@@ -61,6 +61,19 @@ class ConditionsBrokenByImpacts(Service):
                         self.assertIn("as near to 'slow' as its error", answer["accuracy"].get("reason", ""))
                         self.assertNotIn("error", answer.get("stop") or {})
 
+    def test_where_it_is_more_by_a_little_the_motion_does_not_go_on_as_if_it_were_not(self):
+        source = random.Random(5)
+        for _ in range(20):
+            height, gravity, restitution = (f"{source.uniform(*ends):.3f}" for ends in ((0.3, 3), (1, 10), (0.3, 0.95)))
+            speed = mpmath.sqrt(2*mpf(height)*mpf(gravity))*mpf(restitution)
+            for off in ("5e-14", "1e-14", "5e-15"):
+                for options in OPTIONS:
+                    with self.subTest(h=height, g=gravity, e=restitution, off=off, **options):
+                        condition = f"{mpmath.nstr(speed - mpf(off), 30)} - x_dot"
+                        answer = self.bounce(height, gravity, restitution, condition, float(speed/mpf(gravity)*(1 + 1/mpf(restitution))), options)
+                        why = answer["accuracy"].get("reason", "")
+                        self.assertTrue("stop" in answer or "as near to 'slow'" in why or "computation stopped" in why, answer)
+
 
 if __name__ == "__main__":
     unittest.main()

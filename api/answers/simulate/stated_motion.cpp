@@ -105,7 +105,7 @@ Json accuracy_json(const StatedMotion& motion) {
     json["meets_request"] = *measured.meets_request && !rounded_away;
     if (rounded_away) reason = "The digits asked for round more away than the error wanted.";
   }
-  const std::string& doubt = measured.events_in_doubt;
+  const std::string doubt = measured.events_in_doubt.in_words();
   if (!doubt.empty()) reason += (reason.empty() ? "" : " ") + doubt;
   if (!reason.empty()) json["reason"] = reason;
   return json;

@@ -1,0 +1,37 @@
+"""Oscillations smaller than their errors, asked for several events: the reason names each event whose count is in doubt, in
+whatever order they are asked for and whichever of them was found first."""
+
+import itertools
+import pathlib
+import random
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+
+class SeveralEventsInDoubt(Service):
+    def test_each_event_is_named(self):
+        source = random.Random(1)
+        events = [{"name": "middle", "expression": "x"}, {"name": "turn", "expression": "x_dot"}]
+        for _ in range(12):
+            stiffness, damping, size = source.uniform(2, 6), source.uniform(0, 0.4), source.uniform(1, 3)
+            start, tolerances = source.choice(((f"0 {size:.3f}e-15", {}), (f"{size:.3f}e-7 0", {"rtol": 1e-12, "atol": 1e-6})))
+            scene = lagrangian("tiny", "", f"x - {start}", "x_dot^2/2", events=events,
+                               forces=[{"name": "f", "value": f"-{stiffness:.3f}*x - {damping:.3f}*x_dot", "along": "x"}])
+            del scene["parameters"]
+            alone = {name for name in ("middle", "turn") if self.reason(scene, [name], tolerances)}
+            for names in itertools.permutations(("middle", "turn")):
+                with self.subTest(k=stiffness, d=damping, start=start, names=names):
+                    reason = self.reason(scene, names, tolerances)
+                    self.assertEqual({name for name in names if name in reason}, alone)
+
+    def reason(self, scene, names, tolerances):
+        request = {"system": scene, "t_end": 8, "samples": 3, "events": list(names), **tolerances}
+        return self.ask("simulate", request)["accuracy"].get("reason", "")
+
+
+if __name__ == "__main__":
+    unittest.main()
