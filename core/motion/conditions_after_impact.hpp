@@ -12,7 +12,7 @@
 
 namespace qdot {
 
-/// After the last impact of a motion: each condition that is far smaller than before it is added to the
+/// After the last impact of a motion: each condition that the impact has made far smaller is added to the
 /// approaches. `apart` and `unseen`: of the state there.
 void note_conditions(const MotionSections& sections, std::span<const double> apart,
                      std::span<const double> unseen, Simulation& motion);
