@@ -252,6 +252,17 @@ class Bifurcations(Answers):
         self.assertIs(critical["complete"], False)
         self.assertIn("sqrt(g*(1 + M/m)/l)", [entry.get("exact", {}).get("text") for entry in critical["critical"]])
 
+    def test_places_behind_walls_say_so(self):
+        """A mass that is drawn to x = f = 3/2, and a wall on the right of it or on the left."""
+        for expression, direction, hidden in (("0.7 - x", "falling", True), ("x - 0.7", "rising", True),
+                                              ("x - 0.7", "falling", False), ("0.7 - x", "rising", False)):
+            drawn = lagrangian("drawn", "f - 1.5", f"x - {0.1 if hidden else 2}", "x_dot^2/2 - x^2/2 + f*x",
+                               events=[{"name": "wall", "expression": expression, "direction": direction}],
+                               impacts=[{"event": "wall", "restitution": "0.8"}])
+            found = self.ask("equilibria", {"system": drawn})
+            self.assertIn("pressed against", " ".join(found["notes"]))
+            self.assertEqual("lies behind what the impact 'wall' hits" in found["equilibria"][0].get("note", ""), hidden)
+
     def test_the_period_doubling_of_the_walker(self):
         found = self.critical("compass_walker", "gamma", 0.01, 0.016, m=0)
         self.assertEqual([c["kind"] for c in found["critical"]], ["period_doubling"])

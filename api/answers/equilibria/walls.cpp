@@ -9,7 +9,7 @@ namespace qdot::api {
 namespace {
 
 /// The events of impacts that return a speed, by number: their expressions are distances, which do not become
-/// negative.
+/// negative where they are met falling, or positive where rising.
 std::vector<std::size_t> walls(const Model& model) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < model.scene.events.size(); ++i) {
@@ -17,7 +17,7 @@ std::vector<std::size_t> walls(const Model& model) {
     const bool is_hit = std::ranges::any_of(model.parsed.impacts, [&](const ParsedImpact& impact) {
       return impact.event == event.name && impact.has_restitution();
     });
-    if (is_hit && event.direction == Crossing::falling &&
+    if (is_hit && event.direction != Crossing::either &&
         !depends_on(model.parsed.events[i].value, model.parsed.symbols.t))
       found.push_back(i);
   }
@@ -37,7 +37,7 @@ std::string wall_before(const Dynamics& dynamics, std::span<const double> parame
     const SceneEvent& event = dynamics.model().scene.events[i];
     const qdot::Column distance{"", "", dynamics.model().parsed.events[i].value};
     const double there = values_at(dynamics, {distance}, parameters, 0, y)[0];
-    if (there < 0)
+    if (event.direction == Crossing::falling ? there < 0 : there > 0)
       return "This place lies behind what the impact '" + event.name + "' hits: '" + event.expression +
              "' is " + short_number(there, 10) + " here.";
   }
