@@ -31,7 +31,8 @@ void note_conditions(const MotionSections& sections, std::span<const double> apa
     const Watch& watch = sections.watches()[i];
     if (watch.kind != Watch::Kind::validity) continue;
     const double before = watch.value(impact.t, impact.before), after = watch.value(impact.t, impact.after);
-    if (after == before || !(std::abs(after) <= near_zero * std::abs(before))) continue;
+    const bool is_left_alone = before == after;
+    if (is_left_alone || !(std::abs(after) <= near_zero * std::abs(before))) continue;
     Approach place{.event = i,
                    .t = impact.t,
                    .sign = 1,
