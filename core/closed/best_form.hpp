@@ -1,4 +1,5 @@
 #pragma once
+// Of several formulas for one number the shortest, as the sheet would print it.
 
 #include <optional>
 #include <utility>
