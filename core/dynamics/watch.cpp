@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/compile/sharp_signs.hpp"
 #include "core/compile/tape_evaluator.hpp"
 #include "core/compile/taylor/composition.hpp"
 #include "core/numerics/constants.hpp"
@@ -57,16 +58,31 @@ Interval around(double number) {
 }
 
 /// Parameters beyond those that are known so, such as the sides of kinks, are exact.
+std::vector<Ball> numbers_of(const Reals& known, std::span<const double> all) {
+  std::vector<Ball> numbers = known.as<Ball>();
+  for (std::size_t i = numbers.size(); i < all.size(); ++i) numbers.emplace_back(all[i]);
+  return numbers;
+}
+
 decltype(Watch::exact) exact_of(const SharedFunction& function, std::span<const double> parameters) {
   return [function, all = std::vector<double>(parameters.begin(), parameters.end())](
              const Reals& known, const Real& t, const Reals& y) {
-    std::vector<Ball> numbers = known.as<Ball>();
-    for (std::size_t i = numbers.size(); i < all.size(); ++i) numbers.emplace_back(all[i]);
-    TapeEvaluator<Ball> evaluate(*function, numbers);
+    TapeEvaluator<Ball> evaluate(*function, numbers_of(known, all));
     evaluate.set_time(Ball::literal(t));
     Ball value;
     evaluate(y.as<Ball>(), {&value, 1});
     return value;
+  };
+}
+
+decltype(Watch::sharp_signs) sharp_signs_of(const SharedFunction& function,
+                                            std::span<const double> parameters) {
+  return [function, all = std::vector<double>(parameters.begin(), parameters.end())](
+             const Reals& known, const Reals* start, const SharpLook& look) {
+    const std::vector<Ball> numbers = numbers_of(known, all);
+    const std::vector<Ball> begin = start == nullptr ? std::vector<Ball>() : start->as<Ball>();
+    const FunctionAlong g{*function, numbers, look.piece.t, look.piece.rows, look.piece.order + 1, begin};
+    return (look.is_of_slope ? sharp_slopes : sharp_signs)(g, look.from, look.to, look.shortest);
   };
 }
 
@@ -75,6 +91,7 @@ void watch_function(Watch& watch, const Watched& watched, std::span<const double
   watch.series = series_of(watched, parameters);
   watch.enclosure = enclosure_of(watched.value, parameters);
   watch.exact = exact_of(watched.value, parameters);
+  watch.sharp_signs = sharp_signs_of(watched.value, parameters);
 }
 
 /// A scene's own functions are compiled once for all motions.
@@ -210,7 +227,12 @@ double Watch::own_rounding(double t, std::span<const double> y) const {
 }
 
 EventFunction Watch::event() const {
-  EventFunction event{value, series, direction, kind != Kind::event, kind == Kind::impact, condition};
+  EventFunction event{.value = value,
+                      .series = series,
+                      .direction = direction,
+                      .terminal = kind != Kind::event,
+                      .counts_at_start = kind == Kind::impact,
+                      .condition = condition};
   event.must_have_value = kind == Kind::validity;
   return event;
 }

@@ -42,6 +42,10 @@ struct Watch {
 
   /// The value at a state that may be known beyond doubles, as what was typed is.
   std::function<Ball(const Reals& parameters, const Real& t, const Reals& y)> exact{};
+  /// Signs along a piece of a motion beyond the rounding of doubles; where `start` is not null, it is the
+  /// state where the piece begins.
+  std::function<std::vector<SignPiece>(const Reals& parameters, const Reals* start, const SharpLook& look)>
+      sharp_signs{};
 
   /// How far values at a state that was rounded may be from each other, by their enclosure.
   [[nodiscard]] double rounding(double t, std::span<const double> y) const;

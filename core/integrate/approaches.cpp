@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/numerics/sign_search.hpp"
-
 namespace qdot {
 namespace {
 
@@ -20,21 +18,31 @@ double sum_at(double s, std::span<const double> c) {
   return sum;
 }
 
-/// Where a polynomial comes to have this sign.
-double change_between(double from, double to, std::span<const double> c, int sign) {
-  for (int i = 0; i < halvings_of_slopes; ++i) {
-    const double middle = 0.5 * (from + to);
-    (sign * sum_at(middle, c) > 0 ? to : from) = middle;
-  }
-  return to;
-}
-
 /// Of sign g, which is positive before the event.
 struct Slopes {
   std::vector<double> c;
   std::vector<SignPiece> signs;  ///< definite ones
 
-  explicit Slopes(const ApproachSearch::Along& g) {
+  explicit Slopes(const ApproachSearch::Along& g) : is_by_signs_(!g.slopes.empty()) {
+    for (const SignPiece& piece : g.slopes)
+      if (piece.sign != 0) signs.push_back({piece.from, piece.to, g.sign * piece.sign});
+    if (!is_by_signs_) take_coefficients(g);
+  }
+
+  /// Where they come to have this sign.
+  [[nodiscard]] double change_between(double from, double to, int sign) const {
+    if (from == to || is_by_signs_) return from + (to - from) / 2;
+    for (int i = 0; i < halvings_of_slopes; ++i) {
+      const double middle = 0.5 * (from + to);
+      (sign * sum_at(middle, c) > 0 ? to : from) = middle;
+    }
+    return to;
+  }
+
+ private:
+  bool is_by_signs_;
+
+  void take_coefficients(const ApproachSearch::Along& g) {
     double size = 0;
     for (std::size_t k = 1; k < g.c.size(); ++k) {
       c.push_back(g.sign * static_cast<double>(k) * g.c[k]);
@@ -80,7 +88,7 @@ void ApproachSearch::look(const Along& g, StepPolynomial& step, bool is_last) {
   double since = 0;
   for (const SignPiece& piece : slopes.signs) {
     if (slope < 0 && piece.sign > 0) {
-      const double place = since == piece.from ? since : change_between(since, piece.from, slopes.c, 1);
+      const double place = slopes.change_between(since, piece.from, 1);
       if (place < before) note(g, step, place, g.sign * sum_at(place, g.c), {});
     }
     slope = piece.sign;
@@ -104,9 +112,7 @@ void ApproachSearch::look_at_both_sides(Along g, StepPolynomial& step, bool is_l
   int slope = of_events_[g.event].slope;
   double since = 0;
   for (const SignPiece& piece : slopes.signs) {
-    if (slope * piece.sign < 0)
-      note_turn(since == piece.from ? since : change_between(since, piece.from, slopes.c, piece.sign),
-                piece.sign);
+    if (slope * piece.sign < 0) note_turn(slopes.change_between(since, piece.from, piece.sign), piece.sign);
     slope = piece.sign;
     since = piece.to;
   }
@@ -122,8 +128,7 @@ void ApproachSearch::pass(const Along& g, StepPolynomial& step) {
   int slope = -1;
   for (const SignPiece& piece : slopes.signs) {
     if (piece.sign != slope) {
-      const double turn =
-          since == piece.from ? since : change_between(since, piece.from, slopes.c, piece.sign);
+      const double turn = slopes.change_between(since, piece.from, piece.sign);
       const double value = -g.sign * sum_at(turn, g.c);
       if (piece.sign < 0 && value < -g.off) break;
       if (piece.sign > 0 && value >= deepest) {

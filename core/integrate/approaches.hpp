@@ -15,6 +15,7 @@
 
 #include "core/integrate/run.hpp"
 #include "core/integrate/step_polynomial.hpp"
+#include "core/numerics/sign_search.hpp"
 
 namespace qdot {
 
@@ -35,11 +36,12 @@ class ApproachSearch {
   /// g along a piece of a step, in the unit of the piece.
   struct Along {
     std::size_t event{};
-    double from{}, length{};    ///< of the piece, in seconds since the step's beginning
-    int sign{};                 ///< that g has had up to there
-    std::span<const double> c;  ///< coefficients
-    double off{};               ///< what g may be away from it
-    bool is_told{true};         ///< small beside its coefficients
+    double from{}, length{};              ///< of the piece, in seconds since the step's beginning
+    int sign{};                           ///< that g has had up to there
+    std::span<const double> c;            ///< coefficients
+    double off{};                         ///< what g may be away from it
+    bool is_told{true};                   ///< small beside its coefficients
+    std::span<const SignPiece> slopes{};  ///< the signs of g', where coefficients do not tell them
   };
   /// Of a step's pieces, one after the other; `is_last`: the run ends with this one, by another event.
   void look(const Along& g, StepPolynomial& step, bool is_last);

@@ -11,12 +11,15 @@ namespace {
 
 constexpr double of_doubt = 16;  ///< times what g may be away from its series
 constexpr std::size_t most_looks = 4000;
-constexpr std::size_t looks_in_doubt = 200;   ///< once not everything was seen: the rest is worth less work
-constexpr std::size_t looks_of_change = 256;  ///< more for each change of sign: as many as a pole takes
+constexpr std::size_t most_sharp_looks = 200;  ///< in a run
+constexpr std::size_t looks_in_doubt = 200;    ///< once not everything was seen: the rest is worth less work
+constexpr std::size_t looks_of_change = 256;   ///< more for each change of sign: as many as a pole takes
 constexpr int halvings = 60;
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
 constexpr double shortest_piece = 0x1p-6;     ///< of what is looked at in pieces
 constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
+constexpr double shortest_slope = 0x1p-20;    ///< of a piece
+constexpr double hidden_share = 0.25;         ///< of a piece, in which slopes have no sign
 constexpr double growth_at_pole = 3;
 constexpr double widened = 256;  ///< times what a place is known to
 /// A sketch is this share of a step's change off at most.
@@ -111,7 +114,15 @@ void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found
     if (!is_met || !request_.events[i].terminal || sign == 0) continue;
     const double beyond = begin + h - end + beyond_step * h;
     const auto [past, length] = told_series(i, end - begin, beyond, beyond * shortest_piece);
-    approaches_.pass({i, end - begin, length, sign, past.in_whole(), past.off}, polynomial_);
+    const std::vector<SignPiece> slopes = sharp_slopes(i, end - begin, length, past);
+    approaches_.pass({.event = i,
+                      .from = end - begin,
+                      .length = length,
+                      .sign = sign,
+                      .c = past.in_whole(),
+                      .off = past.off,
+                      .slopes = slopes},
+                     polynomial_);
   }
 }
 
@@ -124,7 +135,15 @@ void EventSearch::look_along(std::size_t event, double until, bool is_last, bool
     const auto [series, length] = told_series(event, from, left, until * shortest_piece);
     const bool is_end = !(length < left);
     const bool nearly_ends = is_last && is_end && !is_met;
-    const ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off, is_told(series)};
+    const std::vector<SignPiece> slopes = sharp_slopes(event, from, length, series);
+    const ApproachSearch::Along g{.event = event,
+                                  .from = from,
+                                  .length = length,
+                                  .sign = sign,
+                                  .c = series.in_whole(),
+                                  .off = series.off,
+                                  .is_told = is_told(series) || !slopes.empty(),
+                                  .slopes = slopes};
     if (series.is_nowhere)
       approaches_.leave(event);
     else if (is_terminal)
@@ -281,8 +300,14 @@ bool EventSearch::is_seen(const UnitSeries& series) {
 bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
   for (const double c : series.coefficients()) size += std::abs(c);
-  if (series.is_divided || !series.is_finite() || size > of_doubt * series.off) return false;
-  return series.off <= 2 * doubt_at_start(event, piece, of_values * size);
+  return !series.is_divided && size <= of_doubt * series.off && is_rounding(event, piece, series);
+}
+
+/// Whether what g may be away from its coefficients is the rounding of its values.
+bool EventSearch::is_rounding(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
+  double size = 0;
+  for (const double c : series.coefficients()) size += std::abs(c);
+  return series.is_finite() && series.off <= 2 * doubt_at_start(event, piece, of_values * size);
 }
 
 /// Of pieces that are told, as far as they have been looked at.
@@ -309,8 +334,8 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   if (whole.h == polynomial_.whole().h) sign_at_start_ = series.sign_at_start;
   if (series.is_nowhere && request_.events[event].must_have_value)
     nowhere_from_ = std::min(nowhere_from_, from);
-  if (series.is_nowhere || is_in_doubt(event, whole, series))
-    return pieces.push_back({{from, to, 0}, series.is_nowhere});
+  if (series.is_nowhere) return pieces.push_back({{from, to, 0}, true});
+  if (is_in_doubt(event, whole, series)) return look_sharply(event, from, to, pieces);
   const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {
     const double begin = from + piece.from * whole.h, end = piece.to == 1 ? to : from + piece.to * whole.h;
@@ -324,6 +349,36 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
       explore(event, middle, end, pieces);
     }
   }
+}
+
+/// Where values tell nothing, in as many digits as there are.
+void EventSearch::look_sharply(std::size_t event, double from, double to, std::vector<Piece>& pieces) {
+  std::vector<SignPiece> found;
+  const MotionPiece& step = polynomial_.whole();
+  if (can_look_sharply(event))
+    found = request_.events[event].sharp_signs({step, from, to, 16 * time_round_off(step.t + step.h)});
+  if (found.empty()) found.push_back({from, to, 0});
+  for (const SignPiece& piece : found) pieces.push_back({piece});
+}
+
+bool EventSearch::can_look_sharply(std::size_t event) {
+  return request_.events[event].sharp_signs && ++sharp_looks_ <= most_sharp_looks;
+}
+
+/// In the unit of the piece; nothing where coefficients tell them, or these leave much of it in doubt.
+std::vector<SignPiece> EventSearch::sharp_slopes(std::size_t event, double from, double length,
+                                                 const UnitSeries& series) {
+  if (is_told(series) || !is_rounding(event, polynomial_.piece(from, length), series)) return {};
+  if (!can_look_sharply(event)) return {};
+  std::vector<SignPiece> slopes = request_.events[event].sharp_signs(
+      {polynomial_.whole(), from, from + length, shortest_slope * length, true});
+  double doubt = 0;
+  for (SignPiece& piece : slopes) {
+    piece.from = (piece.from - from) / length;
+    piece.to = (piece.to - from) / length;
+    if (piece.sign == 0) doubt += piece.to - piece.from;
+  }
+  return doubt <= hidden_share ? slopes : std::vector<SignPiece>();
 }
 
 std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& crossed, Found& found) {

@@ -110,6 +110,11 @@ class EventSearch {
   [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
   [[nodiscard]] static bool is_seen(const UnitSeries& series);
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
+  void look_sharply(std::size_t event, double from, double to, std::vector<Piece>& pieces);
+  [[nodiscard]] bool can_look_sharply(std::size_t event);
+  [[nodiscard]] std::vector<SignPiece> sharp_slopes(std::size_t event, double from, double length,
+                                                    const UnitSeries& series);
+  [[nodiscard]] bool is_rounding(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void look_for_approaches(const Stepper& stepper, const Found& found);
   void look_along(std::size_t event, double until, bool is_last, bool is_met);
@@ -129,8 +134,9 @@ class EventSearch {
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
   std::vector<std::vector<Piece>> pieces_;
-  std::vector<double> y_;              ///< scratch
-  std::size_t looks_{};                ///< at one function in one step
+  std::vector<double> y_;  ///< scratch
+  std::size_t looks_{};    ///< at one function in one step
+  std::size_t sharp_looks_{};
   std::size_t counted_{}, changes_{};  ///< of its pieces, and how often they change their sign
   int last_sign_{};
   bool starts_at_zero_{false};

@@ -12,6 +12,7 @@
 #include "core/integrate/approach.hpp"
 #include "core/numerics/crossing.hpp"
 #include "core/numerics/evaluation.hpp"
+#include "core/numerics/sign_search.hpp"
 
 namespace qdot {
 
@@ -65,6 +66,14 @@ struct MotionPiece {
   std::span<const double> rounding{};
 };
 
+/// Where the signs of a function are wanted, or those of its slope: from `from` to `to` in a piece of a
+/// motion, down to pieces as short as `shortest`.
+struct SharpLook {
+  const MotionPiece& piece;
+  double from{}, to{}, shortest{};
+  bool is_of_slope{};
+};
+
 /// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
 struct EventFunction {
   std::function<double(double t, std::span<const double> y)> value{};
@@ -72,6 +81,9 @@ struct EventFunction {
   /// (core/numerics/sign_search.hpp). Returns a bound of its distance from g over the piece, infinite where
   /// there is none, and no number where g has no value in all of the piece.
   std::function<double(const MotionPiece& piece, unsigned order, std::span<double> coefficients)> series{};
+  /// In more digits than those of values; asked where these tell nothing. Optional; nothing where it does
+  /// not know more, either.
+  std::function<std::vector<SignPiece>(const SharpLook& look)> sharp_signs{};
   Crossing direction{Crossing::either};
   bool terminal{false};
   bool counts_at_start{false};  ///< a zero at t_start that g then leaves in its direction is one

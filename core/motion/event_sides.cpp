@@ -80,6 +80,21 @@ void EventSides::mark(double t, std::span<const double> y, const SectionRecord* 
     events[i].is_beside_zero = events[i].sign_at_start != 0;
   }
   if (impact != nullptr) mark_impacts(*impact, events);
+  for (std::size_t i = 0; i < watches.size(); ++i) look_sharply(watches[i], t, events[i]);
+}
+
+/// Twice the digits tell more of the computed motion than it is known itself. What was typed is known so;
+/// where a later section begins beside zero, what lies beside it there is what the section before has left.
+void EventSides::look_sharply(const Watch& watch, double begin, EventFunction& event) const {
+  if (!watch.sharp_signs) return;
+  const bool is_typed = sides_.empty(), is_left = event.sign_at_start != 0 || event.is_zero_at_start;
+  event.sharp_signs = [=, this, &watch](const SharpLook& look) -> std::vector<SignPiece> {
+    const bool is_begin = look.piece.t == begin;
+    if (is_begin && is_left && !is_typed && look.from == 0) return {};
+    if (!is_begin || !is_typed) return watch.sharp_signs(typed_start(request_).parameters, nullptr, look);
+    const Reals start = start_as_typed(dynamics_, request_);
+    return watch.sharp_signs(typed_start(request_).parameters, &start, look);
+  };
 }
 
 /// An impact that has just happened, and left its distance as it was, begins at distance zero.
@@ -135,17 +150,29 @@ double EventSides::slope(const Watch& watch, double t, const std::vector<double>
 
 double EventSides::rate(const Watch& watch, double t, const std::vector<double>& y) const {
   const std::vector<double> slopes = sections_.slopes(t, y);
-  const auto value_after = [&](double time) {
-    std::vector<double> moved = y;
-    for (std::size_t i = 0; i < y.size(); ++i) moved[i] += time * slopes[i];
-    return watch.value(t + time, moved);
+  const auto moved = [&](double time) {
+    std::vector<double> there = y;
+    for (std::size_t i = 0; i < y.size(); ++i) there[i] += time * slopes[i];
+    return there;
   };
   const double rounding = of_own_rounding * watch.own_rounding(t, y);
   const double longest = longest_of_rates * (request_.t_end - request_.t_start);
   for (double tau = sections_.resolution();; tau *= next_of_rates) {
-    const double change = value_after(tau) - value_after(-tau);
-    if (std::abs(change) > rounding || !(tau < longest)) return change / (2 * tau);
+    const std::vector<double> before = moved(-tau), after = moved(tau);
+    const double change = watch.value(t + tau, after) - watch.value(t - tau, before);
+    if (std::abs(change) > rounding) return change / (2 * tau);
+    const double sharp = sharp_change(watch, t - tau, before, t + tau, after);
+    if (sharp != 0 || !(tau < longest)) return sharp / (2 * tau);
   }
+}
+
+/// In twice the digits; 0 where they do not tell it.
+double EventSides::sharp_change(const Watch& watch, double t, const std::vector<double>& y, double later,
+                                const std::vector<double>& then) const {
+  if (!watch.exact) return 0;
+  const Reals& parameters = request_.parameters;
+  const Ball change = watch.exact(parameters, later, Reals(then)) - watch.exact(parameters, t, Reals(y));
+  return change.is_finite() && !change.contains_zero() ? change.value() : 0;
 }
 
 bool EventSides::goes_through(const Watch& watch, const SectionRecord& impact) const {

@@ -31,5 +31,8 @@ struct FunctionAlong {
 /// piece is as short as `shortest`.
 [[nodiscard]] std::vector<SignPiece> sharp_signs(const FunctionAlong& g, double from, double to,
                                                  double shortest);
+/// The same of dg/ds.
+[[nodiscard]] std::vector<SignPiece> sharp_slopes(const FunctionAlong& g, double from, double to,
+                                                  double shortest);
 
 }  // namespace qdot

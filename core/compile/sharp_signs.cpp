@@ -1,4 +1,4 @@
-#include "core/motion/sharp_signs.hpp"
+#include "core/compile/sharp_signs.hpp"
 
 #include <cmath>
 #include <limits>
@@ -42,8 +42,9 @@ FineSeries along(const FunctionAlong& g, TapeEvaluator<FineSeries>& function, do
 
 class SignsAlong {
  public:
-  SignsAlong(const FunctionAlong& g, double shortest)
-      : g_(g), shortest_(shortest), function_(g.function, constants_of(g.parameters)) {}
+  /// Of its derivative that often: not at all, or once.
+  SignsAlong(const FunctionAlong& g, double shortest, std::size_t derived)
+      : g_(g), shortest_(shortest), derived_(derived), function_(g.function, constants_of(g.parameters)) {}
 
   void explore(double from, double to) {
     const double h = to - from;
@@ -78,15 +79,21 @@ class SignsAlong {
     const FineSeries value = along(g_, function_, from, {from, to});
     Series series;
     double power = 1;
-    for (std::size_t k = 0; k < last_term && k < value.terms; ++k, power *= to - from) {
-      series.c.push_back(value.at[k].value() * power);
+    for (std::size_t k = derived_; k < last_term && k < value.terms; ++k, power *= to - from) {
+      const double factor = factor_of(k) * power;
+      series.c.push_back(value.at[k].value() * factor);
       series.size += std::abs(series.c.back());
-      series.in_digits += value.at[k].radius * power;
+      series.in_digits += value.at[k].radius * factor;
     }
-    const double rest = value.terms > last_term ? value.over[last_term].magnitude() * power : 0;
+    if (series.c.empty()) series.c.push_back(0);
+    const double rest =
+        value.terms > last_term ? value.over[last_term].magnitude() * factor_of(last_term) * power : 0;
     series.off = series.in_digits + rest + of_doubles * series.size;
     return series;
   }
+
+  /// What a derivative makes of s^k.
+  [[nodiscard]] double factor_of(std::size_t k) const { return derived_ == 0 ? 1 : static_cast<double>(k); }
 
   static int sign_of(const Series& series) {
     double others = series.off;
@@ -105,6 +112,7 @@ class SignsAlong {
 
   const FunctionAlong& g_;
   double shortest_;
+  std::size_t derived_;
   TapeEvaluator<FineSeries> function_;
   std::vector<SignPiece> pieces_;
   int looks_{};
@@ -121,9 +129,15 @@ std::vector<Ball> sharp_series(const FunctionAlong& g) {
 }
 
 std::vector<SignPiece> sharp_signs(const FunctionAlong& g, double from, double to, double shortest) {
-  SignsAlong signs(g, shortest);
+  SignsAlong signs(g, shortest, 0);
   signs.explore(from, to);
   return std::move(signs).pieces();
+}
+
+std::vector<SignPiece> sharp_slopes(const FunctionAlong& g, double from, double to, double shortest) {
+  SignsAlong slopes(g, shortest, 1);
+  slopes.explore(from, to);
+  return std::move(slopes).pieces();
 }
 
 }  // namespace qdot
