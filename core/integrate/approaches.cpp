@@ -10,7 +10,8 @@ namespace {
 constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
-constexpr double part_beside = 0.125;  ///< of a piece: what is a minimum over that counts
+constexpr double first_part = 0x1p-40;  ///< of a way along which something is looked for
+constexpr double part_beside = 0.125;   ///< of a piece: what is a minimum over that counts
 
 double sum_at(double s, std::span<const double> c) {
   double sum = 0;
@@ -19,40 +20,79 @@ double sum_at(double s, std::span<const double> c) {
 }
 
 /// Of sign g, which is positive before the event.
-struct Slopes {
-  std::vector<double> c;
+class Slopes {
+ public:
   std::vector<SignPiece> signs;  ///< definite ones
 
-  explicit Slopes(const ApproachSearch::Along& g) : is_by_signs_(!g.slopes.empty()) {
-    for (const SignPiece& piece : g.slopes)
-      if (piece.sign != 0) signs.push_back({piece.from, piece.to, g.sign * piece.sign});
-    if (!is_by_signs_) take_coefficients(g);
+  explicit Slopes(const ApproachSearch::Along& g) : g_(g) {
+    if (g.is_rounding && g.sharp_slopes) keep_definite(g.sharp_slopes(0, 1), g.sign);
+    is_sharp_ = !signs.empty();
+    if (!is_sharp_) take_coefficients();
   }
+
+  /// Whether they are known beyond the rounding of coefficients.
+  [[nodiscard]] bool is_sharp() const { return is_sharp_; }
 
   /// Where they come to have this sign.
   [[nodiscard]] double change_between(double from, double to, int sign) const {
-    if (from == to || is_by_signs_) return from + (to - from) / 2;
+    if (from == to || is_sharp_) return from + (to - from) / 2;
     for (int i = 0; i < halvings_of_slopes; ++i) {
       const double middle = 0.5 * (from + to);
-      (sign * sum_at(middle, c) > 0 ? to : from) = middle;
+      (sign * sum_at(middle, c_) > 0 ? to : from) = middle;
     }
     return to;
   }
 
  private:
-  bool is_by_signs_;
-
-  void take_coefficients(const ApproachSearch::Along& g) {
+  void take_coefficients() {
     double size = 0;
-    for (std::size_t k = 1; k < g.c.size(); ++k) {
-      c.push_back(g.sign * static_cast<double>(k) * g.c[k]);
-      size += std::abs(c.back());
+    for (std::size_t k = 1; k < g_.c.size(); ++k) {
+      c_.push_back(g_.sign * static_cast<double>(k) * g_.c[k]);
+      size += std::abs(c_.back());
     }
-    if (c.empty()) return;
-    for (const SignPiece& piece : signs_of(c, of_coefficients * size)) {
-      if (piece.sign != 0) signs.push_back(piece);
+    if (!c_.empty()) keep_definite(signs_of(c_, of_coefficients * size), 1);
+    if (g_.sharp_slopes) sharpen();
+  }
+
+  void keep_definite(std::span<const SignPiece> pieces, int factor) {
+    for (const SignPiece& piece : pieces)
+      if (piece.sign != 0) signs.push_back({piece.from, piece.to, factor * piece.sign});
+  }
+
+  [[nodiscard]] bool is_hidden(double s) const { return std::abs(sum_at(s, g_.c)) <= unseen * g_.off; }
+
+  /// Where g turns so near to zero that rounding hides it, coefficients do not tell that place, either.
+  void sharpen() {
+    const std::vector<SignPiece> rough = std::exchange(signs, {});
+    double since = 0;  // what lies before it is looked at
+    for (std::size_t i = 0; i < rough.size(); ++i) {
+      const SignPiece& piece = rough[i];
+      if (piece.to >= since) signs.push_back({std::max(piece.from, since), piece.to, piece.sign});
+      if (i + 1 == rough.size() || rough[i + 1].sign == piece.sign) continue;
+      const double turn = change_between(piece.to, rough[i + 1].from, rough[i + 1].sign);
+      if (turn < since || !is_hidden(turn)) continue;
+      const double from = end_of_hidden(turn, std::max(0.0, since)), to = end_of_hidden(turn, 1);
+      const std::vector<SignPiece> sharp = g_.sharp_slopes(from, to);
+      if (sharp.empty()) continue;
+      while (!signs.empty() && signs.back().from >= from) signs.pop_back();
+      if (!signs.empty()) signs.back().to = std::min(signs.back().to, from);
+      keep_definite(sharp, g_.sign);
+      since = to;
     }
   }
+
+  /// On the way from a place to an end.
+  [[nodiscard]] double end_of_hidden(double place, double end) const {
+    for (double part = first_part; part < 1; part *= 2) {
+      const double s = place + part * (end - place);
+      if (!is_hidden(s)) return s;
+    }
+    return end;
+  }
+
+  const ApproachSearch::Along& g_;
+  std::vector<double> c_;
+  bool is_sharp_{};
 };
 
 }  // namespace
@@ -103,9 +143,11 @@ void ApproachSearch::look_at_both_sides(Along g, StepPolynomial& step, bool is_l
   g.sign = 1;
   widen_reach(g);
   const Slopes slopes(g);
-  const bool is_told = g.is_told, was_told = std::exchange(of_events_[g.event].is_told, is_told);
+  const bool is_told = g.is_told || slopes.is_sharp();
+  const bool was_told = std::exchange(of_events_[g.event].is_told, is_told);
   const auto note_turn = [&](double place, int sign) {
     g.sign = sign;
+    if (g.known_sign && g.known_sign(place) == -sign) return;
     g.is_told = is_told && (place > 0 || was_told);
     note(g, step, place, sign * sum_at(place, g.c), {});
   };

@@ -8,6 +8,7 @@
 // turns; g is small there beside what it was since t_start. Whether it is small beside the error of the
 // motion is for others to tell.
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -36,17 +37,22 @@ class ApproachSearch {
   /// g along a piece of a step, in the unit of the piece.
   struct Along {
     std::size_t event{};
-    double from{}, length{};              ///< of the piece, in seconds since the step's beginning
-    int sign{};                           ///< that g has had up to there
-    std::span<const double> c;            ///< coefficients
-    double off{};                         ///< what g may be away from it
-    bool is_told{true};                   ///< small beside its coefficients
-    std::span<const SignPiece> slopes{};  ///< the signs of g', where coefficients do not tell them
+    double from{}, length{};    ///< of the piece, in seconds since the step's beginning
+    int sign{};                 ///< that g has had up to there
+    std::span<const double> c;  ///< coefficients
+    double off{};               ///< what g may be away from it
+    bool is_told{true};         ///< small beside its coefficients
+    bool is_rounding{false};    ///< not told, and what it may be away is rounding
+    /// The signs of g' between two places of the piece beyond the rounding of coefficients; nothing where
+    /// that does not tell them. Optional.
+    std::function<std::vector<SignPiece>(double from, double to)> sharp_slopes{};
+    /// The sign that g is known to have at a place of the piece; 0 where it is not.
+    std::function<int(double place)> known_sign{};
   };
   /// Of a step's pieces, one after the other; `is_last`: the run ends with this one, by another event.
   void look(const Along& g, StepPolynomial& step, bool is_last);
   /// The same of an event that does not end the run; g may have been met in the step: its sign does not
-  /// count.
+  /// count. Where g is known to have passed zero, both crossings are, too, and their errors tell the rest.
   void look_at_both_sides(Along g, StepPolynomial& step, bool is_last);
   /// g has no value in what follows.
   void leave(std::size_t event) { of_events_[event].slope = 0; }

@@ -114,15 +114,7 @@ void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found
     if (!is_met || !request_.events[i].terminal || sign == 0) continue;
     const double beyond = begin + h - end + beyond_step * h;
     const auto [past, length] = told_series(i, end - begin, beyond, beyond * shortest_piece);
-    const std::vector<SignPiece> slopes = sharp_slopes(i, end - begin, length, past);
-    approaches_.pass({.event = i,
-                      .from = end - begin,
-                      .length = length,
-                      .sign = sign,
-                      .c = past.in_whole(),
-                      .off = past.off,
-                      .slopes = slopes},
-                     polynomial_);
+    approaches_.pass(along(i, end - begin, length, sign, past), polynomial_);
   }
 }
 
@@ -135,15 +127,7 @@ void EventSearch::look_along(std::size_t event, double until, bool is_last, bool
     const auto [series, length] = told_series(event, from, left, until * shortest_piece);
     const bool is_end = !(length < left);
     const bool nearly_ends = is_last && is_end && !is_met;
-    const std::vector<SignPiece> slopes = sharp_slopes(event, from, length, series);
-    const ApproachSearch::Along g{.event = event,
-                                  .from = from,
-                                  .length = length,
-                                  .sign = sign,
-                                  .c = series.in_whole(),
-                                  .off = series.off,
-                                  .is_told = is_told(series) || !slopes.empty(),
-                                  .slopes = slopes};
+    const ApproachSearch::Along g = along(event, from, length, sign, series);
     if (series.is_nowhere)
       approaches_.leave(event);
     else if (is_terminal)
@@ -250,10 +234,18 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces)
     if (piece.is_nowhere) before = nullptr;
     if (piece.sign == 0) continue;
     const bool is_hidden = before != nullptr && before->sign == piece.sign && before->to < piece.from;
-    if (is_hidden && !is_pole_between(event, before->to, piece.from))
+    if (is_hidden && !keeps_sign(event, before->to, piece.from, piece.sign) &&
+        !is_pole_between(event, before->to, piece.from))
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
   }
+}
+
+/// As more digits tell.
+bool EventSearch::keeps_sign(std::size_t event, double from, double to, int sign) {
+  std::vector<Piece> pieces;
+  look_sharply(event, from, to, pieces);
+  return std::ranges::all_of(pieces, [=](const Piece& piece) { return piece.sign == sign; });
 }
 
 /// Of an event that is reported only.
@@ -365,20 +357,39 @@ bool EventSearch::can_look_sharply(std::size_t event) {
   return request_.events[event].sharp_signs && ++sharp_looks_ <= most_sharp_looks;
 }
 
-/// In the unit of the piece; nothing where coefficients tell them, or these leave much of it in doubt.
-std::vector<SignPiece> EventSearch::sharp_slopes(std::size_t event, double from, double length,
-                                                 const UnitSeries& series) {
-  if (is_told(series) || !is_rounding(event, polynomial_.piece(from, length), series)) return {};
-  if (!can_look_sharply(event)) return {};
-  std::vector<SignPiece> slopes = request_.events[event].sharp_signs(
-      {polynomial_.whole(), from, from + length, shortest_slope * length, true});
-  double doubt = 0;
-  for (SignPiece& piece : slopes) {
-    piece.from = (piece.from - from) / length;
-    piece.to = (piece.to - from) / length;
-    if (piece.sign == 0) doubt += piece.to - piece.from;
-  }
-  return doubt <= hidden_share ? slopes : std::vector<SignPiece>();
+ApproachSearch::Along EventSearch::along(std::size_t event, double from, double length, int sign,
+                                         const UnitSeries& series) {
+  ApproachSearch::Along g{event, from, length, sign, series.in_whole(), series.off, is_told(series)};
+  g.is_rounding = !g.is_told && is_rounding(event, polynomial_.piece(from, length), series);
+  if (request_.events[event].sharp_signs && series.is_finite())
+    g.sharp_slopes = sharp_slopes(event, from, length);
+  g.known_sign = [=, this](double place) { return known_sign(event, from + place * length); };
+  return g;
+}
+
+/// That the search has seen so long after the step's beginning.
+int EventSearch::known_sign(std::size_t event, double time) const {
+  for (const Piece& piece : pieces_[event])
+    if (piece.from <= time && time <= piece.to) return piece.sign;
+  return 0;
+}
+
+/// Of a piece, in its unit.
+decltype(ApproachSearch::Along::sharp_slopes) EventSearch::sharp_slopes(std::size_t event, double begin,
+                                                                        double length) {
+  return [=, this](double from, double to) -> std::vector<SignPiece> {
+    if (!can_look_sharply(event)) return {};
+    std::vector<SignPiece> slopes =
+        request_.events[event].sharp_signs({polynomial_.whole(), begin + from * length, begin + to * length,
+                                            shortest_slope * (to - from) * length, true});
+    double doubt = 0;
+    for (SignPiece& piece : slopes) {
+      piece.from = (piece.from - begin) / length;
+      piece.to = (piece.to - begin) / length;
+      if (piece.sign == 0) doubt += piece.to - piece.from;
+    }
+    return doubt <= hidden_share * (to - from) ? slopes : std::vector<SignPiece>();
+  };
 }
 
 std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& crossed, Found& found) {

@@ -84,6 +84,7 @@ class EventSearch {
   void walk(std::size_t event, std::vector<Crossed>& crossed);
   [[nodiscard]] double hidden_before(std::size_t event, double t, int sign) const;
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
+  [[nodiscard]] bool keeps_sign(std::size_t event, double from, double to, int sign);
   [[nodiscard]] bool is_pole_between(std::size_t event, double from, double to);
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
@@ -112,8 +113,11 @@ class EventSearch {
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   void look_sharply(std::size_t event, double from, double to, std::vector<Piece>& pieces);
   [[nodiscard]] bool can_look_sharply(std::size_t event);
-  [[nodiscard]] std::vector<SignPiece> sharp_slopes(std::size_t event, double from, double length,
-                                                    const UnitSeries& series);
+  [[nodiscard]] int known_sign(std::size_t event, double time) const;
+  [[nodiscard]] ApproachSearch::Along along(std::size_t event, double from, double length, int sign,
+                                            const UnitSeries& series);
+  [[nodiscard]] decltype(ApproachSearch::Along::sharp_slopes) sharp_slopes(std::size_t event, double begin,
+                                                                           double length);
   [[nodiscard]] bool is_rounding(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void look_for_approaches(const Stepper& stepper, const Found& found);
