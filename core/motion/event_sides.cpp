@@ -90,7 +90,7 @@ void EventSides::look_sharply(const Watch& watch, double begin, EventFunction& e
   const bool is_typed = sides_.empty(), is_left = event.sign_at_start != 0 || event.is_zero_at_start;
   event.sharp_signs = [=, this, &watch](const SharpLook& look) -> std::vector<SignPiece> {
     const bool is_begin = look.piece.t == begin;
-    if (is_begin && is_left && !is_typed && look.from == 0) return {};
+    if (is_begin && is_left && !is_typed) return {};
     if (!is_begin || !is_typed) return watch.sharp_signs(typed_start(request_).parameters, nullptr, look);
     const Reals start = start_as_typed(dynamics_, request_);
     return watch.sharp_signs(typed_start(request_).parameters, &start, look);
@@ -157,22 +157,21 @@ double EventSides::rate(const Watch& watch, double t, const std::vector<double>&
   };
   const double rounding = of_own_rounding * watch.own_rounding(t, y);
   const double longest = longest_of_rates * (request_.t_end - request_.t_start);
-  for (double tau = sections_.resolution();; tau *= next_of_rates) {
-    const std::vector<double> before = moved(-tau), after = moved(tau);
-    const double change = watch.value(t + tau, after) - watch.value(t - tau, before);
+  const double first = sections_.resolution();
+  double tau = first;
+  for (; tau < next_of_rates * longest; tau *= next_of_rates) {
+    const double change = watch.value(t + tau, moved(tau)) - watch.value(t - tau, moved(-tau));
     if (std::abs(change) > rounding) return change / (2 * tau);
-    const double sharp = sharp_change(watch, t - tau, before, t + tau, after);
-    if (sharp != 0 || !(tau < longest)) return sharp / (2 * tau);
   }
-}
-
-/// In twice the digits; 0 where they do not tell it.
-double EventSides::sharp_change(const Watch& watch, double t, const std::vector<double>& y, double later,
-                                const std::vector<double>& then) const {
   if (!watch.exact) return 0;
-  const Reals& parameters = request_.parameters;
-  const Ball change = watch.exact(parameters, later, Reals(then)) - watch.exact(parameters, t, Reals(y));
-  return change.is_finite() && !change.contains_zero() ? change.value() : 0;
+  const auto sharp = [&](double time) {
+    return watch.exact(request_.parameters, t + time, Reals(moved(time)));
+  };
+  for (tau = first; tau < next_of_rates * longest; tau *= next_of_rates) {
+    const Ball change = sharp(tau) - sharp(-tau);
+    if (change.is_finite() && !change.contains_zero()) return change.value() / (2 * tau);
+  }
+  return 0;
 }
 
 bool EventSides::goes_through(const Watch& watch, const SectionRecord& impact) const {

@@ -52,8 +52,6 @@ class EventSides {
                                       const std::vector<double>& y) const;
 
  private:
-  [[nodiscard]] double sharp_change(const Watch& watch, double t, const std::vector<double>& y, double later,
-                                    const std::vector<double>& then) const;
   [[nodiscard]] double slope(const Watch& watch, double t, const std::vector<double>& y) const;
   [[nodiscard]] bool leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const;
   void mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const;

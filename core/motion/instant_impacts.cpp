@@ -150,23 +150,28 @@ std::vector<double> InstantImpacts::repeat(double t, std::vector<double> y,
 
 void InstantImpacts::apply(std::size_t impact, double t, Passed& passed) const {
   passed.all.push_back({impact, passed.after});
-  change(impact, t, passed.after);
+  change(impact, t, passed.after, &passed.rounding);
 }
 
-void InstantImpacts::change(std::size_t impact, double t, std::vector<double>& y) const {
+void InstantImpacts::change(std::size_t impact, double t, std::vector<double>& y,
+                            std::vector<double>* rounding) const {
   const Rule& rule = rules_[impact];
-  std::vector<double> values;
-  if (rule.enclosed_after)
-    values = told_after(rule, t, y);
-  else
-    values = values_at(*rule.after, rule.map.components, parameters_, t, y);
-  rule.map.assign(values, y);
+  if (!rule.enclosed_after)
+    return rule.map.assign(values_at(*rule.after, rule.map.components, parameters_, t, y), y);
+  const Told told = told_after(rule, t, y);
+  for (std::size_t i = 0; rounding != nullptr && i < told.off.size(); ++i) {
+    const std::size_t place = rule.map.places[i];
+    if (!(told.off[i] > rounding_of_state * std::abs(y[place]))) continue;
+    rounding->resize(y.size());
+    (*rounding)[place] += told.off[i];
+  }
+  rule.map.assign(told.values, y);
 }
 
 /// Near a multiple root the distance has a slope that is hardly more than the rounding of doubles, and at it
 /// none.
-std::vector<double> InstantImpacts::told_after(const Rule& rule, double t,
-                                               const std::vector<double>& y) const {
+InstantImpacts::Told InstantImpacts::told_after(const Rule& rule, double t,
+                                                const std::vector<double>& y) const {
   const std::size_t count = rule.map.components.size();
   std::vector<Ball> enclosed(count);
   rule.enclosed_after->set_time(t);
@@ -176,15 +181,17 @@ std::vector<double> InstantImpacts::told_after(const Rule& rule, double t,
                 "Where '" + rule.event +
                     "' happens its function has no slope that can be told from 0: in "
                     "which direction this impact turns the motion is not known.");
-  std::vector<double> values(count);
+  Told told{std::vector<double>(count), std::vector<double>(count)};
+  std::vector<double>& values = told.values;
   Workspace workspace = rule.after->bind(parameters_);
   const bool is_told = rule.after->evaluate(t, y, workspace, values) == Evaluation::ok;
   for (std::size_t i = 0; i < count; ++i) {
     const double better = enclosed[i].value(), off = std::abs(values[i] - better);
     const double size = std::max(std::abs(y[rule.map.places[i]]), std::abs(better));
     if (!is_told || (off > rounding_of_order * size && enclosed[i].radius < off)) values[i] = better;
+    told.off[i] = std::abs(values[i] - better) + enclosed[i].radius;
   }
-  return values;
+  return told;
 }
 
 }  // namespace qdot

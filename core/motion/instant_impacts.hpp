@@ -35,10 +35,11 @@ class InstantImpacts {
   struct Passed {
     std::vector<Happened> all;
     std::vector<double> after;
-    bool is_over{true};    ///< false: they start each other again and again
-    bool order_matters{};  ///< of those whose events have happened
-    bool is_unclear{};     ///< so that the opposite order is not the only other way
-    double within{};       ///< seconds, in which they really happen
+    bool is_over{true};              ///< false: they start each other again and again
+    bool order_matters{};            ///< of those whose events have happened
+    bool is_unclear{};               ///< so that the opposite order is not the only other way
+    double within{};                 ///< seconds, in which they really happen
+    std::vector<double> rounding{};  ///< what their maps leave in doubt of each component; empty: nothing
   };
   /// From (t, y). `met`: the impacts whose events have happened; `watches`: one for each impact.
   [[nodiscard]] Passed pass(double t, const std::vector<double>& y, const std::vector<bool>& met,
@@ -69,9 +70,13 @@ class InstantImpacts {
   [[nodiscard]] std::optional<double> follows(std::size_t impact, const Instant& now,
                                               const std::vector<double>& y) const;
   void apply(std::size_t impact, double t, Passed& passed) const;
-  void change(std::size_t impact, double t, std::vector<double>& y) const;
-  [[nodiscard]] std::vector<double> told_after(const Rule& rule, double t,
-                                               const std::vector<double>& y) const;
+  void change(std::size_t impact, double t, std::vector<double>& y,
+              std::vector<double>* rounding = nullptr) const;
+  /// The values after it, and what they may be off.
+  struct Told {
+    std::vector<double> values, off;
+  };
+  [[nodiscard]] Told told_after(const Rule& rule, double t, const std::vector<double>& y) const;
 
   std::span<const double> parameters_;
   double resolution_;

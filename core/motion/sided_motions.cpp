@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/compile/sharp_signs.hpp"
 #include "core/compile/taylor/composition.hpp"
 #include "core/compile/taylor/expansion.hpp"
 #include "core/motion/extended_pieces.hpp"
-#include "core/compile/sharp_signs.hpp"
 
 namespace qdot {
 namespace {

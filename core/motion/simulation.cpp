@@ -353,6 +353,7 @@ class Simulator {
     finish(end);
     doubt_instant(end, passed, std::max({time_round_off(end.t), passed.within, late}));
     apart_.pass(std::move(end));
+    apart_.doubt(passed.rounding);
     doubt_begin();
     if (request_.notes_approaches) note_conditions(sections_, apart_.at_end(), unseen_.so_far(), result_);
     return true;
