@@ -62,7 +62,7 @@ void EventSides::pass(const SectionRecord& impact) {
     if (!is_crossed_[i]) continue;
     if (sides_[i] == 0 && watch.direction != Crossing::either)
       sides_[i] = watch.direction == Crossing::falling ? 1 : -1;
-    if (goes_through(watch, impact))
+    if (goes_through(watch, impact.t, impact.before, impact.after))
       sides_[i] = -sides_[i];
     else if (watch.kind != Watch::Kind::impact)
       sides_[i] = 0;  // it was met, and may have been just behind: the motion leaves it on either side
@@ -105,7 +105,7 @@ void EventSides::mark_impacts(const SectionRecord& last, std::vector<EventFuncti
     const Watch& watch = sections_.watches()[first + impact];
     if (event.value(last.t, last.before) != event.value(last.t, last.after)) continue;
     const bool turns = dynamics_.model().parsed.impacts[impact].has_restitution();
-    const bool is_turned = turns || !goes_through(watch, last);
+    const bool is_turned = turns || !goes_through(watch, last.t, last.before, last.after);
     if (is_turned && event.direction == Crossing::either && sides_[first + impact] != 0)
       event.direction = sides_[first + impact] > 0 ? Crossing::falling : Crossing::rising;
     if (is_turned && leaves_unseen(watch, last, sides_[first + impact])) {
@@ -122,7 +122,8 @@ void EventSides::mark_impacts(const SectionRecord& last, std::vector<EventFuncti
 /// Whether the motion goes away from the surface to that side, and the slope there does not tell: rounding
 /// hides it for a while, in which nothing is met.
 bool EventSides::leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const {
-  const double now = rate(watch, impact.t, impact.after), told = slope(watch, impact.t, impact.after);
+  const double now = rate(watch, impact.t, impact.after).value;
+  const double told = slope(watch, impact.t, impact.after);
   return side * now > 0 && std::abs(now - told) > told_by_half * std::max(std::abs(now), std::abs(told));
 }
 
@@ -148,35 +149,55 @@ double EventSides::slope(const Watch& watch, double t, const std::vector<double>
   return c[1];
 }
 
-double EventSides::rate(const Watch& watch, double t, const std::vector<double>& y) const {
-  const std::vector<double> slopes = sections_.slopes(t, y);
-  const auto moved = [&](double time) {
-    std::vector<double> there = y;
-    for (std::size_t i = 0; i < y.size(); ++i) there[i] += time * slopes[i];
-    return there;
-  };
-  const double rounding = of_own_rounding * watch.own_rounding(t, y);
+/// Over a time in which that is more than rounding: at a multiple root, too, its sign is the way that it
+/// goes.
+EventSides::Rate EventSides::rate(const Watch& watch, double t, const std::vector<double>& y) const {
   const double longest = longest_of_rates * (request_.t_end - request_.t_start);
-  const double first = sections_.resolution();
-  double tau = first;
-  for (; tau < next_of_rates * longest; tau *= next_of_rates) {
-    const double change = watch.value(t + tau, moved(tau)) - watch.value(t - tau, moved(-tau));
-    if (std::abs(change) > rounding) return change / (2 * tau);
+  for (const bool is_sharp : {false, true}) {
+    for (double tau = sections_.resolution(); tau < next_of_rates * longest; tau *= next_of_rates) {
+      const double rate = is_sharp ? sharp_rate(watch, t, y, tau) : rate_over(watch, t, y, tau);
+      if (rate != 0) return {rate, tau};
+    }
   }
-  if (!watch.exact) return 0;
-  const auto sharp = [&](double time) {
-    return watch.exact(request_.parameters, t + time, Reals(moved(time)));
-  };
-  for (tau = first; tau < next_of_rates * longest; tau *= next_of_rates) {
-    const Ball change = sharp(tau) - sharp(-tau);
-    if (change.is_finite() && !change.contains_zero()) return change.value() / (2 * tau);
-  }
-  return 0;
+  return {0, longest};
 }
 
-bool EventSides::goes_through(const Watch& watch, const SectionRecord& impact) const {
-  const double before = rate(watch, impact.t, impact.before), now = rate(watch, impact.t, impact.after);
-  return before * now > 0 && std::abs(now) > lost_rate * std::abs(before);
+std::vector<double> EventSides::ahead(double t, const std::vector<double>& y, double time) const {
+  std::vector<double> there = y;
+  const std::vector<double> slopes = sections_.slopes(t, y);
+  for (std::size_t i = 0; i < y.size(); ++i) there[i] += time * slopes[i];
+  return there;
+}
+
+/// 0 where it is rounding.
+double EventSides::rate_over(const Watch& watch, double t, const std::vector<double>& y, double tau) const {
+  const double change = watch.value(t + tau, ahead(t, y, tau)) - watch.value(t - tau, ahead(t, y, -tau));
+  return std::abs(change) > of_own_rounding * watch.own_rounding(t, y) ? change / (2 * tau) : 0;
+}
+
+/// The same in twice the digits.
+double EventSides::sharp_rate(const Watch& watch, double t, const std::vector<double>& y, double tau) const {
+  if (!watch.exact) return 0;
+  const auto value = [&](double time) {
+    return watch.exact(request_.parameters, t + time, Reals(ahead(t, y, time)));
+  };
+  const Ball change = value(tau) - value(-tau);
+  return change.is_finite() && !change.contains_zero() ? change.value() / (2 * tau) : 0;
+}
+
+/// Over one time for both: next to a multiple root a rate grows with it.
+bool EventSides::goes_through(const Watch& watch, double t, const std::vector<double>& before,
+                              const std::vector<double>& after) const {
+  const double longest = longest_of_rates * (request_.t_end - request_.t_start);
+  const auto told = [&](const std::vector<double>& y, double tau) {
+    const double rate = rate_over(watch, t, y, tau);
+    return rate != 0 ? rate : sharp_rate(watch, t, y, tau);
+  };
+  for (double tau = rate(watch, t, before).tau; tau < next_of_rates * longest; tau *= next_of_rates) {
+    const double was = told(before, tau), now = told(after, tau);
+    if (now != 0) return was * now > 0 && std::abs(now) > lost_rate * std::abs(was);
+  }
+  return false;
 }
 
 double EventSides::late_at_begin(const Watch& watch, const SectionRecord& impact) const {

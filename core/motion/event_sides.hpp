@@ -40,11 +40,10 @@ class EventSides {
   void mark(double t, std::span<const double> y, const SectionRecord* impact,
             std::vector<EventFunction>& events) const;
 
-  /// How fast the function of a watch changes along a straight way from (t, y), over a time in which that is
-  /// more than rounding: at a multiple root, too, its sign is the way that it goes.
-  [[nodiscard]] double rate(const Watch& watch, double t, const std::vector<double>& y) const;
-  /// Whether an impact leaves the motion on its way through the surface that it had there.
-  [[nodiscard]] bool goes_through(const Watch& watch, const SectionRecord& impact) const;
+  /// Whether an impact that takes the state `before` to `after` leaves the motion on its way through the
+  /// surface.
+  [[nodiscard]] bool goes_through(const Watch& watch, double t, const std::vector<double>& before,
+                                  const std::vector<double>& after) const;
   /// An impact where its section begins is there but for rounding: by how many seconds it may be off.
   [[nodiscard]] double late_at_begin(const Watch& watch, const SectionRecord& impact) const;
   /// Whether two functions are zero at the same places, as far as can be seen at (t, y).
@@ -52,6 +51,16 @@ class EventSides {
                                       const std::vector<double>& y) const;
 
  private:
+  /// How fast the function of a watch changes along a straight way, so long before and after.
+  struct Rate {
+    double value{}, tau{};
+  };
+  [[nodiscard]] Rate rate(const Watch& watch, double t, const std::vector<double>& y) const;
+  [[nodiscard]] std::vector<double> ahead(double t, const std::vector<double>& y, double time) const;
+  [[nodiscard]] double rate_over(const Watch& watch, double t, const std::vector<double>& y,
+                                 double tau) const;
+  [[nodiscard]] double sharp_rate(const Watch& watch, double t, const std::vector<double>& y,
+                                  double tau) const;
   [[nodiscard]] double slope(const Watch& watch, double t, const std::vector<double>& y) const;
   [[nodiscard]] bool leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const;
   void mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t most_in_an_instant = 1000;
 constexpr std::size_t most_in_all_orders = 4;
-constexpr double stopped_rate = 1e-9;        ///< is rounding
 constexpr double rounding_of_order = 1e-12;  ///< of the largest number
 /// Of a state's numbers: their own rounding, and that of the steps that led to them.
 constexpr double rounding_of_state = 16 * std::numeric_limits<double>::epsilon();
@@ -118,8 +117,7 @@ bool InstantImpacts::still_comes(const Instant& now, std::size_t impact, const s
   if (rules_[impact].approach && watch.direction != Crossing::either)
     return follows(impact, now, y).has_value();
   if (watch.value(now.t, y) != watch.value(now.t, now.y)) return true;
-  const double before = now.sides.rate(watch, now.t, now.y), then = now.sides.rate(watch, now.t, y);
-  return before * then > 0 && std::abs(then) > stopped_rate * std::abs(before);
+  return now.sides.goes_through(watch, now.t, now.y, y);
 }
 
 /// Where its distance is 0 there and falls, neither in doubt for its rounding: by how many seconds it may be

@@ -266,7 +266,8 @@ class Simulator {
     const Watch& met = impacts_.watches()[impact.impacts.front()];
     const bool is_left_alone =
         ended_by_->value(impact.t, impact.before) == ended_by_->value(impact.t, impact.after);
-    const bool turns = is_left_alone && !sides_.goes_through(*ended_by_, impact);
+    const bool turns =
+        is_left_alone && !sides_.goes_through(*ended_by_, impact.t, impact.before, impact.after);
     if (!turns || ended_by_->kind != Watch::Kind::validity) {
       stop_by(*ended_by_);
     } else if (!sides_.are_same_surface(*ended_by_, met, impact.t, impact.before) && !result_.unclear_from) {
@@ -309,7 +310,7 @@ class Simulator {
       const auto watch = std::ranges::find(sections_.watches(), event->name, &Watch::name);
       if (watch == sections_.watches().end() || watch->kind != Watch::Kind::event) continue;
       const Watch& met = impacts_.watches()[impact.impacts.front()];
-      const bool is_certain = sides_.goes_through(*watch, impact) ||
+      const bool is_certain = sides_.goes_through(*watch, impact.t, impact.before, impact.after) ||
                               sides_.are_same_surface(*watch, met, impact.t, impact.before);
       if (!is_certain) event->is_in_doubt = true;
     }
