@@ -32,8 +32,7 @@ double Lanes::State::expected_wait(int threads) const {
 
 double Lanes::State::longest_wait(std::chrono::steady_clock::time_point now) const {
   const std::chrono::duration<double> busy = now - idle;
-  return busy.count() <= limits.burst_wait ? std::max(limits.burst_wait, limits.longest_wait)
-                                           : limits.longest_wait;
+  return std::max(limits.burst_wait - busy.count(), limits.longest_wait);
 }
 
 Lanes::Lanes(const LanesOptions& options) : threads_(options.threads), heavy_bytes_(options.heavy_bytes) {

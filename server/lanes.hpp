@@ -8,9 +8,10 @@
 // measured.
 //
 // A burst is no overload: what comes all at once to a lane that was idle may wait longer, because nothing
-// need follow it. Where more keeps coming, so that somebody has waited all that time, the bound is the narrow
-// one again until the lane has been idle once more (as routers tell a good queue from a standing one: Nichols
-// and Jacobson, Controlling queue delay, ACM Queue 10 (2012)).
+// need follow it. It may wait as long as the lane can be done with all of it in a given time after it was
+// idle. So an offer that does not end fills that time once, and not again while it passes: from then on the
+// bound is the narrow one, until the lane has been idle once more (as routers tell a good queue from a
+// standing one: Nichols and Jacobson, Controlling queue delay, ACM Queue 10 (2012)).
 
 #include <array>
 #include <chrono>
@@ -33,7 +34,7 @@ inline constexpr std::array all_lanes{Lane::light, Lane::heavy};
 
 struct LaneLimits {
   double longest_wait{};  ///< seconds that the last entry of the queue may expect to wait
-  double burst_wait{};    ///< the same for so many seconds after the lane was idle; no less than longest_wait
+  double burst_wait{};    ///< or it may begin within so many seconds after the lane was idle
   std::size_t waiting{};  ///< entries that the queue may have
 };
 

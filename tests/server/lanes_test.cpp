@@ -98,6 +98,18 @@ TEST(Lanes, WhatIsOfferedWithoutEndIsAnOverload) {
   next.release();
 }
 
+TEST(Lanes, ABurstIsDoneInItsTimeAndNothingJoinsItWhileThatPasses) {
+  Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0.05, .burst_wait = 0.6, .waiting = 1000}});
+  Occupied first(lanes, Lane::heavy);
+  first.wait_until_begun();
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 400, .task = [] {}}));
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 1, .task = [] {}})) << "behind 400 ms, at once";
+  std::this_thread::sleep_for(300ms);
+  EXPECT_FALSE(lanes.submit(Lane::heavy, {.cost = 1, .task = [] {}}))
+      << "0.3 and 0.4 are more than 0.6 seconds";
+  first.release();
+}
+
 TEST(Lanes, TheCostliestIsAdmittedWhereNobodyWaits) {
   Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0, .waiting = 0}});
   std::latch done{1};

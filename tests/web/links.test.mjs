@@ -25,7 +25,7 @@ const views = [
 
 for (const [hash, endpoint] of views) {
   test(`the curl line of ${hash} gives the bytes that the page has`, async () => {
-    const { page, context } = await newPage(browser);
+    const { page, context } = await newPage(browser, { motion: "reduce" });
     const seen = [];
     page.on("response", async (response) => {
       if (response.url().endsWith(`/v1/${endpoint}`))
@@ -69,7 +69,7 @@ test("a link opens the view again, with its numbers, its columns and its scene",
 });
 
 test("back and forward go through the views", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/", ".vignette");
   await page.getByRole("link", { name: /Compass walker/ }).click();
   await page.getByRole("link", { name: "Gait" }).click();
@@ -86,7 +86,7 @@ test("back and forward go through the views", async () => {
 });
 
 test("from system to system and from view to view without loading the page anew", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/", ".vignette");
   const { systems } = await (await fetch(`${origin}/v1/systems`)).json();
   for (const { name, title } of systems) {

@@ -15,7 +15,7 @@ const write = async (page, text) => {
 };
 
 test("five templates open in every view", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/scene", ".plot");
   const names = (await page.locator("#template option").allTextContents()).slice(1);
   assert.equal(names.length, 5);
@@ -34,7 +34,7 @@ test("five templates open in every view", async () => {
 });
 
 test("what the service says stands at its line, and its suggestion is a button", async () => {
-  const { page, context } = await newPage(browser);
+  const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/scene", ".plot");
   const text = await page.locator("#scene-text").inputValue();
   await write(page, text.replace('"mass": "m"', '"mass": "mm"'));
@@ -52,7 +52,7 @@ test("what the service says stands at its line, and its suggestion is a button",
 });
 
 test("text that is no JSON is told where it breaks", async () => {
-  const { page, context } = await newPage(browser);
+  const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/scene", ".plot");
   for (const [text, said] of [
     ["{\n  'name': 1}", /line 2 .*double quotes/],
@@ -94,7 +94,7 @@ test("a scene without units has none beside its numbers, on a phone too", async 
 });
 
 test("names of the schema are offered where they fit", async () => {
-  const { page, context } = await newPage(browser);
+  const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/scene", ".plot");
   await idle(page);
   const text = await page.locator("#scene-text").inputValue();
@@ -111,7 +111,7 @@ test("names of the schema are offered where they fit", async () => {
 });
 
 test("a hostile scene injects nothing", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/scene", ".plot");
   const scene = await template(page);
   const markup = '<img src=x onerror="window.taken=1"><script>window.taken=1</script>';

@@ -13,21 +13,22 @@ namespace {
 
 using namespace integrate_test;
 
-constexpr double h = 0.5;
+constexpr double length = 0.5;
 constexpr int steps = 40;
 
 /// e of x and x' after motions from (1, -1).
 std::vector<double> off_by(const Apart& start, std::span<const double> defect) {
   const Originals originals{pulled_by(1), pulled_by(1)};
   OwnErrors errors(originals, start, 0);
-  take_steps(pulled_by(1), {1, -1}, h, steps, defect, [&](const MotionPiece& step) { errors.follow(step); });
+  take_steps(pulled_by(1), {1, -1}, length, steps, defect,
+             [&](const MotionPiece& step) { errors.follow(step); });
   return {errors.in_last_step(0), errors.in_last_step(1)};
 }
 
 TEST(OwnErrors, CountTheRoundingOfStepsThatTheStartDoesNotShow) {
   constexpr double e = 1e-15;  // along v = -x, which decays
   const std::vector<double> off = off_by({{e, -e}, {0, 0}}, {});
-  const double grown = std::exp(h * (steps - 1)) / 2;
+  const double grown = std::exp(length * (steps - 1)) / 2;
   EXPECT_GT(off[0], 0x1p-53 * grown / 10);
   EXPECT_LT(off[0], 0x1p-53 * grown * 10);
 }
@@ -36,7 +37,7 @@ TEST(OwnErrors, OfTruncationAddUpAlongWhatGrows) {
   constexpr double e = 1e-6, defect = 1e-9;
   const std::vector<double> off = off_by({{e, -e}, {0, 0}}, std::vector{0.0, defect});
   double sum = 0;
-  for (int i = 1; i < steps; ++i) sum += defect * h / order * std::exp(h * i) / 2;
+  for (int i = 1; i < steps; ++i) sum += defect * length / order * std::exp(length * i) / 2;
   EXPECT_GT(off[0], 0.5 * sum);
   EXPECT_LT(off[0], 2 * sum);
 }
@@ -44,7 +45,7 @@ TEST(OwnErrors, OfTruncationAddUpAlongWhatGrows) {
 TEST(OwnErrors, SayWhatTheSecondSampleShowsWithoutItsEnlargement) {
   constexpr double e = 1e-12;
   const std::vector<double> off = off_by({{0, 0}, {e * OwnErrors::enlarged, 0}}, {});
-  EXPECT_NEAR(off[0], e * std::cosh(h * steps), 1e-3 * off[0]);
+  EXPECT_NEAR(off[0], e * std::cosh(length * steps), 1e-3 * off[0]);
 }
 
 /// x'' = -x for a quarter of a period: a force that is off by e all along moves x by e.
@@ -73,9 +74,10 @@ TEST(OwnErrors, CountWhatRoundingDoesToAForceThatIsZero) {
   OwnErrors errors(originals, {{0, 0}, {0, 0}}, 0);
   const std::vector<double> rows(2 * (order + 1), rest), defect(2), rounding{e};
   for (int i = 0; i < 3; ++i)
-    errors.follow({.t = i * h, .h = h, .rows = rows, .order = order, .defect = defect, .rounding = rounding});
-  EXPECT_NEAR(errors.in_last_step(1), e * 3 * h, 1e-9 * e);
-  EXPECT_NEAR(errors.in_last_step(0), e * 9 * h * h / 2, 1e-9 * e);
+    errors.follow(
+        {.t = i * length, .h = length, .rows = rows, .order = order, .defect = defect, .rounding = rounding});
+  EXPECT_NEAR(errors.in_last_step(1), e * 3 * length, 1e-9 * e);
+  EXPECT_NEAR(errors.in_last_step(0), e * 9 * length * length / 2, 1e-9 * e);
 }
 
 }  // namespace

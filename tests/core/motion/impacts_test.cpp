@@ -11,7 +11,7 @@
 namespace qdot {
 namespace {
 
-constexpr double g = 9.81;
+constexpr double earth_gravity = 9.81;
 
 MeasuredSimulation measured(const Model& model, const Values& given, std::vector<double> grid,
                             Method method) {
@@ -50,9 +50,9 @@ double end_of_bounces(double h, double v, double gravity, double e) {
 /// one, and after it in the other.
 TEST(Impacts, AtRowsDoNotMakeTheMotionUncertain) {
   const auto model = build_model(ball_on_slope(0, 1));
-  const double fall = std::sqrt(0.04 + 2 * g * 1.9), first = (fall - 0.2) / g;
+  const double fall = std::sqrt(0.04 + 2 * earth_gravity * 1.9), first = (fall - 0.2) / earth_gravity;
   std::vector<double> rows{0};
-  for (int i = 0; i < 20; ++i) rows.push_back(first + i * 2 * fall / g);
+  for (int i = 0; i < 20; ++i) rows.push_back(first + i * 2 * fall / earth_gravity);
   rows.push_back(40);
   for (const Method method : {Method::taylor, Method::erk, Method::adams}) {
     const MeasuredSimulation m = measured(*model, {}, rows, method);
@@ -72,7 +72,8 @@ TEST(Impacts, AccumulateByEveryMethod) {
       ASSERT_TRUE(m.simulation.stop) << static_cast<int>(method) << " " << e;
       EXPECT_EQ(m.simulation.stop->reason, "impacts_accumulate");
       ASSERT_TRUE(m.stop_error);
-      EXPECT_LE(std::abs(m.simulation.stop->t - end_of_bounces(1.9, -0.2, g, e)), m.stop_error->time)
+      EXPECT_LE(std::abs(m.simulation.stop->t - end_of_bounces(1.9, -0.2, earth_gravity, e)),
+                m.stop_error->time)
           << static_cast<int>(method) << " " << e;
       EXPECT_LE(m.stop_error->time, 5e-4);
     }
@@ -85,8 +86,8 @@ TEST(Impacts, AccumulateOnASlopeAtATimeWithinItsError) {
     for (const double e : {0.002, 0.05, 0.27, 0.5, 0.7, 0.82}) {
       const auto model = build_model(ball_on_slope(steepness, e));
       const double normal = std::hypot(1, steepness);
-      const double end =
-          end_of_bounces((1.9 + 0.7 * steepness) / normal, (-0.2 + 0.1 * steepness) / normal, g / normal, e);
+      const double end = end_of_bounces((1.9 + 0.7 * steepness) / normal, (-0.2 + 0.1 * steepness) / normal,
+                                        earth_gravity / normal, e);
       const MeasuredSimulation m = measured(*model, {}, test::instants(40, 4), Method::taylor);
       ASSERT_TRUE(m.simulation.stop) << steepness << " " << e;
       if (!m.stop_error) continue;
