@@ -87,6 +87,16 @@ class CriticalValues(Service):
                                           "parameters": {"M": 1, "k": 20}})
         self.assertNotIn("notes", given)
 
+    def test_at_a_pole_of_the_potential_nothing_folds(self):
+        for text, place, others in (("a*x^2/2 - p/(4 - x)", "p = 0 and x = 4", []),
+                                    ("a*x^2/2 - p/(4 - x)^2", "p = 0 and x = 4", ["saddle_node"]),
+                                    ("a*x^2/2 + p*log(x)", "p = 0 and x = 0", []), ("a*x^2/2 + p/x", "p = 0 and x = 0", [])):
+            with self.subTest(text):
+                system = lagrangian("pole", "a - 1; p - 1", "x - 0.1", f"x_dot^2/2 - ({text})")
+                answer = self.critical(system, "p", -6, 20 if others else 6.1)
+                self.assertEqual([kind for kind, _ in self.found(answer)], others)
+                self.assertIn(f"At {place} the forces have no value", answer["reason"])
+
 
 if __name__ == "__main__":
     unittest.main()
