@@ -1,7 +1,10 @@
 #include "api/answers/steady_json.hpp"
 
+#include <algorithm>
+
 #include "api/answers/answers.hpp"
 #include "api/answers/stated.hpp"
+#include "core/base/short_number.hpp"
 
 namespace qdot::api {
 
@@ -25,6 +28,28 @@ Json steady_units(const Scene& scene) {
   units["rate2"] = units["rate2_error"] = "1/s^2";
   units["re"] = units["im"] = "1/s";
   return units;
+}
+
+std::vector<std::string> notes_on_rates(const Dynamics& dynamics, const SystemChoice& choice,
+                                        const ResolvedState& state) {
+  const Model& model = dynamics.model();
+  const auto& rates = model.parsed.symbols.coordinates.rate;
+  const auto statics = dynamics.statics(state.parameters);
+  const auto momenta = momentum_columns(model, statics->reduction.ignored);
+  std::vector<std::string> notes;
+  for (const std::size_t i : statics->reduction.kept) {
+    const std::string& name = model.scene.coordinates[i].name;
+    const double rate = state.y[rates.size() + i];
+    const bool was_given =
+        std::ranges::any_of(choice.initial, [&](const auto& given) { return given.first == name + "_dot"; });
+    const bool counts =
+        std::ranges::any_of(momenta, [&](const qdot::Column& p) { return depends_on(p.value, rates[i]); });
+    if (!was_given || counts || rate == 0) continue;
+    notes.push_back("The start has " + name + "_dot = " + short_number(rate) +
+                    ", but these are places of rest or steady motions, in which " + name +
+                    " rests: its rate is left out.");
+  }
+  return notes;
 }
 
 }  // namespace qdot::api
