@@ -5,6 +5,7 @@
 #include "api/answers/answers.hpp"
 #include "api/answers/stated.hpp"
 #include "core/base/short_number.hpp"
+#include "core/steady/surface_statics.hpp"
 
 namespace qdot::api {
 
@@ -30,22 +31,35 @@ Json steady_units(const Scene& scene) {
   return units;
 }
 
+namespace {
+
+std::vector<std::size_t> ignored_coordinates(const Dynamics& dynamics, const Reals& parameters) {
+  if (dynamics.model().has_constraints())
+    return surface_statics(dynamics, parameters).statics->reduction.ignored;
+  return dynamics.statics(parameters)->reduction.ignored;
+}
+
+}  // namespace
+
 std::vector<std::string> notes_on_rates(const Dynamics& dynamics, const SystemChoice& choice,
                                         const ResolvedState& state) {
   const Model& model = dynamics.model();
   const auto& rates = model.parsed.symbols.coordinates.rate;
-  const auto statics = dynamics.statics(state.parameters);
-  const auto momenta = momentum_columns(model, statics->reduction.ignored);
+  std::vector<std::size_t> moving;  // at the start, as the request has it
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const std::string rate = model.scene.coordinates[i].name + "_dot";
+    const auto is_it = [&](const auto& given) { return given.first == rate; };
+    if (std::ranges::any_of(choice.initial, is_it) && state.y[rates.size() + i] != 0) moving.push_back(i);
+  }
+  if (moving.empty()) return {};
+  const std::vector<std::size_t> ignored = ignored_coordinates(dynamics, state.parameters);
+  const auto momenta = momentum_columns(model, ignored);
   std::vector<std::string> notes;
-  for (const std::size_t i : statics->reduction.kept) {
+  for (const std::size_t i : moving) {
+    const auto counts = [&](const qdot::Column& p) { return depends_on(p.value, rates[i]); };
+    if (std::ranges::find(ignored, i) != ignored.end() || std::ranges::any_of(momenta, counts)) continue;
     const std::string& name = model.scene.coordinates[i].name;
-    const double rate = state.y[rates.size() + i];
-    const bool was_given =
-        std::ranges::any_of(choice.initial, [&](const auto& given) { return given.first == name + "_dot"; });
-    const bool counts =
-        std::ranges::any_of(momenta, [&](const qdot::Column& p) { return depends_on(p.value, rates[i]); });
-    if (!was_given || counts || rate == 0) continue;
-    notes.push_back("The start has " + name + "_dot = " + short_number(rate) +
+    notes.push_back("The start has " + name + "_dot = " + short_number(state.y[rates.size() + i]) +
                     ", but these are places of rest or steady motions, in which " + name +
                     " rests: its rate is left out.");
   }
