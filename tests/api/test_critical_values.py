@@ -35,6 +35,16 @@ class CriticalValues(Service):
         equation = self.ask("equations", {"system": hoop("r*sin(a + pi/2)", "-r*cos(a + pi/2)")})
         self.assertEqual(equation["V"], "m*r*g*sin(a)")
 
+    def test_a_torsion_spring_holds_a_pendulum_up_wherever_its_angle_begins(self):
+        for at_rest, out, up in (("pi", "l*sin(a)", "-l*cos(a)"), ("0", "l*sin(a)", "l*cos(a)"),
+                                 ("pi/2", "l*cos(a)", "l*sin(a)"), ("-pi/2", "l*cos(a)", "-l*sin(a)")):
+            with self.subTest(at_rest):
+                system = scene("strut", f"m kg 1; l m 0.5; k N*m 12; {G}", "a rad", gravity=DOWN, bodies=[particle("m", out, up)],
+                               springs=[{"stiffness": "k", "angle": "a", "rest_angle": at_rest}])
+                answer = self.critical(system, "k", 3, 8)
+                self.assertTrue(answer["complete"], answer.get("reason"))
+                self.assertEqual(self.found(answer), [("pitchfork", "m*l*g")])
+
     def test_multiples_of_an_angle_show_their_factors(self):
         system = lagrangian("three_fold", "p - 0.2; q - 1", "a - 0", "a_dot^2/2 - p*cos(3*a) - q*cos(a)")
         answer = self.critical(system, "p", -2, 2)
