@@ -8,6 +8,7 @@
 #include "core/expr/print/print.hpp"
 #include "core/expr/rational_function.hpp"
 #include "core/mechanics/notation.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot {
 namespace {
@@ -17,7 +18,7 @@ constexpr int far_places = 32;
 /// Of the sign that a value has, between a twelfth and twelve where its domain has that.
 double far_value(double value, const Domain& domain, std::minstd_rand& random) {
   const double u = static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max());
-  const double size = std::pow(12.0, 2 * u - 1), x = value < 0 ? -size : size;
+  const double size = power(12.0, 2 * u - 1), x = value < 0 ? -size : size;
   if (value == 0 || domain.contains(x)) return value == 0 ? 0 : x;
   const double lower = value > 0 ? std::max(domain.lower, 0.0) : domain.lower,
                upper = value < 0 ? std::min(domain.upper, 0.0) : domain.upper;

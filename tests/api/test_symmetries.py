@@ -63,6 +63,14 @@ class Named(unittest.TestCase):
         self.assertEqual({name: found[name]["value"] for name in expected if name in found}, expected, found)
         return found
 
+    def test_a_knife_edge_keeps_the_momentum_along_its_blade_wherever_that_points(self):
+        knife = bare("m*(x_dot^2 + y_dot^2)/2 + k*th_dot^2/2", {"x": (0, 1), "y": (0, 0), "th": (0, 0.3)}, m=1, k=2)
+        knife["constraints"] = [{"name": "edge", "expression": "x_dot*sin(th) - y_dot*cos(th)"}]
+        self.check(knife, {"momentum_x_y": "m*(x_dot*cos(th) + y_dot*sin(th))"})
+        (line,) = asked([{"energy": {"system": knife}}])
+        told = {one["name"]: one["value"] for one in line["answer"]["conserved"]}
+        self.assertEqual(told["momentum_x_y"], 1)
+
     def test_a_uniform_force_of_the_time_leaves_a_momentum(self):
         """d/dt of the quantity along x'' = g(t)/m, by differences of 40 digits."""
         for force, g in (("sin(w*t)", lambda t: mpmath.sin(1.3*t)), ("cos(w*t + 1)", lambda t: mpmath.cos(1.3*t + 1)),
