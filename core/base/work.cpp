@@ -38,8 +38,9 @@ std::uint64_t work_left() {
 }
 
 void check_interruption() {
-  const WorkScope* const scope = innermost;
-  if (scope != nullptr && scope->interrupted_ && scope->interrupted_()) throw Interrupted{};
+  for (const WorkScope* scope = innermost; scope != nullptr; scope = scope->outer_) {
+    if (scope->interrupted_ && scope->interrupted_()) throw Interrupted{};
+  }
 }
 
 }  // namespace qdot

@@ -56,7 +56,8 @@ ExactEquilibrium exact_equilibrium(const Dynamics& dynamics, const Reals& parame
   ExactModes exact = exact_modes(dynamics, parameters, written, modes);
   ExactEquilibrium result{std::move(exact.state), std::nullopt};
   if (exact.modes.empty() || !exact.modes[0] || exact.modes[0]->creeps) return result;
-  const ClosedForm& square = exact.modes[0]->square;
+  ClosedForm square = exact.modes[0]->square;
+  if (exact.modes[0]->lambda_assumes) square.assumes = *exact.modes[0]->lambda_assumes;
   result.rate2 = modes.modes[0].kind == ModeKind::growth ? negative(dynamics.model(), square) : square;
   return result;
 }

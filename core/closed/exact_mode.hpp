@@ -10,6 +10,8 @@ namespace qdot {
 
 struct ExactMode {
   ClosedForm square;  ///< omega^2, or rate^2 where lambda < 0; of the rate itself where the mode creeps
+  std::optional<std::vector<std::string>>
+      lambda_assumes{};  ///< what `square` assumes as a formula of lambda of either sign, where that is less
   std::optional<ClosedForm> general{};  ///< the same before relations between parameters were put in
   std::optional<ClosedForm> rate{};     ///< omega, or the rate
   std::optional<ClosedForm> period{};   ///< of an oscillation

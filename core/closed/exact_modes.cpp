@@ -8,6 +8,7 @@
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/allowed_motions.hpp"
+#include "core/closed/assumed_signs.hpp"
 #include "core/closed/decided_coordinates.hpp"
 #include "core/closed/mode_options.hpp"
 #include "core/closed/place_search.hpp"
@@ -75,6 +76,7 @@ enum class Wanted { place, modes };
 /// Derives the options from a place that has formulas.
 void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues& values, Wanted wanted,
             Prepared& result) {
+  const std::vector<std::string> conditions = assumed_at(all, place, values);
   if (wanted == Wanted::modes) {
     const std::optional<LinearMotions> motions =
         values.model().has_constraints() ? allowed_motions(all, place, values) : all;
@@ -85,7 +87,9 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
   for (std::size_t k = 0; k < all.moving.size(); ++k) {
     auto& state = result.state[all.moving[k]];
     state = closed_form(values, place.x()[k], {}, all.momenta);
-    if (state) assume_signs(*state, values, place.x()[k], all.momenta);
+    if (!state) continue;
+    assume_signs(*state, values, place.x()[k], all.momenta);
+    state->assumes.insert(state->assumes.end(), conditions.begin(), conditions.end());
   }
 }
 

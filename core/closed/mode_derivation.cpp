@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/closed/exact_roots.hpp"
-#include "core/closed/trial.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
@@ -44,6 +43,26 @@ std::vector<Surd> normalized(std::vector<Surd> shape) {
   return shape;
 }
 
+void add(const std::vector<std::string>& conditions, ClosedForm& form) {
+  form.assumes.insert(form.assumes.end(), conditions.begin(), conditions.end());
+}
+
+void add(const std::vector<std::string>& conditions, ExactMode& form) {
+  const auto take = [&](ClosedForm& f) { add(conditions, f); };
+  take(form.square);
+  for (auto* other : {&form.rate, &form.period, &form.lambda, &form.damping}) {
+    if (*other) take(**other);
+  }
+  for (auto* shape : {&form.shape, &form.scaled_shape}) std::ranges::for_each(*shape, take);
+}
+
+/// Symbols that may have any value.
+std::vector<Expression> given_at(const LinearMotions& motions, const ExactPlace& place) {
+  std::vector<Expression> given = place.undecided();
+  given.insert(given.end(), motions.momenta.begin(), motions.momenta.end());
+  return given;
+}
+
 }  // namespace
 
 ModeDerivation::ModeDerivation(const LinearMotions& motions, const ExactPlace& place,
@@ -53,9 +72,9 @@ ModeDerivation::ModeDerivation(const LinearMotions& motions, const ExactPlace& p
       values_(values),
       relations_(relations),
       graph_(*motions.graph),
-      given_(place.undecided()),
+      given_(given_at(motions, place)),
+      signs_(values, relations_, given_),
       modes_(modes_at(motions, place, relations.replacements)) {
-  given_.insert(given_.end(), motions.momenta.begin(), motions.momenta.end());
   std::erase_if(modes_, [&](const LinearMode& mode) {
     return (mode.lambda.is_zero() && mode.decay.is_zero()) || !is_true(mode);
   });
@@ -85,12 +104,34 @@ ModeForms ModeDerivation::forms(const LinearMode& mode) {
   const bool is_oscillation = oscillates(mode);
   const Surd square = is_oscillation ? mode.lambda : -mode.lambda;
   ModeForms result{sqrt(plain_expression(graph_, square)), is_oscillation, {.square = *form(mode)}, {}, {}};
-  result.form.rate = formula(root(square));
+  const Expression rate = root(square);
+  result.form.rate = formula(rate);
   if (is_oscillation) result.form.period = period(square);
   take_root_as_written(square, result);
   result.form.lambda = scaled_lambda(mode.lambda);
   add_shape(mode, result);
+  const std::vector<std::string> conditions = needed(mode, {rate});
+  if (!conditions.empty()) {
+    ClosedForm of_lambda = result.form.square;
+    add(needed(mode, {}), of_lambda);
+    result.form.lambda_assumes = of_lambda.assumes;
+  }
+  add(conditions, result.form);
   return result;
+}
+
+ClosedForm ModeDerivation::with_signs(const LinearMode& mode, ClosedForm form) {
+  if (signs_.are_there()) add(needed(mode, {sqrt(square(mode))}), form);
+  return form;
+}
+
+/// What has to be assumed for the mode's equations to hold and for these to be positive.
+std::vector<std::string> ModeDerivation::needed(const LinearMode& mode,
+                                                const std::vector<Expression>& positive) {
+  if (!signs_.are_there()) return {};
+  Trial trial = claims(mode);
+  for (const Expression& e : positive) trial.is_positive(e);
+  return signs_.needed_for(trial);
 }
 
 /// Where the square has roots, they are joined in it already.
@@ -131,6 +172,8 @@ std::vector<ModeForms> ModeDerivation::damped_forms(const LinearMode& mode) {
   for (auto& forms : found) {
     if (!forms) continue;
     add_shape(mode, *forms);
+    const Expression damping = values_.sign(*forms->decay) < 0 ? -*forms->decay : *forms->decay;
+    add(needed(mode, {forms->root, damping}), forms->form);
     result.push_back(*std::move(forms));
   }
   return result;
@@ -226,9 +269,11 @@ std::optional<Expression> ModeDerivation::sum_of_roots(const Surd& x) {
 }
 
 /// The equations hold at other values of the parameters, too.
-bool ModeDerivation::is_true(const LinearMode& mode) const {
+bool ModeDerivation::is_true(const LinearMode& mode) const { return claims(mode).passes(); }
+
+Trial ModeDerivation::claims(const LinearMode& mode) const {
   Trial trial(values_, relations_);
-  for (const Expression& e : given_) trial.set({e}, {graph_.number(Number::real(values_.value(e).value))});
+  trial.set_given(given_);
   trial.set(motions_.x, place_.x());
   for (const auto* vanishing : {&motions_.forces, &motions_.surface}) {
     for (const Expression& e : *vanishing) trial.vanishes({e});
@@ -237,7 +282,7 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
   const std::size_t size = motions_.mass.size();
   if (mode.shape.empty() && mode.group.size() == 2) {
     trial.vanishes(characteristic_terms(mode.group[0], mode.group[1], lambda));
-    return trial.passes();
+    return trial;
   }
   if (mode.shape.empty()) {
     Matrix characteristic = motions_.stiffness;
@@ -246,7 +291,7 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
         characteristic[i][j] = characteristic[i][j] - lambda * motions_.mass[i][j];
     }
     trial.is_singular(std::move(characteristic));
-    return trial.passes();
+    return trial;
   }
   const Expression decay = plain_expression(graph_, mode.decay);
   for (std::size_t i = 0; i < size; ++i) {
@@ -262,7 +307,7 @@ bool ModeDerivation::is_true(const LinearMode& mode) const {
     trial.vanishes(std::move(terms));
     trial.vanishes(std::move(friction));
   }
-  return trial.passes();
+  return trial;
 }
 
 /// The terms of det(K - lambda M), and those that gyroscopic forces add to it.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/closed/assumed_signs.hpp"
 #include "core/closed/exact_mode.hpp"
 #include "core/closed/exact_place.hpp"
 #include "core/closed/linear_modes.hpp"
@@ -32,6 +33,8 @@ class ModeDerivation {
   [[nodiscard]] double value(const LinearMode& mode) const;              ///< lambda
   [[nodiscard]] Expression square(const LinearMode& mode);               ///< |lambda|
   [[nodiscard]] std::optional<ClosedForm> form(const LinearMode& mode);  ///< |lambda|
+  /// The form of |lambda| with the signs of sums that it assumes.
+  [[nodiscard]] ClosedForm with_signs(const LinearMode& mode, ClosedForm form);
   /// All forms of a mode without damping whose square has one.
   [[nodiscard]] ModeForms forms(const LinearMode& mode);
   /// Of a damped one, which is an oscillation or creeps at two rates, where lambda = 0 at one beside rest.
@@ -41,6 +44,9 @@ class ModeDerivation {
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const;
   [[nodiscard]] bool oscillates(const LinearMode& mode) const;
   [[nodiscard]] bool is_true(const LinearMode& mode) const;
+  [[nodiscard]] Trial claims(const LinearMode& mode) const;
+  [[nodiscard]] std::vector<std::string> needed(const LinearMode& mode,
+                                                const std::vector<Expression>& positive);
   void take_root_as_written(const Surd& square, ModeForms& result);
   void add_shape(const LinearMode& mode, ModeForms& result);
   [[nodiscard]] std::optional<ModeForms> swinging(const Expression& square, const Expression& decay);
@@ -66,6 +72,7 @@ class ModeDerivation {
   Relations relations_;
   Graph& graph_;
   std::vector<Expression> given_;  ///< beside the parameters: momenta, and coordinates that no force decides
+  AssumedSigns signs_;
   std::vector<LinearMode> modes_;
   std::vector<std::pair<Polynomial, Expression>> roots_;  ///< n and forms of sqrt(n)
 };

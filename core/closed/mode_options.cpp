@@ -64,7 +64,7 @@ std::vector<ModeForms> options_of(ModeDerivation& general, ModeDerivation* relat
     }
     if (chosen == nullptr) continue;
     options.push_back(chosen->forms(*best));
-    if (chosen != &general) options.back().form.general = plain;
+    if (chosen != &general && plain) options.back().form.general = general.with_signs(mode, *plain);
   }
   return options;
 }

@@ -73,6 +73,10 @@ void Trial::set(const std::vector<Expression>& symbols, const std::vector<Expres
   for (std::size_t i = 0; i < symbols.size(); ++i) others_.emplace_back(symbols[i], values[i]);
 }
 
+void Trial::set_given(const std::vector<Expression>& symbols) {
+  given_.insert(given_.end(), symbols.begin(), symbols.end());
+}
+
 std::vector<RealAssignment> Trial::place(int number) const {
   std::vector<RealAssignment> assigned;
   const auto is_related = [&](const Expression& p) {
@@ -82,10 +86,15 @@ std::vector<RealAssignment> Trial::place(int number) const {
     if (!is_related(values_.symbols()[i]))
       assigned.emplace_back(values_.symbols()[i], Real(values_.parameters()[i] * factor(number, i)));
   }
-  for (const auto* group : {&relations_.replacements, &others_}) {
-    for (const auto& [symbol, value] : *group) {
-      if (value != symbol) assigned.emplace_back(symbol, evaluate_exactly(value, assigned));
-    }
+  for (const Expression& e : given_) assigned.emplace_back(e, values_.value(e));
+  for (const auto& [symbol, value] : relations_.replacements)
+    assigned.emplace_back(symbol, evaluate_exactly(value, assigned));
+  return with_others(std::move(assigned));
+}
+
+std::vector<RealAssignment> Trial::with_others(std::vector<RealAssignment> assigned) const {
+  for (const auto& [symbol, value] : others_) {
+    if (value != symbol) assigned.emplace_back(symbol, evaluate_exactly(value, assigned));
   }
   return assigned;
 }
@@ -108,6 +117,14 @@ bool Trial::passes() const {
     held += known ? 1 : 0;
   }
   return held > 0;
+}
+
+bool Trial::holds_at(const std::vector<RealAssignment>& parameters) const {
+  const std::vector<RealAssignment> there = with_others(parameters);
+  const auto holds = [&](const auto& claim) { return judged(claim, there) == Verdict::holds; };
+  const auto is_positive = [&](const Expression& e) { return evaluate_exactly(e, there).value > 0; };
+  return std::ranges::all_of(positive_, is_positive) && std::ranges::all_of(claims_, holds) &&
+         std::ranges::all_of(singular_, holds);
 }
 
 }  // namespace qdot

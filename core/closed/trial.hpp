@@ -16,21 +16,30 @@ class Trial {
 
   /// Symbols that are no parameters, or asked for, and what they are by what has a value already.
   void set(const std::vector<Expression>& symbols, const std::vector<Expression>& values);
+  /// Symbols that may have any value, and have one.
+  void set_given(const std::vector<Expression>& symbols);
   /// Claims that the sum of the terms is zero.
   void vanishes(std::vector<Expression> terms) { claims_.push_back(std::move(terms)); }
   /// Claims that the determinant is zero.
   void is_singular(Matrix matrix) { singular_.push_back(std::move(matrix)); }
+  /// Claims that it is above zero.
+  void is_positive(const Expression& e) { positive_.push_back(e); }
   /// Every claim holds wherever all its terms have values, and somewhere they have.
   [[nodiscard]] bool passes() const;
+  /// Where the parameters, and the symbols that are given, have these values.
+  [[nodiscard]] bool holds_at(const std::vector<RealAssignment>& parameters) const;
 
  private:
   [[nodiscard]] std::vector<RealAssignment> place(int number) const;
+  [[nodiscard]] std::vector<RealAssignment> with_others(std::vector<RealAssignment> assigned) const;
 
   const ExactValues& values_;
   const Relations& relations_;
+  std::vector<Expression> given_;
   std::vector<Replacement> others_;
   std::vector<std::vector<Expression>> claims_;
   std::vector<Matrix> singular_;
+  std::vector<Expression> positive_;
 };
 
 }  // namespace qdot

@@ -38,13 +38,17 @@ class SystemsDerivation {
   }
 
   BifurcationSystems run() {
-    std::vector<Expression> numerators;
+    std::vector<Expression> numerators, denominators;
     for (const std::size_t i : forces_.equations) {
       const Expression g = graph_.adopt(forces_.rest[i]);
       result_.depends = result_.depends || depends_on(g, p_);
       numerators.push_back(simplify(numerator_of(g, all_x_)));
+      std::ranges::copy(denominators_of(g, all_x_), std::back_inserter(denominators));
     }
     leave_out_linear(numerators);
+    for (Expression& e : denominators) e = substitute(e, by_those_left_);
+    std::erase_if(denominators, [&](const Expression& e) { return !knows_all(e); });
+    result_.denominators = compiled(denominators);
     if (forces_.charts.empty()) {
       growth_ = derive_growth_condition(reduction_, forces_, graph_, all_x_, by_those_left_);
       result_.growth_is_collision = growth_.is_collision;

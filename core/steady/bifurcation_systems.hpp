@@ -41,6 +41,8 @@ struct BifurcationSystems {
   /// Factors of p alone, as functions of p and their slopes: where one vanishes, so does a force everywhere.
   CompiledFunction vanishing, vanishing_slopes;
   bool depends{};  ///< some force depends on p
+  /// Of (x, p): where one vanishes, forces have poles, and zeros of their numerators say nothing.
+  CompiledFunction denominators;
 
   /// The numerators N_i of the forces at (x, p), without factors that cannot vanish, and their derivatives
   /// along all of (x, p), by rows.

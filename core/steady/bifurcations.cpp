@@ -230,6 +230,10 @@ class CriticalSearch {
 
   void add(std::span<const KnownZero> zeros) {
     for (const KnownZero& zero : zeros) {
+      if (is_at_pole(zero.zero)) {
+        tell_pole(zero.zero);
+        continue;
+      }
       CriticalValue critical = value_at(zero);
       if (lacks_values(dynamics_.model(), parameters_at(critical.value), critical.y, critical.errors))
         continue;
@@ -238,6 +242,24 @@ class CriticalSearch {
       if (all_.charts().size() == 1 || std::ranges::none_of(result_.critical, is_same))
         result_.critical.push_back(std::move(critical));
     }
+  }
+
+  [[nodiscard]] bool is_at_pole(const CriticalZero& zero) const {
+    Box place = zero.x, denominators(systems_->denominators.outputs());
+    place.push_back(zero.p);
+    TapeEvaluator<Interval>(systems_->denominators, problem_.constants)(place, denominators);
+    return std::ranges::any_of(denominators, [](const Interval& d) { return d.contains(0.0); });
+  }
+
+  void tell_pole(const CriticalZero& zero) {
+    const auto told = [](const Interval& x) { return short_number(x.contains(0.0) ? 0.0 : x.middle()); };
+    const Scene& scene = dynamics_.model().scene;
+    std::string where = "At " + scene.parameters[index_].name + " = " + told(zero.p);
+    for (std::size_t k = 0; k < zero.x.size(); ++k)
+      where += " and " + scene.coordinates[kept()[unknowns()[k]]].name + " = " + told(zero.x[k]);
+    say(where +
+        " the forces have no value, to within rounding: curves of equilibria may run into that place.");
+    known_elsewhere_.push_back(zero.p.middle());
   }
 
   [[nodiscard]] std::vector<double> parameters_at(double p) const {

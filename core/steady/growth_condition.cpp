@@ -3,12 +3,16 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/base/work.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/steady/growing_oscillations.hpp"
 #include "core/steady/numerator.hpp"
 
 namespace qdot {
 namespace {
+
+/// The condition of a body that spins freely has thousands of terms: what else is found need not wait for it.
+constexpr std::uint64_t most_algebra_of_growth = 1'000'000;
 
 class GrowthDerivation {
  public:
@@ -81,6 +85,7 @@ class GrowthDerivation {
 GrowthCondition derive_growth_condition(const Reduction& reduction, const SteadyForces& forces, Graph& graph,
                                         const std::vector<Expression>& x,
                                         std::span<const Replacement> linear) try {
+  const WorkScope budget(std::min(most_algebra_of_growth, work_left()));
   GrowthDerivation derivation(reduction, forces, graph, x, linear);
   derivation.derive();
   return std::move(derivation).found();

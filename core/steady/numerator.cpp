@@ -56,4 +56,13 @@ Expression numerator_of(const Expression& e, std::span<const Expression> variabl
   return simplify(to_expression(graph, scaled(polynomial, common, Number(1))));
 }
 
+std::vector<Expression> denominators_of(const Expression& e, std::span<const Expression> variables) {
+  if (!has_negative_power(e, variables)) return {};
+  Graph& graph = e.graph();
+  std::vector<Expression> found;
+  for (const auto& pole : poles_of(graph, multiplied_out(e), variables))
+    found.emplace_back(graph, pole.first);
+  return found;
+}
+
 }  // namespace qdot

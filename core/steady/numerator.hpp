@@ -3,6 +3,7 @@
 // force is there.
 
 #include <span>
+#include <vector>
 
 #include "core/expr/expression.hpp"
 
@@ -10,5 +11,10 @@ namespace qdot {
 
 /// e times those of its denominators that contain one of the variables; e itself where there are none.
 [[nodiscard]] Expression numerator_of(const Expression& e, std::span<const Expression> variables);
+
+/// What those denominators are powers of: where one vanishes e has no value, or none that its numerator
+/// tells.
+[[nodiscard]] std::vector<Expression> denominators_of(const Expression& e,
+                                                      std::span<const Expression> variables);
 
 }  // namespace qdot

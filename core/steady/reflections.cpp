@@ -43,15 +43,35 @@ void add_right_angles(const Expression& e, std::span<const Expression> variables
   }
 }
 
+/// The middle of the roots of a polynomial in x.
+void add_middle(const Expression& polynomial, std::span<const Expression> variables,
+                std::vector<Expression>& found) {
+  constexpr int highest_degree = 8;
+  Expression derivative = polynomial;
+  for (int k = 0; k < highest_degree && !add_zero_of(derivative, variables, found); ++k)
+    derivative = simplify(differentiate(derivative, variables[0]));
+}
+
+/// What is left where x stands outside functions, as beside the sine of a pendulum on a torsion spring.
+Expression outside_functions(const Expression& e, const Expression& x) {
+  Graph& graph = x.graph();
+  const NodeId root = e.id();
+  std::vector<Replacement> calls;
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const Expression call(graph, id);
+    if (std::holds_alternative<Call>(graph.node(id)) && depends_on(call, x))
+      calls.emplace_back(call, graph.number(0));
+  }
+  return calls.empty() ? graph.number(0) : substitute(e, calls);
+}
+
 /// 0, where a factor that is linear in x vanishes, and the middle of the roots of a polynomial in x.
 std::vector<Expression> candidates(const Expression& numerator, std::span<const Expression> factors,
                                    std::span<const Expression> variables) {
   std::vector<Expression> found{numerator.graph().number(0)};
   for (const Expression& f : factors) add_zero_of(f, variables, found);
-  constexpr int highest_degree = 8;
-  Expression derivative = numerator;
-  for (int k = 0; k < highest_degree && !add_zero_of(derivative, variables, found); ++k)
-    derivative = simplify(differentiate(derivative, variables[0]));
+  add_middle(numerator, variables, found);
+  add_middle(outside_functions(numerator, variables[0]), variables, found);
   add_right_angles(numerator, variables, found);
   return found;
 }

@@ -90,12 +90,24 @@ class Wording {
     return change.time.is_zero() && std::ranges::all_of(change.shift, &Expression::is_zero);
   }
 
-  /// The value as the constraints allow it to be written, where that is shorter.
+  /// Whether it has no value at some places.
+  [[nodiscard]] bool divides_by_a_place(const Expression& e) const {
+    const NodeId root = e.id();
+    const auto divides = [&](NodeId id) {
+      const auto* power = std::get_if<Power>(&e.graph().node(id));
+      return power != nullptr && power->exponent.is_negative() &&
+             depends_on(Expression(e.graph(), power->base), lagrangian_.symbols.coordinates.value);
+    };
+    return std::ranges::any_of(reachable(e.graph(), {&root, 1}), divides);
+  }
+
+  /// The value as the constraints allow it to be written, where that is shorter and has a value as often.
   [[nodiscard]] Expression on_constraints(const Expression& value) const {
     if (search_.on_constraints.empty()) return value;
     const Expression other =
         simplify_by_degree(substitute(value, search_.on_constraints), lagrangian_.symbols);
-    return written_length(other) < written_length(value) ? other : value;
+    const bool is_shorter = written_length(other) < written_length(value);
+    return is_shorter && (divides_by_a_place(value) || !divides_by_a_place(other)) ? other : value;
   }
 
   [[nodiscard]] std::string written(const Expression& e) const { return print(e, Form::text, notation_); }

@@ -10,6 +10,7 @@
 #include "core/symmetry/exact_coefficients.hpp"
 #include "core/symmetry/gauge_terms.hpp"
 #include "core/symmetry/random_place.hpp"
+#include "core/symmetry/time_gauges.hpp"
 
 namespace qdot {
 namespace {
@@ -91,6 +92,8 @@ class SearchForSymmetries {
     const auto is_linear = [](const ElementaryChange& change) { return change.kind >= ChangeKind::linear; };
     const auto place = std::ranges::find_if(result_.changes, is_linear);
     result_.changes.insert(place, added.begin(), added.end());
+    const std::vector<ElementaryChange> gauges = gauges_of_time(result_.lagrangian);
+    result_.changes.insert(result_.changes.begin(), gauges.begin(), gauges.end());
   }
 
   void try_to_claim(const SampledDependence& dependence) {

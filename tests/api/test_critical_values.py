@@ -35,6 +35,16 @@ class CriticalValues(Service):
         equation = self.ask("equations", {"system": hoop("r*sin(a + pi/2)", "-r*cos(a + pi/2)")})
         self.assertEqual(equation["V"], "m*r*g*sin(a)")
 
+    def test_a_torsion_spring_holds_a_pendulum_up_wherever_its_angle_begins(self):
+        for at_rest, out, up in (("pi", "l*sin(a)", "-l*cos(a)"), ("0", "l*sin(a)", "l*cos(a)"),
+                                 ("pi/2", "l*cos(a)", "l*sin(a)"), ("-pi/2", "l*cos(a)", "-l*sin(a)")):
+            with self.subTest(at_rest):
+                system = scene("strut", f"m kg 1; l m 0.5; k N*m 12; {G}", "a rad", gravity=DOWN, bodies=[particle("m", out, up)],
+                               springs=[{"stiffness": "k", "angle": "a", "rest_angle": at_rest}])
+                answer = self.critical(system, "k", 3, 8)
+                self.assertTrue(answer["complete"], answer.get("reason"))
+                self.assertEqual(self.found(answer), [("pitchfork", "m*l*g")])
+
     def test_multiples_of_an_angle_show_their_factors(self):
         system = lagrangian("three_fold", "p - 0.2; q - 1", "a - 0", "a_dot^2/2 - p*cos(3*a) - q*cos(a)")
         answer = self.critical(system, "p", -2, 2)
@@ -86,6 +96,16 @@ class CriticalValues(Service):
         given = self.ask("bifurcations", {"system": "cart_pendulum", "parameter": "m", "from": 0.1, "to": 1,
                                           "parameters": {"M": 1, "k": 20}})
         self.assertNotIn("notes", given)
+
+    def test_at_a_pole_of_the_potential_nothing_folds(self):
+        for text, place, others in (("a*x^2/2 - p/(4 - x)", "p = 0 and x = 4", []),
+                                    ("a*x^2/2 - p/(4 - x)^2", "p = 0 and x = 4", ["saddle_node"]),
+                                    ("a*x^2/2 + p*log(x)", "p = 0 and x = 0", []), ("a*x^2/2 + p/x", "p = 0 and x = 0", [])):
+            with self.subTest(text):
+                system = lagrangian("pole", "a - 1; p - 1", "x - 0.1", f"x_dot^2/2 - ({text})")
+                answer = self.critical(system, "p", -6, 20 if others else 6.1)
+                self.assertEqual([kind for kind, _ in self.found(answer)], others)
+                self.assertIn(f"At {place} the forces have no value", answer["reason"])
 
 
 if __name__ == "__main__":

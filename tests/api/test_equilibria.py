@@ -24,6 +24,18 @@ class Answers(Service):
 
 
 class Equilibria(Answers):
+    def test_rates_that_no_place_of_rest_has_are_noted(self):
+        bowl = lagrangian("bowl", "m - 1; l - 1; g - 9.81", "th - 0.3; p - 0",
+                          "m*l^2*(th_dot^2 + sin(th)^2*p_dot^2)/2 + m*g*l*cos(th)")
+        whirl = {"system": "whirling_pendulum", "parameter": "Omega", "from": 0, "to": 10}
+        for endpoint, request, rate in (("equilibria", {"system": bowl, "initial": {"p_dot": 4, "th_dot": 1}}, "th_dot = 1"),
+                                        ("bifurcations", {**whirl, "initial": {"theta_dot": 3}}, "theta_dot = 3")):
+            left_out = [note for note in self.ask(endpoint, request)["notes"] if "its rate is left out" in note]
+            self.assertEqual(len(left_out), 1, left_out)
+            self.assertIn(f"The start has {rate},", left_out[0])
+        self.assertNotIn("notes", self.ask("bifurcations", whirl))
+        self.assertNotIn("left out", str(self.ask("equilibria", {"system": bowl, "initial": {"p_dot": 4}})["notes"]))
+
     def test_reference_cases(self):
         count = 0
         for case in reference_cases("equilibria"):

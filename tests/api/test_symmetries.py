@@ -9,6 +9,7 @@ import subprocess
 import sys
 import unittest
 
+import mpmath
 import numpy
 
 QDOT = os.environ["QDOT_BINARY"]
@@ -61,6 +62,36 @@ class Named(unittest.TestCase):
         found = conserved(scene)
         self.assertEqual({name: found[name]["value"] for name in expected if name in found}, expected, found)
         return found
+
+    def test_a_knife_edge_keeps_the_momentum_along_its_blade_wherever_that_points(self):
+        knife = bare("m*(x_dot^2 + y_dot^2)/2 + k*th_dot^2/2", {"x": (0, 1), "y": (0, 0), "th": (0, 0.3)}, m=1, k=2)
+        knife["constraints"] = [{"name": "edge", "expression": "x_dot*sin(th) - y_dot*cos(th)"}]
+        self.check(knife, {"momentum_x_y": "m*(x_dot*cos(th) + y_dot*sin(th))"})
+        (line,) = asked([{"energy": {"system": knife}}])
+        told = {one["name"]: one["value"] for one in line["answer"]["conserved"]}
+        self.assertEqual(told["momentum_x_y"], 1)
+
+    def test_a_uniform_force_of_the_time_leaves_a_momentum(self):
+        """d/dt of the quantity along x'' = g(t)/m, by differences of 40 digits."""
+        for force, g in (("sin(w*t)", lambda t: mpmath.sin(1.3*t)), ("cos(w*t + 1)", lambda t: mpmath.cos(1.3*t + 1)),
+                         ("exp(-w*t)", lambda t: mpmath.exp(-1.3*t)), ("t^2", lambda t: t**2), ("t", lambda t: t),
+                         ("1/(1 + t)", lambda t: 1/(1 + t)), ("sqrt(2 + w*t)", lambda t: mpmath.sqrt(2 + 1.3*t))):
+            with self.subTest(force):
+                found = conserved(bare(f"m*x_dot^2/2 + k*x*{force}", "x", m=2, k=3, w="1.3"))
+                self.assertIn("momentum_x", found)
+                x = mpmath.odefun(lambda t, y: [y[1], 3*g(t)/2], 0, [mpmath.mpf("0.4"), mpmath.mpf("0.2")])
+                for name in ("momentum_x", "boost_x"):
+                    if name not in found:
+                        continue
+                    along = [value(found[name]["value"], {"t": t, "x": x(t)[0], "x_dot": x(t)[1], "m": 2, "k": 3, "w": mpmath.mpf(1.3),
+                                                          **{f: getattr(mpmath, f) for f in ("sin", "cos", "exp", "log", "sqrt")}})
+                             for t in (mpmath.mpf(0), mpmath.mpf("0.7"), mpmath.mpf("1.9"))]
+                    for other in along[1:]:
+                        self.assertLess(abs(other - along[0]), 1e-11, (name, found[name]))
+        both = bare("m*(x_dot^2 + y_dot^2)/2 - k*(x - y)^2 + k*(x + y)*sin(t)", "xy", m=2, k=3)
+        self.assertEqual(conserved(both)["momentum_x_y"]["value"], "m*(x_dot + y_dot) + 2*k*cos(t)")
+        driven = bare("m*x_dot^2/2 - k*x^2 + a*x*sin(w*t)", "x", m=2, k=3, a=1, w=1.3)
+        self.assertEqual(conserved(driven), {})
 
     def test_a_central_force_keeps_angular_momentum_in_the_plane_and_in_space(self):
         self.check(bare("m/2*(x_dot^2 + y_dot^2) + k/sqrt(x^2 + y^2)", "xy", m=2, k=3),

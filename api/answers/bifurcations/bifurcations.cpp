@@ -201,6 +201,9 @@ Response answer_bifurcations(const Resolved<BifurcationsRequest>& resolved, Call
   const ResolvedSystem system = resolved_system(request.system, echo, models, 0.0, request.parameter);
   if (std::string note = note_on_followers(system.model(), request.system, request.parameter); !note.empty())
     call.notes.push_back(std::move(note));
+  if (system.model().parsed.impacts.size() != 1)
+    std::ranges::copy(notes_on_rates(*system.dynamics, request.system, system.state),
+                      std::back_inserter(call.notes));
   const Json body = BifurcationsAnswer(*system.dynamics, system.state, request).body();
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, request.digits);

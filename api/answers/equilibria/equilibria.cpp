@@ -237,6 +237,8 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
   call.timing.lap("solve");
   if (auto errors = unread_initial(body, request, Place(road_of(call))); !errors.empty())
     return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
+  if (!request.solve_for)
+    std::ranges::copy(notes_on_rates(dynamics, request.system, system.state), std::back_inserter(call.notes));
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
 

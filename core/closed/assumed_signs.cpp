@@ -1,0 +1,242 @@
+#include "core/closed/assumed_signs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/expr/polynomial_gcd.hpp"
+#include "core/expr/print/print.hpp"
+#include "core/expr/rational_function.hpp"
+#include "core/mechanics/notation.hpp"
+#include "core/numerics/function.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr int far_places = 32;
+
+/// Of the sign that a value has, between a twelfth and twelve where its domain has that.
+double far_value(double value, const Domain& domain, std::minstd_rand& random) {
+  const double u = static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max());
+  const double size = power(12.0, 2 * u - 1), x = value < 0 ? -size : size;
+  if (value == 0 || domain.contains(x)) return value == 0 ? 0 : x;
+  const double lower = value > 0 ? std::max(domain.lower, 0.0) : domain.lower,
+               upper = value < 0 ? std::min(domain.upper, 0.0) : domain.upper;
+  if (std::isinf(upper)) return lower + size;
+  return std::isinf(lower) ? upper - size : lower + (upper - lower) * u;
+}
+
+std::string inequality(const ExactValues& values, const Expression& e) {
+  Graph& graph = e.graph();
+  Polynomial above, below;
+  for (const auto& [monomial, coefficient] : multiplied_out(e)) {
+    const bool is_below = coefficient.is_negative();
+    add(is_below ? below : above, monomial, is_below ? -coefficient : coefficient);
+  }
+  if (above.empty() || below.empty()) return print(e, Form::text, notation_of(values.model().scene)) + " > 0";
+  const auto root = exact_root(above), root_below = exact_root(below);
+  const auto is_positive = [&](const Polynomial& a) {
+    return values.value(to_expression(graph, a)).value > 0;
+  };
+  if (root && root_below && is_positive(*root) && is_positive(*root_below)) {
+    above = *root;
+    below = *root_below;
+  }
+  const auto written = [&](const Polynomial& side) {
+    return print(to_expression(graph, side), Form::text, notation_of(values.model().scene));
+  };
+  return written(above) + " > " + written(below);
+}
+
+}  // namespace
+
+AssumedSigns::AssumedSigns(const ExactValues& values, const Relations& relations,
+                           std::vector<Expression> given)
+    : values_(values), relations_(relations), given_(std::move(given)) {
+  const auto take = [&](const Expression& symbol) {
+    const double value = values.value(symbol).value;
+    known_[symbol.id()] = value > 0 ? 1 : value < 0 ? -1 : 0;
+  };
+  std::ranges::for_each(values.symbols(), take);
+  std::ranges::for_each(given_, take);
+}
+
+bool AssumedSigns::are_there() {
+  take_asked();
+  const auto is_broken = [](const Open& open) {
+    return std::ranges::find(open.broken, true) != open.broken.end();
+  };
+  return std::ranges::any_of(open_, is_broken);
+}
+
+/// Places at which one condition alone is broken say most, so they are first.
+std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
+  take_asked();
+  std::vector<std::pair<std::vector<std::size_t>, std::size_t>> tried;  // what is broken, and where
+  for (std::size_t place = 0; place < far_.size(); ++place) {
+    std::vector<std::size_t> broken;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (open_[i].broken[place]) broken.push_back(i);
+    }
+    if (!broken.empty()) tried.emplace_back(std::move(broken), place);
+  }
+  std::ranges::stable_sort(tried, {}, [](const auto& t) { return t.first.size(); });
+  std::vector<bool> is_needed(open_.size());
+  for (const auto& [broken, place] : tried) {
+    const bool is_told = std::ranges::any_of(broken, [&](std::size_t i) { return is_needed[i]; });
+    if (!is_told && !trial.holds_at(far_[place])) is_needed[broken[0]] = true;
+  }
+  std::vector<std::string> needed;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (is_needed[i]) needed.push_back(inequality(values_, open_[i].e));
+  }
+  return needed;
+}
+
+void AssumedSigns::take_asked() {
+  for (; asked_ < values_.asked().size(); ++asked_) {
+    const auto [e, sign] = values_.asked()[asked_];
+    if (sign == 0 || !seen_.emplace(e.id(), sign).second || sign_of(e) != 0 || !is_of_parameters(e)) continue;
+    if (const auto positive = positive_of(e, sign)) take(*positive);
+  }
+}
+
+void AssumedSigns::take(const Expression& positive) {
+  if (std::ranges::find(open_, positive, &Open::e) != open_.end()) return;
+  if (far_.empty()) find_far_places();
+  Open open{positive, {}};
+  for (const auto& place : far_) {
+    std::vector<Assignment> doubles;
+    for (const auto& [symbol, value] : place) doubles.emplace_back(symbol, value.value);
+    open.broken.push_back(!(evaluate(positive, doubles) > 0));
+  }
+  const auto is_longer = [&](const Open& other) {
+    return written_length(other.e) > written_length(positive);
+  };
+  open_.insert(std::ranges::find_if(open_, is_longer), std::move(open));
+}
+
+/// Exponents keep the values with which the formulas were derived.
+void AssumedSigns::find_far_places() {
+  std::minstd_rand random;
+  for (int number = 0; number < far_places; ++number) {
+    std::vector<RealAssignment> place;
+    for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
+      const Parameter& p = values_.model().scene.parameters[i];
+      const double value = values_.parameters()[i], far = far_value(value, p.domain, random);
+      const bool is_exponent = values_.model().parsed.exponents.put_in.contains(p.name);
+      place.emplace_back(values_.symbols()[i], is_exponent ? value : far);
+    }
+    for (const Expression& e : given_) place.emplace_back(e, far_value(values_.value(e).value, {}, random));
+    for (const auto& [symbol, value] : relations_.replacements)
+      std::ranges::find(place, symbol, &RealAssignment::first)->second = evaluate_exactly(value, place);
+    far_.push_back(std::move(place));
+  }
+}
+
+/// Whether it speaks of nothing but the known symbols and small numbers: places near which something was
+/// looked for are long ones.
+bool AssumedSigns::is_of_parameters(const Expression& e) const {
+  constexpr std::size_t most_bits = 32;
+  const NodeId root = e.id();
+  return std::ranges::all_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
+    const Node& node = e.graph().node(id);
+    if (const auto* symbol = std::get_if<Symbol>(&node)) return symbol->name == "pi" || known_.contains(id);
+    const auto* literal = std::get_if<Literal>(&node);
+    return literal == nullptr || literal->value.bits() <= most_bits;
+  });
+}
+
+/// An expression that is positive as long as e has its sign; none where that is always so.
+std::optional<Expression> AssumedSigns::positive_of(const Expression& e, int sign) const {
+  const RationalFunction f = rational_function(e);
+  Polynomial product{{Monomial{}, Number(sign)}};
+  for (const Polynomial* part : {&f.above, &f.below}) {
+    const int decided = sign_of(*part);
+    product = decided == 0 ? product * *part : scaled(product, {}, Number(decided));
+  }
+  return sign_of(product) != 0 ? std::nullopt : std::optional(short_form(product));
+}
+
+namespace {
+
+/// Of two terms of a sum, or 0.
+int common_sign(int a, int b) { return a == b ? a : 0; }
+
+}  // namespace
+
+/// 0 where the symbols' signs leave it open. Roots are taken to have values.
+int AssumedSigns::sign_of(const Expression& e) const {
+  Graph& graph = *values_.graph();
+  const auto of = [&](NodeId id) { return sign_of(Expression(graph, id)); };
+  const Node& node = e.node();
+  if (const auto* literal = std::get_if<Literal>(&node)) return literal->value.sign();
+  if (const auto* symbol = std::get_if<Symbol>(&node)) {
+    if (symbol->name == "pi") return 1;
+    const auto known = known_.find(e.id());
+    return known == known_.end() ? 0 : known->second;
+  }
+  if (const auto* sum = std::get_if<Sum>(&node)) {
+    int sign = of(sum->terms[0]);
+    for (const NodeId id : sum->terms) sign = sign == 0 ? 0 : common_sign(sign, of(id));
+    return sign;
+  }
+  if (const auto* product = std::get_if<Product>(&node)) {
+    int sign = product->coefficient.sign();
+    for (const NodeId id : product->factors) sign = sign == 0 ? 0 : sign * of(id);
+    return sign;
+  }
+  if (const auto* power = std::get_if<Power>(&node)) {
+    const auto exponent = power->exponent.small();
+    const bool is_odd = exponent && exponent->denominator % 2 != 0 && exponent->numerator % 2 != 0;
+    return is_odd ? of(power->base) : 1;
+  }
+  const Function function = std::get<Call>(node).function;
+  return function == Function::exp || function == Function::cosh ? 1 : 0;
+}
+
+int AssumedSigns::sign_of(const Polynomial& e) const {
+  int sign = 0;
+  for (const auto& [monomial, coefficient] : e) {
+    const int term = coefficient.sign() * sign_of(to_expression(*values_.graph(), monomial));
+    if (term == 0 || (sign != 0 && term != sign)) return 0;
+    sign = term;
+  }
+  return sign;
+}
+
+/// Without numbers and factors that are positive anyway.
+Expression AssumedSigns::short_form(const Polynomial& e) const {
+  Graph& graph = *values_.graph();
+  Monomial front;
+  Number number = content(e);
+  for (const Atom& atom : common_monomial(e)) {
+    const int sign = sign_of(pow(Expression(graph, atom.base), Number::ratio(atom.p, atom.q)));
+    if (sign == 0) continue;
+    front = times(front, atom.base, -atom.p, atom.q);
+    number = Number(sign) * number;
+  }
+  return to_expression(graph, scaled(e, front, Number(1) / number));
+}
+
+std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
+                                    const ExactValues& values) {
+  std::vector<Expression> given = place.undecided();
+  given.insert(given.end(), motions.momenta.begin(), motions.momenta.end());
+  const Relations none;
+  AssumedSigns signs(values, none, given);
+  if (!signs.are_there()) return {};
+  Trial trial(values, none);
+  trial.set_given(given);
+  trial.set(motions.x, place.x());
+  for (const auto* vanishing : {&motions.forces, &motions.surface}) {
+    for (const Expression& e : *vanishing) trial.vanishes({e});
+  }
+  if (motions.stiffness.size() == 1) {
+    const Expression& stiffness = motions.stiffness[0][0];
+    trial.is_positive(values.value(stiffness).value < 0 ? -stiffness : stiffness);
+  }
+  return signs.needed_for(trial);
+}
+
+}  // namespace qdot

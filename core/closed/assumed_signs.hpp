@@ -1,0 +1,61 @@
+#pragma once
+// What a formula assumes beside the signs of the parameters: a derivation takes sums of them to keep their
+// sign, a*cos(c) > b*sin(c), where it says on which side an angle lies, or takes a square out of a root.
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/closed/exact_place.hpp"
+#include "core/closed/exact_values.hpp"
+#include "core/closed/linear_motions.hpp"
+#include "core/closed/trial.hpp"
+
+namespace qdot {
+
+/// Expressions whose signs were asked for, and that the signs of the parameters leave open: each is positive
+/// where the symbols have their values, and is held against values that have the same signs but are far from
+/// these. They are the same whatever the values are.
+class AssumedSigns {
+ public:
+  /// `given`: symbols beside the parameters that have values. Outlived by the values and the relations.
+  AssumedSigns(const ExactValues& values, const Relations& relations, std::vector<Expression> given);
+
+  /// Of all that was asked for until now, what has to be assumed for the claims to hold and have values, as
+  /// inequalities with what is subtracted on the other side.
+  [[nodiscard]] std::vector<std::string> needed_for(const Trial& trial);
+  /// Whether anything is open that is not true at all far places.
+  [[nodiscard]] bool are_there();
+
+ private:
+  struct Open {
+    Expression e;              ///< positive here
+    std::vector<bool> broken;  ///< at which of the far places it is not
+  };
+
+  void take_asked();
+  void take(const Expression& positive);
+  void find_far_places();
+  [[nodiscard]] bool is_of_parameters(const Expression& e) const;
+  [[nodiscard]] std::optional<Expression> positive_of(const Expression& e, int sign) const;
+  [[nodiscard]] int sign_of(const Expression& e) const;
+  [[nodiscard]] int sign_of(const Polynomial& e) const;
+  [[nodiscard]] Expression short_form(const Polynomial& e) const;
+
+  const ExactValues& values_;
+  const Relations& relations_;
+  std::vector<Expression> given_;
+  std::map<NodeId, int> known_;  ///< signs
+  std::size_t asked_{};          ///< so many were looked at
+  std::set<std::pair<NodeId, int>> seen_;
+  std::vector<std::vector<RealAssignment>> far_;
+  std::vector<Open> open_;
+};
+
+/// What the formulas of a place assume so: that nothing pushes there and, of one coordinate, that its
+/// stiffness has its sign.
+[[nodiscard]] std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
+                                                  const ExactValues& values);
+
+}  // namespace qdot

@@ -1,0 +1,99 @@
+"""What formulas assume is enough: at any other parameters that satisfy it they are true, by 40 digits of mpmath."""
+
+import pathlib
+import random
+import sys
+import unittest
+
+import mpmath
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mpmath.mp.dps = 40
+FUNCTIONS = {name: getattr(mpmath, name) for name in
+             ("sqrt", "acos", "asin", "atan", "sin", "cos", "tan", "exp", "log", "pi", "cosh", "sinh")}
+TRIALS = 60
+
+# V of m*x_dot^2/2 - V, parameters, a start
+POTENTIALS = [
+    ("a*cos(x - c) + b*sin(x - c)", "m - 1; a - 1.5; b - 1; c - 0.5", 0.7),
+    ("a*cos(x) + b*cos(x - c)", "m - 1.5; a - 0.5; b - 2; c - 0.5", 0.7),
+    ("a*sin(x) - b*sin(x + c)", "m - 1.5; a - 2; b - 1; c - 0.5", 0.7),
+    ("(a - b)*sin(x) + c*cos(x)", "m - 1; a - 2; b - 0.5; c - 1", 0.7),
+    ("a*cos(x) + b*cos(x - c) + d*sin(x - c)", "m - 1; a - 0.5; b - 2; c - 0.5; d - 1", 0.7),
+    ("(a - b)*exp(x) + (c - b)*exp(-x)", "m - 1; a - 2; b - 0.5; c - 1", 0.1),
+    ("(a - b)*x^2/2 - c*x^4/4", "m - 1; a - 2; b - 0.5; c - 1", 0.9),
+    ("-a*cos(x) - b*sin(x)^2/2", "m - 1; a - 1; b - 2.5", 0.9),
+    ("(a*x - b)^2*(x - c)^2", "m - 1; a - 1; b - 2; c - 0.5", 0.5),
+]
+
+
+def value(text, numbers):
+    return eval(text.replace("^", "**"), {"__builtins__": {}}, FUNCTIONS | numbers)  # noqa: S307
+
+
+def is_assumed(form, numbers):
+    sides = [assumed.replace(" = ", " == ") for assumed in form["assumes"]]
+    return all(value(side, numbers) for side in sides)
+
+
+def derivative(potential, order, place, numbers):
+    return mpmath.diff(lambda x: value(potential, numbers | {"x": x}), place, order)
+
+
+class AssumedSigns(Service):
+    def rests(self, potential, parameters, start):
+        system = lagrangian("well", parameters, f"x - {start}", f"m*x_dot^2/2 - ({potential})")
+        return self.ask("equilibria", {"system": system})["equilibria"]
+
+    def sets_of(self, parameters, *forms):
+        """Parameters, small and large, at which all that the forms assume holds."""
+        names, draw, found = [words.split()[0] for words in parameters.split(";")], random.Random(parameters), 0
+        for _ in range(40 * TRIALS):
+            numbers = {name: mpmath.mpf(10)**draw.uniform(-1, 1) for name in names}
+            if all(is_assumed(form, numbers) for form in forms):
+                found += 1
+                yield numbers
+            if found == TRIALS:
+                return
+
+    def test_where_all_that_a_place_and_its_rate_assume_holds_both_are_true(self):
+        for potential, parameters, start in POTENTIALS:
+            rates = 0
+            for rest in self.rests(potential, parameters, start):
+                place, rate2 = rest.get("exact", {}).get("x"), rest.get("exact_rate2")
+                if place is None or rate2 is None:
+                    continue
+                rates += 1
+                for numbers in self.sets_of(parameters, place, rate2):
+                    x, claimed = value(place["text"], numbers), value(rate2["text"], numbers)
+                    if not isinstance(x, mpmath.mpf):
+                        continue  # no real place there: the formula says it itself
+                    size = max(abs(claimed), 1e-6)
+                    curvature = derivative(potential, 2, x, numbers) / numbers["m"]
+                    self.assertLess(abs(derivative(potential, 1, x, numbers)), 1e-12 * size, (potential, place, numbers))
+                    self.assertLess(abs(curvature - claimed), 1e-12 * size, (potential, place, rate2, numbers))
+            self.assertGreater(rates, 0, potential)
+
+    def test_the_side_on_which_an_angle_lies_is_assumed_in_words_of_the_parameters(self):
+        for potential, parameters, start in POTENTIALS[:2]:
+            for rest in self.rests(potential, parameters, start):
+                expected = {"a*cos(x - c) + b*sin(x - c)": "a*cos(c) > b*sin(c)"}.get(potential, "a + b*cos(c) > 0")
+                self.assertIn(expected, rest["exact_rate2"]["assumes"])
+                self.assertIn(expected, rest["exact"]["x"]["assumes"])
+
+    def test_what_the_parameters_decide_is_not_assumed(self):
+        system = lagrangian("carts", "m - 1; M - 2; k - 3; g - 9.81; l - 0.5", "x - 0; th - 0",
+                            "M*x_dot^2/2 + m*(x_dot^2 + 2*l*x_dot*th_dot*cos(th) + l^2*th_dot^2)/2 + m*g*l*cos(th) - k*x^2/2")
+        for mode in self.ask("modes", {"system": system})["modes"]:
+            self.assertEqual(mode["exact"]["assumes"], ["m > 0", "M > 0", "k > 0", "g > 0", "l > 0"])
+
+    def test_an_oscillation_that_friction_could_end_assumes_that_it_does_not(self):
+        system = lagrangian("dashpot", "m - 1; k - 3; c - 0.4", "x - 0", "m*x_dot^2/2 - k*x^2/2", dissipation="c*x_dot^2/2")
+        self.assertIn("4*m*k > c^2", self.ask("modes", {"system": system})["modes"][0]["exact"]["assumes"])
+
+
+if __name__ == "__main__":
+    unittest.main()
