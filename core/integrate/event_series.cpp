@@ -72,4 +72,25 @@ EventSearch::UnitSeries EventSearch::finite_series(std::size_t event, const Moti
   return series.is_finite() || series.is_nowhere ? series : unit_series(event, piece, low_order);
 }
 
+/// Whether g comes clear of what it may be away from its coefficients.
+bool EventSearch::is_seen(const UnitSeries& series) {
+  double size = 0;
+  for (const double c : series.coefficients()) size += std::abs(c);
+  return series.is_finite() && size > of_doubt * series.off;
+}
+
+/// g is zero but for the round-off of its values, all along: looking closer shows no more.
+bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
+  double size = 0;
+  for (const double c : series.coefficients()) size += std::abs(c);
+  return !series.is_divided && size <= of_doubt * series.off && is_rounding(event, piece, series);
+}
+
+/// Whether what g may be away from its coefficients is the rounding of its values.
+bool EventSearch::is_rounding(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
+  double size = 0;
+  for (const double c : series.coefficients()) size += std::abs(c);
+  return series.is_finite() && series.off <= 2 * doubt_at_start(event, piece, of_values * size);
+}
+
 }  // namespace qdot

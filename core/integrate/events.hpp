@@ -63,6 +63,7 @@ class EventSearch {
   static constexpr unsigned low_order = 5;  ///< cheap, and mostly enough to see that nothing happens
   static constexpr unsigned full_order = 20;
   static constexpr double of_values = 4 * std::numeric_limits<double>::epsilon();  ///< round-off of g
+  static constexpr double of_doubt = 16;  ///< times what g may be away from its series
 
   /// A crossing: the event, and a bracket in time.
   struct Crossed {
