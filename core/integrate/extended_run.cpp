@@ -24,32 +24,6 @@ constexpr int most_shortenings =
 constexpr double shortening = 0.8;
 constexpr double infinity_of_steps = std::numeric_limits<double>::infinity();
 
-/// sum_{k>=1} c_k s^k, from the smallest terms on.
-DoubleDouble rise_of(std::span<const DoubleDouble> c, const DoubleDouble& s, unsigned first_in_doubles) {
-  std::size_t k = c.size();
-  double tail = 0;
-  while (k > first_in_doubles) tail = tail * s.high + c[--k].high;
-  DoubleDouble sum = tail;
-  while (k > 1) sum = sum * s + c[--k];
-  return sum * s;
-}
-
-/// sum_{k>=1} k c_k s^(k-1)
-DoubleDouble slope_of(std::span<const DoubleDouble> c, const DoubleDouble& s, unsigned first_in_doubles) {
-  std::size_t k = c.size();
-  double tail = 0;
-  while (k > first_in_doubles) {
-    --k;
-    tail = tail * s.high + static_cast<double>(k) * c[k].high;
-  }
-  DoubleDouble sum = tail;
-  while (k > 1) {
-    --k;
-    sum = sum * s + DoubleDouble(static_cast<double>(k)) * c[k];
-  }
-  return sum;
-}
-
 std::optional<Ending> unusable_state(std::span<const DoubleDouble> y, double max_magnitude) {
   std::optional<Ending> wrong;
   for (const DoubleDouble& component : y) {
@@ -69,6 +43,7 @@ ExtendedStepper::ExtendedStepper(const ExtendedSystem& system, const ExtendedRun
       t_(request.t_start),
       y_(request.y_start),
       attempt_(y_.size()),
+      slopes_(y_.size()),
       coefficients_(y_.size() * (order_ + 1)),
       next_(coefficients_.size()),
       beyond_(coefficients_.size()),
@@ -106,18 +81,21 @@ std::optional<Ending> ExtendedStepper::step() {
 }
 
 void ExtendedStepper::interpolate(const DoubleDouble& t, std::span<DoubleDouble> y_out) const {
-  const DoubleDouble s = t - t_previous_;
-  for (std::size_t i = 0; i < y_.size(); ++i) {
-    const auto c = row(coefficients_, i);
-    y_out[i] = t.high == t_.high && t.low == t_.low ? y_[i] : c[0] + rise_of(c, s, system_.first_in_doubles);
+  if (t.high == t_.high && t.low == t_.low) {
+    std::ranges::copy(y_, y_out.begin());
+    return;
   }
+  sum_rows(rows_of(coefficients_), ExtendedSum::value, t - t_previous_, y_out);
+  for (std::size_t i = 0; i < y_.size(); ++i) y_out[i] = row(coefficients_, i)[0] + y_out[i];
 }
 
 MotionPiece ExtendedStepper::polynomials() {
   const unsigned order = std::min(order_, system_.highest_in_doubles);
-  rows_.clear();
+  rows_.resize(y_.size() * (order + 1));
+  double* to = rows_.data();
   for (std::size_t i = 0; i < y_.size(); ++i) {
-    for (const DoubleDouble& x : row(coefficients_, i).first(order + 1)) rows_.push_back(x.high);
+    const DoubleDouble* c = row(coefficients_, i).data();
+    for (unsigned k = 0; k <= order; ++k) *to++ = c[k].high;
   }
   return {t_previous_.high, last_step_, rows_, order, {}, {}};
 }
@@ -125,9 +103,10 @@ MotionPiece ExtendedStepper::polynomials() {
 std::span<const double> ExtendedStepper::rounded() {
   const std::size_t n = y_.size() / 2;
   rounded_.resize(y_.size());
+  take_powers(last_step_);
   for (std::size_t i = 0; i < n; ++i) {
     const auto c = row(coefficients_, i);
-    const auto [first, others] = largest_terms(c, last_step_);
+    const auto [first, others] = largest_terms(c);
     const double share = others <= first ? others / std::max(first, std::numeric_limits<double>::min()) : 1;
     rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
     rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
@@ -164,7 +143,7 @@ double ExtendedStepper::weight(std::size_t i) const {
 
 /// By the last two coefficients that are finite in all components, and by what the first coefficients in
 /// doubles round away: where a series converges everywhere, steps are so long that these count.
-double ExtendedStepper::step_size() const {
+double ExtendedStepper::step_size() {
   const auto all_finite = [&](unsigned k) {
     for (std::size_t i = 0; i < y_.size(); ++i) {
       if (!is_finite(row(next_, i)[k])) return false;
@@ -186,25 +165,36 @@ double ExtendedStepper::step_size() const {
 
 /// Whether no coefficient in doubles counts beside those that are none: where these are what two large
 /// numbers left of each other, such as sin near pi, they have lost as much as all of a motion in doubles has.
-bool ExtendedStepper::doubles_are_small(double h) const {
+bool ExtendedStepper::doubles_are_small(double h) {
+  take_powers(h);
   for (std::size_t i = 0; i < y_.size(); ++i) {
-    const Terms terms = largest_terms(row(next_, i), h);
+    const Terms terms = largest_terms(row(next_, i));
     if (terms.in_doubles > small * terms.first) return false;
   }
   return true;
 }
 
+/// powers_: h^k, each the one before times h.
+void ExtendedStepper::take_powers(double h) {
+  double power = 1;
+  for (double& x : powers_) {
+    x = power;
+    power *= h;
+  }
+}
+
 /// |c_k| h^k, k >= 1, of the coefficients in double-doubles and of those in doubles.
-ExtendedStepper::Terms ExtendedStepper::largest_terms(std::span<const DoubleDouble> c, double h) const {
-  double power = h;
-  unsigned k = 1;
-  const auto largest_until = [&](unsigned end) {
+ExtendedStepper::Terms ExtendedStepper::largest_terms(std::span<const DoubleDouble> c) const {
+  const unsigned first_in_doubles = std::min(system_.first_in_doubles, order_ + 1);
+  const auto largest_between = [&](unsigned k, unsigned end) {
     double largest = 0;
-    for (; k < end; ++k, power *= h) largest = std::max(largest, power * std::abs(c[k].high));
+    for (; k < end; ++k) {
+      const double term = powers_[k] * std::abs(c[k].high);
+      largest = term > largest ? term : largest;
+    }
     return largest;
   };
-  const double first = largest_until(std::min(system_.first_in_doubles, order_ + 1));
-  return {first, largest_until(order_ + 1)};
+  return {largest_between(1, first_in_doubles), largest_between(first_in_doubles, order_ + 1)};
 }
 
 /// The logarithm of the least over the components of (w / |part c_k|)^(1/k); infinite where all c_k are 0.
@@ -233,8 +223,8 @@ double ExtendedStepper::bounded_part(double h) {
   for (int i = 0; i < most_looks && part > least_part * h; ++i) {
     const double ratio = system_.hidden(t_.high, place_, part, allowed_);
     if (ratio <= 1) return part;
-    // The remainder of a series of order 24 goes with that power.
-    const double shorter = evaluate(Function::exp, -evaluate(Function::log, std::min(ratio, 1e300)) / 24);
+    const double logarithm = evaluate(Function::log, std::min(ratio, 1e300));
+    const double shorter = evaluate(Function::exp, -logarithm / system_.order_of_hidden);
     part *= std::max(0.5, 0.93 * shorter);
   }
   return 0;
@@ -256,9 +246,8 @@ bool ExtendedStepper::shows_forces() const {
 
 bool ExtendedStepper::try_step(const DoubleDouble& t) {
   const DoubleDouble h = t - t_;
-  for (std::size_t i = 0; i < y_.size(); ++i) {
-    attempt_[i] = y_[i] + rise_of(row(next_, i), h, system_.first_in_doubles);
-  }
+  sum_rows(rows_of(next_), ExtendedSum::value, h, attempt_);
+  for (std::size_t i = 0; i < y_.size(); ++i) attempt_[i] = y_[i] + attempt_[i];
   if (expand(t, attempt_, beyond_) || !holds_until(h)) return false;
   t_previous_ = std::exchange(t_, t);
   last_step_ = h.high;
@@ -270,11 +259,12 @@ bool ExtendedStepper::try_step(const DoubleDouble& t) {
 }
 
 /// But for what the accelerations are rounded by: no shorter step would obey them better.
-bool ExtendedStepper::holds_until(const DoubleDouble& h) const {
+bool ExtendedStepper::holds_until(const DoubleDouble& h) {
+  sum_rows(rows_of(next_), ExtendedSum::slope, h, slopes_);
   const std::size_t n = y_.size() - in_double_doubles_.size();
   for (std::size_t i = 0; i < y_.size(); ++i) {
     const DoubleDouble rate = row(beyond_, i)[1];
-    const double defect = std::abs((slope_of(row(next_, i), h, system_.first_in_doubles) - rate).high);
+    const double defect = std::abs((slopes_[i] - rate).high);
     double round_off = system_.round_off * (std::abs(rate.high) + std::abs(row(next_, i)[1].high));
     if (i >= n) round_off += 2 * in_double_doubles_[i - n];
     if (!(h.high * defect <= largest_end_defect * weight(i) + h.high * round_off)) return false;

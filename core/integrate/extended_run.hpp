@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "core/integrate/extended_sums.hpp"
 #include "core/integrate/run.hpp"
 #include "core/numerics/double_double.hpp"
 
@@ -33,6 +34,7 @@ struct ExtendedSystem {
   /// what is allowed, at most 1 where nothing is hidden. Optional.
   std::function<double(double t, std::span<const double> y, double h, std::span<const double> allowed)>
       hidden{};
+  unsigned order_of_hidden{1};  ///< the power of h with which that goes
   /// Over the step that was looked at last: bounds of what rounding to doubles, and to double-doubles, does
   /// to each acceleration (the second half of y'). Optional.
   std::function<void(std::span<double> in_doubles, std::span<double> in_double_doubles)> rounding{};
@@ -87,21 +89,25 @@ class ExtendedStepper {
   [[nodiscard]] std::optional<Ending> expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
                                              std::vector<DoubleDouble>& coefficients);
   [[nodiscard]] double weight(std::size_t i) const;
-  [[nodiscard]] double step_size() const;
-  [[nodiscard]] bool doubles_are_small(double h) const;
+  [[nodiscard]] double step_size();
+  [[nodiscard]] bool doubles_are_small(double h);
   struct Terms {
     double first{}, in_doubles{};
   };
-  [[nodiscard]] Terms largest_terms(std::span<const DoubleDouble> c, double h) const;
+  void take_powers(double h);
+  [[nodiscard]] Terms largest_terms(std::span<const DoubleDouble> c) const;
   [[nodiscard]] double log_of_step_by(unsigned k, double part = 1) const;
   /// A length up to h over which a step hides nothing; 0 where there is none.
   [[nodiscard]] double bounded_part(double h);
   bool bound_rounding();
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] bool try_step(const DoubleDouble& t);
-  [[nodiscard]] bool holds_until(const DoubleDouble& h) const;
+  [[nodiscard]] bool holds_until(const DoubleDouble& h);
   [[nodiscard]] std::span<const DoubleDouble> row(const std::vector<DoubleDouble>& c, std::size_t i) const {
     return std::span(c).subspan(i * (order_ + 1), order_ + 1);
+  }
+  [[nodiscard]] ExtendedRows rows_of(const std::vector<DoubleDouble>& c) const {
+    return {c.data(), order_, system_.first_in_doubles};
   }
 
   const ExtendedSystem& system_;
@@ -109,13 +115,14 @@ class ExtendedStepper {
   unsigned order_;
   DoubleDouble t_previous_, t_;
   double last_step_{};
-  std::vector<DoubleDouble> y_, attempt_;
+  std::vector<DoubleDouble> y_, attempt_, slopes_;
   std::vector<DoubleDouble> coefficients_;  ///< at t_previous_: the dense output
   std::vector<DoubleDouble> next_;          ///< at t_
   std::vector<DoubleDouble> beyond_;        ///< at the end of the step that is tried
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
-  std::vector<double> place_, allowed_;                 ///< scratch
+  std::vector<double> place_, allowed_;  ///< scratch
+  std::vector<double> powers_ = std::vector<double>(order_ + 1);
   std::vector<double> rows_, rounded_;                  ///< of the last step
   std::vector<double> in_doubles_, in_double_doubles_;  ///< what rounding does in it to accelerations
   bool bounded_;

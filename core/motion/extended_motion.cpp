@@ -98,6 +98,7 @@ ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_s
 ExtendedSystem extended_system(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
   ExtendedSystem system;
   system.dimension = request.y_start.size();
+  system.order_of_hidden = TaylorExpansion::highest_order;
   const auto use = [&system](auto expansion) {
     system.expansion = [expansion](const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
                                    std::span<DoubleDouble> c) { return expansion->expand(t, y, order, c); };

@@ -80,9 +80,10 @@ Evaluation MixedExpansion::expand(const DoubleDouble& t, std::span<const DoubleD
   if (other != Evaluation::ok) return other;
   for (std::size_t i = 0; i < y.size(); ++i) {
     DoubleDouble* row = coefficients.data() + i * (order + 1);
-    std::copy_n(first_coefficients_.data() + i * (low_order + 1), low_order + 1, row);
+    const DoubleDouble* first = first_coefficients_.data() + i * (low_order + 1);
     const double* others = other_coefficients_.data() + i * (order + 1);
-    for (unsigned k = low_order + 1; k <= order; ++k) row[k] = others[k];
+    row = std::copy_n(first, low_order + 1, row);
+    for (unsigned k = low_order + 1; k <= order; ++k) *row++ = others[k];
   }
   return Evaluation::ok;
 }

@@ -1,8 +1,7 @@
 // The kernels, included once for each instruction set inside a namespace of its own. Nothing here may call a
 // function of another file that is not always inlined: the linker would keep one copy, maybe the one for FMA.
 
-using Four [[gnu::vector_size(32)]] = double;
-using Bits [[gnu::vector_size(32)]] = long long;
+using Four = FourDoubles;
 
 namespace {
 
@@ -10,25 +9,6 @@ namespace {
   Four v;
   __builtin_memcpy(&v, x, sizeof v);
   return v;
-}
-
-#ifndef __FMA__
-[[gnu::always_inline]] inline Four leading_halves(const Four& x) {
-  return (Four)(((Bits)x + (1LL << 26)) & ~((1LL << 27) - 1));
-}
-#endif
-
-/// What a b lacks of the exact product, as two_product has it.
-[[gnu::always_inline]] inline Four product_error(const Four& a, const Four& b, const Four& product) {
-#ifdef __FMA__
-  const Four error = _mm256_fmsub_pd(a, b, product);
-#else
-  const Four a1 = leading_halves(a), a2 = a - a1;
-  const Four b1 = leading_halves(b), b2 = b - b1;
-  const Four error = ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
-#endif
-  const Bits is_tiny = (product < least_product) & (product > -least_product);
-  return (Four)(~is_tiny & (Bits)error);
 }
 
 [[gnu::always_inline]] inline DoubleDouble coefficient(const double* row, unsigned k) {

@@ -1,6 +1,5 @@
-#include <immintrin.h>
-
 #include "core/compile/extended/kernels.hpp"
+#include "core/numerics/four_double_doubles.hpp"
 
 namespace qdot::extended::fma {
 

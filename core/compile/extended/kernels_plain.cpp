@@ -1,4 +1,5 @@
 #include "core/compile/extended/kernels.hpp"
+#include "core/numerics/four_double_doubles.hpp"
 
 namespace qdot::extended::plain {
 
