@@ -57,6 +57,12 @@ Interval around(double number) {
   return {std::nextafter(number, -infinity), std::nextafter(number, infinity)};
 }
 
+/// The width of the values at a state.
+double rounding_by(const decltype(Watch::enclosure)& enclosure, double t, std::span<const double> y) {
+  const Interval values = enclosure(t, std::vector<Interval>(y.begin(), y.end()));
+  return values.upper - values.lower;
+}
+
 /// Parameters beyond those that are known so, such as the sides of kinks, are exact.
 std::vector<Ball> numbers_of(const Reals& known, std::span<const double> all) {
   std::vector<Ball> numbers = known.as<Ball>();
@@ -221,18 +227,17 @@ double Watch::rounding(double t, std::span<const double> y) const {
   return values.upper - values.lower;
 }
 
-double Watch::own_rounding(double t, std::span<const double> y) const {
-  const Interval values = enclosure(t, std::vector<Interval>(y.begin(), y.end()));
-  return values.upper - values.lower;
-}
+double Watch::own_rounding(double t, std::span<const double> y) const { return rounding_by(enclosure, t, y); }
 
 EventFunction Watch::event() const {
-  EventFunction event{.value = value,
-                      .series = series,
-                      .direction = direction,
-                      .terminal = kind != Kind::event,
-                      .counts_at_start = kind == Kind::impact,
-                      .condition = condition};
+  EventFunction event{
+      .value = value,
+      .series = series,
+      .rounding = [of = enclosure](double t, std::span<const double> y) { return rounding_by(of, t, y); },
+      .direction = direction,
+      .terminal = kind != Kind::event,
+      .counts_at_start = kind == Kind::impact,
+      .condition = condition};
   event.must_have_value = kind == Kind::validity;
   return event;
 }

@@ -34,7 +34,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
     size += std::abs(coefficient);
   }
   const double rounding = of_values * size;
-  result.off += rounding;
+  result.off += rounding + rounding_[event];
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
@@ -90,7 +90,8 @@ bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const
 bool EventSearch::is_rounding(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
   for (const double c : series.coefficients()) size += std::abs(c);
-  return series.is_finite() && series.off <= 2 * doubt_at_start(event, piece, of_values * size);
+  const double rounding = doubt_at_start(event, piece, of_values * size) + rounding_[event];
+  return series.is_finite() && series.off <= 2 * rounding;
 }
 
 }  // namespace qdot

@@ -10,9 +10,9 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_looks = 4000;
-constexpr std::size_t most_sharp_looks = 200;  ///< in a run
-constexpr std::size_t looks_in_doubt = 200;    ///< once not everything was seen: the rest is worth less work
-constexpr std::size_t looks_of_change = 256;   ///< more for each change of sign: as many as a pole takes
+constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
+constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
+constexpr std::size_t looks_of_change = 256;    ///< more for each change of sign: as many as a pole takes
 constexpr int halvings = 60;
 constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
 constexpr double growth_at_pole = 3;
@@ -46,6 +46,7 @@ EventSearch::EventSearch(const RunRequest& request)
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
       pieces_(request.events.size()),
+      rounding_(request.events.size()),
       y_(request.y_start.size()) {
   for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = request.events[i].sign_at_start;
   signs_of_begin_ = signs_;
@@ -97,8 +98,9 @@ std::vector<int> EventSearch::signs_before(double t) const {
 
 /// Whether g keeps the sign it had, as few coefficients show.
 bool EventSearch::is_quiet(std::size_t event) {
-  if (signs_[event] == 0 && !request_.notes_approaches) return false;
   const MotionPiece& piece = polynomial_.whole();
+  rounding_[event] = rounding_of_values(event);
+  if (signs_[event] == 0 && !request_.notes_approaches) return false;
   const UnitSeries series = unit_series(event, piece, low_order);
   if (series.is_nowhere) return false;
   const std::span<const double> c = series.coefficients();
@@ -267,7 +269,19 @@ void EventSearch::look_sharply(std::size_t event, double from, double to, std::v
 }
 
 bool EventSearch::can_look_sharply(std::size_t event) {
-  return request_.events[event].sharp_signs && ++sharp_looks_ <= most_sharp_looks;
+  if (!request_.events[event].sharp_signs) return false;
+  if (++sharp_looks_ > most_sharp_looks) saw_everything_ = false;
+  return sharp_looks_ <= most_sharp_looks;
+}
+
+/// Where the step begins; where g has no value, that is for others to see.
+double EventSearch::rounding_of_values(std::size_t event) {
+  const EventFunction& function = request_.events[event];
+  if (!function.rounding) return 0;
+  const MotionPiece& step = polynomial_.whole();
+  for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = step.rows[i * (step.order + 1)];
+  const double rounding = function.rounding(step.t, y_);
+  return std::isfinite(rounding) ? rounding : 0;
 }
 
 std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& crossed, Found& found) {

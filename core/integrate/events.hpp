@@ -114,6 +114,7 @@ class EventSearch {
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   void look_sharply(std::size_t event, double from, double to, std::vector<Piece>& pieces);
   [[nodiscard]] bool can_look_sharply(std::size_t event);
+  [[nodiscard]] double rounding_of_values(std::size_t event);
   [[nodiscard]] int known_sign(std::size_t event, double time) const;
   [[nodiscard]] ApproachSearch::Along along(std::size_t event, double from, double length, int sign,
                                             const UnitSeries& series);
@@ -139,8 +140,9 @@ class EventSearch {
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
   std::vector<std::vector<Piece>> pieces_;
-  std::vector<double> y_;  ///< scratch
-  std::size_t looks_{};    ///< at one function in one step
+  std::vector<double> rounding_;  ///< of its values in the step
+  std::vector<double> y_;         ///< scratch
+  std::size_t looks_{};           ///< at one function in one step
   std::size_t sharp_looks_{};
   std::size_t counted_{}, changes_{};  ///< of its pieces, and how often they change their sign
   int last_sign_{};

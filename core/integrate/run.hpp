@@ -81,6 +81,8 @@ struct EventFunction {
   /// (core/numerics/sign_search.hpp). Returns a bound of its distance from g over the piece, infinite where
   /// there is none, and no number where g has no value in all of the piece.
   std::function<double(const MotionPiece& piece, unsigned order, std::span<double> coefficients)> series{};
+  /// What values of g at a state may be rounded by. Optional.
+  std::function<double(double t, std::span<const double> y)> rounding{};
   /// In more digits than those of values; asked where these tell nothing. Optional; nothing where it does
   /// not know more, either.
   std::function<std::vector<SignPiece>(const SharpLook& look)> sharp_signs{};

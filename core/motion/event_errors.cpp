@@ -28,6 +28,7 @@ constexpr double farthest_share = 0.1;  ///< of the time in which the motion goe
 EventErrors::EventErrors(const Dynamics& dynamics, const SimulationRequest& request,
                          std::span<const double> scale)
     : dynamics_(dynamics),
+      parameters_(request.parameters),
       scale_(scale),
       t_start_(request.t_start),
       watches_(watches(dynamics, {.parameters = request.parameters,
@@ -229,9 +230,20 @@ std::optional<int> EventErrors::sign_after(double tau, const Watch& watch, const
     box[i] = within(q, place.errors[i] + tau * tau * std::abs(change) / 6);
     box[n + i] = within(v, place.errors[n + i] + std::abs(tau * change) / 2);
   }
-  const Interval values = watch.enclosure(place.t + tau, box);
-  if (values.lower > 0) return 1;
-  return values.upper < 0 ? std::optional(-1) : std::nullopt;
+  const int sign = sign_within(watch, place.t + tau, box);
+  return sign != 0 ? std::optional(sign) : std::nullopt;
+}
+
+/// 0 where both occur. Where doubles round by as much, twice the digits may tell.
+int EventErrors::sign_within(const Watch& watch, double t, std::span<const Interval> box) const {
+  const Interval values = watch.enclosure(t, box);
+  if (!values.contains(0)) return values.lower > 0 ? 1 : -1;
+  if (!watch.exact) return 0;
+  Reals states;
+  for (const Interval& y : box) states.push_back({y.middle(), 0, y.radius()});
+  const Ball sharp = watch.exact(parameters_, t, states);
+  if (!sharp.is_finite() || sharp.contains_zero()) return 0;
+  return sharp.value() > 0 ? 1 : -1;
 }
 
 std::vector<double> EventErrors::accelerations(double t, std::span<const double> y) {

@@ -68,10 +68,12 @@ class EventErrors {
     double slope{};  ///< of g along the motion
   };
   [[nodiscard]] Linear linear(const Watch& watch, const Place& place) const;
+  [[nodiscard]] int sign_within(const Watch& watch, double t, std::span<const Interval> box) const;
   [[nodiscard]] std::optional<int> sign_after(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> accelerations(double t, std::span<const double> y);
 
   const Dynamics& dynamics_;
+  const Reals& parameters_;
   std::span<const double> scale_;
   double t_start_;
   std::vector<Watch> watches_;
