@@ -1,5 +1,6 @@
 #include "core/compile/sharp_signs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,8 @@ constexpr double of_doubles = 64 * std::numeric_limits<double>::epsilon();  ///<
 /// Times what twice the digits leave in doubt: a shorter piece shows no more.
 constexpr double small_beside_digits = 64;
 constexpr int most_looks_along = 400;
+constexpr int halvings = 52;
+constexpr double closer = 0x1p-8;  ///< of a piece that has a zero, on each side of where that is
 constexpr std::size_t last_term = quadrature_order;
 
 std::vector<FineSeries> constants_of(std::span<const Ball> parameters) {
@@ -55,7 +58,8 @@ class SignsAlong {
     double told = from;
     for (const SignPiece& piece : signs_of(series.c, series.off)) {
       const double begin = from + piece.from * h, end = piece.to == 1 ? to : from + piece.to * h;
-      if (begin > told) halve(told, begin);  // around one zero
+      if (begin > told)
+        close_in(told, begin, zero_of(series.c, (told - from) / h, piece.from, piece.sign) * h + from);
       told = end;
       if (piece.sign != 0)
         add(begin, end, piece.sign);
@@ -100,6 +104,26 @@ class SignsAlong {
     for (std::size_t k = 1; k < series.c.size(); ++k) others += std::abs(series.c[k]);
     if (!(std::abs(series.c[0]) > others)) return 0;
     return series.c[0] > 0 ? 1 : -1;
+  }
+
+  /// Where coefficients come to have this sign, between two places.
+  static double zero_of(std::span<const double> c, double from, double to, int sign) {
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = 0.5 * (from + to);
+      double sum = 0;
+      for (std::size_t k = c.size(); k-- > 0;) sum = sum * middle + c[k];
+      (sign * sum > 0 ? to : from) = middle;
+    }
+    return to;
+  }
+
+  /// On one zero, which is near to `place`.
+  void close_in(double from, double to, double place) {
+    const double beside = closer * (to - from);
+    const double begin = std::max(from, place - beside), end = std::min(to, place + beside);
+    if (begin > from) explore(from, begin);
+    if (end > begin) explore(begin, end);
+    if (to > end) explore(end, to);
   }
 
   void halve(double from, double to) {

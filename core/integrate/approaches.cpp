@@ -61,24 +61,32 @@ class Slopes {
 
   [[nodiscard]] bool is_hidden(double s) const { return std::abs(sum_at(s, g_.c)) <= unseen * g_.off; }
 
-  /// Where g turns so near to zero that rounding hides it, coefficients do not tell that place, either.
+  /// Where rounding hides g, coefficients do not tell where it turns, either.
   void sharpen() {
-    const std::vector<SignPiece> rough = std::exchange(signs, {});
+    std::vector<double> places{0};
+    for (std::size_t i = 0; i + 1 < signs.size(); ++i) {
+      if (signs[i].sign != signs[i + 1].sign)
+        places.push_back(change_between(signs[i].to, signs[i + 1].from, signs[i + 1].sign));
+    }
+    places.push_back(1);
     double since = 0;  // what lies before it is looked at
-    for (std::size_t i = 0; i < rough.size(); ++i) {
-      const SignPiece& piece = rough[i];
-      if (piece.to >= since) signs.push_back({std::max(piece.from, since), piece.to, piece.sign});
-      if (i + 1 == rough.size() || rough[i + 1].sign == piece.sign) continue;
-      const double turn = change_between(piece.to, rough[i + 1].from, rough[i + 1].sign);
-      if (turn < since || !is_hidden(turn)) continue;
-      const double from = end_of_hidden(turn, std::max(0.0, since)), to = end_of_hidden(turn, 1);
-      const std::vector<SignPiece> sharp = g_.sharp_slopes(from, to);
-      if (sharp.empty()) continue;
-      while (!signs.empty() && signs.back().from >= from) signs.pop_back();
-      if (!signs.empty()) signs.back().to = std::min(signs.back().to, from);
-      keep_definite(sharp, g_.sign);
+    for (const double place : places) {
+      if (place < since || !is_hidden(place)) continue;
+      const double from = end_of_hidden(place, since), to = end_of_hidden(place, 1);
+      if (from < to) replace(from, to);
       since = to;
     }
+  }
+
+  void replace(double from, double to) {
+    const std::vector<SignPiece> sharp = g_.sharp_slopes(from, to);
+    if (sharp.empty()) return;
+    for (const SignPiece& piece : std::exchange(signs, {})) {
+      if (piece.from <= from) signs.push_back({piece.from, std::min(piece.to, from), piece.sign});
+      if (piece.to >= to) signs.push_back({std::max(piece.from, to), piece.to, piece.sign});
+    }
+    keep_definite(sharp, g_.sign);
+    std::ranges::stable_sort(signs, {}, &SignPiece::from);
   }
 
   /// On the way from a place to an end.

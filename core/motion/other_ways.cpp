@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t most_ways = 4;
 constexpr Tolerances of_checks{1e-12, 1e-15};
 constexpr double much_larger = 10;  ///< errors than without
+constexpr double widened = 2;  ///< times how early another way begins before a place: so long after it, too
 
 /// As another computation of the motion, from its first row on.
 class OtherWay {
@@ -112,6 +113,19 @@ std::string place_in_words(const ApproachRecord& approach) {
          (approach.is_kink ? approach.name + " = 0" : "'" + approach.name + "'") + " as its error";
 }
 
+/// Around the place, where the other way is to meet what the motion does not, or the other way about.
+bool goes_otherwise(const Simulation& other, const Simulation& motion, const ApproachRecord& approach,
+                    double begin) {
+  if (approach.is_kink || approach.place.is_condition) return true;
+  const double until = approach.place.t + widened * (approach.place.t - begin);
+  const auto met = [&](const Simulation& way) {
+    const auto is_there = [&](double t) { return begin <= t && t <= until; };
+    const bool stops = way.stop && is_there(way.stop->t);
+    return std::ranges::count_if(way.sections, is_there, &SectionRecord::t) + (stops ? 1 : 0);
+  };
+  return met(other) != met(motion);
+}
+
 /// Once more with the impacts of each instant in the opposite order.
 void add_other_order(const ComputedMotion& motion, std::span<const Simulation> others,
                      std::uint64_t& evaluations_left, OtherWays& result) {
@@ -178,6 +192,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
       result.evaluations += way.spent();
       evaluations_left -= std::min(evaluations_left, way.spent());
       if (other.rows < motion.simulation.rows) lose(std::max(t, other.t));
+      if (!goes_otherwise(other, motion.simulation, approach.approach, begin)) lose(t);
     } catch (const Error&) {
       lose(t);
     }
