@@ -53,7 +53,18 @@ std::optional<EventError> EventErrors::of(const Stop& stop, std::span<const doub
       return EventError{at_least, {errors.begin(), errors.end()}};
     if (fits && (ended == nullptr || distance(watch) < distance(*ended))) ended = &watch;
   }
-  return ended == nullptr ? std::nullopt : of(*ended, stop.t, y, errors, scale_, at_least);
+  if (ended == nullptr) return std::nullopt;
+  auto error = of(*ended, stop.t, y, errors, scale_, at_least);
+  return error && !may_turn_before(stop.t, y, error->state) ? error : std::nullopt;
+}
+
+/// Whether a wall is as near as the errors: it may turn the motion before what stops it.
+bool EventErrors::may_turn_before(double t, std::span<const double> y, std::span<const double> errors) const {
+  std::vector<Interval> box;
+  for (std::size_t k = 0; k < y.size(); ++k) box.emplace_back(y[k] - errors[k], y[k] + errors[k]);
+  return std::ranges::any_of(watches_, [&](const Watch& watch) {
+    return watch.kind == Watch::Kind::impact && sign_within(watch, t, box) == 0;
+  });
 }
 
 std::optional<EventError> EventErrors::at(double t, std::span<const double> y, std::span<const double> errors,
