@@ -97,7 +97,9 @@ int EventSearch::known_sign(std::size_t event, double time) const {
 decltype(ApproachSearch::Along::sharp_slopes) EventSearch::sharp_slopes(std::size_t event, double begin,
                                                                         double length) {
   return [=, this](double from, double to) -> std::vector<SignPiece> {
-    if (!can_look_sharply(event)) return {};
+    // The state at t_start is not known to more digits than doubles, and that is near to zero already.
+    const bool is_start = polynomial_.whole().t == request_.t_start && begin + from * length == 0;
+    if (is_start || !can_look_sharply(event)) return {};
     std::vector<SignPiece> slopes =
         request_.events[event].sharp_signs({polynomial_.whole(), begin + from * length, begin + to * length,
                                             shortest_slope * (to - from) * length, true});

@@ -135,14 +135,18 @@ std::optional<double> EventErrors::time_of(const Watch& watch, const Place& plac
   const double least = std::max({time_round_off(place.t), time_round_off(shortest), shortest_time});
   const Linear around = linear(watch, place);
   const double guess = around.doubt / std::abs(around.slope);
+  // It may lie beside the place by as much as values are rounded there.
+  const bool is_rounded = std::abs(watch.value(place.t, place.y)) <= watch.own_rounding(place.t, place.y);
+  bool has_one_sign = false;
   for (double tau = std::max(least, tried_first * (std::isfinite(guess) ? guess : 0));
        tau <= farthest_share * own_time; tau *= tried_next) {
     const std::optional<int> before = sign_after(-tau, watch, place);
     const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
     if (after && *before != *after) return tau + least;
-    if (after) return std::nullopt;
+    has_one_sign = has_one_sign || after;
+    if (after && !is_rounded) break;
   }
-  return by_slopes(watch, place, own_time, around.doubt);
+  return has_one_sign ? std::nullopt : by_slopes(watch, place, own_time, around.doubt);
 }
 
 /// Where g is enclosed too widely: the smaller root of

@@ -139,7 +139,8 @@ void Fork::take_doubt() {
   for (std::size_t k = 0; k < y_.size(); ++k) box.emplace_back(y_[k] - errors_[k], y_[k] + errors_[k]);
   const Interval values = approach_.enclosure(t_, box);
   doubt_ = std::max(values.upper - value_, value_ - values.lower);
-  if (!std::isfinite(doubt_)) doubt_ = 2 * rise_;
+  is_bounded_ = std::isfinite(doubt_);
+  if (!is_bounded_) doubt_ = 2 * rise_;
 }
 
 /// A condition counts when the event happens, which is as uncertain as its g is.

@@ -23,6 +23,8 @@ class Fork {
 
   /// Whether the errors allow another way, there or where others are that it stands for.
   [[nodiscard]] bool is_open() const;
+  /// Whether what its function may be there has a bound.
+  [[nodiscard]] bool is_bounded() const { return is_bounded_; }
   /// A jump of forces that is over before it has moved the motion as far as it may be off anyway.
   [[nodiscard]] bool is_negligible() const;
 
@@ -49,8 +51,9 @@ class Fork {
   const Approach& place_;
   const std::vector<double>& stated_;  ///< errors before it
   std::vector<double> beside_, y_, errors_;
-  double t_;                    ///< where g turns, or where the event is that a condition decides about
-  double value_, doubt_{};      ///< g and delta
+  double t_;                ///< where g turns, or where the event is that a condition decides about
+  double value_, doubt_{};  ///< g and delta
+  bool is_bounded_{};
   std::vector<double> slopes_;  ///< of g in each component
   std::vector<double> rises_;   ///< of g by the error of each component
   double rise_{};               ///< by all

@@ -207,7 +207,6 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.events_in_doubt.add(events_lost_in_errors(motion(), result_.max_abs_error));
   result_.event_errors = std::move(comparison.event_errors);
   result_.horizon = comparison.horizon && rests_within_rounding() ? std::nullopt : comparison.horizon;
-  result_.events_in_doubt.add(events_without_error());
   result_.stop_error = comparison.stop_error;
   result_.at_impacts = std::move(comparison.at_impacts);
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
@@ -216,19 +215,6 @@ void Measurement::state(const std::vector<Simulation>& others) {
     result_.reason = accuracy_reasons::forces_are_rounding;
   contradicts_ = !comparison.changed.empty();
   if (contradicts_) result_.reason = accuracy_reasons::contradiction(comparison.changed);
-}
-
-/// Before the motion itself is lost.
-std::vector<EventDoubt> Measurement::events_without_error() const {
-  std::vector<EventDoubt> found;
-  const auto& events = result_.simulation.events;
-  const double end = result_.horizon.value_or(infinity);
-  for (std::size_t i = 0; i < std::min(events.size(), result_.event_errors.size()); ++i) {
-    if (!result_.event_errors[i] && events[i].t < end)
-      found.push_back({events[i].name, "By the errors of the motion or of its function " + events[i].name +
-                                           " may happen at other times than stated, or not at all."});
-  }
-  return found;
 }
 
 RowComparison Measurement::with_other_ways(const RowComparison& without, std::vector<Simulation> others,

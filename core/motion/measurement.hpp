@@ -53,7 +53,6 @@ class Measurement {
   void state(const std::vector<Simulation>& others);
   [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
                                               OtherWays ways);
-  [[nodiscard]] std::vector<EventDoubt> events_without_error() const;
   [[nodiscard]] std::vector<double> wanted() const;
   void forgive_rounding_of_zeros(const std::vector<double>& error, std::vector<double>& wanted) const;
   [[nodiscard]] double excess(const std::vector<double>& error) const;

@@ -192,7 +192,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
       result.evaluations += way.spent();
       evaluations_left -= std::min(evaluations_left, way.spent());
       if (other.rows < motion.simulation.rows) lose(std::max(t, other.t));
-      if (!goes_otherwise(other, motion.simulation, approach.approach, begin)) lose(t);
+      if (fork.is_bounded() && !goes_otherwise(other, motion.simulation, approach.approach, begin)) lose(t);
     } catch (const Error&) {
       lose(t);
     }
