@@ -1,0 +1,92 @@
+"""Events, walls and conditions whose functions doubles round by as much as they change there: what happens is answered
+within its error, or the answer says that it is in doubt."""
+
+import pathlib
+import sys
+import unittest
+from fractions import Fraction
+
+from mpmath import mp, mpf
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from test_multiple_roots import power, product  # noqa: E402
+
+mp.dps = 50
+
+
+def scene(lagrangian, x, rate, **members):
+    coordinate = {"name": "x", "initial": x, "initial_rate": rate}
+    return {"name": "p", "units": "none", "coordinates": [coordinate], "lagrangian": lagrangian, **members}
+
+
+def condition(expression):
+    return {"name": "c", "expression": expression, "reason": "touch", "message": "m"}
+
+
+class HiddenEvents(Service):
+    def simulate(self, system, t_end, **options):
+        return self.ask("simulate", {"system": system, "t_end": t_end, "samples": 2, **options})
+
+    def test_a_condition_that_is_the_difference_of_large_numbers_ends_the_motion(self):
+        """Of a throw, x = h + v t - a t^2/2, where x^2 comes to c; squares, cubes and roots of what is beside 1e8."""
+        height, speed, fall = mpf("0.8588"), mpf("1.56"), mpf("1.33")
+        level = mpf("1.773")
+        end = (speed - mp.sqrt(speed**2 - 2 * fall * (level - height))) / fall
+        for text in (
+            "-((x+1e8)^2-1e8^2-2*1e8*x-(3.143529))",
+            "-((x+1e5)^3-1e15-3e10*x-3e5*x^2-(5.573476917))",
+            "sqrt(1e8^2+3.143529)-sqrt(x^2+1e8^2)",
+            "exp(1e-9*x) - exp(1.773e-9) - 2*(exp(1e-9*x) - exp(1.773e-9))",
+        ):
+            for options in ({}, {"accuracy": "fast"}, {"max_error": 1e-10}):
+                with self.subTest(text, **options):
+                    system = scene("x_dot^2/2 - 1.33*x", "0.8588", "1.56", valid_while=[condition(text)])
+                    answer = self.simulate(system, 2.3, **options)
+                    if answer["status"] == "complete":
+                        self.assertIn("reason", answer["accuracy"])
+                    elif answer["stop"].get("error") is None:
+                        self.assertIn("reason", answer["accuracy"])
+                    else:
+                        self.assertLessEqual(abs(answer["stop"]["t"] - end), answer["stop"]["error"])
+
+    def test_the_depth_of_a_graze_is_sought_where_it_is(self):
+        rate = mp.sqrt(mpf("3.62"))
+        root = "-1.78116366224010109444143167869"  # 1.5e-12 above the least x + 0.57 x_dot
+        event = {"name": "e", "expression": f"((x+(0.57)*x_dot)-({root}))^5"}
+        system = scene("x_dot^2/2 - 3.62*x^2/2", "-1.181", "0.478", events=[event])
+        answer = self.simulate(system, 5.7, events=["e"])
+        if "reason" not in answer["accuracy"]:
+            least = mp.sqrt((mpf("-1.181") + mpf("0.57") * mpf("0.478")) ** 2
+                            + (mpf("0.478") + mpf("0.57") * mpf("1.181") * rate**2) ** 2 / rate**2)
+            self.assertGreater(least, -mpf(root))
+            self.assertEqual(len(answer["events"]), 2)
+
+    def test_errors_of_both_ways_hold_the_way_that_is_kicked(self):
+        """A throw up to just beyond the place of a kick."""
+        place = "0.865345205478992"
+        event = {"name": "e", "expression": power(Fraction(place), 3)}
+        kick = {"event": "e", "map": {"x_dot": "x_dot - 0.02"}}
+        for options in ({}, {"accuracy": "accurate"}, {"accuracy": "fast"}, {"method": "erk", "rtol": 1e-10}):
+            with self.subTest(**options):
+                system = scene("x_dot^2/2 - 7.3*x", "0.7634", "1.22", events=[event], impacts=[kick])
+                answer = self.simulate(system, 0.368, **options)
+                speed = mp.sqrt(mpf("1.22") ** 2 - 2 * mpf("7.3") * (mpf(place) - mpf("0.7634")))
+                left = mpf("0.368") - (mpf("1.22") - speed) / mpf("7.3")
+                known = mpf(place) + (speed - mpf("0.02")) * left - mpf("7.3") * left**2 / 2
+                errors = answer["accuracy"]["max_abs_error"]
+                if errors is not None and errors["x"] is not None:
+                    self.assertLessEqual(abs(answer["trajectory"]["x"][-1] - known), errors["x"])
+
+    def test_a_wall_may_forestall_a_condition_that_ends_at_its_place(self):
+        wall = {"name": "w", "expression": "-(" + product([Fraction("0.93"), Fraction("-1.3")]) + ")*(3+x)", "direction": "falling"}
+        system = scene("x_dot^2/2", "-0.092", "1.47", events=[wall], impacts=[{"event": "w", "restitution": 0.9}],
+                       valid_while=[condition("-(" + power(Fraction("0.93"), 3) + ")")])
+        for options in ({}, {"accuracy": "fast"}, {"max_error": 1e-10}):
+            with self.subTest(**options):
+                answer = self.simulate(system, 1.5, **options)
+                self.assertTrue(answer["status"] == "complete" or "reason" in answer["accuracy"])
+
+
+if __name__ == "__main__":
+    unittest.main()
