@@ -9,6 +9,7 @@
 namespace qdot {
 namespace {
 
+constexpr double of_start = 64;  ///< times the rounding of a state's numbers
 constexpr std::size_t most_looks = 4000;
 constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
 constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
@@ -170,11 +171,24 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces)
     if (piece.is_nowhere) before = nullptr;
     if (piece.sign == 0) continue;
     const bool is_hidden = before != nullptr && before->sign == piece.sign && before->to < piece.from;
-    if (is_hidden && !keeps_sign(event, before->to, piece.from, piece.sign) &&
+    if (is_hidden && !is_beside_start(event, piece.from) &&
+        !keeps_sign(event, before->to, piece.from, piece.sign) &&
         !is_pole_between(event, before->to, piece.from))
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
   }
+}
+
+/// Whether g is still as near to zero as the rounding of the state where the run began, which it was there.
+bool EventSearch::is_beside_start(std::size_t event, double from) {
+  const EventFunction& function = request_.events[event];
+  const MotionPiece& step = polynomial_.whole();
+  if (step.t != request_.t_start || !function.rounding_at_start) return false;
+  const double near = of_start * function.rounding_at_start();
+  if (!(std::abs(function.value(request_.t_start, request_.y_start)) <= near)) return false;
+  const MotionPiece there = polynomial_.piece(from, step.h);
+  for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = there.rows[i * (there.order + 1)];
+  return std::abs(function.value(step.t + from, y_)) <= near;
 }
 
 /// As more digits tell.

@@ -85,6 +85,7 @@ class EventSearch {
   void walk(std::size_t event, std::vector<Crossed>& crossed);
   [[nodiscard]] double hidden_before(std::size_t event, double t, int sign) const;
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
+  [[nodiscard]] bool is_beside_start(std::size_t event, double from);
   [[nodiscard]] bool keeps_sign(std::size_t event, double from, double to, int sign);
   [[nodiscard]] bool is_pole_between(std::size_t event, double from, double to);
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
