@@ -119,15 +119,13 @@ class Growth(Service):
             crossings += len(found)
         self.assertGreater(crossings, 30)
 
-    def test_a_body_whose_condition_of_growth_is_too_long_still_has_its_other_critical_values(self):
-        body = {"kind": "rigid_body", "mass": "m", "principal_moments": ["A", "B", "C"], "centre": ["0", "0", "0"],
+    def test_a_body_whose_condition_of_growth_is_too_long_says_so_soon(self):
+        body = {"kind": "rigid_body", "mass": "m", "principal_moments": ["A", "A", "C"], "centre": ["0", "0", "0"],
                 "orientation": {"sequence": "ZXY", "angles": ["a", "b", "c"]}}
-        racket = scene("racket", "m kg 0.5; A kg*m^2 0.002; B kg*m^2 0.003; C kg*m^2 0.004", "a rad 0 10; b rad; c rad",
-                       bodies=[body])
+        racket = scene("racket", "m kg 0.5; A kg*m^2 0.003; C kg*m^2 0.004", "a rad 0 10; b rad; c rad", bodies=[body])
         answer = self.ask("bifurcations", {"system": racket, "parameter": "C", "from": 0.0028, "to": 0.0033})
         self.assertFalse(answer["complete"])
         self.assertIn("the search for them was given up", answer["reason"])
-        self.assertEqual({c["exact"]["text"] for c in answer["critical"]}, {"B"})
 
 
 if __name__ == "__main__":
