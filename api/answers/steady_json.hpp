@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "api/answers/answers.hpp"
 #include "api/answers/models.hpp"
 #include "api/json/json.hpp"
 #include "core/steady/equilibria.hpp"
