@@ -6,6 +6,7 @@
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/impacts.hpp"
 #include "core/mechanics/inertia_check.hpp"
+#include "core/mechanics/jumps.hpp"
 #include "core/mechanics/negative_inertia.hpp"
 #include "core/mechanics/reaction_sizes.hpp"
 
@@ -94,6 +95,8 @@ std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValue
   model->scene = scene;
   model->parsed = std::move(parsed);
   model->lagrangian = derive_lagrangian(model->parsed);
+  if (auto impulses = impulses_of_jumps(scene, model->lagrangian); !impulses.empty())
+    throw SceneError(std::move(impulses));
   model->equations = derive_equations(model->lagrangian);
   check_constraints(scene, model->lagrangian);
   model->system = augmented(model->equations, model->lagrangian);
