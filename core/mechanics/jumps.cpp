@@ -109,18 +109,16 @@ Expression SmoothedJumps::with_jumps(const Expression& e) const {
   return back_.empty() ? e : substitute(e, back_);
 }
 
-std::vector<Diagnostic> impulses_of_jumps(const Scene& scene, const Lagrangian& lagrangian) {
-  std::vector<Diagnostic> found;
+std::string impulse_of_jumps(const Scene& scene, const Lagrangian& lagrangian) {
   for (const Expression& jump : jumps_of(lagrangian.lagrangian, lagrangian.symbols)) {
     if (std::get<Call>(jump.node()).function != Function::sign || !is_impulse(lagrangian, jump)) continue;
     const std::string u = print(argument_of(jump), Form::text, notation_of(scene));
-    found.push_back({scene.lagrangian.empty() ? "" : "/lagrangian", "not_applicable",
-                     "The Lagrangian jumps with sign(" + u + ") where " + u +
-                         " = 0: the force there is an impulse, which is not computed. Write a step of some "
-                         "width, such as tanh((" +
-                         u + ")/width), or an impact."});
+    return "The Lagrangian jumps with sign(" + u + ") where " + u +
+           " = 0: the force there is an impulse, which no motion is computed with. Write a step of some "
+           "width, such as tanh((" +
+           u + ")/width), or an impact.";
   }
-  return found;
+  return {};
 }
 
 }  // namespace qdot

@@ -26,8 +26,8 @@ class SmoothedJumps {
   std::vector<Replacement> back_;
 };
 
-/// "/lagrangian" and what jumps there, for signs of coordinates or rates across which L is not continuous,
-/// and signs of the time across which a momentum is not.
-[[nodiscard]] std::vector<Diagnostic> impulses_of_jumps(const Scene& scene, const Lagrangian& lagrangian);
+/// Why no motion is computed: a sign of coordinates or rates across which L is not continuous, or one of the
+/// time across which a momentum is not. A sentence, or empty.
+[[nodiscard]] std::string impulse_of_jumps(const Scene& scene, const Lagrangian& lagrangian);
 
 }  // namespace qdot

@@ -95,8 +95,6 @@ std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValue
   model->scene = scene;
   model->parsed = std::move(parsed);
   model->lagrangian = derive_lagrangian(model->parsed);
-  if (auto impulses = impulses_of_jumps(scene, model->lagrangian); !impulses.empty())
-    throw SceneError(std::move(impulses));
   model->equations = derive_equations(model->lagrangian);
   check_constraints(scene, model->lagrangian);
   model->system = augmented(model->equations, model->lagrangian);
@@ -122,6 +120,7 @@ std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValue
   };
   model->validity = quantities_of(model->parsed.valid_while, "/valid_while/");
   model->reports = quantities_of(model->parsed.reports, "/reports/");
+  model->impulse = impulse_of_jumps(scene, model->lagrangian);
   model->partial = partial_quantities(model->parsed, model->lagrangian);
   model->lagrangian.graph->forget_brackets();  // a model lives long, and asks little of them
   return model;
