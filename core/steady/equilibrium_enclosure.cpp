@@ -13,6 +13,7 @@ using Forces = TapeEvaluator<Ball>;
 
 /// Of a coordinate's size.
 constexpr double nearly_zero = 1e-6;
+constexpr double point_like = 1e-14;  ///< so wide is what is known
 constexpr int passes = 3;
 /// At a zero of order m Newton's step is an m-th part of the way that is left.
 constexpr double highest_order = 8;
@@ -77,8 +78,11 @@ std::optional<Equilibrium> degenerate(Balls x, const std::vector<double>& left, 
   }
   const bool are_rounded = without_forces(rounded, forces);
   if (are_rounded) x = rounded;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (!are_rounded || x[i].value() != 0) x[i].radius = highest_order * left[i];
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double width = highest_order * left[i];
+    const bool is_known = are_rounded && (x[i].value() == 0 || width < point_like * near.sizes[i]);
+    if (!is_known) x[i].radius = width;
+  }
   return are_rounded || without_forces(x, forces) ? std::optional(Equilibrium{x, false}) : std::nullopt;
 }
 
