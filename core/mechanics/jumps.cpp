@@ -41,6 +41,14 @@ bool divides_by(const Expression& e, std::span<const Expression> symbols) {
   });
 }
 
+/// Of one thing that varies, or of the time: atan(y/x), a polar angle, goes on smoothly as another branch.
+bool may_jump(const Expression& argument, const Symbols& symbols) {
+  const std::vector<Expression> all = varying(symbols);
+  const auto number =
+      std::ranges::count_if(all, [&](const Expression& x) { return depends_on(argument, x); });
+  return (number == 1 || depends_on(argument, symbols.t)) && divides_by(argument, all);
+}
+
 /// Where e jumps, the inner ones first.
 std::vector<Expression> jumps_of(const Expression& e, const Symbols& symbols) {
   Graph& graph = e.graph();
@@ -50,7 +58,7 @@ std::vector<Expression> jumps_of(const Expression& e, const Symbols& symbols) {
     if (call == nullptr || (call->function != Function::sign && call->function != Function::atan)) continue;
     const Expression argument(graph, call->argument);
     const bool jumps = call->function == Function::sign ? depends_on(argument, varying(symbols))
-                                                        : divides_by(argument, varying(symbols));
+                                                        : may_jump(argument, symbols);
     if (jumps) found.emplace_back(graph, id);
   }
   return found;

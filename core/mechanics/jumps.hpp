@@ -11,8 +11,8 @@
 
 namespace qdot {
 
-/// Each sign of what varies, and each arc tangent of what may have poles, as a function that is smooth and in
-/// no relation to others: what keeps e so keeps it with its jumps.
+/// Each sign of what varies, and each arc tangent of the time, or of one other variable, that may have poles,
+/// as a function that is smooth and in no relation to others: what keeps e so keeps it with its jumps.
 class SmoothedJumps {
  public:
   SmoothedJumps(const Expression& e, const Symbols& symbols);
