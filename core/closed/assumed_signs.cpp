@@ -61,6 +61,17 @@ AssumedSigns::AssumedSigns(const ExactValues& values, const Relations& relations
   std::ranges::for_each(given_, take);
 }
 
+void AssumedSigns::leave_out(const Expression& symbol, const std::optional<Expression>& formula) {
+  known_.erase(symbol.id());
+  if (formula) formulas_.emplace_back(symbol, *formula);
+}
+
+void AssumedSigns::ask(const Expression& e) {
+  const double value = values_.value(e).value;
+  if (value == 0 || sign_of(e) != 0 || !is_of_parameters(e)) return;
+  if (const auto positive = positive_of(e, value > 0 ? 1 : -1)) take(*positive);
+}
+
 bool AssumedSigns::are_there() {
   take_asked();
   const auto is_broken = [](const Open& open) {
@@ -95,7 +106,8 @@ std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
 
 void AssumedSigns::take_asked() {
   for (; asked_ < values_.asked().size(); ++asked_) {
-    const auto [e, sign] = values_.asked()[asked_];
+    const auto [asked, sign] = values_.asked()[asked_];
+    const Expression e = formulas_.empty() ? asked : substitute(asked, formulas_);
     if (sign == 0 || !seen_.emplace(e.id(), sign).second || sign_of(e) != 0 || !is_of_parameters(e)) continue;
     if (const auto positive = positive_of(e, sign)) take(*positive);
   }

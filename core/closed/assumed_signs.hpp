@@ -22,6 +22,13 @@ class AssumedSigns {
   /// `given`: symbols beside the parameters that have values. Outlived by the values and the relations.
   AssumedSigns(const ExactValues& values, const Relations& relations, std::vector<Expression> given);
 
+  /// Of what was looked for nothing is assumed; what was asked of it is asked of its formula, where one is
+  /// given.
+  void leave_out(const Expression& symbol, const std::optional<Expression>& formula = {});
+
+  /// Its sign counts as asked for.
+  void ask(const Expression& e);
+
   /// Of all that was asked for until now, what has to be assumed for the claims to hold and have values, as
   /// inequalities with what is subtracted on the other side.
   [[nodiscard]] std::vector<std::string> needed_for(const Trial& trial);
@@ -47,7 +54,8 @@ class AssumedSigns {
   const Relations& relations_;
   std::vector<Expression> given_;
   std::map<NodeId, int> known_;  ///< signs
-  std::size_t asked_{};          ///< so many were looked at
+  std::vector<Replacement> formulas_;
+  std::size_t asked_{};  ///< so many were looked at
   std::set<std::pair<NodeId, int>> seen_;
   std::vector<std::vector<RealAssignment>> far_;
   std::vector<Open> open_;

@@ -15,13 +15,15 @@ class BestForm {
   BestForm(const ExactValues& values, std::vector<Expression> allowed)
       : values_(values), allowed_(std::move(allowed)) {}
 
-  void consider(const Expression& e, const Relations& relations) {
-    if (length_ && *length_ <= written_length(e)) return;
+  /// Whether it is the best so far.
+  bool consider(const Expression& e, const Relations& relations) {
+    if (length_ && *length_ <= written_length(e)) return false;
     auto form = closed_form(values_, e, relations, allowed_);
-    if (!form) return;
+    if (!form) return false;
     length_ = written_length(e);
     form_ = std::move(form);
     chosen_ = {e, relations};
+    return true;
   }
   [[nodiscard]] const std::optional<ClosedForm>& form() const { return form_; }
   /// What was kept; only where there is a form.

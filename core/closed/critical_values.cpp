@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
+#include "core/closed/assumed_signs.hpp"
 #include "core/closed/best_form.hpp"
 #include "core/closed/equal_parts.hpp"
 #include "core/closed/exact_roots.hpp"
@@ -33,15 +34,17 @@ class CriticalForm {
     problem_ = place_problem(motions_, values_, those_of(near, motions_.moving));
   }
 
-  std::optional<ClosedForm> form() const {
+  std::optional<ClosedForm> form() {
     std::optional<ClosedForm> found = found_form();
     const std::string itself = std::get<Symbol>(p_.node()).name + " = 0";
-    if (found) std::erase(found->assumes, itself);
+    if (!found) return found;
+    std::erase(found->assumes, itself);
+    found->assumes.insert(found->assumes.end(), needed_.begin(), needed_.end());
     return found;
   }
 
  private:
-  std::optional<ClosedForm> found_form() const {
+  std::optional<ClosedForm> found_form() {
     BestForm best(values_, {});
     const auto proven = exact_place(problem_);
     consider(proven ? *proven : special_place(problem_), best);
@@ -112,7 +115,7 @@ class CriticalForm {
   }
 
   /// Of each group of coordinates that no entry couples to others.
-  void consider(const ExactPlace& place, BestForm& best) const {
+  void consider(const ExactPlace& place, BestForm& best) {
     std::vector<Expression> forces;
     for (const Expression& force : motions_.forces) forces.push_back(place.at(force));
     const Matrix mass = at(place, motions_.mass), damping = at(place, motions_.damping),
@@ -130,13 +133,21 @@ class CriticalForm {
       // The system was derived without a parameter that is 0: all holds there.
       if (critical_.value == 0 && conditions.empty()) best.consider(motions_.graph->number(0), {});
       for (const Relations& relations : {Relations{}, values_.relations()}) {
-        for (const Expression& condition : conditions) consider(condition, conditions, relations, best);
+        for (const Expression& condition : conditions)
+          consider(condition, {conditions, place, relations}, best);
       }
     }
   }
 
-  void consider(const Expression& condition, const std::vector<Expression>& all, const Relations& relations,
-                BestForm& best) const {
+  /// What vanishes at a critical value.
+  struct Claims {
+    const std::vector<Expression>& all;
+    const ExactPlace& place;
+    const Relations& relations;
+  };
+
+  void consider(const Expression& condition, const Claims& claims, BestForm& best) {
+    const Relations& relations = claims.relations;
     const Expression equation = substitute(condition, relations.replacements);
     std::vector<Expression> roots = roots_in(equation, p_, values_);
     if (roots.empty()) {
@@ -147,9 +158,28 @@ class CriticalForm {
       if (!agrees(values_.value(root), critical_.value, critical_.error)) continue;
       Trial trial(values_, relations);
       trial.set({p_}, {root});
-      for (const Expression& other : all) trial.vanishes({substitute(other, {{{p_, root}}})});
-      if (trial.passes()) best.consider(root, relations);
+      for (const Expression& other : claims.all) trial.vanishes({substitute(other, {{{p_, root}}})});
+      if (trial.passes() && best.consider(root, relations)) needed_ = signs_needed(root, claims);
     }
+  }
+
+  /// For the forces and what else vanishes to do so at the place, where the scene has a value.
+  [[nodiscard]] std::vector<std::string> signs_needed(const Expression& root, const Claims& claims) const {
+    if (!motions_.momenta.empty()) return {};
+    AssumedSigns signs(values_, claims.relations, {});
+    signs.leave_out(p_, root);
+    signs.ask(root);
+    if (!signs.are_there()) return {};
+    Trial trial(values_, claims.relations);
+    trial.set({p_}, {root});
+    std::vector<Expression> there;
+    for (const Expression& x : claims.place.x()) there.push_back(substitute(x, {{{p_, root}}}));
+    trial.set(motions_.x, there);
+    for (const auto* vanishing : {&motions_.forces, &motions_.surface})
+      for (const Expression& e : *vanishing) trial.vanishes(terms_of(e));
+    for (const Expression& e : claims.all) trial.vanishes({substitute(e, {{{p_, root}}})});
+    if (!is_of_oscillations(critical_.kind)) trial.is_singular(motions_.stiffness);
+    return signs.needed_for(trial);
   }
 
   LinearMotions motions_;
@@ -157,6 +187,7 @@ class CriticalForm {
   Expression p_;
   const CriticalValue& critical_;
   PlaceProblem problem_;
+  std::vector<std::string> needed_;  ///< signs that the best form assumes
 };
 
 /// With the multipliers that hold the system there as coordinates of their own; one that is nearly 0 may be

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
+#include "core/closed/assumed_signs.hpp"
 #include "core/closed/best_form.hpp"
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/inverted_roots.hpp"
@@ -59,9 +60,16 @@ class SolutionForms {
     for (std::size_t i = 0; i < best.size(); ++i) {
       if (!best[i].form()) consider_inverses(found_.values[i], best[i]);
       result[i].value = best[i].form();
+      if (!result[i].value) continue;
+      const auto& [u, relations] = best[i].chosen();
+      const std::vector<std::string> needed = signs_needed(u, relations);
+      const auto assume = [&](ClosedForm& form) {
+        form.assumes.insert(form.assumes.end(), needed.begin(), needed.end());
+      };
+      assume(*result[i].value);
       const auto& rate2 = found_.values[i].stability.rate2;
-      if (result[i].value && rate2 && rate2->is_finite())
-        result[i].rate2 = square_of_rate(*rate2, best[i].chosen().first, best[i].chosen().second);
+      if (rate2 && rate2->is_finite()) result[i].rate2 = square_of_rate(*rate2, u, relations);
+      if (result[i].rate2) assume(*result[i].rate2);
     }
     return result;
   }
@@ -108,6 +116,8 @@ class SolutionForms {
         }
       }
     }
+    for (const auto& [e, sign] : here.asked())
+      if (!depends_on(e, u_)) (void)values_.sign(e);  // so that it counts as asked of these, too
   }
 
   /// What of the position is 0: without it, equations are simpler.
@@ -134,6 +144,19 @@ class SolutionForms {
     Trial trial = trial_at(u, relations);
     trial.vanishes({k, -(m * forms[0])});
     return trial.passes() ? closed_form(values_, forms[0], relations, places_) : std::nullopt;
+  }
+
+  /// For the forces to vanish where the position is any with these signs.
+  [[nodiscard]] std::vector<std::string> signs_needed(const Expression& u, const Relations& relations) const {
+    AssumedSigns signs(values_, relations, places_);
+    signs.leave_out(u_);
+    if (!signs.are_there()) return {};
+    Trial trial(values_, relations);
+    trial.only_where_real();
+    trial.set_given(places_);
+    trial.set({u_}, {u});
+    for (const Expression& force : polynomial_.whole) trial.vanishes(terms_of(graph_->adopt(force)));
+    return signs.needed_for(trial);
   }
 
   [[nodiscard]] Trial trial_at(const Expression& u, const Relations& relations) const {

@@ -121,6 +121,8 @@ bool Trial::passes() const {
 
 bool Trial::holds_at(const std::vector<RealAssignment>& parameters) const {
   const std::vector<RealAssignment> there = with_others(parameters);
+  const auto is_finite = [](const RealAssignment& a) { return a.second.is_finite(); };
+  if (only_where_real_ && !std::ranges::all_of(there, is_finite)) return true;
   const auto holds = [&](const auto& claim) { return judged(claim, there) == Verdict::holds; };
   const auto is_positive = [&](const Expression& e) { return evaluate_exactly(e, there).value > 0; };
   return std::ranges::all_of(positive_, is_positive) && std::ranges::all_of(claims_, holds) &&

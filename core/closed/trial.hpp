@@ -22,6 +22,8 @@ class Trial {
   void vanishes(std::vector<Expression> terms) { claims_.push_back(std::move(terms)); }
   /// Claims that the determinant is zero.
   void is_singular(Matrix matrix) { singular_.push_back(std::move(matrix)); }
+  /// Claims nothing of far places where what was set has no value: formulas say so themselves.
+  void only_where_real() { only_where_real_ = true; }
   /// Claims that it is above zero.
   void is_positive(const Expression& e) { positive_.push_back(e); }
   /// Every claim holds wherever all its terms have values, and somewhere they have.
@@ -40,6 +42,7 @@ class Trial {
   std::vector<std::vector<Expression>> claims_;
   std::vector<Matrix> singular_;
   std::vector<Expression> positive_;
+  bool only_where_real_{};
 };
 
 }  // namespace qdot

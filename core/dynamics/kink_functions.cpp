@@ -46,6 +46,7 @@ std::string text_of(const Unfolded& kinks, std::size_t k) {
 }  // namespace
 
 std::unique_ptr<const Kinks> kinks_of(const Model& model, const InputTexts& inputs) {
+  if (!model.impulse.empty()) throw Error(ErrorCode::not_applicable, model.impulse);
   if (!may_have_kinks(model, inputs)) return nullptr;
   MotionBuilder builder(model, inputs, *model.parsed.graph, Staying{});
   const Unfolded& kinks = builder.kinks();

@@ -21,7 +21,8 @@ struct Kinks {
   [[nodiscard]] std::size_t size() const { return names.size(); }
 };
 
-/// Of the equations of motion, always in the same order; null where there are none.
+/// Of the equations of motion, always in the same order; null where there are none. Throws
+/// Error(not_applicable) where the Lagrangian jumps, which is no kink (core/mechanics/jumps.hpp).
 [[nodiscard]] std::unique_ptr<const Kinks> kinks_of(const Model& model, const InputTexts& inputs);
 
 /// The motion that stays on some of the kinks.

@@ -4,6 +4,7 @@
 
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/jumps.hpp"
 
 namespace qdot {
 namespace {
@@ -145,8 +146,9 @@ std::optional<Expression> hamiltonian(const Lagrangian& lagrangian) {
 
 std::vector<std::size_t> ignorable_coordinates(const Lagrangian& lagrangian) {
   std::vector<std::size_t> found;
+  const SmoothedJumps smoothed(lagrangian.lagrangian, lagrangian.symbols);
   for (const std::size_t i : all_coordinates(lagrangian)) {
-    const Expression slope = differentiate(lagrangian.lagrangian, lagrangian.symbols.coordinates.value[i]);
+    const Expression slope = differentiate(smoothed.smooth(), lagrangian.symbols.coordinates.value[i]);
     if (lagrangian.generalized_forces[i].is_zero() && simplify(slope).is_zero()) found.push_back(i);
   }
   return found;

@@ -6,6 +6,7 @@
 #include "core/mechanics/canonical.hpp"
 #include "core/mechanics/explicit_time.hpp"
 #include "core/mechanics/friction.hpp"
+#include "core/mechanics/jumps.hpp"
 
 namespace qdot {
 namespace {
@@ -43,10 +44,11 @@ std::optional<ConservedQuantity> energy_beside_a_derivative(const Lagrangian& la
   const Symbols& symbols = lagrangian.symbols;
   const Symbols::Varying& q = symbols.coordinates;
   if (has_forces(lagrangian)) return std::nullopt;
-  const auto left = without_explicit_time(lagrangian.lagrangian, q.value, q.rate, symbols.t);
+  const SmoothedJumps smoothed(lagrangian.lagrangian, symbols);
+  const auto left = without_explicit_time(smoothed.smooth(), q.value, q.rate, symbols.t);
   if (!left || depends_on_time(*left, symbols)) return std::nullopt;
   Lagrangian own = lagrangian;
-  own.lagrangian = *left;
+  own.lagrangian = smoothed.with_jumps(*left);
   own.kinetic_energy = own.potential_energy = std::nullopt;
   return ConservedQuantity{
       "h", "J", jacobi_integral(own),
@@ -61,7 +63,7 @@ bool time_changes_no_motion(const Lagrangian& lagrangian) {
   const Symbols& symbols = lagrangian.symbols;
   const Symbols::Varying& q = symbols.coordinates;
   if (!symbols.inputs.value.empty()) return false;
-  const Expression change = differentiate(lagrangian.lagrangian, symbols.t);
+  const Expression change = differentiate(SmoothedJumps(lagrangian.lagrangian, symbols).smooth(), symbols.t);
   const std::vector<Replacement> along = symbols.rates();
   for (std::size_t i = 0; i < q.value.size(); ++i) {
     const Expression momentum = differentiate(change, q.rate[i]);

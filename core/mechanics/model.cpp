@@ -6,6 +6,7 @@
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/impacts.hpp"
 #include "core/mechanics/inertia_check.hpp"
+#include "core/mechanics/jumps.hpp"
 #include "core/mechanics/negative_inertia.hpp"
 #include "core/mechanics/reaction_sizes.hpp"
 
@@ -119,6 +120,7 @@ std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValue
   };
   model->validity = quantities_of(model->parsed.valid_while, "/valid_while/");
   model->reports = quantities_of(model->parsed.reports, "/reports/");
+  model->impulse = impulse_of_jumps(scene, model->lagrangian);
   model->partial = partial_quantities(model->parsed, model->lagrangian);
   model->lagrangian.graph->forget_brackets();  // a model lives long, and asks little of them
   return model;

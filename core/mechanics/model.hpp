@@ -43,6 +43,7 @@ struct Model {
   std::vector<Expression> validity;       ///< the quantities of Scene::valid_while; may contain q''
   std::vector<Expression> reports;        ///< those of Scene::reports
   std::vector<PartialQuantity> partial;   ///< what has values in some places only
+  std::string impulse;                    ///< why no motion is computed, where L jumps
 
   [[nodiscard]] std::size_t degrees_of_freedom() const { return scene.coordinates.size(); }
   [[nodiscard]] bool has_constraints() const { return !scene.constraints.empty(); }

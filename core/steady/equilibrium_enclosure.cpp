@@ -13,7 +13,10 @@ using Forces = TapeEvaluator<Ball>;
 
 /// Of a coordinate's size.
 constexpr double nearly_zero = 1e-6;
+constexpr double point_like = 1e-14;  ///< so wide is what is known
 constexpr int passes = 3;
+/// At a zero of order m Newton's step is an m-th part of the way that is left.
+constexpr double highest_order = 8;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -73,9 +76,14 @@ std::optional<Equilibrium> degenerate(Balls x, const std::vector<double>& left, 
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (std::abs(x[i].middle.high) < nearly_zero * near.sizes[i]) rounded[i] = 0;
   }
-  if (without_forces(rounded, forces)) return Equilibrium{rounded, false};
-  for (std::size_t i = 0; i < x.size(); ++i) x[i].radius = 2 * left[i];
-  return without_forces(x, forces) ? std::optional(Equilibrium{x, false}) : std::nullopt;
+  const bool are_rounded = without_forces(rounded, forces);
+  if (are_rounded) x = rounded;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double width = highest_order * left[i];
+    const bool is_known = are_rounded && (x[i].value() == 0 || width < point_like * near.sizes[i]);
+    if (!is_known) x[i].radius = width;
+  }
+  return are_rounded || without_forces(x, forces) ? std::optional(Equilibrium{x, false}) : std::nullopt;
 }
 
 }  // namespace

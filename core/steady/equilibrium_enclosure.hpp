@@ -19,7 +19,8 @@ namespace qdot {
 struct Equilibrium {
   std::vector<Ball> x;  ///< encloses it, where it is isolated
   /// Proven to be the only one nearby, apart from moving along the coordinates that no force depends on.
-  /// Otherwise x is a place without forces, as far as rounding lets one see.
+  /// Otherwise x is a place without forces, as far as rounding lets one see, and as wide as Newton's steps
+  /// leave open.
   bool isolated{};
 };
 

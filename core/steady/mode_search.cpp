@@ -149,6 +149,7 @@ class ModeSearch {
       modes[0].kind = is_rigid(at_, shape) ? ModeKind::rigid : ModeKind::neutral;
       modes[0].omega_error = 0.0;
       set_shapes(at_, modes, {shape}, {});
+      if (modes[0].kind == ModeKind::neutral && !at_.place.isolated) nearly_zero_.push_back(modes_.size());
       modes_.push_back(modes[0]);
       zeros += is_undamped_along(at_.reduced, shape) ? 2 : 1;
     }
@@ -200,6 +201,20 @@ class ModeSearch {
     return shape;
   }
 
+  /// Where the place has a width, so has what vanishes there.
+  void widen_zeros(double s) {
+    if (is_zero(at_.reduced.stiffness)) return;
+    for (const std::size_t k : nearly_zero_) modes_[k].omega_error = std::max(*modes_[k].omega_error, s);
+  }
+
+  [[nodiscard]] static bool is_zero(const SquareMatrix<Ball>& k) {
+    for (std::size_t i = 0; i < k.size(); ++i) {
+      for (std::size_t j = 0; j < k.size(); ++j)
+        if (k(i, j).magnitude() > 0) return false;
+    }
+    return true;
+  }
+
   /// `zeros` eigenvalues zero belong to modes that are there already. Members of one disc come one by one,
   /// and share its shapes.
   void add_exponent(const Exponent& e, const std::vector<Shape>& shapes, std::size_t zeros) {
@@ -213,7 +228,8 @@ class ModeSearch {
     Mode mode;
     mode.multiplicity = e.members;
     if (steady && !swings) {
-      if (near_zero_++ < zeros || (mirrored && near_zero_ % 2 == 0)) return;
+      if (near_zero_++ < zeros) return widen_zeros(magnitude(e.middle) + e.radius);
+      if (mirrored && near_zero_ % 2 == 0) return;
       mode.kind = ModeKind::neutral;
       mode.omega_error = magnitude(e.middle) + e.radius;
     } else {
@@ -234,8 +250,9 @@ class ModeSearch {
 
   const Linearization& at_;
   std::vector<Mode> modes_;
-  std::size_t near_zero_{};      ///< eigenvalues that may be zero, so far
-  std::size_t shape_in_disc_{};  ///< members of the present disc, so far
+  std::vector<std::size_t> nearly_zero_;  ///< modes whose stiffness is zero as far as the place is known
+  std::size_t near_zero_{};               ///< eigenvalues that may be zero, so far
+  std::size_t shape_in_disc_{};           ///< members of the present disc, so far
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/expr/zeroness.hpp"
+#include "core/mechanics/jumps.hpp"
 #include "core/symmetry/constrained_changes.hpp"
 #include "core/symmetry/dependence.hpp"
 #include "core/symmetry/exact_coefficients.hpp"
@@ -47,8 +48,10 @@ std::vector<std::vector<Modular>> dependences(PlaceEvaluator& place, std::size_t
   return space.dependences();
 }
 
-Lagrangian copied_without_gauge_terms(const Lagrangian& lagrangian) {
+/// With smooth functions where the Lagrangian jumps: derivatives of jumps prove nothing.
+Lagrangian smoothed_without_gauge_terms(const Lagrangian& lagrangian) {
   Lagrangian copy = copied(lagrangian);
+  copy.lagrangian = SmoothedJumps(copy.lagrangian, copy.symbols).smooth();
   copy.lagrangian = without_gauge_terms(copy);
   return copy;
 }
@@ -57,7 +60,8 @@ class SearchForSymmetries {
  public:
   SearchForSymmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known,
                       const MoreChanges& more)
-      : result_{copied_without_gauge_terms(lagrangian), {}, {}, {}},
+      : result_{smoothed_without_gauge_terms(lagrangian), {}, {}, {}},
+        jumps_(result_.lagrangian.graph->adopt(lagrangian.lagrangian), result_.lagrangian.symbols),
         allowed_(allowed_rates(result_.lagrangian)),
         variation_(result_.lagrangian, allowed_ ? allowed_->rates : std::vector<Replacement>{}) {
     if (allowed_) result_.on_constraints = allowed_->rates;
@@ -71,19 +75,26 @@ class SearchForSymmetries {
     for (const ElementaryChange& change : result_.changes) variations_.push_back(variation_(change.change));
   }
 
+  /// Of the Lagrangian that was given.
   SymmetrySearch result() {
     const std::vector<Expression>& parameters = result_.lagrangian.symbols.parameters;
     PlaceEvaluator place(*result_.lagrangian.graph, variations_, parameters);
     const auto first = dependences(place, variations_.size(), 1);
-    if (first.empty()) return std::move(result_);
+    if (first.empty()) return with_jumps();
     const auto second = dependences(place, variations_.size(), 2);
     result_.is_complete = first.size() == second.size();
     for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
       try_to_claim({first[k], second[k]});
-    return std::move(result_);
+    return with_jumps();
   }
 
  private:
+  SymmetrySearch with_jumps() {
+    Expression& own = result_.lagrangian.lagrangian;
+    own = jumps_.with_jumps(own);
+    return std::move(result_);
+  }
+
   /// Before the linear ones, so that those may be combined with them.
   void add_changes(const MoreChanges& more) {
     std::vector<ElementaryChange> added;
@@ -110,6 +121,7 @@ class SearchForSymmetries {
   }
 
   SymmetrySearch result_;
+  SmoothedJumps jumps_;
   std::optional<AllowedRates> allowed_;
   Variation variation_;
   std::vector<Expression> variations_;

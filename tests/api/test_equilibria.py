@@ -36,6 +36,14 @@ class Equilibria(Answers):
         self.assertNotIn("notes", self.ask("bifurcations", whirl))
         self.assertNotIn("left out", str(self.ask("equilibria", {"system": bowl, "initial": {"p_dot": 4}})["notes"]))
 
+    def test_a_rate_is_not_left_out_for_what_depends_on_nothing(self):
+        free = lagrangian("free", "m - 1", "x - 0.1", "m*x_dot^2/2")
+        held = lagrangian("held", "m - 1; k - 2; c - 0.3", "x - 0.1; y - 0", "m*(x_dot^2 + y_dot^2)/2 - k*x^2/2", dissipation="c*y_dot^2/2")
+        for system, rate, why in ((free, "x_dot", "nothing depends on where it is, and"), (held, "y_dot", "nothing depends on where it is, and"),
+                                  (held, "x_dot", "something depends on it, so that")):
+            notes = self.ask("modes", {"system": system, "initial": {rate: 1}})["notes"]
+            self.assertIn(f"where {rate[0]} rests: {why} its rate is left out.", notes[0])
+
     def test_reference_cases(self):
         count = 0
         for case in reference_cases("equilibria"):

@@ -265,6 +265,15 @@ void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Jso
         "equation divided by the factor that vanishes.");
 }
 
+/// Whether anything in the scene is other where the coordinate is elsewhere.
+bool something_depends_on(const Model& model, std::size_t coordinate) {
+  const Expression& q = model.parsed.symbols.coordinates.value[coordinate];
+  const auto depends = [&](const Expression& e) { return depends_on(e, q); };
+  const Lagrangian& l = model.lagrangian;
+  return model.has_constraints() || depends(l.lagrangian) ||
+         std::ranges::any_of(l.generalized_forces, depends);
+}
+
 /// Rates of the start that a steady motion has not: those of the request, and where constraints hold
 /// velocities those of the scene.
 void note_rates_left_out(const Model& model, const SystemChoice& choice, const Reals& start,
@@ -280,7 +289,9 @@ void note_rates_left_out(const Model& model, const SystemChoice& choice, const R
     if ((!rolls && !was_given) || start[n + i] == 0 || modes.y[n + i] != 0) continue;
     std::string note = "The start has " + name + "_dot = " + short_number(start[n + i]) +
                        ", but these are small motions about the state in 'equilibrium', where " + name +
-                       " rests: something depends on it, so that ";
+                       " rests: " +
+                       (something_depends_on(model, i) ? "something depends on it, so that "
+                                                       : "nothing depends on where it is, and ");
     note += rolls ? "while it moves nothing is steady." : "its rate is left out.";
     if (!rolls && angles >= 3)
       note += " A body's steady spin is told where its angle is the first in the sequence.";
