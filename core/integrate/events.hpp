@@ -3,13 +3,15 @@
 //
 // An event is a change of sign: g has one strict sign, later the other. Along a step g is a polynomial but
 // for a bounded rest (EventFunction::series), so that its signs on the whole step are known: no zero lies
-// between two places that were looked at. Where a polynomial does not tell, a shorter piece of the step does,
-// down to the round-off of t. A function that touches zero and turns back does not count, nor does one that
-// passes zero and comes back by less than some round-off of its values; one that is zero at a step's end is
-// decided when it leaves zero. A pole, such as tan has, changes sign too, but its values grow towards the
-// place, and so it does not count; a jump through zero does. Where g has no value, as a root of what is
-// negative, it has no sign, and what it was before does not count behind: so may it be any, coming from zero.
-// A function that must have a value there ends the run before (must_have_value).
+// between two places that were looked at. Where a polynomial does not tell, a shorter piece of the step
+// does, down to the round-off of t; and where what values are rounded by hides the sign, as beside a
+// multiple root, more digits do (EventFunction::sharp_signs), of which there are looks enough for most
+// motions: a run that has spent them has not seen everything. A function that touches zero and turns back
+// does not count, nor does one that passes zero and comes back by less than these digits tell; one that is
+// zero at a step's end is decided when it leaves zero. A pole, such as tan has, changes sign too, but its
+// values grow towards the place, and so it does not count; a jump through zero does. Where g has no value,
+// as a root of what is negative, it has no sign, and what it was before does not count behind: so may it be
+// any, coming from zero. A function that must have a value there ends the run before (must_have_value).
 //
 // A zero at t_start counts only where that is asked for: there a motion goes on after the same event has
 // ended an earlier one. There g(s) = s (c_1 + c_2 s + ...), and later zeros are those of the bracket, however
