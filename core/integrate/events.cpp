@@ -9,7 +9,7 @@
 namespace qdot {
 namespace {
 
-constexpr double of_start = 64;  ///< times the rounding of a state's numbers
+constexpr double of_start = 64 * std::numeric_limits<double>::epsilon();  ///< of coordinates: their rounding
 constexpr std::size_t most_looks = 4000;
 constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
 constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
@@ -179,16 +179,16 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces)
   }
 }
 
-/// Whether g is still as near to zero as the rounding of the state where the run began, which it was there.
+/// Whether the motion has gone no farther from where it began than the rounding of that state.
 bool EventSearch::is_beside_start(std::size_t event, double from) {
-  const EventFunction& function = request_.events[event];
   const MotionPiece& step = polynomial_.whole();
-  if (step.t != request_.t_start || !function.rounding_at_start) return false;
-  const double near = of_start * function.rounding_at_start();
-  if (!(std::abs(function.value(request_.t_start, request_.y_start)) <= near)) return false;
+  if (step.t != request_.t_start || !request_.events[event].rounding_at_start) return false;
   const MotionPiece there = polynomial_.piece(from, step.h);
-  for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = there.rows[i * (there.order + 1)];
-  return std::abs(function.value(step.t + from, y_)) <= near;
+  for (std::size_t i = 0; i < y_.size() / 2; ++i) {
+    const double begin = request_.y_start[i];
+    if (!(std::abs(there.rows[i * (there.order + 1)] - begin) <= of_start * std::abs(begin))) return false;
+  }
+  return true;
 }
 
 /// As more digits tell.
