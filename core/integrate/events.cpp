@@ -48,6 +48,7 @@ EventSearch::EventSearch(const RunRequest& request)
       definite_(request.events.size(), request.t_start),
       pieces_(request.events.size()),
       rounding_(request.events.size()),
+      rounding_is_wide_(request.events.size()),
       y_(request.y_start.size()) {
   for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = request.events[i].sign_at_start;
   signs_of_begin_ = signs_;
@@ -126,6 +127,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   last_sign_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
+  look_through_rounding(event, h, pieces);
   doubt_hidden(event, pieces);
   if (signs_[event] == 0 && sign_at_start_ != 0) {
     signs_[event] = sign_at_start_;
@@ -153,6 +155,23 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     signs_[event] = piece.sign;
     definite_[event] = begin + piece.to;
   }
+}
+
+/// Where a bound of rounding hides all signs, and more digits tell none, those of values are taken, if there
+/// are any, from here on: then not everything is seen.
+void EventSearch::look_through_rounding(std::size_t event, double h, std::vector<Piece>& pieces) {
+  const auto has_no_sign = [](const Piece& piece) { return piece.sign == 0 && !piece.is_nowhere; };
+  if (!(rounding_[event] > 0) || !std::ranges::all_of(pieces, has_no_sign)) return;
+  const double rounding = std::exchange(rounding_[event], 0);
+  std::vector<Piece> by_values;
+  explore(event, 0, h, by_values);
+  rounding_is_wide_[event] = !std::ranges::all_of(by_values, has_no_sign);
+  if (!rounding_is_wide_[event]) {
+    rounding_[event] = rounding;
+    return;
+  }
+  saw_everything_ = false;
+  pieces = std::move(by_values);
 }
 
 /// For how long until t, where g has that sign, none was seen after the same one; 0 where nobody asks.
@@ -291,7 +310,7 @@ bool EventSearch::can_look_sharply(std::size_t event) {
 /// Where the step begins; where g has no value, that is for others to see.
 double EventSearch::rounding_of_values(std::size_t event) {
   const EventFunction& function = request_.events[event];
-  if (!function.rounding) return 0;
+  if (!function.rounding || rounding_is_wide_[event]) return 0;
   const MotionPiece& step = polynomial_.whole();
   for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = step.rows[i * (step.order + 1)];
   const double rounding = function.rounding(step.t, y_);

@@ -87,6 +87,7 @@ class EventSearch {
   void walk(std::size_t event, std::vector<Crossed>& crossed);
   [[nodiscard]] double hidden_before(std::size_t event, double t, int sign) const;
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
+  void look_through_rounding(std::size_t event, double h, std::vector<Piece>& pieces);
   [[nodiscard]] bool is_beside_start(std::size_t event, double from);
   [[nodiscard]] bool keeps_sign(std::size_t event, double from, double to, int sign);
   [[nodiscard]] bool is_pole_between(std::size_t event, double from, double to);
@@ -143,9 +144,10 @@ class EventSearch {
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
   std::vector<std::vector<Piece>> pieces_;
-  std::vector<double> rounding_;  ///< of its values in the step
-  std::vector<double> y_;         ///< scratch
-  std::size_t looks_{};           ///< at one function in one step
+  std::vector<double> rounding_;        ///< of its values in the step
+  std::vector<bool> rounding_is_wide_;  ///< no bound of it is of use
+  std::vector<double> y_;               ///< scratch
+  std::size_t looks_{};                 ///< at one function in one step
   std::size_t sharp_looks_{};
   std::size_t counted_{}, changes_{};  ///< of its pieces, and how often they change their sign
   int last_sign_{};
