@@ -3,7 +3,8 @@
 //
 // An event is a change of sign of g(t, y). A motion that is within e_k of the true one in component k has its
 // change of sign within tau of the true one where g has one sign in all states within e_k of y(t - tau), and
-// the other one in all those of y(t + tau): both by interval arithmetic. Where the slope of g decides, tau is
+// the other one in all those of y(t + tau): both by interval arithmetic, in twice the digits where doubles do
+// not tell. Where the slope of g decides, tau is
 // about
 //
 //   (|g| + sum_k |dg/dy_k| e_k)/|g'|,
