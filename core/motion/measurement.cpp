@@ -7,6 +7,7 @@
 #include "core/integrate/methods.hpp"
 #include "core/motion/accuracy_reasons.hpp"
 #include "core/motion/error_growth.hpp"
+#include "core/motion/hidden_impacts.hpp"
 #include "core/motion/rounded_events.hpp"
 #include "core/motion/rounded_forces.hpp"
 #include "core/motion/row_errors.hpp"
@@ -166,6 +167,7 @@ bool Measurement::add_check(std::vector<Simulation>& others, double direction) {
     };
   }
   Simulation& other = others.emplace_back(run(std::move(request)));
+  add_hidden_impacts(now, other);
   event_rows_->set_apart(other, request_.y_start.size());
   add_rounding_of_forces(now, other);
   if (other.ending != Ending::given_up) return can_be_checked_by(other);

@@ -12,6 +12,7 @@
 #include "core/integrate/own_errors.hpp"
 #include "core/motion/extended_impacts.hpp"
 #include "core/motion/extended_kinks.hpp"
+#include "core/motion/hidden_impacts.hpp"
 #include "core/motion/rounded_forces.hpp"
 #include "core/motion/typed_start.hpp"
 #include "core/numerics/random_bits.hpp"
@@ -274,6 +275,7 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
   for (const DoubleDouble& x : run.states) sharper.states.push_back(x.value());
   sharper.unseen = rounding_in_common(motion, instants, run.passed);
   sharper.apart = run.apart;
+  add_hidden_impacts(motion, sharper);
   motion.event_rows.set_apart(sharper, motion.width());
   return result;
 }

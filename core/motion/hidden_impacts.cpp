@@ -1,0 +1,136 @@
+#include "core/motion/hidden_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "core/dynamics/watch.hpp"
+#include "core/motion/impact_map.hpp"
+
+namespace qdot {
+namespace {
+
+constexpr double roundings = 64;  ///< of the distance: what the search for events may not see
+
+/// The velocities that `after` has and y has not.
+std::vector<double> kick(const std::vector<double>& y, const std::vector<double>& after) {
+  std::vector<double> change;
+  for (std::size_t i = y.size() / 2; i < y.size(); ++i) change.push_back(after[i] - y[i]);
+  return change;
+}
+
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// On the cubic from y with velocities y' to the later state, half-way.
+std::vector<double> halfway(const std::vector<double>& from, const std::vector<double>& to, double duration) {
+  std::vector<double> y(from.size());
+  const std::size_t n = y.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    y[i] = 0.5 * (from[i] + to[i]) + duration / 8 * (from[n + i] - to[n + i]);
+    y[n + i] = 0.5 * (from[n + i] + to[n + i]);
+  }
+  return y;
+}
+
+/// One of the scene's impacts.
+class Bounce {
+ public:
+  Bounce(const ComputedMotion& motion, const ParsedImpact& impact, const Watch& watch)
+      : watch_(watch),
+        map_(impact_map(motion.dynamics.model(), impact)),
+        components_(motion.dynamics.columns(map_.components)),
+        workspace_(components_->bind(motion.request.parameters)) {}
+
+  [[nodiscard]] bool is_hidden(double t, const std::vector<double>& y) const {
+    return std::abs(watch_.value(t, y)) <= roundings * watch_.own_rounding(t, y);
+  }
+
+  /// What it changes, if the motion goes on towards it: it turns what it takes back, and so it did before.
+  [[nodiscard]] std::vector<double> change(double t, const std::vector<double>& y,
+                                           const SectionRecord& before) {
+    const std::vector<double> after = map(t, y), now = kick(y, after);
+    const bool turns = product(now, kick(after, map(t, after))) < 0;
+    const bool falls = product(now, kick(before.before, before.after)) > 0;
+    return turns && falls ? now : std::vector<double>(now.size());
+  }
+
+ private:
+  std::vector<double> map(double t, std::vector<double> y) {
+    std::vector<double> values(map_.places.size());
+    if (components_->evaluate(t, y, workspace_, values) == Evaluation::ok) map_.assign(values, y);
+    return y;
+  }
+
+  const Watch& watch_;
+  ImpactMap map_;
+  std::shared_ptr<const CompiledFunction> components_;
+  Workspace workspace_;
+};
+
+class HiddenImpacts {
+ public:
+  HiddenImpacts(const ComputedMotion& motion, Simulation& check)
+      : motion_(motion),
+        check_(check),
+        watches_(watches(motion.dynamics,
+                         {.parameters = motion.request.parameters, .on_invalid = OnInvalid::go_on})) {
+    std::erase_if(watches_, [](const Watch& watch) { return watch.kind != Watch::Kind::impact; });
+    for (const ParsedImpact& impact : motion.dynamics.model().parsed.impacts)
+      bounces_.emplace_back(motion, impact, watches_[bounces_.size()]);
+  }
+
+  /// At the rows after an impact, up to the next.
+  void look(const SectionRecord& impact, double next) {
+    const std::span<const double> instants = std::span(motion_.event_rows.instants()).first(check_.rows);
+    const auto first = std::ranges::upper_bound(instants, impact.t);
+    for (auto t = first; t != instants.end() && *t <= next; ++t) {
+      const auto row = static_cast<std::size_t>(t - instants.begin());
+      if (!look_at(row, *t, impact)) return;
+    }
+  }
+
+ private:
+  /// False where the motion has left the place: what comes then is seen.
+  bool look_at(std::size_t row, double t, const SectionRecord& impact) {
+    const std::size_t width = motion_.width(), n = width / 2;
+    const double* begin = check_.states.data() + row * width;
+    const std::vector<double> y(begin, begin + width);
+    const double since = t - impact.t;
+    const std::vector<double> before = halfway(impact.after, y, since);
+    bool is_hidden = false;
+    for (const std::size_t number : impact.impacts) {
+      Bounce& bounce = bounces_[number];
+      if (!bounce.is_hidden(t, y) || !bounce.is_hidden(impact.t + since / 2, before)) continue;
+      is_hidden = true;
+      const std::vector<double> change = bounce.change(t, y, impact);
+      check_.unseen.resize(check_.rows * width);
+      for (std::size_t i = 0; i < n; ++i) {
+        check_.unseen[row * width + n + i] += std::abs(change[i]);
+        check_.unseen[row * width + i] += since * std::abs(change[i]);
+      }
+    }
+    return is_hidden;
+  }
+
+  const ComputedMotion& motion_;
+  Simulation& check_;
+  std::vector<Watch> watches_;
+  std::vector<Bounce> bounces_;
+};
+
+}  // namespace
+
+void add_hidden_impacts(const ComputedMotion& motion, Simulation& check) {
+  const std::vector<SectionRecord>& sections = motion.simulation.sections;
+  if (sections.empty() || check.rows == 0) return;
+  HiddenImpacts hidden(motion, check);
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    hidden.look(sections[i], i + 1 < sections.size() ? sections[i + 1].t : motion.simulation.t);
+}
+
+}  // namespace qdot
