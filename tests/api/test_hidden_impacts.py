@@ -12,7 +12,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
 
 mp.dps = 40
-CASES = 150
+CASES = 90
 
 
 class Ball:
