@@ -347,7 +347,8 @@ std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& cross
   }
   const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
   const double begin = polynomial_.whole().t;
-  if (is_of_g && !is_bounded_around(crossed.event, place) && grows_towards(g, place, begin, stepper.t()))
+  const bool passes_poles = is_of_g && !event.must_have_value;
+  if (passes_poles && !is_bounded_around(crossed.event, place) && grows_towards(g, place, begin, stepper.t()))
     return std::nullopt;
   return place.after;
 }

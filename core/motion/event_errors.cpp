@@ -134,12 +134,15 @@ std::optional<double> EventErrors::time_of(const Watch& watch, const Place& plac
                                            double own_time) {
   const double least = std::max({time_round_off(place.t), time_round_off(shortest), shortest_time});
   const Linear around = linear(watch, place);
-  const double guess = around.doubt / std::abs(around.slope);
+  const double guess = tried_first * around.doubt / std::abs(around.slope),
+               farthest = farthest_share * own_time, value = std::abs(watch.value(place.t, place.y));
+  // At a pole no slope tells.
+  const bool is_told =
+      guess <= farthest && value <= std::abs(watch.value(place.t + guess, state_after(guess, place)));
   // It may lie beside the place by as much as values are rounded there.
-  const bool is_rounded = std::abs(watch.value(place.t, place.y)) <= watch.own_rounding(place.t, place.y);
+  const bool is_rounded = value <= watch.own_rounding(place.t, place.y);
   bool has_one_sign = false;
-  for (double tau = std::max(least, tried_first * (std::isfinite(guess) ? guess : 0));
-       tau <= farthest_share * own_time; tau *= tried_next) {
+  for (double tau = is_told ? std::max(least, guess) : least; tau <= farthest; tau *= tried_next) {
     const std::optional<int> before = sign_after(-tau, watch, place);
     const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
     if (after && *before != *after) return tau + least;

@@ -6,6 +6,7 @@ import pathlib
 import random
 import sys
 import unittest
+from fractions import Fraction
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
@@ -67,6 +68,21 @@ class PolesOfEvents(Service):
                   "{s}*(x - {c})/((x - {c})^2 + {w})", "{s}*(x - {c})*(1 + 0.001/((x - {c})^2 + {w}))",
                   "{s}*(x - {c})/((x - {c})^2 + 1e-34)")
         self.each(shapes, 3, lambda begin, end: 1)
+
+    def test_a_condition_is_broken_behind_a_pole(self):
+        source = random.Random(5)
+        for shape in ("{s}/({c} - x)", "{s}/({c} - x)^3", "{s}/sin(0.9*({c} - x)) + 0.01", "{s}*tan(pi/2 - 0.9*({c} - x))"):
+            for _ in range(12):
+                speed, place, options = Fraction(source.randint(50, 200), 100), source.randint(1000, 9999), source.choice(OPTIONS)
+                c = Fraction(place, 10000)
+                function = shape.format(c=float(c), s=f"{10 ** source.uniform(-3, 3):.3g}")
+                scene = lagrangian("free", "", f"x - 0 {float(speed)}", "x_dot^2/2",
+                                   valid_while=[{"name": "c", "expression": function, "reason": "r", "message": "m"}])
+                del scene["parameters"]
+                with self.subTest(function, speed=speed, **options):
+                    answer = self.ask("simulate", {"system": scene, "t_end": 2.5, "samples": 2, **options})
+                    self.assertEqual(answer["status"], "stopped")
+                    self.assertLessEqual(abs(Fraction(answer["stop"]["t"]) - c / speed), answer["stop"]["error"])
 
 
 if __name__ == "__main__":
