@@ -15,7 +15,6 @@ constexpr double allowed_defect = 100, allowed_of_reference = 10;
 constexpr int most_bounds = 120;           ///< tried for one step
 constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
 constexpr double least_share = 0.5, grown_share = 1.03;
-constexpr double visible = 1000;  ///< a defect so many times the last coefficients hides something
 
 double powered(double x, unsigned k) {
   double result = 1;
@@ -111,7 +110,7 @@ bool BoundedSteps::find_hidden(double h, std::span<const double> series) {
   for (std::size_t i = 0; i < defect_.size(); ++i) {
     const auto size = [&](unsigned k) { return std::abs(series[i * (order_ + 1) + k]); };
     const double last = power * std::max({size(order_ - 2), h * size(order_ - 1), h * h * size(order_)});
-    hidden_[i] = h * defect_[i] > visible * last ? h * defect_[i] : 0;
+    hidden_[i] = hidden_behind(last, h * defect_[i]);
     hides = hides || hidden_[i] > 0;
   }
   return hides;

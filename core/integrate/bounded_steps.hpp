@@ -15,6 +15,12 @@
 
 namespace qdot {
 
+/// Of h d_i what the largest of the last three terms does not show: nothing, or all.
+[[nodiscard]] inline double hidden_behind(double last_term, double bound) {
+  constexpr double visible = 1000;
+  return bound > visible * last_term ? bound : 0;
+}
+
 class BoundedSteps {
  public:
   /// n components, series of the given order.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/work.hpp"
+#include "core/integrate/bounded_steps.hpp"
 #include "core/integrate/evaluator.hpp"
 #include "core/integrate/separation.hpp"
 #include "core/numerics/function.hpp"
@@ -49,6 +50,8 @@ ExtendedStepper::ExtendedStepper(const ExtendedSystem& system, const ExtendedRun
       beyond_(coefficients_.size()),
       place_(y_.size()),
       allowed_(y_.size()),
+      defect_(y_.size()),
+      hidden_(y_.size()),
       bounded_(static_cast<bool>(system.hidden)) {}
 
 std::optional<Ending> ExtendedStepper::step() {
@@ -66,6 +69,7 @@ std::optional<Ending> ExtendedStepper::step() {
     const double part = bounded_part(whole);
     bounded_ = part > 0;
     if (part > 0 && part < whole) h = part;
+    if (part > 0) find_hidden(part);
     if (part > 0 && rounding_is_followed) bounded_ = !bound_rounding() || shows_forces();
   }
   for (int i = 0; i < attempts_at_a_step; ++i, h = std::min(h, left.high) / 2) {
@@ -109,7 +113,8 @@ std::span<const double> ExtendedStepper::rounded() {
     const auto [first, others] = largest_terms(c);
     const double share = others <= first ? others / std::max(first, std::numeric_limits<double>::min()) : 1;
     rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
-    rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
+    rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_ + hidden_[n + i];
+    rounded_[i] += hidden_[i] + hidden_[n + i] * last_step_;
     if (in_doubles_.empty()) continue;
     const double most_of_share = 2 * order_ * others / last_step_;  // all that it moves the velocity by
     const double of_share = share > small ? std::min(share * in_doubles_[i] * last_step_, most_of_share) : 0;
@@ -221,13 +226,31 @@ double ExtendedStepper::bounded_part(double h) {
   }
   double part = h;
   for (int i = 0; i < most_looks && part > least_part * h; ++i) {
-    const double ratio = system_.hidden(t_.high, place_, part, allowed_);
+    const double ratio = system_.hidden(t_.high, place_, part, allowed_, defect_);
     if (ratio <= 1) return part;
     const double logarithm = evaluate(Function::log, std::min(ratio, 1e300));
     const double shorter = evaluate(Function::exp, -logarithm / system_.order_of_hidden);
     part *= std::max(0.5, 0.93 * shorter);
   }
   return 0;
+}
+
+/// hidden_, by the closest bound where a rough one tells of something.
+void ExtendedStepper::find_hidden(double h) {
+  const unsigned last = std::min(order_, system_.order_of_hidden);
+  take_powers(h);
+  const auto hides = [&] {
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      const auto c = row(next_, i);
+      double term = 0;
+      for (unsigned k = last - 2; k <= last; ++k) term = std::max(term, powers_[k] * std::abs(c[k].high));
+      hidden_[i] = hidden_behind(term, h * defect_[i]);
+    }
+    return std::ranges::any_of(hidden_, [](double x) { return x > 0; });
+  };
+  if (!hides()) return;
+  (void)system_.hidden(t_.high, place_, h, {}, defect_);
+  (void)hides();
 }
 
 /// Of the step that is to be taken. Whether there is a bound.

@@ -31,8 +31,10 @@ struct ExtendedSystem {
                            std::span<DoubleDouble> c)>
       expansion{};
   /// How much the motion through (t, y) hides until t + h: a bound of h times the defect of its series, over
-  /// what is allowed, at most 1 where nothing is hidden. Optional.
-  std::function<double(double t, std::span<const double> y, double h, std::span<const double> allowed)>
+  /// what is allowed, at most 1 where nothing is hidden. `defect` and where nothing is allowed: as
+  /// RightHandSide::defect. Optional.
+  std::function<double(double t, std::span<const double> y, double h, std::span<const double> allowed,
+                       std::span<double> defect)>
       hidden{};
   unsigned order_of_hidden{1};  ///< the power of h with which that goes
   /// Over the step that was looked at last: bounds of what rounding to doubles, and to double-doubles, does
@@ -73,9 +75,10 @@ class ExtendedStepper {
 
   /// The polynomials of the last step in doubles.
   [[nodiscard]] MotionPiece polynomials();
-  /// What was rounded in the last step, for each component. By coefficients in doubles: of |y| as much as
-  /// their terms are of the others, and where that is much, so much of what rounding does to the
-  /// accelerations. By the others: what rounding to double-doubles does to these.
+  /// What was rounded in the last step, and what it may hide (bounded_steps.hpp), for each component. By
+  /// coefficients in doubles: of |y| as much as their terms are of the others, and where that is much, so
+  /// much of what rounding does to the accelerations. By the others: what rounding to double-doubles does to
+  /// these.
   [[nodiscard]] std::span<const double> rounded();
 
   /// Whether every step up to now has a bound of what it hides.
@@ -99,6 +102,7 @@ class ExtendedStepper {
   [[nodiscard]] double log_of_step_by(unsigned k, double part = 1) const;
   /// A length up to h over which a step hides nothing; 0 where there is none.
   [[nodiscard]] double bounded_part(double h);
+  void find_hidden(double h);
   bool bound_rounding();
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] bool try_step(const DoubleDouble& t);
@@ -121,7 +125,8 @@ class ExtendedStepper {
   std::vector<DoubleDouble> beyond_;        ///< at the end of the step that is tried
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
-  std::vector<double> place_, allowed_;  ///< scratch
+  std::vector<double> place_, allowed_, defect_;  ///< scratch
+  std::vector<double> hidden_;                    ///< in the step
   std::vector<double> powers_ = std::vector<double>(order_ + 1);
   std::vector<double> rows_, rounded_;                  ///< of the last step
   std::vector<double> in_doubles_, in_double_doubles_;  ///< what rounding does in it to accelerations

@@ -33,12 +33,11 @@ RightHandSide in_doubles(const CompiledFunction& accelerations, std::span<const 
 /// By series in doubles, whose remainder is bounded beyond their digits.
 decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<TaylorExpansion>& expansion) {
   constexpr unsigned order = TaylorExpansion::highest_order;
-  return [expansion, t_expanded = 0.0, place = std::vector<double>(), c = std::vector<double>(),
-          defect = std::vector<double>()](double t, std::span<const double> y, double h,
-                                          std::span<const double> allowed) mutable {
+  return [expansion, t_expanded = 0.0, place = std::vector<double>(), c = std::vector<double>()](
+             double t, std::span<const double> y, double h, std::span<const double> allowed,
+             std::span<double> defect) mutable {
     if (t != t_expanded || !std::ranges::equal(place, y)) {
       c.resize(y.size() * (order + 1));
-      defect.resize(y.size());
       place.clear();
       if (expansion->expand(t, y, order, c) != Evaluation::ok) return std::numeric_limits<double>::infinity();
       t_expanded = t;
@@ -55,9 +54,10 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
   system.hidden = hidden_of(expansion);
   const auto length = std::make_shared<double>();
   system.hidden = [hidden = system.hidden, length](double t, std::span<const double> y, double h,
-                                                   std::span<const double> allowed) {
+                                                   std::span<const double> allowed,
+                                                   std::span<double> defect) {
     *length = h;
-    return hidden(t, y, h, allowed);
+    return hidden(t, y, h, allowed, defect);
   };
   system.rounding = [expansion, length, defect = std::vector<double>(request.y_start.size())](
                         std::span<double> of_doubles, std::span<double> of_double_doubles) mutable {
@@ -72,9 +72,8 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
 
 /// By the series in doubles that the expansion has taken anyway.
 decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<MixedExpansion>& expansion) {
-  return [expansion](double t, std::span<const double> y, double h, std::span<const double> allowed) {
-    return expansion->bound_defect(t, y, h, allowed);
-  };
+  return [expansion](double t, std::span<const double> y, double h, std::span<const double> allowed,
+                     std::span<double> defect) { return expansion->bound_defect(t, y, h, allowed, defect); };
 }
 
 }  // namespace

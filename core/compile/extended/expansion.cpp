@@ -89,14 +89,13 @@ Evaluation MixedExpansion::expand(const DoubleDouble& t, std::span<const DoubleD
 }
 
 double MixedExpansion::bound_defect(double t, std::span<const double> y, double h,
-                                    std::span<const double> allowed) {
+                                    std::span<const double> allowed, std::span<double> defect) {
   constexpr unsigned highest = TaylorExpansion::highest_order;
   if (order_ != highest || t != t_ || !std::ranges::equal(y, y_)) {
     y_.assign(y.begin(), y.end());
     if (expand_in_doubles(t, y_, highest) != Evaluation::ok) return std::numeric_limits<double>::infinity();
   }
-  defect_.resize(y.size());
-  return others_.bound_defect(h, allowed, defect_);
+  return others_.bound_defect(h, allowed, defect);
 }
 
 }  // namespace qdot

@@ -61,7 +61,7 @@ class MixedExpansion {
   /// As TaylorExpansion::bound_defect, of the series of highest order in doubles through (t, y): mostly that
   /// of the last expansion. Infinite where there is none.
   [[nodiscard]] double bound_defect(double t, std::span<const double> y, double h,
-                                    std::span<const double> allowed);
+                                    std::span<const double> allowed, std::span<double> defect);
   /// As TaylorExpansion::bound_rounding, over the step that was bounded last.
   void bound_rounding(std::span<double> rounding, double unit) { others_.bound_rounding(rounding, unit); }
 
@@ -71,7 +71,7 @@ class MixedExpansion {
   ExtendedExpansion first_;
   TaylorExpansion others_;
   std::vector<DoubleDouble> first_coefficients_;
-  std::vector<double> y_, other_coefficients_, defect_;
+  std::vector<double> y_, other_coefficients_;
   double t_{};         ///< of the last series in doubles, as y_
   unsigned order_{0};  ///< of that; 0: there is none
 };
