@@ -16,7 +16,8 @@ void refuse_missing_values(const Model& model, const Reals& parameters, std::opt
                            const Reals& y) {
   const std::string names = missing_values(model, parameters, t, y);
   if (!names.empty())
-    throw Error(ErrorCode::invalid_state, "In this state there is no finite value of " + names + ".");
+    throw Error(ErrorCode::invalid_state, "In this state there is no finite value of " + names +
+                                              ", or a part of it is beyond the range of doubles (1.8e308).");
 }
 
 bool lacks_values(const Model& model, std::span<const double> parameters, std::span<const double> y,

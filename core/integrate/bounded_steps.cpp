@@ -5,6 +5,7 @@
 
 #include "core/numerics/constants.hpp"
 #include "core/numerics/rough_powers.hpp"
+#include "core/numerics/whole_power.hpp"
 
 namespace qdot {
 namespace {
@@ -16,15 +17,20 @@ constexpr int most_bounds = 120;           ///< tried for one step
 constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
 constexpr double least_share = 0.5, grown_share = 1.03;
 
-double powered(double x, unsigned k) {
-  double result = 1;
-  for (; k > 0; k /= 2, x *= x) {
-    if (k % 2 == 1) result *= x;
-  }
-  return result;
-}
-
 }  // namespace
+
+bool find_hidden(double h, std::span<const double> series, unsigned order, std::span<const double> defect,
+                 std::span<double> hidden) {
+  const double power = whole_power(h, order - 2);
+  bool hides = false;
+  for (std::size_t i = 0; i < defect.size(); ++i) {
+    const auto size = [&](unsigned k) { return std::abs(series[i * (order + 1) + k]); };
+    const double last = power * std::max({size(order - 2), h * size(order - 1), h * h * size(order)});
+    hidden[i] = hidden_behind(last, h * defect[i]);
+    hides = hides || hidden[i] > 0;
+  }
+  return hides;
+}
 
 BoundedSteps::BoundedSteps(const RightHandSide& system, const RunRequest& request, std::size_t n,
                            unsigned order)
@@ -101,19 +107,6 @@ void BoundedSteps::shorten(double h, std::span<const double> series) {
   hidden_so_far_ = hidden_before_;
   hides_ = find_hidden(h, series);
   add_unseen(h, series);
-}
-
-/// hidden_: what of the bound of each component its last coefficients do not show. Whether there is any.
-bool BoundedSteps::find_hidden(double h, std::span<const double> series) {
-  const double power = powered(h, order_ - 2);
-  bool hides = false;
-  for (std::size_t i = 0; i < defect_.size(); ++i) {
-    const auto size = [&](unsigned k) { return std::abs(series[i * (order_ + 1) + k]); };
-    const double last = power * std::max({size(order_ - 2), h * size(order_ - 1), h * h * size(order_)});
-    hidden_[i] = hidden_behind(last, h * defect_[i]);
-    hides = hides || hidden_[i] > 0;
-  }
-  return hides;
 }
 
 }  // namespace qdot

@@ -20,6 +20,9 @@ namespace qdot {
   constexpr double visible = 1000;
   return bound > visible * last_term ? bound : 0;
 }
+/// That of each component of a series. Whether there is any.
+bool find_hidden(double h, std::span<const double> series, unsigned order, std::span<const double> defect,
+                 std::span<double> hidden);
 
 class BoundedSteps {
  public:
@@ -52,7 +55,10 @@ class BoundedSteps {
   void bound_closely(double h) { (void)system_.defect(h, {}, defect_); }
   [[nodiscard]] double lengthened(double good, double bad);
   void look_closely(double h, std::span<const double> series);
-  bool find_hidden(double h, std::span<const double> series);
+  /// hidden_. Whether there is any.
+  bool find_hidden(double h, std::span<const double> series) {
+    return qdot::find_hidden(h, series, order_, defect_, hidden_);
+  }
 
   const RightHandSide& system_;
   const RunRequest& request_;

@@ -19,6 +19,7 @@ constexpr double largest_end_defect =
     1e3;                                 ///< of the equation at the end of a step, in units of the tolerance
 constexpr double allowed_to_hide = 100;  ///< times the step's length, in units of the tolerance
 constexpr double rounding_of_doubles = 0x1p-52;
+constexpr double rounding_of_states = 0x1p-103;  ///< of double-doubles, where they are typed and summed
 constexpr double small = 0.05;  ///< in the largest term: so little of what a motion in doubles lost is lost
 constexpr int most_shortenings =
     9;  ///< to an eighth: where low coefficients are zero no step is short enough
@@ -113,8 +114,7 @@ std::span<const double> ExtendedStepper::rounded() {
     const auto [first, others] = largest_terms(c);
     const double share = others <= first ? others / std::max(first, std::numeric_limits<double>::min()) : 1;
     rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
-    rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_ + hidden_[n + i];
-    rounded_[i] += hidden_[i] + hidden_[n + i] * last_step_;
+    rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
     if (in_doubles_.empty()) continue;
     const double most_of_share = 2 * order_ * others / last_step_;  // all that it moves the velocity by
     const double of_share = share > small ? std::min(share * in_doubles_[i] * last_step_, most_of_share) : 0;
@@ -122,6 +122,8 @@ std::span<const double> ExtendedStepper::rounded() {
     rounded_[n + i] += of_velocity;
     rounded_[i] += of_velocity * last_step_ / 2;
   }
+  for (std::size_t i = 0; i < y_.size(); ++i)
+    rounded_[i] += rounding_of_states * std::abs(row(coefficients_, i)[0].high);
   return rounded_;
 }
 
@@ -331,6 +333,7 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
     if (!failed && separation) {
       const MotionPiece step = stepper.polynomials();
       terms.take(step);
+      separation->add(stepper.hidden(), separation->now());  // it may have acted from the beginning on
       separation->follow(step, terms);
       separation->add(stepper.rounded(), separation->now());
     }

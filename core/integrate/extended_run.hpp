@@ -75,10 +75,11 @@ class ExtendedStepper {
 
   /// The polynomials of the last step in doubles.
   [[nodiscard]] MotionPiece polynomials();
-  /// What was rounded in the last step, and what it may hide (bounded_steps.hpp), for each component. By
-  /// coefficients in doubles: of |y| as much as their terms are of the others, and where that is much, so
-  /// much of what rounding does to the accelerations. By the others: what rounding to double-doubles does to
-  /// these.
+  /// What the last step may hide (bounded_steps.hpp), of each component.
+  [[nodiscard]] std::span<const double> hidden() const { return hidden_; }
+  /// What was rounded in it. By coefficients in doubles: of |y| as much as their terms are of the others, and
+  /// where that is much, so much of what rounding does to the accelerations. By the others: what rounding to
+  /// double-doubles does to these and to the states.
   [[nodiscard]] std::span<const double> rounded();
 
   /// Whether every step up to now has a bound of what it hides.

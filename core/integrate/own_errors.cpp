@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/integrate/bounded_steps.hpp"
+
 namespace qdot {
 namespace {
 
@@ -29,7 +31,6 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
 
 void OwnErrors::follow(const MotionPiece& step) {
   terms_.take(step);
-  by_truncation_.follow(step, terms_);
   by_rounding_.follow(step, terms_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     sizes_[i] = enlarged * rounding * terms_.largest()[i] * (0.5 + random_.fraction());
@@ -37,12 +38,14 @@ void OwnErrors::follow(const MotionPiece& step) {
   }
   by_rounding_.add(sizes_, signs_);
   if (!step.rounding.empty()) take_forces(step);
-  if (step.defect.empty()) return;
+  if (step.defect.empty()) return by_truncation_.follow(step, terms_);
+  if (find_hidden(step.h, step.rows, step.order, step.defect, sizes_))
+    by_truncation_.add(sizes_, by_rounding_.now());  // it may have acted from the beginning on
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     sizes_[i] = step.defect[i] * step.h / step.order;
     if (!step.rounding.empty()) sizes_[i] += of_forces_[i];
   }
-  by_truncation_.add(sizes_, by_rounding_.now());
+  by_truncation_.follow(step, terms_, {sizes_, by_rounding_.now()});
 }
 
 /// What rounding of the accelerations does in a step.

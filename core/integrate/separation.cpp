@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/integrate/step_polynomial.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/numerics/whole_power.hpp"
 
 namespace qdot {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 constexpr unsigned least_order = 8;
 constexpr double negligible = 0.03;  ///< of the largest term: so the last ones show that these were enough
 constexpr double lost = 2;           ///< times what a component has reached
+constexpr double smallest_part = 0x1p-12;  ///< of a step
 constexpr double enlarged = 0x1p-30;
 constexpr double most_of_all = 1e300;  ///< instead of an error without a bound
 
@@ -36,21 +39,55 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
-void Separation::follow(const MotionPiece& step, const StepTerms& terms) {
-  for (std::size_t i = 0; i < e_.size(); ++i) {
-    y_[i] = step.rows[i * (step.order + 1)];
-    size_[i] = std::max(size_[i], terms.largest()[i]);
-  }
+void Separation::follow(const MotionPiece& step, const StepTerms& terms, const Errors& made) {
+  for (std::size_t i = 0; i < e_.size(); ++i) size_[i] = std::max(size_[i], terms.largest()[i]);
   const std::size_t n = e_.size() / 2;
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
-  project(step.t);
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
+  made_ = made;
+  advance(step, terms, {});
+}
+
+void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const Part& part) {
+  for (std::size_t i = 0; i < e_.size(); ++i) y_[i] = piece.rows[i * (piece.order + 1)];
+  project(piece.t);
   const bool are_together = std::ranges::all_of(e_, [](double e) { return e == 0; });
-  if (scale_ != Scale::as_it_is && are_together) return;  // series would differ by last digits alone
-  place_beside();
-  take_rise(step, terms);
-  for (std::size_t i = 0; i < e_.size(); i += 2)
-    move_to(i, pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_});
+  // Otherwise series would differ by last digits alone.
+  if (scale_ == Scale::as_it_is || !are_together) {
+    place_beside();
+    const bool is_told = take_rise(piece, terms);
+    if (!is_told && part.to - part.from > smallest_part) return advance_by_halves(piece, part);
+    for (std::size_t i = 0; i < e_.size(); i += 2) {
+      const PairOfDoubles e = pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_};
+      move_to(i, is_told ? e : limited(i, e));
+    }
+  }
+  add_part(piece.order, part);
+}
+
+/// Where series are too short for all of it.
+void Separation::advance_by_halves(const MotionPiece& piece, const Part& part) {
+  const double half = piece.h / 2, middle = (part.from + part.to) / 2;
+  std::vector<double> rows(piece.rows.begin(), piece.rows.end());
+  StepTerms terms(e_.size());
+  const auto go = [&](double t, const Part& half_of_it) {
+    const MotionPiece first{t, half, rows, piece.order, {}, {}};
+    terms.take(first);
+    advance(first, terms, half_of_it);
+  };
+  go(piece.t, {part.from, middle});
+  shift_rows(rows, piece.order, half);
+  go(piece.t + half, {middle, part.to});
+}
+
+/// Of what the step has made.
+void Separation::add_part(unsigned order, const Part& part) {
+  if (made_.sizes.empty()) return;
+  if (part.from == 0 && part.to == 1) return add(made_.sizes, made_.sides);
+  const double share = whole_power(part.to, order) - whole_power(part.from, order);
+  std::vector<double> sizes(made_.sizes.begin(), made_.sizes.end());
+  for (double& size : sizes) size *= share;
+  add(sizes, made_.sides);
 }
 
 void Separation::add(std::span<const double> sizes, std::span<const double> sides) {
@@ -66,12 +103,15 @@ void Separation::add(std::span<const double> sizes, std::span<const double> side
 /// Of two components side by side: there is an even number of them. Each stays where it is while `e` is no
 /// number.
 void Separation::move_to(std::size_t i, PairOfDoubles e) {
-  const PairOfDoubles size = pair_at(&size_[i]), added = pair_at(&added_[i]), before = pair_at(&e_[i]);
-  const PairOfDoubles most = lost * larger_or(added, size);  // what stands still has no size but that
-  const PairOfDoubles within = e < -most ? -most : (most < e ? most : e);
-  const PairOfDoubles now = magnitudes(e) < infinity ? within : before;
+  const PairOfDoubles now = magnitudes(e) < infinity ? e : pair_at(&e_[i]);
   put_pair(&e_[i], now);
   put_pair(&largest_[i], larger_or(magnitudes(now), pair_at(&largest_[i])));
+}
+
+/// Where series tell no more how it grows: as large as the motion.
+PairOfDoubles Separation::limited(std::size_t i, PairOfDoubles e) const {
+  const PairOfDoubles most = lost * larger_or(pair_at(&added_[i]), pair_at(&size_[i]));
+  return e < -most ? -most : (most < e ? most : e);
 }
 
 /// Motions that obey constraints are apart within them.
@@ -107,12 +147,14 @@ double Separation::part_of_size() const {
   return part;
 }
 
-/// By series of the order that does, as the step before tells, or else of the step's own.
-void Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
+/// By series of the order that does, as the step before tells, or else of the step's own. False where that
+/// does not.
+bool Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
   const unsigned order = std::min(order_, step.order);
   unsigned enough = rise(step, terms, order);
   if (enough > order && order < step.order) enough = rise(step, terms, step.order);
   order_ = enough > least_order ? enough + 1 : least_order;
+  return enough <= step.order;
 }
 
 /// rise_: what the step adds to e, by series of an order. The order that does, from least_order on: two small

@@ -7,8 +7,10 @@
 //   e' = df/dy e + df/dp dp,   e(0) = dy,   e_i += d_k,i at the end of step k.
 //
 // It is followed beside the steps: by the Taylor series from the place that is e away from the reference's
-// own, less the reference's, of as low an order as does. Where e is as large as the motion it grows no more.
-// Of the d_k only the sizes are known: whoever adds them chooses signs. Each e_i is in the unit of y_i.
+// own, less the reference's, of as low an order as does; where none does, as beside what rests and would
+// fall, over parts of the step. Where no part is short enough it grows no more than to be as large as the
+// motion. Of the d_k only the sizes are known: whoever adds them chooses signs. Each e_i is in the unit of
+// y_i.
 // Source of the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14
 // (differentiability with respect to initial values and parameters).
 
@@ -32,9 +34,14 @@ class Separation {
   /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
 
+  /// Of a step: what truncation adds, which goes with its length as s^order.
+  struct Errors {
+    std::span<const double> sizes{}, sides{};
+  };
   /// The reference has taken this step, and has these terms. Where the original has no values e stays as it
   /// is.
-  void follow(const MotionPiece& step, const StepTerms& terms);
+  void follow(const MotionPiece& step, const StepTerms& terms, const Errors& made);
+  void follow(const MotionPiece& step, const StepTerms& terms) { follow(step, terms, {}); }
   /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
   /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
@@ -46,17 +53,26 @@ class Separation {
   [[nodiscard]] const std::vector<double>& in_last_step() const { return largest_; }
 
  private:
+  /// Of a step, in units of its length.
+  struct Part {
+    double from{0}, to{1};
+  };
+  void advance(const MotionPiece& piece, const StepTerms& terms, const Part& part);
+  void advance_by_halves(const MotionPiece& piece, const Part& part);
+  void add_part(unsigned order, const Part& part);
   void project(double t);
   void place_beside();
   [[nodiscard]] double part_of_size() const;
-  void take_rise(const MotionPiece& step, const StepTerms& terms);
+  [[nodiscard]] bool take_rise(const MotionPiece& step, const StepTerms& terms);
   [[nodiscard]] unsigned rise(const MotionPiece& step, const StepTerms& terms, unsigned order);
   void move_to(std::size_t i, PairOfDoubles e);
+  [[nodiscard]] PairOfDoubles limited(std::size_t i, PairOfDoubles e) const;
 
   const RightHandSide& original_;
   Scale scale_;
   unsigned order_;    ///< of the series to be tried
   double factor_{1};  ///< e times it is what series differ by
+  Errors made_;       ///< in this step
   std::vector<double> e_, largest_;
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
   std::vector<double> added_;              ///< by steps, and where that alone takes coordinates

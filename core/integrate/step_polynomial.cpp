@@ -35,6 +35,14 @@ void through(const std::array<double, nodes>& x, std::array<double, nodes>& y) {
 
 }  // namespace
 
+void shift_rows(std::span<double> rows, unsigned order, double by) {
+  for (double* c = rows.data(); c != rows.data() + rows.size(); c += order + 1) {
+    for (unsigned k = 0; k < order; ++k) {
+      for (unsigned i = order; i-- > k;) c[i] += by * c[i + 1];
+    }
+  }
+}
+
 std::optional<Ending> StepPolynomial::take(Stepper& stepper, Look look) {
   const std::optional<MotionPiece> own = stepper.polynomials();
   is_exact_ = own || look == Look::exact;
@@ -69,13 +77,8 @@ std::optional<Ending> StepPolynomial::interpolate(Stepper& stepper, Look look) {
 MotionPiece StepPolynomial::piece(double from, double length) {
   if (from == 0) return {whole_.t, length, whole_.rows, whole_.order, {}};
   shifted_.assign(whole_.rows.begin(), whole_.rows.end());
-  const unsigned order = whole_.order;
-  for (double* c = shifted_.data(); c != shifted_.data() + shifted_.size(); c += order + 1) {
-    for (unsigned k = 0; k < order; ++k) {
-      for (unsigned i = order; i-- > k;) c[i] += from * c[i + 1];
-    }
-  }
-  return {whole_.t + from, length, shifted_, order, {}};
+  shift_rows(shifted_, whole_.order, from);
+  return {whole_.t + from, length, shifted_, whole_.order, {}};
 }
 
 }  // namespace qdot

@@ -3,11 +3,15 @@
 // points.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/integrate/stepper.hpp"
 
 namespace qdot {
+
+/// The polynomials of a piece in times since `by` seconds later.
+void shift_rows(std::span<double> rows, unsigned order, double by);
 
 class StepPolynomial {
  public:

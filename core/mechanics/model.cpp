@@ -1,8 +1,12 @@
 #include "core/mechanics/model.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
+#include "core/expr/exact_number.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/impacts.hpp"
 #include "core/mechanics/inertia_check.hpp"
@@ -126,9 +130,46 @@ std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValue
   return model;
 }
 
+namespace {
+
+/// The rational number that a parameter is by its default, and of which `is_it` tells that it is that one.
+class DefaultNumbers {
+ public:
+  using IsIt = std::function<bool(std::size_t parameter, const Number& number)>;
+  DefaultNumbers(const Model& model, IsIt is_it) : model_(model), is_it_(std::move(is_it)) {}
+
+  [[nodiscard]] std::optional<Number> of(const Expression& e) const {
+    return exact_number(e, [this](const Expression& symbol) -> std::optional<Number> {
+      const std::vector<Expression>& all = model_.parsed.symbols.parameters;
+      const auto i = static_cast<std::size_t>(std::ranges::find(all, symbol) - all.begin());
+      if (i == all.size()) return std::nullopt;
+      const auto number = of(model_.parsed.parameter_defaults[i]);
+      return number && is_it_(i, *number) ? number : std::nullopt;
+    });
+  }
+
+ private:
+  const Model& model_;
+  IsIt is_it_;
+};
+
+Real value_of_default(const Expression& e, std::span<const RealAssignment> known,
+                      const DefaultNumbers& numbers) {
+  const Real value = evaluate_exactly(e, known);
+  if (!value.has_lost_digits()) return value;
+  const auto number = numbers.of(e);
+  return number ? number->rounded() : value;
+}
+
+}  // namespace
+
 Reals parameter_values(const Model& model, const RealValues& given) {
   const std::vector<Expression>& symbols = model.parsed.symbols.parameters;
   std::vector<std::optional<Real>> known(symbols.size());
+  const DefaultNumbers numbers(model, [&](std::size_t i, const Number& number) {
+    const Real* found = given.find(model.scene.parameters[i].name);
+    return found == nullptr || *found == number.rounded();
+  });
   const std::function<Real(std::size_t)> value_of = [&](std::size_t i) {
     if (known[i]) return *known[i];
     if (const Real* found = given.find(model.scene.parameters[i].name)) return *(known[i] = *found);
@@ -137,7 +178,7 @@ Reals parameter_values(const Model& model, const RealValues& given) {
     for (std::size_t j = 0; j < symbols.size(); ++j) {
       if (depends_on(e, symbols[j])) needed.emplace_back(symbols[j], value_of(j));
     }
-    return *(known[i] = evaluate_exactly(e, needed));
+    return *(known[i] = value_of_default(e, needed, numbers));
   };
   Reals values;
   for (std::size_t i = 0; i < symbols.size(); ++i) values.push_back(value_of(i));
@@ -149,10 +190,12 @@ Reals initial_state(const Model& model, const Reals& parameters, const RealValue
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     known.emplace_back(model.parsed.symbols.parameters[i], parameters.exact(i));
   }
+  const DefaultNumbers numbers(
+      model, [&](std::size_t i, const Number& number) { return number.rounded() == parameters.exact(i); });
   Reals state;
   const auto append = [&](const std::string& name, const Expression& by_default) {
     const Real* found = given.find(name);
-    state.push_back(found != nullptr ? *found : evaluate_exactly(by_default, known));
+    state.push_back(found != nullptr ? *found : value_of_default(by_default, known, numbers));
   };
   for (std::size_t i = 0; i < model.degrees_of_freedom(); ++i) {
     append(model.scene.coordinates[i].name, model.parsed.initial[i]);

@@ -63,6 +63,24 @@ Reals rounded_otherwise(Reals numbers) {
   return numbers;
 }
 
+bool has_lost_digits(const Reals& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers.exact(i).has_lost_digits()) return true;
+  }
+  return false;
+}
+
+/// Numbers of which few digits are known, as far away as they may be.
+Reals farthest(Reals numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const Real& x = numbers.exact(i);
+    if (!x.has_lost_digits()) continue;
+    const DoubleDouble moved = x.double_double() + DoubleDouble(x.error);
+    numbers.set(i, {moved.high, moved.low, x.error});
+  }
+  return numbers;
+}
+
 Tolerances tolerances_of_check(const ComputedMotion& motion) {
   const double least = motion.is_stiff ? 1e-14 : tightest_check;
   const MethodRecord& first = record_of(motion.simulation.method);
@@ -176,7 +194,7 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
   request.tolerances = tolerances_of_check(motion);
   request.y_start = start_as_typed(motion.dynamics, motion.request);
   if (record_of(request.method).expands())
-    request.originals = {{request.parameters, request.y_start},
+    request.originals = {{farthest(request.parameters), farthest(request.y_start)},
                          {rounded_otherwise(request.parameters), rounded_otherwise(request.y_start)}};
   nudge(request.parameters, direction, 1);
   nudge(request.y_start, direction, 3);
@@ -256,6 +274,8 @@ std::vector<EventDoubt> differing_events(const ComputedMotion& motion, const Sim
 
 SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluations_left) {
   const Simulation& first = motion.simulation;
+  const SimulationRequest& asked = motion.request;
+  if (has_lost_digits(asked.parameters) || has_lost_digits(asked.y_start)) return {};
   if (motion.is_stiff || first.rows == 0 || first.kinks_in_doubt) return {};
   const std::vector<double>& all = motion.event_rows.instants();
   const auto end = std::ranges::upper_bound(all, motion.grid.t[first.rows - 1]) - all.begin();

@@ -27,6 +27,8 @@ struct Real {
       : value(value_of), low(low_part), error(error_bound) {}
 
   [[nodiscard]] constexpr bool is_exact() const { return low == 0 && error == 0; }
+  /// Whether fewer digits of it are known than doubles have, as where large numbers have cancelled.
+  [[nodiscard]] bool has_lost_digits() const { return error > 0x1p-60 * std::abs(value); }
   [[nodiscard]] bool is_finite() const { return std::isfinite(value) && std::isfinite(error); }
   [[nodiscard]] DoubleDouble double_double() const { return two_sum(value, low); }
 

@@ -20,4 +20,13 @@ template <class T>
   return result;
 }
 
+/// x^k; 1 where k is 0.
+[[nodiscard]] constexpr double whole_power(double x, unsigned k) {
+  double result = 1;
+  for (; k > 0; k /= 2, x *= x) {
+    if (k % 2 == 1) result *= x;
+  }
+  return result;
+}
+
 }  // namespace qdot

@@ -1,6 +1,7 @@
 #include "core/steady/force_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace qdot {
 namespace {
@@ -143,7 +144,7 @@ bool ForceSystem::excludes(const Sides& sides, std::span<const Interval> unknown
       if (sides[k] > 0 ? u_[k].upper < 0 : sides[k] < 0 && u_[k].lower > 0) return true;
     }
   }
-  if (combination_excludes(v) || is_outside_of_chart(v)) return true;
+  if (combination_excludes(v) || kinks_are_apart(sides, v) || is_outside_of_chart(v)) return true;
   const auto forces = values.first(equations_.size());
   return std::ranges::any_of(forces, out_of_range) && never_vanishes(v);
 }
@@ -152,6 +153,32 @@ bool ForceSystem::combination_excludes(std::span<const Interval> variables) {
   if (c_.empty()) return false;
   combinations_(variables, c_);
   return std::ranges::any_of(c_, [](const Interval& c) { return !c.contains(0.0); });
+}
+
+/// Where two of those at which the place is go alike, one less a multiple of the other does not vanish,
+///   u_k(c) - r u_l(c) + (du_k - r du_l) (X - c),   c in X.
+bool ForceSystem::kinks_are_apart(const Sides& sides, std::span<const Interval> variables) {
+  if (std::ranges::count(sides, 0) < 2) return false;
+  const Box center = middle(Box(variables.begin(), variables.end()));
+  slopes_(variables, du_);
+  arguments_(center, u_);
+  const auto row = [&](std::size_t k) { return std::span(du_).subspan(k * center.size(), center.size()); };
+  const auto may_meet = [&](std::size_t k, std::size_t l) {
+    const auto steepest = std::ranges::max_element(row(l), {}, &Interval::magnitude) - row(l).begin();
+    const auto j = static_cast<std::size_t>(steepest);
+    const double ratio = row(k)[j].middle() / row(l)[j].middle();
+    if (!std::isfinite(ratio)) return true;
+    Interval apart = u_[k] - Interval(ratio) * u_[l];
+    for (std::size_t i = 0; i < center.size(); ++i)
+      apart = apart + (row(k)[i] - Interval(ratio) * row(l)[i]) * (variables[i] - center[i]);
+    return apart.contains(0.0);
+  };
+  for (std::size_t k = 0; k < kinks_; ++k) {
+    for (std::size_t l = 0; l < k; ++l) {
+      if (sides[k] == 0 && sides[l] == 0 && !may_meet(k, l)) return true;
+    }
+  }
+  return false;
 }
 
 const Box& ForceSystem::weighted_determinants(std::span<const Interval> variables) {

@@ -54,6 +54,7 @@ class ForceSystem {
   bool excludes(const Sides& sides, std::span<const Interval> unknowns, std::span<const Interval> values);
   [[nodiscard]] bool never_vanishes(std::span<const Interval> variables);
   [[nodiscard]] bool combination_excludes(std::span<const Interval> variables);
+  [[nodiscard]] bool kinks_are_apart(const Sides& sides, std::span<const Interval> variables);
   [[nodiscard]] bool is_outside_of_chart(std::span<const Interval> variables);
   /// |D_k| by the sizes of its factors; of the unknowns alone.
   [[nodiscard]] const Box& weighted_determinants(std::span<const Interval> variables);

@@ -1,0 +1,58 @@
+"""Defaults that are expressions of parameters and cancel but for their last digits: to the decimals as typed where they
+are rational, and elsewhere with an error that holds what is not known."""
+
+import json
+import pathlib
+import sys
+import unittest
+
+from mpmath import mp, mpf
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mp.dps = 80
+SQUARE = ("p 1 5650.4", "(p-0.65728236248253724127721)^2-31919592.7754981613737693",
+          lambda: (mpf("5650.4") - mpf("0.65728236248253724127721")) ** 2 - mpf("31919592.7754981613737693"))
+CASES = (
+    ("p 1 0.1; r 1 0.3", "p*r-0.03+1e-30", lambda: mpf("1e-30")),
+    ("p 1 0.1", "p^3-0.001+1e-33", lambda: mpf("1e-33")),
+    ("p 1 1.23456789000000000000000001", "p^2-1.23456789^2", lambda: mpf("1.23456789000000000000000001") ** 2 - mpf("1.23456789") ** 2),
+    ("p 1 0.3; q 1 p/3", "q-0.1+1e-25", lambda: mpf("1e-25")),
+    ("p 1 2", "sqrt(p)-1.41421356237309504880168872420969", lambda: mp.sqrt(2) - mpf("1.41421356237309504880168872420969")),
+    ("p 1 1", "exp(p)-2.718281828459045235360287471352", lambda: mp.e - mpf("2.718281828459045235360287471352")),
+    SQUARE,
+)
+
+
+class CancelledNumbers(Service):
+    def numbers(self, request):
+        """The answer, with all digits of its numbers."""
+        response = self.post("simulate", request)
+        self.assertEqual(response.status, 200, response.data[:500])
+        return json.loads(response.data, parse_float=mpf)
+
+    def test_a_start_is_within_its_error(self):
+        for parameters, start, known in CASES:
+            for options in ({}, {"accuracy": "fast"}, {"precision": "extended"}, {"parameters": {"p": parameters.split(";")[0].split()[2]}}):
+                scene = lagrangian("swing", parameters, f"x - {start} 0", "x_dot^2/2 - 1.7*x^2/2")
+                with self.subTest(start=start, **options):
+                    answer = self.numbers({"system": scene, "t_end": 2, "samples": 2, **options})
+                    error = answer["accuracy"]["max_abs_error"]["x"]
+                    rate = mp.sqrt(mpf("1.7"))
+                    for x, t in zip(answer["trajectory"]["x"], (0, 2)):
+                        self.assertLessEqual(abs(x - known() * mp.cos(rate * t)), error)
+
+    def test_a_parameter_is_what_its_expression_says(self):
+        parameters, text, known = SQUARE
+        for options in ({}, {"precision": "extended"}, {"parameters": {"p": "5650.4"}}):
+            scene = lagrangian("fall", f"{parameters}; w 1 {text}", "x - 0 0", "x_dot^2/2 + w*x")
+            with self.subTest(**options):
+                answer = self.numbers({"system": scene, "t_end": 1, "samples": 2, **options})
+                off = abs(answer["trajectory"]["x_dot"][-1] - known())
+                self.assertLessEqual(off, answer["accuracy"]["max_abs_error"]["x_dot"])
+
+
+if __name__ == "__main__":
+    unittest.main()
