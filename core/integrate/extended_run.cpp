@@ -105,6 +105,17 @@ MotionPiece ExtendedStepper::polynomials() {
   return {t_previous_.high, last_step_, rows_, order, {}, {}};
 }
 
+std::span<const double> ExtendedStepper::truncated() {
+  truncated_.resize(y_.size());
+  take_powers(last_step_);
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    const auto c = row(coefficients_, i);
+    const auto term = [&](std::size_t k) { return powers_[k] * std::abs(c[k].high); };
+    truncated_[i] = 2 * std::max(term(order_), term(order_ - 1));
+  }
+  return truncated_;
+}
+
 std::span<const double> ExtendedStepper::rounded() {
   const std::size_t n = y_.size() / 2;
   rounded_.resize(y_.size());
@@ -334,7 +345,7 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
       const MotionPiece step = stepper.polynomials();
       terms.take(step);
       separation->add(stepper.hidden(), separation->now());  // it may have acted from the beginning on
-      separation->follow(step, terms);
+      separation->follow(step, terms, {stepper.truncated(), separation->now()});
       separation->add(stepper.rounded(), separation->now());
     }
     sample();

@@ -77,6 +77,8 @@ class ExtendedStepper {
   [[nodiscard]] MotionPiece polynomials();
   /// What the last step may hide (bounded_steps.hpp), of each component.
   [[nodiscard]] std::span<const double> hidden() const { return hidden_; }
+  /// What its last terms tell that it leaves out.
+  [[nodiscard]] std::span<const double> truncated();
   /// What was rounded in it. By coefficients in doubles: of |y| as much as their terms are of the others, and
   /// where that is much, so much of what rounding does to the accelerations. By the others: what rounding to
   /// double-doubles does to these and to the states.
@@ -129,7 +131,7 @@ class ExtendedStepper {
   std::vector<double> place_, allowed_, defect_;  ///< scratch
   std::vector<double> hidden_;                    ///< in the step
   std::vector<double> powers_ = std::vector<double>(order_ + 1);
-  std::vector<double> rows_, rounded_;                  ///< of the last step
+  std::vector<double> rows_, truncated_, rounded_;      ///< of the last step
   std::vector<double> in_doubles_, in_double_doubles_;  ///< what rounding does in it to accelerations
   bool bounded_;
 };

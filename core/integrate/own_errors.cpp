@@ -45,7 +45,8 @@ void OwnErrors::follow(const MotionPiece& step) {
     sizes_[i] = step.defect[i] * step.h / step.order;
     if (!step.rounding.empty()) sizes_[i] += of_forces_[i];
   }
-  by_truncation_.follow(step, terms_, {sizes_, by_rounding_.now()});
+  // One sample may be so small that last digits alone tell how it grows.
+  by_truncation_.follow(step, terms_, {sizes_, by_rounding_.now(), by_rounding_.shortest_part()});
 }
 
 /// What rounding of the accelerations does in a step.

@@ -13,7 +13,7 @@ namespace {
 constexpr unsigned least_order = 8;
 constexpr double negligible = 0.03;  ///< of the largest term: so the last ones show that these were enough
 constexpr double lost = 2;           ///< times what a component has reached
-constexpr double smallest_part = 0x1p-12;  ///< of a step
+constexpr double smallest_part = 0x1p-12, some = 0.5;  ///< of a step
 constexpr double enlarged = 0x1p-30;
 constexpr double most_of_all = 1e300;  ///< instead of an error without a bound
 
@@ -45,24 +45,33 @@ void Separation::follow(const MotionPiece& step, const StepTerms& terms, const E
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
   made_ = made;
+  shortest_part_ = 1;
   advance(step, terms, {});
 }
 
+/// What a whole step has made has no time to grow in it. In a part it may have been made where that begins.
 void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const Part& part) {
   for (std::size_t i = 0; i < e_.size(); ++i) y_[i] = piece.rows[i * (piece.order + 1)];
   project(piece.t);
-  const bool are_together = std::ranges::all_of(e_, [](double e) { return e == 0; });
-  // Otherwise series would differ by last digits alone.
-  if (scale_ == Scale::as_it_is || !are_together) {
-    place_beside();
-    const bool is_told = take_rise(piece, terms);
-    if (!is_told && part.to - part.from > smallest_part) return advance_by_halves(piece, part);
-    for (std::size_t i = 0; i < e_.size(); i += 2) {
-      const PairOfDoubles e = pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_};
-      move_to(i, is_told ? e : limited(i, e));
-    }
+  const bool is_whole = part.from == 0 && part.to == 1;
+  if (is_whole && are_together()) add_part(piece.order, {0, some});  // what grows is seen by that
+  bool is_told = take_rise(piece, terms);
+  const double length = part.to - part.from;
+  if (length > (is_told ? made_.longest_part : smallest_part)) return advance_by_halves(piece, part);
+  shortest_part_ = std::min(shortest_part_, length);
+  if (!is_whole) {
+    add_part(piece.order, part);
+    is_told = take_rise(piece, terms);
   }
-  add_part(piece.order, part);
+  for (std::size_t i = 0; i < e_.size(); i += 2) {
+    const PairOfDoubles e = pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_};
+    move_to(i, is_told ? e : limited(i, e));
+  }
+  if (is_whole) add_part(piece.order, part);
+}
+
+bool Separation::are_together() const {
+  return std::ranges::all_of(e_, [](double e) { return e == 0; });
 }
 
 /// Where series are too short for all of it.
@@ -150,6 +159,11 @@ double Separation::part_of_size() const {
 /// By series of the order that does, as the step before tells, or else of the step's own. False where that
 /// does not.
 bool Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
+  if (scale_ != Scale::as_it_is && are_together()) {  // series would differ by last digits alone
+    std::ranges::fill(rise_, 0.0);
+    return true;
+  }
+  place_beside();
   const unsigned order = std::min(order_, step.order);
   unsigned enough = rise(step, terms, order);
   if (enough > order && order < step.order) enough = rise(step, terms, step.order);

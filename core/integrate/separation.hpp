@@ -37,6 +37,7 @@ class Separation {
   /// Of a step: what truncation adds, which goes with its length as s^order.
   struct Errors {
     std::span<const double> sizes{}, sides{};
+    double longest_part{1};  ///< of the step, by which e is followed
   };
   /// The reference has taken this step, and has these terms. Where the original has no values e stays as it
   /// is.
@@ -46,6 +47,8 @@ class Separation {
   /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
 
+  /// By which e was followed through the last step.
+  [[nodiscard]] double shortest_part() const { return shortest_part_; }
   [[nodiscard]] const std::vector<double>& now() const { return e_; }
   /// The largest |y_i| of the reference.
   [[nodiscard]] const std::vector<double>& reached() const { return size_; }
@@ -60,6 +63,7 @@ class Separation {
   void advance(const MotionPiece& piece, const StepTerms& terms, const Part& part);
   void advance_by_halves(const MotionPiece& piece, const Part& part);
   void add_part(unsigned order, const Part& part);
+  [[nodiscard]] bool are_together() const;
   void project(double t);
   void place_beside();
   [[nodiscard]] double part_of_size() const;
@@ -73,6 +77,7 @@ class Separation {
   unsigned order_;    ///< of the series to be tried
   double factor_{1};  ///< e times it is what series differ by
   Errors made_;       ///< in this step
+  double shortest_part_{1};
   std::vector<double> e_, largest_;
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
   std::vector<double> added_;              ///< by steps, and where that alone takes coordinates

@@ -1,0 +1,73 @@
+"""x'' = k x + pulse(t), from 1e-32 to 1e-18 or from rest: what lies far below every tolerance grows with the motion, and
+the error stated with it. Against cosh and sinh, and the integral over the pulse."""
+
+import json
+import pathlib
+import random
+import sys
+import unittest
+
+from mpmath import mp, mpf
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mp.dps = 60
+OPTIONS = ({}, {}, {"max_error": 1e-3}, {"max_error": 1e-6}, {"rtol": 1e-6}, {"rtol": 1e-4}, {"accuracy": "fast"},
+           {"accuracy": "balanced"}, {"precision": "extended"})
+
+
+class GrowthFromNothing(Service):
+    def check(self, scene, end, options, x, v):
+        del scene["parameters"]
+        request = {"system": scene, "t_end": float(end), "samples": 2, **options}
+        with self.subTest(request=request):
+            response = self.post("simulate", request)
+            self.assertEqual(response.status, 200, response.data[:500])
+            answer = json.loads(response.data, parse_float=mpf)
+            errors = answer["accuracy"]["max_abs_error"]
+            if errors is None:
+                self.assertTrue(answer["accuracy"]["reason"])
+                return 0
+            for name, known in (("x", x), ("x_dot", v)):
+                off = abs(answer["trajectory"][name][-1] - known)
+                self.assertLessEqual(off, errors[name] * (1 + mpf(10) ** -10))
+            return 1
+
+    def test_a_start_far_below_the_tolerance(self):
+        draw, measured = random.Random(20261129), 0
+        for _ in range(120):
+            k = mpf(draw.randint(100, 2000)) / 100
+            rate = mp.sqrt(k)
+            x = mpf(draw.randint(1, 999)) * mpf(10) ** draw.randint(-32, -18)
+            v = draw.choice((mpf(0), 3 * x, -2 * x, mpf(mp.nstr(-rate * x, draw.choice((5, 17, 25))))))
+            end = mpf(mp.nstr(draw.uniform(5, 70) / rate, 4))
+            start = f"x - {mp.nstr(x, 30)} {mp.nstr(v, 30)}"
+            force = f"{mp.nstr(k, 6)}*x"
+            scene = (lagrangian("top", "", start, f"x_dot^2/2 + {force}*x/2") if draw.random() < 0.5 else
+                     lagrangian("top", "", start, "x_dot^2/2", forces=[{"name": "f", "value": force, "along": "x"}]))
+            grown, rising = mp.cosh(rate * end), mp.sinh(rate * end)
+            measured += self.check(scene, end, draw.choice(OPTIONS), x * grown + v / rate * rising, x * rate * rising + v * grown)
+        self.assertGreater(measured, 100)
+
+    def test_a_push_far_below_the_tolerance(self):
+        draw, measured = random.Random(20261130), 0
+        for _ in range(60):
+            k, size = mpf(draw.choice(("4", "9.81", "25", "100"))), mpf(10) ** draw.randint(-30, -8)
+            width, place = mpf(draw.choice(("0.3", "0.1", "0.01", "0.001"))), mpf(draw.randint(2, 6))
+            rate = mp.sqrt(k)
+            end = place + mpf(mp.nstr(draw.uniform(3, 60) / rate, 4))
+            pulse = f"{mp.nstr(size, 3)}*exp(-((t-{place})/{mp.nstr(width, 5)})^2)"
+            scene = lagrangian("top", "", "x - 0 0", f"x_dot^2/2 + {mp.nstr(k, 6)}*x^2/2 + x*{pulse}")
+            parts = [0] + [place + j * width for j in range(-10, 11, 4) if 0 < place + j * width < end] + [end]
+
+            def over_pulse(response):
+                return mp.quad(lambda t: size * mp.exp(-(((t - place) / width) ** 2)) * response(rate * (end - t)), parts)
+
+            measured += self.check(scene, end, draw.choice(OPTIONS), over_pulse(mp.sinh) / rate, over_pulse(mp.cosh))
+        self.assertGreater(measured, 40)
+
+
+if __name__ == "__main__":
+    unittest.main()
