@@ -1,7 +1,7 @@
 // axe-core finds nothing in any view, in both themes, and nothing scrolls sideways.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { findings, idle, launch, newPage, noSidewaysScroll, open } from "./browser.mjs";
+import { findings, idle, launch, newPage, noSidewaysScroll, open, turnTo } from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -33,8 +33,9 @@ for (const width of widths) {
   test(`axe-core finds nothing in either theme, and nothing scrolls sideways, ${width} pixels wide`, async () => {
     const found = {};
     const { page, context } = await newPage(browser, { width, theme: themes[0], motion: "reduce" });
+    await open(page, "#/problems/1");
     for (const view of views) {
-      await open(page, view);
+      await (view.startsWith("#") ? turnTo : open)(page, view);
       for (const theme of themes) {
         await page.emulateMedia({ colorScheme: theme });
         await idle(page);
