@@ -10,7 +10,7 @@ before(async () => {
 after(() => browser.close());
 
 test("every address of the docs opens, sends its forms, and axe-core finds nothing in it", async () => {
-  const { page, complaints, context } = await newPage(browser, { width: 360 });
+  const { page, complaints, context } = await newPage(browser, { width: 360, motion: "reduce" });
   await open(page, "docs", "details.address");
   const entries = page.locator("details.address");
   const count = await entries.count();

@@ -58,7 +58,7 @@ test("from system to system and from view to view without loading the page anew,
 });
 
 test("a scene of which only the Lagrangian is known says why T and V are missing", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/charged_particle/equations", "pre.curl");
   const words = await page.locator(".view").innerText();
   assert.match(words, /only its Lagrangian, so T and V are not known/);
@@ -110,7 +110,7 @@ test("on a phone no table is wider than the screen, and a long number shows all 
 });
 
 test("T and V are columns of the service, with their errors", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   const answered = page.waitForResponse((one) => one.url().endsWith("/v1/simulate") && (one.request().postData() ?? "").includes('"T"'));
   await open(page, "#/systems/cart_pendulum?_show=T,V", ".plots figure");
   const answer = await (await answered).json();
@@ -122,7 +122,7 @@ test("T and V are columns of the service, with their errors", async () => {
 });
 
 test("milliseconds are shown where they are asked for, and measured by the service", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   const bodies = [];
   page.on("request", (one) => one.url().endsWith("/v1/accuracy") && bodies.push(JSON.parse(one.postData())));
   await open(page, "#/systems/whirling_pendulum/accuracy?t_end=1", ".view figure");
@@ -135,7 +135,7 @@ test("milliseconds are shown where they are asked for, and measured by the servi
 });
 
 test("the ten problems are answered", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/");
   for (let number = 1; number <= 10; ++number) {
     await turnTo(page, `#/problems/${number}`, ".question");
