@@ -8,7 +8,7 @@ namespace {
 using std::cos;
 using std::sin;
 
-constexpr double square(double x) { return x * x; }
+constexpr double squared(double x) { return x * x; }
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Mechanics spherical_pendulum(const Values& s) {
   x.accelerations = {{sn * c * ph1 * ph1, -g / l * sn}, {-2 * c / sn * th1 * ph1}};
   x.momenta = {{ml2 * th1}, {ml2 * sn * sn * ph1}};
   x.jacobi = {ml2 * th1 * th1 / 2, ml2 * sn * sn * ph1 * ph1 / 2, -m * g * l * c};
-  x.determinant = square(ml2 * sn);
+  x.determinant = squared(ml2 * sn);
   return x;
 }
 
@@ -60,12 +60,12 @@ Mechanics driven_pivot(const Values& s) {
   const double th = s.at("theta"), th1 = s.at("theta_dot"), th2 = s.at("theta_ddot"), ml2 = m * l * l;
   Mechanics x;
   x.kinetic = {ml2 * th1 * th1 / 2, -m * l * a * w * sin(wt) * sin(th) * th1,
-               m * square(a * w * sin(wt)) / 2};
+               m * squared(a * w * sin(wt)) / 2};
   x.potential = {m * g * a * cos(wt), -m * g * l * cos(th)};
   x.equations = {{ml2 * th2, -m * l * a * w * w * cos(wt) * sin(th), m * g * l * sin(th)}};
   x.accelerations = {{-g / l * sin(th), a / l * w * w * cos(wt) * sin(th)}};
   x.momenta = {{ml2 * th1, -m * l * a * w * sin(wt) * sin(th)}};
-  x.jacobi = {ml2 * th1 * th1 / 2, -m * square(a * w * sin(wt)) / 2, m * g * a * cos(wt),
+  x.jacobi = {ml2 * th1 * th1 / 2, -m * squared(a * w * sin(wt)) / 2, m * g * a * cos(wt),
               -m * g * l * cos(th)};
   return x;
 }
@@ -87,12 +87,12 @@ Mechanics bead_on_hoop(const Values& s) {
   const double m = s.at("m"), r = s.at("r"), W = s.at("Omega"), g = s.at("g"), mr2 = m * r * r;
   const double th = s.at("theta"), th1 = s.at("theta_dot"), th2 = s.at("theta_ddot");
   Mechanics x;
-  x.kinetic = {mr2 * th1 * th1 / 2, mr2 * square(W * sin(th)) / 2};
+  x.kinetic = {mr2 * th1 * th1 / 2, mr2 * squared(W * sin(th)) / 2};
   x.potential = {-m * g * r * cos(th)};
   x.equations = {{mr2 * th2, -mr2 * W * W * sin(th) * cos(th), m * g * r * sin(th)}};
   x.accelerations = {{sin(th) * W * W * cos(th), -sin(th) * g / r}};
   x.momenta = {{mr2 * th1}};
-  x.jacobi = {mr2 * th1 * th1 / 2, -mr2 * square(W * sin(th)) / 2, -m * g * r * cos(th)};
+  x.jacobi = {mr2 * th1 * th1 / 2, -mr2 * squared(W * sin(th)) / 2, -m * g * r * cos(th)};
   return x;
 }
 
@@ -110,7 +110,7 @@ Mechanics foucault(const Values& s) {
 }
 
 Mechanics triple_pendulum(const Values& s) {
-  const double ml2 = s.at("m") * square(s.at("l")), G = s.at("g") / s.at("l");
+  const double ml2 = s.at("m") * squared(s.at("l")), G = s.at("g") / s.at("l");
   std::array<double, 3> q{}, q1{}, q2{};
   for (std::size_t j = 0; j < 3; ++j) {
     const std::string name = "q" + std::to_string(j + 1);

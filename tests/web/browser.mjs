@@ -50,6 +50,18 @@ export async function open(page, hash, wanted = "main h1") {
   await idle(page);
 }
 
+/** Goes on to another view as a link does, which costs half of loading the page anew. */
+export async function turnTo(page, hash, wanted = "main h1") {
+  await page.evaluate((to) => {
+    const old = document.querySelector(".view > *") ?? document.querySelector("main > *");
+    old.dataset.old = "";
+    location.hash = to;
+  }, hash);
+  await page.locator("[data-old]").waitFor({ state: "detached" });
+  await page.locator(wanted).first().waitFor();
+  await idle(page);
+}
+
 /** Until nothing is asked any more, and what was answered is shown. */
 export async function idle(page) {
   await page.waitForFunction(
@@ -66,18 +78,20 @@ export async function idle(page) {
   );
 }
 
-/** What axe-core finds, a line each. It is given to the page as a program of the test, which no policy holds back. */
-export async function findings(page) {
+/**
+ * What axe-core finds in a part of the page, by all its rules or by some, a line each. It is given to the page as a program
+ * of the test, which no policy holds back.
+ */
+export async function findings(page, { within = "html", rules = undefined } = {}) {
   const session = await page.context().newCDPSession(page);
-  await session.send("Runtime.evaluate", { expression: axe });
-  const { result } = await session.send("Runtime.evaluate", {
-    expression: `axe.run(document, { resultTypes: ["violations"] }).then((all) =>
-    JSON.stringify(all.violations.map((one) => one.id + ": " + one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + " " + (node.any[0]?.message ?? node.all[0]?.message ?? "")).join(" | "))))`,
-    awaitPromise: true,
-    returnByValue: true,
-  });
+  const evaluate = async (expression) =>
+    (await session.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true })).result.value;
+  if (!(await evaluate("Boolean(window.axe)"))) await evaluate(`${axe}; true`);
+  const options = { resultTypes: ["violations"], ...(rules && { runOnly: { type: "rule", values: rules } }) };
+  const found = await evaluate(`axe.run(${JSON.stringify(within)}, ${JSON.stringify(options)}).then((all) =>
+    JSON.stringify(all.violations.map((one) => one.id + ": " + one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + " " + (node.any[0]?.message ?? node.all[0]?.message ?? "")).join(" | "))))`);
   await session.detach();
-  return JSON.parse(result.value);
+  return JSON.parse(found);
 }
 
 /** What a shell line prints. */

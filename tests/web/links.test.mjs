@@ -85,23 +85,6 @@ test("back and forward go through the views", async () => {
   await context.close();
 });
 
-test("from system to system and from view to view without loading the page anew", async () => {
-  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
-  await open(page, "#/", ".vignette");
-  const { systems } = await (await fetch(`${origin}/v1/systems`)).json();
-  for (const { name, title } of systems) {
-    for (const view of ["motion", "equations"]) {
-      await page.evaluate((hash) => {
-        location.hash = hash;
-      }, `#/systems/${name}/${view}`);
-      await page.locator("h1", { hasText: title }).waitFor();
-      await page.locator(`pre.curl[data-endpoint=${view === "motion" ? "simulate" : "equations"}]`).waitFor();
-    }
-  }
-  assert.deepEqual(complaints, []);
-  await context.close();
-});
-
 test("a plot goes away as SVG and PNG, a motion as CSV", async () => {
   const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/cart_pendulum", ".plot");

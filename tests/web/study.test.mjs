@@ -1,7 +1,7 @@
 // What a student does with an answer: closed forms, practice, sweeps, the forces of strings, a body taken by a finger.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { findings, idle, launch, newPage, noSidewaysScroll, open, origin, placeOfBody, shell } from "./browser.mjs";
+import { findings, idle, launch, newPage, noSidewaysScroll, open, origin, placeOfBody, shell, turnTo } from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -22,7 +22,7 @@ const post = async (endpoint, body) =>
 const shown = async (locator) => (await locator.textContent()).replace(/[\s\u2061\u2062]/g, "");
 
 test("closed forms stand beside the numbers, as mathematics, with what they assume", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/rod_pendulum/modes", "table.modes");
   const { modes } = await post("modes", { system: "rod_pendulum" });
   const formulas = page.locator("table.modes .formula");
@@ -48,7 +48,7 @@ test("closed forms stand beside the numbers, as mathematics, with what they assu
 });
 
 test("every formula of every system is set as mathematics", async () => {
-  const { page, context } = await newPage(browser);
+  const { page, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/", ".vignette");
   const { systems } = await (await fetch(`${origin}/v1/systems`)).json();
   for (const { name } of systems) {
@@ -82,7 +82,7 @@ test("every formula of every system is set as mathematics", async () => {
 });
 
 test("practice: an answer is judged, and said to be read as it is", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/spring_pendulum/practice", "#practice-answer");
   await page.selectOption("#practice-question", "equation_theta");
   await page.waitForFunction(() => location.hash.includes("_question=equation_theta"));
@@ -119,7 +119,7 @@ test("practice: an answer is judged, and said to be read as it is", async () => 
 });
 
 test("a sweep plots what the service answers, at any pointer, and a click takes the value there", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   const swept = page.waitForResponse((response) => response.url().endsWith("/v1/sweep"));
   await open(page, "#/systems/cart_pendulum/sweep?_vary=k&_from=1&_to=60", "canvas.plot");
   const { columns } = await (await swept).json();
@@ -150,12 +150,13 @@ test("a sweep plots what the service answers, at any pointer, and a click takes 
 });
 
 test("practice and sweep open for every system, at a phone's width, and axe-core finds nothing", async () => {
-  const { page, complaints, context } = await newPage(browser, { width: 360 });
+  const { page, complaints, context } = await newPage(browser, { width: 360, motion: "reduce" });
   const { systems } = await (await fetch(`${origin}/v1/systems`)).json();
+  await open(page, "#/");
   for (const { name } of systems) {
-    await open(page, `#/systems/${name}/practice`, "#practice-answer");
+    await turnTo(page, `#/systems/${name}/practice`, "#practice-answer");
     await noSidewaysScroll(page);
-    await open(page, `#/systems/${name}/sweep`, "pre.curl[data-endpoint=sweep]");
+    await turnTo(page, `#/systems/${name}/sweep`, "pre.curl[data-endpoint=sweep]");
     assert.equal(await page.locator(".view .problem").count(), 0, name);
     await noSidewaysScroll(page);
     assert.deepEqual(complaints.splice(0), [], name);

@@ -1,7 +1,7 @@
 // Every system and every view opens without a complaint, at a phone's width too, and axe-core finds nothing.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { findings, launch, newPage, open, origin } from "./browser.mjs";
+import { findings, launch, newPage, open, origin, turnTo } from "./browser.mjs";
 
 const parts = {
   simulate: "motion",
@@ -42,11 +42,13 @@ test("the start view draws every system", async () => {
   await context.close();
 });
 
-test("every view of every system opens, and its words are there", async () => {
+test("from system to system and from view to view without loading the page anew, and every view has its words", async () => {
   const { page, complaints, context } = await newPage(browser);
-  for (const { name, capabilities } of systems) {
+  await open(page, "#/", ".vignette");
+  for (const { name, title, capabilities } of systems) {
     for (const needs of capabilities.filter((one) => one in parts)) {
-      await open(page, `#/systems/${name}/${parts[needs]}`, ".views a[aria-current]");
+      await turnTo(page, `#/systems/${name}/${parts[needs]}`, ".views a[aria-current]");
+      await page.locator("h1", { hasText: title }).waitFor();
       await page.locator(`pre.curl[data-endpoint=${needs}]`).first().waitFor();
       assert.equal(await page.locator(".view .problem:not(:empty)").count(), 0, `${name} ${needs}`);
       assert.deepEqual(complaints.splice(0), [], `${name} ${needs}`);
@@ -56,7 +58,7 @@ test("every view of every system opens, and its words are there", async () => {
 });
 
 test("a scene of which only the Lagrangian is known says why T and V are missing", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   await open(page, "#/systems/charged_particle/equations", "pre.curl");
   const words = await page.locator(".view").innerText();
   assert.match(words, /only its Lagrangian, so T and V are not known/);
@@ -68,9 +70,10 @@ test("a scene of which only the Lagrangian is known says why T and V are missing
 });
 
 test("tabs are one line, and no table of modes is wider than its column, on a desk", async () => {
-  const { page, context } = await newPage(browser);
+  const { page, context } = await newPage(browser, { motion: "reduce" });
+  await open(page, "#/");
   for (const { name, capabilities } of systems.filter((one) => one.capabilities.includes("modes"))) {
-    await open(page, `#/systems/${name}/modes`, "table.modes");
+    await turnTo(page, `#/systems/${name}/modes`, "table.modes");
     const [height, wide, seen] = await page.evaluate(() => {
       const frame = document.querySelector(".modes").closest(".table-frame");
       return [document.querySelector(".views").offsetHeight, frame.scrollWidth, frame.clientWidth];
@@ -84,9 +87,10 @@ test("tabs are one line, and no table of modes is wider than its column, on a de
 
 test("on a phone no table is wider than the screen, and a long number shows all its digits at a tap", async () => {
   const { page, complaints, context } = await newPage(browser, { width: 360, height: 740, motion: "reduce", touch: true });
+  await open(page, "#/");
   for (const { name, capabilities } of systems) {
     for (const needs of ["modes", "equilibria", "gait"].filter((one) => capabilities.includes(one))) {
-      await open(page, `#/systems/${name}/${parts[needs]}`, `pre.curl[data-endpoint=${needs}]`);
+      await turnTo(page, `#/systems/${name}/${parts[needs]}`, `pre.curl[data-endpoint=${needs}]`);
       const frames = page.locator(".table-frame");
       const widths = await frames.evaluateAll((all) => all.map((frame) => [frame.scrollWidth, frame.clientWidth]));
       for (const [wide, seen] of widths) assert.ok(wide <= seen, `${name} ${needs}: a table of ${wide} pixels in ${seen}`);
@@ -106,7 +110,7 @@ test("on a phone no table is wider than the screen, and a long number shows all 
 });
 
 test("T and V are columns of the service, with their errors", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   const answered = page.waitForResponse((one) => one.url().endsWith("/v1/simulate") && (one.request().postData() ?? "").includes('"T"'));
   await open(page, "#/systems/cart_pendulum?_show=T,V", ".plots figure");
   const answer = await (await answered).json();
@@ -118,7 +122,7 @@ test("T and V are columns of the service, with their errors", async () => {
 });
 
 test("milliseconds are shown where they are asked for, and measured by the service", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
   const bodies = [];
   page.on("request", (one) => one.url().endsWith("/v1/accuracy") && bodies.push(JSON.parse(one.postData())));
   await open(page, "#/systems/whirling_pendulum/accuracy?t_end=1", ".view figure");
@@ -131,9 +135,10 @@ test("milliseconds are shown where they are asked for, and measured by the servi
 });
 
 test("the ten problems are answered", async () => {
-  const { page, complaints, context } = await newPage(browser);
+  const { page, complaints, context } = await newPage(browser, { motion: "reduce" });
+  await open(page, "#/");
   for (let number = 1; number <= 10; ++number) {
-    await open(page, `#/problems/${number}`, ".question");
+    await turnTo(page, `#/problems/${number}`, ".question");
     assert.ok((await page.locator("table.answers tr").count()) > 0, `problem ${number}`);
     assert.deepEqual(complaints.splice(0), [], `problem ${number}`);
   }
