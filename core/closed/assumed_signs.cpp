@@ -80,8 +80,12 @@ bool AssumedSigns::are_there() {
   return std::ranges::any_of(open_, is_broken);
 }
 
-/// Places at which one condition alone is broken say most, so they are first.
 std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
+  return needed_for([&](const std::vector<RealAssignment>& place) { return trial.holds_at(place); });
+}
+
+/// Places at which one condition alone is broken say most, so they are first.
+std::vector<std::string> AssumedSigns::needed_for(const HoldsAt& holds_at) {
   take_asked();
   std::vector<std::pair<std::vector<std::size_t>, std::size_t>> tried;  // what is broken, and where
   for (std::size_t place = 0; place < far_.size(); ++place) {
@@ -95,7 +99,7 @@ std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
   std::vector<bool> is_needed(open_.size());
   for (const auto& [broken, place] : tried) {
     const bool is_told = std::ranges::any_of(broken, [&](std::size_t i) { return is_needed[i]; });
-    if (!is_told && !trial.holds_at(far_[place])) is_needed[broken[0]] = true;
+    if (!is_told && !holds_at(far_[place])) is_needed[broken[0]] = true;
   }
   std::vector<std::string> needed;
   for (std::size_t i = 0; i < open_.size(); ++i) {

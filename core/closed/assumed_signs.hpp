@@ -2,6 +2,7 @@
 // What a formula assumes beside the signs of the parameters: a derivation takes sums of them to keep their
 // sign, a*cos(c) > b*sin(c), where it says on which side an angle lies, or takes a square out of a root.
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -32,6 +33,9 @@ class AssumedSigns {
   /// Of all that was asked for until now, what has to be assumed for the claims to hold and have values, as
   /// inequalities with what is subtracted on the other side.
   [[nodiscard]] std::vector<std::string> needed_for(const Trial& trial);
+  /// The same of claims that are tried where the symbols have these values.
+  using HoldsAt = std::function<bool(const std::vector<RealAssignment>&)>;
+  [[nodiscard]] std::vector<std::string> needed_for(const HoldsAt& holds_at);
   /// Whether anything is open that is not true at all far places.
   [[nodiscard]] bool are_there();
 
