@@ -119,7 +119,7 @@ class SignsOfTurning(Service):
     def test_an_end_at_a_wall_is_one_where_the_energy_leads_there(self):
         wall = {"events": [{"name": "wall", "expression": "x - b", "direction": "rising"}],
                 "impact": {"event": "wall", "map": {"x_dot": "-x_dot"}}}
-        for potential, needed in (("k*x^2/2", ["2*h > k*b^2"]), ("k*abs(x)", ["h > k*b"])):
+        for potential, needed in (("k*x^2/2", ["2*h > k*b^2"]), ("k*abs(x)", ["h > k*abs(b)"])):
             exact = self.forms(potential, "m - 1; k - 3; b - 0.5", "x - 0.1 2.5", wall)
             self.assertEqual(exact["x_max"]["text"], "b")
             self.check_signs(exact["x_max"], needed, potential)
