@@ -99,6 +99,11 @@ class Named(unittest.TestCase):
                        bare("m*x_dot^2/2", "x", m=2, k=3) | {"forces": [{"value": "k*exp(-t^2)", "along": "x"}]}):
             self.assertEqual(conserved(driven), {})
 
+    def test_the_field_of_a_helix_keeps_a_screw_by_its_pitch(self):
+        """Landau, Lifshitz, Mechanics, section 9, problem 3: M_z + P_z*h/(2*pi)."""
+        self.check(bare("m*(r_dot^2 + r^2*ph_dot^2 + z_dot^2)/2 - a*r^2*cos(ph - 2*pi*z/h)", {"r": (1, 0), "ph": (0, 1), "z": (0, 0)}, m=1, h=2, a=1),
+                   {"momentum_ph_z": "m*(h*z_dot + 2*pi*r^2*ph_dot)"})
+
     def test_a_central_force_keeps_angular_momentum_in_the_plane_and_in_space(self):
         self.check(bare("m/2*(x_dot^2 + y_dot^2) + k/sqrt(x^2 + y^2)", "xy", m=2, k=3),
                    {"angular_momentum_x_y": "m*(x*y_dot - y*x_dot)"})
