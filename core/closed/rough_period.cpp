@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/numerics/constants.hpp"
@@ -26,7 +28,7 @@ std::vector<double> looked_at(const SquaredSpeed& e) {
     add(-x);
   }
   add(0);
-  for (int k = -200; k <= 200; ++k) add(k / 10.0 + 1e-3);
+  for (int k = -1000; k <= 1000; ++k) add(k / 50.0 + 1e-3);
   std::ranges::sort(places);
   return places;
 }
@@ -56,45 +58,82 @@ double way_between(const SquaredSpeed& e, double from, double to, int parts) {
   return 2 * pi / parts * sum;
 }
 
+/// Whether e grows without bound where it is largest: no motion passes a pole.
+bool has_pole(const SquaredSpeed& e, double from, double to) {
+  constexpr int halvings = 60;
+  constexpr double without_bound = 1e6;
+  const double step = (to - from) / pieces;
+  double place = from + step, largest = 0;
+  for (int i = 1; i < pieces; ++i) {
+    const double x = from + i * step;
+    if (!(e.at(x) <= largest)) std::tie(place, largest) = std::pair(x, e.at(x));
+  }
+  double low = place - step, high = place + step;
+  for (int i = 0; i < halvings; ++i) {
+    const double third = (high - low) / 3;
+    if (e.at(low + third) < e.at(high - third))
+      low += third;
+    else
+      high -= third;
+  }
+  return !(e.at((low + high) / 2) < without_bound * largest);
+}
+
 double turn(const SquaredSpeed& e, int parts) {
   double sum = 0;
   for (int i = 0; i < parts; ++i) sum += 1 / std::sqrt(e.at(2 * pi * i / parts));
   return 2 * pi / parts * sum;
 }
 
-/// Undecided where the integral does not settle.
-bool agree(double first, double finer, double period) {
-  if (!(std::abs(first - finer) <= 0.1 * rough * std::abs(finer))) return true;
-  return std::abs(finer - period) <= rough * std::abs(finer);
+enum class Likeness { same, other, unknown };
+
+/// Unknown where the integral does not settle, or between the ends something hides at which nothing moves.
+Likeness compared(double first, double finer, double period) {
+  if (!(std::abs(first - finer) <= 0.1 * rough * std::abs(finer))) return Likeness::unknown;
+  return std::abs(finer - period) <= rough * std::abs(finer) ? Likeness::same : Likeness::other;
 }
 
-bool agree(const SquaredSpeed& e, double from, double to, double period) {
-  return agree(way_between(e, from, to, pieces), way_between(e, from, to, 2 * pieces), period);
+Likeness compared(const SquaredSpeed& e, double from, double to, double period) {
+  if (!std::isfinite(from) || !std::isfinite(to) || has_pole(e, from, to)) return Likeness::other;
+  return compared(way_between(e, from, to, pieces), way_between(e, from, to, 2 * pieces), period);
+}
+
+/// Or at an end.
+bool is_between(double x, double low, double high) {
+  const double slack = 1e-6 * (1 + std::abs(x));
+  return low - slack <= x && x <= high + slack;
 }
 
 }  // namespace
 
 bool may_swing_with(const SquaredSpeed& e, double period) {
   const std::vector<double> places = looked_at(e);
-  bool is_there = false;
+  bool is_another = false;
   for (std::size_t first = 0; first < places.size(); ++first) {
     std::size_t next = first;
     while (next < places.size() && moves(e.at(places[next]))) ++next;
     if (next == first) continue;
-    is_there = true;
     const double from = first > 0 ? end_between(e, places[first], places[first - 1]) : e.below;
     const double to = next < places.size() ? end_between(e, places[next - 1], places[next]) : e.above;
-    if (std::isfinite(from) && std::isfinite(to) && agree(e, from, to, period)) return true;
+    const double low = std::isfinite(from) ? from : places[first];
+    const double high = std::isfinite(to) ? to : places[next - 1];
+    if (e.start && !is_between(*e.start, low, high)) {
+      first = next;
+      continue;
+    }
+    const Likeness verdict = compared(e, from, to, period);
+    if (verdict == Likeness::same) return true;
+    is_another = is_another || verdict == Likeness::other;
     first = next;
   }
-  return !is_there;
+  return !is_another;
 }
 
 bool may_turn_with(const SquaredSpeed& e, double period) {
   for (int i = 0; i < pieces; ++i) {
     if (!moves(e.at(2 * pi * i / pieces))) return true;
   }
-  return agree(turn(e, pieces), turn(e, 2 * pieces), period);
+  return compared(turn(e, pieces), turn(e, 2 * pieces), period) != Likeness::other;
 }
 
 }  // namespace qdot

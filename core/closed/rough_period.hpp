@@ -7,6 +7,7 @@
 // whose integrand is smooth where the ends are simple zeros of e, or walls.
 
 #include <functional>
+#include <optional>
 
 #include "core/numerics/constants.hpp"
 
@@ -15,9 +16,11 @@ namespace qdot {
 struct SquaredSpeed {
   std::function<double(double)> at;          ///< e(x); not a number where there is none
   double below{-infinity}, above{infinity};  ///< walls
+  std::optional<double> start{};             ///< where the motion is, if it is known
 };
 
-/// Whether one of the motions to and fro that are found has this period, or none at all is found that moves.
+/// Whether one of the motions to and fro that are found, or the one from the start, has this period, or none
+/// at all is found that moves.
 [[nodiscard]] bool may_swing_with(const SquaredSpeed& e, double period);
 
 /// Whether a turn of 2 pi takes this time, or there is a place that stops it.

@@ -1,13 +1,16 @@
 #include "core/closed/turning_signs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/closed/assumed_signs.hpp"
 #include "core/closed/rough_period.hpp"
 #include "core/closed/trial.hpp"
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/calculus.hpp"
+#include "core/expr/polynomial.hpp"
 
 namespace qdot {
 namespace {
@@ -42,6 +45,46 @@ std::vector<std::string> without_impacts(const TurningEquation& equation, std::v
   const bool has_impacts = !equation.values.model().parsed.impacts.empty();
   if (has_impacts && !equation.found.walls) signs.emplace_back("the motion comes to no impact");
   return signs;
+}
+
+/// Those of what functions of x have for factors: (A - B) of (A - B)/sin(x)^2.
+void ask_coefficients(const Expression& potential, const Expression& x, AssumedSigns& signs) {
+  Graph& graph = x.graph();
+  std::map<Monomial, Polynomial, LeadingFirst> coefficients;
+  for (const auto& [monomial, number] : multiplied_out(potential)) {
+    Monomial varying, constant;
+    for (const Atom& atom : monomial)
+      (depends_on(Expression(graph, atom.base), x) ? varying : constant).push_back(atom);
+    if (!varying.empty()) add(coefficients[varying], constant, number);
+  }
+  for (const auto& [varying, coefficient] : coefficients) {
+    if (coefficient.size() > 1) signs.ask(to_expression(graph, coefficient));
+  }
+}
+
+/// The same parameters, with the constants of the motion that the equation's start gives it, where it is
+/// known exactly and they have the signs that they are said to have.
+std::optional<FarPlace> with_start(const TurningEquation& equation, const FarPlace& place) {
+  if (!equation.energy) return std::nullopt;
+  FarPlace there = place;
+  std::vector<Replacement> constants = equation.momenta;
+  constants.emplace_back(equation.energy_symbol, *equation.energy);
+  for (const auto& [symbol, value] : constants) {
+    const Real number = evaluate_exactly(value, place);
+    const auto other = std::ranges::find(there, symbol, &RealAssignment::first);
+    if (other == there.end() || !(number.value * other->second.value > 0)) return std::nullopt;
+    other->second = number;
+  }
+  return there;
+}
+
+/// Whether the motion has e > 0 all the way from its start to there.
+bool comes_from_start(const SquaredSpeed& e, double start, double end) {
+  constexpr int places = 64;
+  for (int i = 1; i < places; ++i) {
+    if (!(e.at(start + (end - start) * i / places) > 0)) return false;
+  }
+  return true;
 }
 
 /// v^2 with numbers in place of all but x.
@@ -85,6 +128,7 @@ std::vector<std::string> signs_of_extremum(const TurningEquation& equation, cons
   AssumedSigns signs(equation.values, relations, by_start ? std::vector<Expression>{} : equation.constants);
   const Expression back = side > 0 ? force : -force;
   signs.ask(with_value(back, equation.x, place));
+  ask_coefficients(potential, equation.x, signs);
   if (!signs.are_there()) return without_impacts(equation, {});
   Trial trial(equation.values, relations);
   trial.only_where_real();
@@ -92,8 +136,18 @@ std::vector<std::string> signs_of_extremum(const TurningEquation& equation, cons
   trial.vanishes(terms_of(potential - energy));
   trial.is_positive(back);
   const Start start(equation, force);
+  const std::optional<Expression> x0 = by_start ? std::nullopt : equation.start();
+  std::optional<SpeedAt> speed;
+  const auto is_reached = [&](const FarPlace& far) {
+    const auto there = x0 ? with_start(equation, far) : std::nullopt;
+    const Real end = there ? evaluate_exactly(place, *there) : Real(0);
+    if (!there || !end.is_finite()) return true;
+    if (!speed) speed.emplace(QuadratureProblem{equation.x, equation.inertia, potential, energy}, *there);
+    const double begin = evaluate_exactly(*x0, *there).value;
+    return trial.holds_at(*there) && comes_from_start(speed->at(*there), begin, end.value);
+  };
   return without_impacts(equation, signs.needed_for([&](const FarPlace& far) {
-    return !start.is_as_said(far) || trial.holds_at(far);
+    return !start.is_as_said(far) || (trial.holds_at(far) && is_reached(far));
   }));
 }
 
@@ -112,17 +166,25 @@ std::vector<std::string> signs_of_period(const TurningEquation& equation, const 
   const bool by_start = problem.energy != equation.energy_symbol;
   AssumedSigns signs(equation.values, period.relations,
                      by_start ? std::vector<Expression>{} : equation.constants);
+  ask_coefficients(problem.potential, problem.x, signs);
   if (!signs.are_there()) return without_impacts(equation, {});
   std::optional<SpeedAt> speed;
-  return without_impacts(equation, signs.needed_for([&](const FarPlace& far) {
+  const auto has_period = [&](const FarPlace& far, std::optional<double> start) {
     const double number = period.value_at(far);
     if (!std::isfinite(number)) return true;
     if (!speed) speed.emplace(problem, far);
     SquaredSpeed e = speed->at(far);
+    e.start = start;
     if (walls.below) e.below = evaluate_exactly(*walls.below, far).value;
     if (walls.above) e.above = evaluate_exactly(*walls.above, far).value;
     return equation.found.motion == MotionKind::rotation ? may_turn_with(e, number)
                                                          : may_swing_with(e, number);
+  };
+  const std::optional<Expression> x0 = equation.start();
+  return without_impacts(equation, signs.needed_for([&](const FarPlace& far) {
+    if (!has_period(far, {})) return false;
+    const auto there = x0 && !by_start ? with_start(equation, far) : std::nullopt;
+    return !there || has_period(*there, evaluate_exactly(*x0, *there).value);
   }));
 }
 

@@ -23,6 +23,9 @@ CASES = [
     ("(A - a)*abs(x)", "m - 1; A - 3; a - 1", "x - 0.5 0.3", ["A > a"], ["A > a"], ["A > a"]),
     ("J/(2*x^2) - (k - q)/x", "m - 1; k - 3; J - 1; q - 1", "x - 0.5 0.3", [], [], ["k > q"]),
     ("(A - a)*tan(x)^2", "m - 1; A - 3; a - 1", "x - 0.5 0.3", [], [], ["A > a"]),
+    ("(A - B)/sin(x)^2 + (C - D)/cos(x)^2", "m - 1; A - 3; B - 1; C - 2; D - 1", "x - 0.7 0.3", None, None, ["C > D", "A > B"]),
+    # With b < c there is a well, but a motion may start beside it.
+    ("a*x^2/2 + (b - c)*x^4/4", "m - 1; a - 3; b - 2; c - 1", "x - 0.7 0.3", ["b > c"], ["b > c"], ["b > c"]),
     ("(k - s)*x^2/2", "m - 1; k - 3; s - 1", "x - 0.5 0.3", [], [], []),
     ("k*x^2/2 - F*x + a*x", "m - 1; k - 3; a - 1; F - 3", "x - 0.5 0.3", [], [], []),
     ("b*x^4/4 - (a - c)*x^2/2", "m - 1; a - 3; b - 1; c - 1", "x - 1.5 0.1", [], [], []),
@@ -60,10 +63,17 @@ def zero(f, inside, outside):
     return inside if f(inside) < size/1000 else None
 
 
+def is_inside(v, x, h):
+    try:
+        return -1e20 < v(x) < h
+    except ZeroDivisionError:
+        return False
+
+
 def motions(v, h):
-    """Ends between which v < h, found on a grid that is close and wide."""
-    grid = sorted([s*mpmath.mpf(10)**(mpmath.mpf(k)/15) for k in range(-45, 31) for s in (-1, 1)] + [mpmath.mpf(k)/20 + mpmath.mpf(1)/997 for k in range(-62, 63)])
-    inside = [v(x) < h for x in grid]
+    """Ends between which v < h, found on a grid that is close and wide, and has the poles of these potentials."""
+    grid = sorted([0] + [mpmath.pi*k/2 for k in range(-4, 5)] + [s*mpmath.mpf(10)**(mpmath.mpf(k)/15) for k in range(-45, 31) for s in (-1, 1)] + [mpmath.mpf(k)/20 + mpmath.mpf(1)/997 for k in range(-62, 63)])
+    inside = [is_inside(v, x, h) for x in grid]
     edges = [k for k in range(1, len(grid)) if inside[k] != inside[k - 1]]
     for begin, end in zip(edges, edges[1:]):
         if inside[begin]:
