@@ -49,7 +49,8 @@ std::vector<std::string> notes_on_rates(const Dynamics& dynamics, const SystemCh
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const std::string rate = model.scene.coordinates[i].name + "_dot";
     const auto is_it = [&](const auto& given) { return given.first == rate; };
-    if (std::ranges::any_of(choice.initial, is_it) && state.y[rates.size() + i] != 0) moving.push_back(i);
+    const bool was_given = choice.is_carried || std::ranges::any_of(choice.initial, is_it);
+    if (was_given && state.y[rates.size() + i] != 0) moving.push_back(i);
   }
   if (moving.empty()) return {};
   const std::vector<std::size_t> ignored = ignored_coordinates(dynamics, state.parameters);

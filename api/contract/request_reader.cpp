@@ -56,6 +56,7 @@ class RequestReader {
     const auto given = fields_.find(field->name);
     if (given != fields_.end()) {
       reading_.system.scene = find_system_(*given, root_.below(field->name), reading_.errors);
+      reading_.system.is_carried = given->is_object();
     } else {
       refuse_without_system(*field);
     }

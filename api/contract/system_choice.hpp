@@ -19,6 +19,7 @@ namespace qdot::api {
 /// Only what was given, in the scene's order; what is missing has the scene's defaults.
 struct SystemChoice {
   std::shared_ptr<const Scene> scene{};
+  bool is_carried{};  ///< the request brings the scene, so that its start is the request's
   std::vector<std::pair<std::string, Real>> parameters{};     ///< SI
   std::vector<std::pair<std::string, Real>> initial{};        ///< coordinates and velocities, SI
   std::vector<std::pair<std::string, std::string>> inputs{};  ///< expressions in t and the parameters

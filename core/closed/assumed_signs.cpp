@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/print/print.hpp"
@@ -33,7 +34,9 @@ std::string inequality(const ExactValues& values, const Expression& e) {
     const bool is_below = coefficient.is_negative();
     add(is_below ? below : above, monomial, is_below ? -coefficient : coefficient);
   }
-  if (above.empty() || below.empty()) return print(e, Form::text, notation_of(values.model().scene)) + " > 0";
+  const Notation notation = notation_of(values.model().scene);
+  if (above.empty()) return print(-e, Form::text, notation) + " < 0";
+  if (below.empty()) return print(e, Form::text, notation) + " > 0";
   const auto root = exact_root(above), root_below = exact_root(below);
   const auto is_positive = [&](const Polynomial& a) {
     return values.value(to_expression(graph, a)).value > 0;
@@ -43,7 +46,7 @@ std::string inequality(const ExactValues& values, const Expression& e) {
     below = *root_below;
   }
   const auto written = [&](const Polynomial& side) {
-    return print(to_expression(graph, side), Form::text, notation_of(values.model().scene));
+    return print(to_expression(graph, side), Form::text, notation);
   };
   return written(above) + " > " + written(below);
 }
@@ -72,6 +75,16 @@ void AssumedSigns::ask(const Expression& e) {
   if (const auto positive = positive_of(e, value > 0 ? 1 : -1)) take(*positive);
 }
 
+void AssumedSigns::let_signs_go() {
+  given_has_signs_ = false;
+  for (const Expression& e : given_) {
+    int& sign = known_[e.id()];
+    const Expression positive = sign < 0 ? -e : e;
+    const bool is_known = std::exchange(sign, 0) != 0;
+    if (is_known) take(positive);
+  }
+}
+
 bool AssumedSigns::are_there() {
   take_asked();
   const auto is_broken = [](const Open& open) {
@@ -80,8 +93,12 @@ bool AssumedSigns::are_there() {
   return std::ranges::any_of(open_, is_broken);
 }
 
-/// Places at which one condition alone is broken say most, so they are first.
 std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
+  return needed_for([&](const std::vector<RealAssignment>& place) { return trial.holds_at(place); });
+}
+
+/// Places at which one condition alone is broken say most, so they are first.
+std::vector<std::string> AssumedSigns::needed_for(const HoldsAt& holds_at) {
   take_asked();
   std::vector<std::pair<std::vector<std::size_t>, std::size_t>> tried;  // what is broken, and where
   for (std::size_t place = 0; place < far_.size(); ++place) {
@@ -95,7 +112,7 @@ std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
   std::vector<bool> is_needed(open_.size());
   for (const auto& [broken, place] : tried) {
     const bool is_told = std::ranges::any_of(broken, [&](std::size_t i) { return is_needed[i]; });
-    if (!is_told && !trial.holds_at(far_[place])) is_needed[broken[0]] = true;
+    if (!is_told && !holds_at(far_[place])) is_needed[broken[0]] = true;
   }
   std::vector<std::string> needed;
   for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -139,7 +156,10 @@ void AssumedSigns::find_far_places() {
       const bool is_exponent = values_.model().parsed.exponents.put_in.contains(p.name);
       place.emplace_back(values_.symbols()[i], is_exponent ? value : far);
     }
-    for (const Expression& e : given_) place.emplace_back(e, far_value(values_.value(e).value, {}, random));
+    for (const Expression& e : given_) {
+      const double far = far_value(values_.value(e).value, {}, random);
+      place.emplace_back(e, !given_has_signs_ && random() % 2 == 0 ? -far : far);
+    }
     for (const auto& [symbol, value] : relations_.replacements)
       std::ranges::find(place, symbol, &RealAssignment::first)->second = evaluate_exactly(value, place);
     far_.push_back(std::move(place));

@@ -2,6 +2,7 @@
 // What a formula assumes beside the signs of the parameters: a derivation takes sums of them to keep their
 // sign, a*cos(c) > b*sin(c), where it says on which side an angle lies, or takes a square out of a root.
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -29,9 +30,15 @@ class AssumedSigns {
   /// Its sign counts as asked for.
   void ask(const Expression& e);
 
+  /// What is given may have the other sign, too, unless that has to be assumed.
+  void let_signs_go();
+
   /// Of all that was asked for until now, what has to be assumed for the claims to hold and have values, as
   /// inequalities with what is subtracted on the other side.
   [[nodiscard]] std::vector<std::string> needed_for(const Trial& trial);
+  /// The same of claims that are tried where the symbols have these values.
+  using HoldsAt = std::function<bool(const std::vector<RealAssignment>&)>;
+  [[nodiscard]] std::vector<std::string> needed_for(const HoldsAt& holds_at);
   /// Whether anything is open that is not true at all far places.
   [[nodiscard]] bool are_there();
 
@@ -53,7 +60,8 @@ class AssumedSigns {
   const ExactValues& values_;
   const Relations& relations_;
   std::vector<Expression> given_;
-  std::map<NodeId, int> known_;  ///< signs
+  bool given_has_signs_{true};
+  std::map<NodeId, int> known_;  ///< signs; 0 where it is open
   std::vector<Replacement> formulas_;
   std::size_t asked_{};  ///< so many were looked at
   std::set<std::pair<NodeId, int>> seen_;

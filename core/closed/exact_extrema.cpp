@@ -3,6 +3,7 @@
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/inverted_roots.hpp"
 #include "core/closed/trial.hpp"
+#include "core/closed/turning_signs.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
 #include "core/expr/trigonometry.hpp"
@@ -13,15 +14,13 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
   for (const Function function : {Function::cos, Function::sin}) {
     const Expression unknown = is_angle_ ? equation_.graph->call(function, equation_.x) : equation_.x;
     for (const Expression& root : roots_in(unknown, left)) {
-      consider(equation_.found.maximum, function, root, left, relations, maximum);
-      consider(equation_.found.minimum, function, root, left, relations, minimum);
+      for (const End end : {End::maximum, End::minimum}) consider(end, function, root, left, relations);
     }
     if (!is_angle_) break;
   }
   if (is_angle_) return;
   for (const Expression& root : inverted_roots(left, equation_.x, equation_.values)) {
-    consider(equation_.found.maximum, Function::cos, root, left, relations, maximum);
-    consider(equation_.found.minimum, Function::cos, root, left, relations, minimum);
+    for (const End end : {End::maximum, End::minimum}) consider(end, Function::cos, root, left, relations);
   }
 }
 
@@ -29,24 +28,42 @@ void ExactExtrema::consider_start(const Expression& left, const Relations& relat
   const std::optional<Expression> start = equation_.start();
   if (!start) return;
   for (const Expression& place : {*start, -*start}) {
-    for (const auto& [extremum, best] :
-         {std::pair(&equation_.found.maximum, &maximum), std::pair(&equation_.found.minimum, &minimum)}) {
-      auto found = extremum->value ? number(place, *extremum, relations) : std::nullopt;
-      if (found && is_root(place, left, relations) &&
-          (!*best || found->second.value.text.size() < (*best)->value.text.size()))
-        *best = std::move(found->second);
+    for (const End end : {End::maximum, End::minimum}) {
+      if (number_of(end).value) keep(end, number(place, number_of(end), relations), left, relations);
     }
   }
 }
 
-void ExactExtrema::consider(const Finding& extremum, Function function, const Expression& root,
-                            const Expression& left, const Relations& relations,
-                            std::optional<ExactExtremum>& best) const {
+void ExactExtrema::consider(End end, Function function, const Expression& root, const Expression& left,
+                            const Relations& relations) {
+  const Finding& extremum = number_of(end);
   if (!extremum.value) return;
-  auto found = is_angle_ ? angle(function, root, extremum, relations) : number(root, extremum, relations);
-  if (found && is_root(found->first, left, relations) &&
-      (!best || found->second.value.text.size() < best->value.text.size()))
-    best = std::move(found->second);
+  keep(end, is_angle_ ? angle(function, root, extremum, relations) : number(root, extremum, relations), left,
+       relations);
+}
+
+void ExactExtrema::keep(End end, Found found, const Expression& left, const Relations& relations) {
+  if (!found || !is_root(found->first, left, relations)) return;
+  std::optional<ExactExtremum>& best = form_of(end);
+  if (best && found->second.value.text.size() >= best->value.text.size()) return;
+  kept_.insert_or_assign(end, Kept{found->first, relations});
+  best = std::move(found->second);
+}
+
+void ExactExtrema::assume_signs() {
+  assume_signs(End::maximum);
+  assume_signs(End::minimum);
+}
+
+void ExactExtrema::assume_signs(End end) {
+  std::optional<ExactExtremum>& form = form_of(end);
+  if (!form) return;
+  const Kept& kept = kept_.at(end);
+  const auto needed = signs_of_extremum(equation_, kept.x, end == End::maximum ? 1 : -1, kept.relations);
+  for (ClosedForm* each :
+       {&form->value, form->cosine ? &*form->cosine : nullptr, form->sine ? &*form->sine : nullptr}) {
+    if (each != nullptr) each->assumes.insert(each->assumes.end(), needed.begin(), needed.end());
+  }
 }
 
 std::vector<Expression> ExactExtrema::roots_in(const Expression& unknown, const Expression& left) const {

@@ -2,6 +2,7 @@
 // Turning points as roots of a linear or quadratic polynomial of the coordinate, of its cosine or of its
 // sine.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,13 +32,30 @@ class ExactExtrema {
   /// Those at the place where the motion begins, or at its mirror image.
   void consider_start(const Expression& left, const Relations& relations);
 
+  /// What the formulas that were kept assume beside the parameters' signs; after all was considered.
+  void assume_signs();
+
   std::optional<ExactExtremum> maximum, minimum;
 
  private:
   using Found = std::optional<std::pair<Expression, ExactExtremum>>;
+  enum class End { maximum, minimum };
+  struct Kept {
+    Expression x;
+    Relations relations;
+  };
 
-  void consider(const Finding& extremum, Function function, const Expression& root, const Expression& left,
-                const Relations& relations, std::optional<ExactExtremum>& best) const;
+  void consider(End end, Function function, const Expression& root, const Expression& left,
+                const Relations& relations);
+  /// Where it is a root of `left`, and shorter.
+  void keep(End end, Found found, const Expression& left, const Relations& relations);
+  void assume_signs(End end);
+  [[nodiscard]] const Finding& number_of(End end) const {
+    return end == End::maximum ? equation_.found.maximum : equation_.found.minimum;
+  }
+  [[nodiscard]] std::optional<ExactExtremum>& form_of(End end) {
+    return end == End::maximum ? maximum : minimum;
+  }
   /// Values of the unknown, a cosine say, where `left` is a quadratic polynomial of it.
   [[nodiscard]] std::vector<Expression> roots_in(const Expression& unknown, const Expression& left) const;
   [[nodiscard]] std::vector<std::string> started() const;
@@ -52,6 +70,7 @@ class ExactExtrema {
 
   const TurningEquation& equation_;
   bool is_angle_;
+  std::map<End, Kept> kept_;
 };
 
 }  // namespace qdot

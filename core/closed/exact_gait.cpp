@@ -64,6 +64,11 @@ class OneCoordinate {
     return c * c * simplify_quotient(falls, simplify(m - c * c * m_after));
   }
 
+  /// Whether it goes on in the same direction, from a place that the parameters tell.
+  [[nodiscard]] bool has_to_come_over() const {
+    return !depends_on(square_after(), q_) && values_.sign(at(factor_, before_)) > 0;
+  }
+
   [[nodiscard]] Expression multiplier() const {
     const Expression c = at(factor_, before_);
     return simplify(c * c * at(inertia_, after_) / at(inertia_, before_));
@@ -150,6 +155,8 @@ std::optional<ExactGait> gait_along(const Dynamics& dynamics, const Reals& param
   auto square =
       formula(values, one.square_after(), one.q(), rate * rate, (2 * std::abs(rate) + error) * error);
   if (!square) return std::nullopt;
+  if (one.has_to_come_over())
+    square->assumes.push_back(model.scene.coordinates[i].name + "_dot keeps its sign from impact to impact");
   ExactGait result{i, std::move(*square), std::nullopt};
   const Expression multiplier = one.multiplier();
   for (std::size_t k = 0; k < found.multipliers.size() && !result.multiplier; ++k) {

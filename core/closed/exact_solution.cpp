@@ -11,6 +11,7 @@
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/inverted_roots.hpp"
 #include "core/closed/place_search.hpp"
+#include "core/closed/taken_squares.hpp"
 #include "core/closed/trial.hpp"
 
 namespace qdot {
@@ -62,19 +63,21 @@ class SolutionForms {
       result[i].value = best[i].form();
       if (!result[i].value) continue;
       const auto& [u, relations] = best[i].chosen();
-      const std::vector<std::string> needed = signs_needed(u, relations);
-      const auto assume = [&](ClosedForm& form) {
-        form.assumes.insert(form.assumes.end(), needed.begin(), needed.end());
-      };
-      assume(*result[i].value);
       const auto& rate2 = found_.values[i].stability.rate2;
-      if (rate2 && rate2->is_finite()) result[i].rate2 = square_of_rate(*rate2, u, relations);
-      if (result[i].rate2) assume(*result[i].rate2);
+      const auto square = rate2 && rate2->is_finite() ? square_of_rate(*rate2, u, relations) : std::nullopt;
+      assume(*result[i].value, signs_needed(u, relations));
+      if (!square) continue;
+      result[i].rate2 = closed_form(values_, *square, relations, places_);
+      if (result[i].rate2) assume(*result[i].rate2, signs_needed(u, relations, *square));
     }
     return result;
   }
 
  private:
+  static void assume(ClosedForm& form, const std::vector<std::string>& needed) {
+    form.assumes.insert(form.assumes.end(), needed.begin(), needed.end());
+  }
+
   void take(const Expression& symbol, const Real& value) {
     if (symbol == u_) return;
     places_.push_back(symbol);
@@ -129,13 +132,14 @@ class SolutionForms {
     return result;
   }
 
-  /// The square of the rate, K/M, with u replaced by its value in the other parameters.
-  [[nodiscard]] std::optional<ClosedForm> square_of_rate(const Interval& number, const Expression& u,
+  /// The square of the rate, K/M, with u replaced by its value in the other parameters, and squares taken out
+  /// of roots by the signs at this position.
+  [[nodiscard]] std::optional<Expression> square_of_rate(const Interval& number, const Expression& u,
                                                          const Relations& relations) const {
     const auto there = [&](const Expression& e) {
       std::vector<Replacement> all = relations.replacements;
       all.emplace_back(u_, u);
-      return substitute(e, all);
+      return with_squares_taken_out(substitute(e, all), values_.sign_of());
     };
     const Expression k = graph_->adopt(polynomial_.stiffness), m = graph_->adopt(polynomial_.inertia);
     const std::vector<Expression> forms = roots_of(there(-k), there(m), graph_->number(0), values_.sign_of());
@@ -143,19 +147,23 @@ class SolutionForms {
       return std::nullopt;
     Trial trial = trial_at(u, relations);
     trial.vanishes({k, -(m * forms[0])});
-    return trial.passes() ? closed_form(values_, forms[0], relations, places_) : std::nullopt;
+    return trial.passes() ? std::optional(forms[0]) : std::nullopt;
   }
 
-  /// For the forces to vanish where the position is any with these signs.
-  [[nodiscard]] std::vector<std::string> signs_needed(const Expression& u, const Relations& relations) const {
+  /// For the forces to vanish at any position, and for the square of the rate there to be this.
+  [[nodiscard]] std::vector<std::string> signs_needed(const Expression& u, const Relations& relations,
+                                                      const std::optional<Expression>& square = {}) const {
     AssumedSigns signs(values_, relations, places_);
     signs.leave_out(u_);
+    signs.let_signs_go();
     if (!signs.are_there()) return {};
     Trial trial(values_, relations);
     trial.only_where_real();
     trial.set_given(places_);
     trial.set({u_}, {u});
     for (const Expression& force : polynomial_.whole) trial.vanishes(terms_of(graph_->adopt(force)));
+    if (square)
+      trial.vanishes({graph_->adopt(polynomial_.stiffness), -(graph_->adopt(polynomial_.inertia) * *square)});
     return signs.needed_for(trial);
   }
 

@@ -9,6 +9,7 @@
 #include "core/closed/elastic_period.hpp"
 #include "core/closed/period_form.hpp"
 #include "core/closed/turning_equation.hpp"
+#include "core/closed/turning_signs.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
@@ -36,21 +37,14 @@ class TurningForms {
     const bool returns =
         equation_.found.motion == MotionKind::libration || equation_.found.motion == MotionKind::rotation;
     if (!equation_.found.period.value || !returns) return std::nullopt;
-    const auto form_of = [&](const QuadratureProblem& problem, const std::vector<std::string>& started) {
-      if (equation_.found.walls) return elastic_form(problem, started);
-      return period_form(problem, equation_.values, *equation_.found.motion, equation_.found.period,
-                         [&](const Expression& e, const Relations& relations) {
-                           return equation_.formula(e, relations, started);
-                         });
-    };
     std::optional<ClosedForm> best;
     if (equation_.by_constants)
-      best = form_of({equation_.x, equation_.inertia, equation_.potential, equation_.energy_symbol}, {});
+      best = period_of({equation_.x, equation_.inertia, equation_.potential, equation_.energy_symbol}, {});
     if (!equation_.energy) return best;
     std::optional<ClosedForm> other =
-        form_of({equation_.x, substitute(equation_.inertia, equation_.momenta),
-                 substitute(equation_.potential, equation_.momenta), *equation_.energy},
-                equation_.assumed);
+        period_of({equation_.x, substitute(equation_.inertia, equation_.momenta),
+                   substitute(equation_.potential, equation_.momenta), *equation_.energy},
+                  equation_.assumed);
     return !best || (other && other->text.size() < best->text.size()) ? other : best;
   }
 
@@ -68,23 +62,45 @@ class TurningForms {
     if (!equation_.found.walls) return;
     const auto put = [&](const std::optional<ElasticWall>& wall, std::optional<ExactExtremum>& extremum) {
       const auto place = place_of(wall);
-      const auto form = place ? closed_form(equation_.values, *place, {}) : std::nullopt;
-      if (form) extremum = ExactExtremum{*form, std::nullopt, std::nullopt};
+      auto form = place ? closed_form(equation_.values, *place, {}) : std::nullopt;
+      if (!form) return;
+      const std::vector<std::string> needed = signs_of_wall(equation_, *place);
+      form->assumes.insert(form->assumes.end(), needed.begin(), needed.end());
+      extremum = ExactExtremum{*std::move(form), std::nullopt, std::nullopt};
     };
     put(equation_.found.walls->below, result.minimum);
     put(equation_.found.walls->above, result.maximum);
   }
 
-  [[nodiscard]] std::optional<ClosedForm> elastic_form(const QuadratureProblem& problem,
-                                                       const std::vector<std::string>& started) const {
-    const auto below = place_of(equation_.found.walls->below), above = place_of(equation_.found.walls->above);
+  [[nodiscard]] std::optional<ClosedForm> period_of(const QuadratureProblem& problem,
+                                                    const std::vector<std::string>& started) const {
+    const auto written = [&](const Expression& e, const Relations& relations) {
+      return equation_.formula(e, relations, started);
+    };
+    WallPlaces walls;
+    if (equation_.found.walls)
+      walls = {place_of(equation_.found.walls->below), place_of(equation_.found.walls->above)};
+    auto period = equation_.found.walls ? elastic_form(problem, walls, written)
+                                        : period_form(problem, equation_.values, *equation_.found.motion,
+                                                      equation_.found.period, written);
+    if (!period) return std::nullopt;
+    const std::vector<std::string> needed = signs_of_period(equation_, problem, *period, walls);
+    period->form.assumes.insert(period->form.assumes.end(), needed.begin(), needed.end());
+    return std::move(period->form);
+  }
+
+  [[nodiscard]] std::optional<PeriodFormula> elastic_form(const QuadratureProblem& problem,
+                                                          const WallPlaces& walls,
+                                                          const WrittenForm& written) const {
     const Finding& period = equation_.found.period;
-    if (!below && !above) return std::nullopt;
-    for (const Expression& e : elastic_periods(problem, below, above, equation_.values)) {
+    if (!walls.below && !walls.above) return std::nullopt;
+    for (const Expression& e : elastic_periods(problem, walls.below, walls.above, equation_.values)) {
       const Expression joined = simplify(e);
-      const Expression& form = written_length(joined) < written_length(e) ? joined : e;
-      if (agrees(equation_.values.value(form), *period.value, period.error))
-        return equation_.formula(form, {}, started);
+      const Expression& factor = written_length(joined) < written_length(e) ? joined : e;
+      if (!agrees(equation_.values.value(factor), *period.value, period.error)) continue;
+      auto form = written(factor, {});
+      if (!form) return std::nullopt;
+      return PeriodFormula{.form = *std::move(form), .factor = short_form(equation_.values, factor)};
     }
     return std::nullopt;
   }
@@ -118,6 +134,7 @@ class TurningForms {
       extrema.consider(left, relations);
       extrema.consider_start(left, relations);
     }
+    extrema.assume_signs();
     result.maximum = std::move(extrema.maximum);
     result.minimum = std::move(extrema.minimum);
     const bool is_angle =
@@ -156,6 +173,7 @@ class TurningForms {
       if (left.is_zero() || !depends_on(left, equation_.x)) return {};
       extrema.consider(left, relations);
     }
+    extrema.assume_signs();
     return {.maximum = std::move(extrema.maximum), .minimum = std::move(extrema.minimum)};
   }
 

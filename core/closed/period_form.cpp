@@ -48,8 +48,8 @@ double complete_elliptic_integral(double one_less_m) {
   return pi / (a + b);
 }
 
-std::optional<ClosedForm> with_elliptic_integral(const EllipticPeriod& period, const ExactValues& values,
-                                                 const Finding& found, const WrittenForm& written) {
+std::optional<PeriodFormula> with_elliptic_integral(const EllipticPeriod& period, const ExactValues& values,
+                                                    const Finding& found, const WrittenForm& written) {
   const auto& [factor, m] = period;
   const Real one_less_m = values.value(m.graph().number(1) - m);
   if (!(one_less_m.value > 0)) return std::nullopt;
@@ -63,20 +63,20 @@ std::optional<ClosedForm> with_elliptic_integral(const EllipticPeriod& period, c
   form->latex =
       print(factor, Form::latex, notation) + " K\\left(" + print(m, Form::latex, notation) + "\\right)";
   form->assumes.emplace_back(elliptic_integral);
-  return form;
+  return PeriodFormula{.form = *std::move(form), .factor = factor, .m = m};
 }
 
-std::optional<ClosedForm> with_elliptic_integral(const QuadratureProblem& problem, const ExactValues& values,
-                                                 MotionKind motion, const Finding& found,
-                                                 const WrittenForm& written) {
+std::optional<PeriodFormula> with_elliptic_integral(const QuadratureProblem& problem,
+                                                    const ExactValues& values, MotionKind motion,
+                                                    const Finding& found, const WrittenForm& written) {
   for (const EllipticPeriod& period : elliptic_periods(problem, values, motion)) {
     if (auto form = with_elliptic_integral(period, values, found, written)) return form;
   }
   return std::nullopt;
 }
 
-std::optional<ClosedForm> with_gamma_functions(const QuadratureProblem& problem, const ExactValues& values,
-                                               const Finding& found, const WrittenForm& written) {
+std::optional<PeriodFormula> with_gamma_functions(const QuadratureProblem& problem, const ExactValues& values,
+                                                  const Finding& found, const WrittenForm& written) {
   const auto period = gamma_period(problem, values);
   if (!period) return std::nullopt;
   const double value = values.value(period->factor).value * gamma_quotient(period->n);
@@ -92,13 +92,13 @@ std::optional<ClosedForm> with_gamma_functions(const QuadratureProblem& problem,
   form->text += "*gamma(" + one + ")/gamma(" + other + ")";
   form->latex += " \\frac{\\Gamma\\left(" + one + "\\right)}{\\Gamma\\left(" + other + "\\right)}";
   form->assumes.emplace_back(gamma_function);
-  return form;
+  return PeriodFormula{.form = *std::move(form), .factor = period->factor, .n = period->n};
 }
 
 /// Where no elementary form does.
-std::optional<ClosedForm> with_special_functions(const QuadratureProblem& problem, const ExactValues& values,
-                                                 MotionKind motion, const Finding& found,
-                                                 const WrittenForm& written) {
+std::optional<PeriodFormula> with_special_functions(const QuadratureProblem& problem,
+                                                    const ExactValues& values, MotionKind motion,
+                                                    const Finding& found, const WrittenForm& written) {
   auto form = with_elliptic_integral(problem, values, motion, found, written);
   return form || motion == MotionKind::rotation ? form
                                                 : with_gamma_functions(problem, values, found, written);
@@ -106,18 +106,29 @@ std::optional<ClosedForm> with_special_functions(const QuadratureProblem& proble
 
 }  // namespace
 
-std::optional<ClosedForm> period_form(const QuadratureProblem& problem, const ExactValues& values,
-                                      MotionKind motion, const Finding& found, const WrittenForm& written) {
+double PeriodFormula::value_at(const std::vector<RealAssignment>& values) const {
+  const double size = evaluate_exactly(factor, values).value;
+  if (n > 0) return size * gamma_quotient(n);
+  if (!m) return size;
+  const double one_less_m = 1 - evaluate_exactly(*m, values).value;
+  return one_less_m > 0 ? size * complete_elliptic_integral(one_less_m)
+                        : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<PeriodFormula> period_form(const QuadratureProblem& problem, const ExactValues& values,
+                                         MotionKind motion, const Finding& found,
+                                         const WrittenForm& written) {
   if (motion == MotionKind::rotation) return with_special_functions(problem, values, motion, found, written);
-  std::optional<ClosedForm> best;
+  std::optional<PeriodFormula> best;
   for (const Expression& period : elementary_periods(problem, values)) {
     if (!agrees(values.value(period), *found.value, found.error)) continue;
     for (const Relations& relations : {values.relations(), Relations{}}) {
       const Expression plain = with_squares_out(substitute(period, relations.replacements));
-      const Expression short_form = with_squares_out(simplify(plain));
-      const bool is_shorter = written_length(short_form) < written_length(plain);
-      auto form = written(is_shorter ? short_form : plain, relations);
-      if (form && (!best || form->text.size() < best->text.size())) best = std::move(form);
+      const Expression simple = with_squares_out(simplify(plain));
+      const Expression& e = written_length(simple) < written_length(plain) ? simple : plain;
+      auto form = written(e, relations);
+      if (form && (!best || form->text.size() < best->form.text.size()))
+        best = {.form = *std::move(form), .factor = short_form(values, e), .relations = relations};
     }
   }
   return best ? best : with_special_functions(problem, values, motion, found, written);

@@ -122,6 +122,7 @@ std::optional<Expression> root_integral(Graph& graph, const Univariate& above, c
   const auto form = quadratic_form(above, below);
   if (!form) return std::nullopt;
   const auto& [p, shift, b, c, scale] = *form;
+  (void)(sign(c.above) * sign(c.below));  // asked: whether 0 lies between the zeros
   const RationalFunction mean = b * rational(Number::ratio(-1, 2));  // of the two zeros
   RationalFunction plain{{}}, by_root{{}};                           // integral / pi, and times sqrt(c)
   const RationalFunction factor = rational(Number(passes));

@@ -62,6 +62,7 @@ class Isolator {
       }
       examine(pop());
     }
+    for (const Box& cluster : clusters(unresolved_)) prove_around(cluster);
     result.zeros = std::move(zeros_);
     for (Box& cluster : clusters(unresolved_)) {
       if (units_.width(cluster) > widest_cluster) {
@@ -180,6 +181,17 @@ class Isolator {
     if (!is_inside(contracted, wide)) return false;
     settle(wide, std::move(contracted));
     return is_settled(box);
+  }
+
+  /// One on the edge of the region, up to which boxes were contracted, may be simple: in a box around it that
+  /// reaches beyond.
+  void prove_around(const Box& cluster) {
+    constexpr double reach = 1e-6;
+    const std::optional<Box> start = newton(system_, middle(cluster));
+    if (!start) return;
+    const Box around = units_.around(*start, reach);
+    Box contracted = krawczyk(system_, around);
+    if (contains(around, cluster) && is_inside(contracted, around)) settle(around, std::move(contracted));
   }
 
   /// Whether round-off hides all signs in the box: at its middle and its ends every equation may vanish.

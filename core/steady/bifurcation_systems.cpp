@@ -58,6 +58,7 @@ class SystemsDerivation {
     if (result_.depends || (growth_.condition && depends_on(*growth_.condition, p_))) {
       combine({}, 0, factors_.size());
       for (std::size_t i = 0; i < factors_.size(); ++i) add_meetings(i);
+      if (x_.size() == 1) add_poles(denominators);
     }
     std::vector<Expression> slopes;
     for (const Expression& e : vanishing_) slopes.push_back(differentiate(e, p_));
@@ -225,6 +226,15 @@ class SystemsDerivation {
     }
   }
 
+  void add_poles(const std::vector<Expression>& denominators) {
+    for (const Expression& d : denominators) {
+      for (const Expression& f : factors_[0]) {
+        const bool is_same = !depends_on(simplify(f / d), variables_);
+        if (depends_on(d, x_) && !is_same) add(BifurcationSystem::Kind::pole, {f, d});
+      }
+    }
+  }
+
   /// Adds the systems in which one factor of each force vanishes beside those that are chosen already. The
   /// force number `taken` has given two of them; where none has, the system is a fold.
   void combine(std::vector<Expression> chosen, std::size_t next, std::size_t taken) {
@@ -244,7 +254,7 @@ class SystemsDerivation {
   void add(BifurcationSystem::Kind kind, const std::vector<Expression>& f) {
     // Without p in it, the system has a zero for every p or for none.
     if (std::none_of(f.begin(), f.end(), [&](const Expression& e) { return depends_on(e, p_); })) return;
-    if (result_.systems.size() + result_.growth.size() == most_systems) {
+    if (result_.systems.size() + result_.growth.size() + result_.poles.size() == most_systems) {
       throw Error(ErrorCode::not_applicable,
                   "The forces have too many factors to follow all their equilibria.");
     }
@@ -255,7 +265,8 @@ class SystemsDerivation {
     }
     const bool is_growth =
         kind == BifurcationSystem::Kind::growth || kind == BifurcationSystem::Kind::degenerate_growth;
-    auto& systems = is_growth ? result_.growth : result_.systems;
+    const bool is_pole = kind == BifurcationSystem::Kind::pole;
+    auto& systems = is_growth ? result_.growth : is_pole ? result_.poles : result_.systems;
     systems.push_back({kind, compiled(values), compiled(jacobian)});
   }
 

@@ -22,7 +22,8 @@ namespace qdot {
 struct BifurcationSystem {
   /// degenerate_fold: the determinant has a repeated factor that vanishes there; degenerate_growth: so has
   /// the condition of growth.
-  enum class Kind { fold, degenerate_fold, meeting, growth, degenerate_growth };
+  /// pole: a curve of equilibria runs into a place where the forces have no value.
+  enum class Kind { fold, degenerate_fold, meeting, growth, degenerate_growth, pole };
   Kind kind{};
   CompiledFunction values, jacobian;
 };
@@ -34,6 +35,8 @@ struct BifurcationSystems {
   std::vector<BifurcationSystem> systems;
   /// Of equilibria about which oscillations begin to grow: `systems` knows nothing of them.
   std::vector<BifurcationSystem> growth;
+  /// Of curves that run into poles, of one unknown: f = 0 and what a force is divided by.
+  std::vector<BifurcationSystem> poles;
   bool growth_is_collision{};  ///< of two frequencies
   /// Too many coordinates, or algebra that grows too large: oscillations may grow, and `growth` is empty.
   bool growth_is_unknown{};

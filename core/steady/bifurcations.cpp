@@ -132,8 +132,24 @@ class CriticalSearch {
       take_crossings(zeros, resting_crossings(dynamics_.model().scene, problem_, *systems_, index_,
                                               {from_, to_}, result_.degenerate));
     add(zeros);
+    search_poles();
     watch_ends();
     search_growth();
+  }
+
+  void search_poles() {
+    if (systems_->poles.empty()) return;
+    const CriticalZeros found = critical_zeros(dynamics_.model(), problem_, *systems_, systems_->poles,
+                                               {from_, to_}, [](std::span<const Interval>) { return false; });
+    constexpr std::size_t told = 3;
+    std::vector<CriticalZero> nearest = found.zeros;
+    std::ranges::sort(nearest, {}, [](const CriticalZero& zero) { return std::abs(zero.x[0].middle()); });
+    for (std::size_t k = 0; k < nearest.size(); ++k) {
+      if (k < told) tell_pole(nearest[k]);
+      if (k >= told) know_pole(nearest[k]);
+    }
+    if (nearest.size() > told) say("Farther from 0 there are more such places.");
+    if (!found.complete || found.undecided) incomplete(more_poles);
   }
 
   void search_growth() {
@@ -160,6 +176,7 @@ class CriticalSearch {
     for (const EndCrossing& crossing : end_crossings(dynamics_.model(), problem_, *systems_, {from_, to_})) {
       const auto is_there = [&](double p) { return crossing.p.is_finite() && crossing.p.contains(p); };
       if (std::ranges::any_of(result_.degenerate, is_there)) continue;
+      if (has_no_values_at(crossing)) continue;
       const std::string& x = dynamics_.model().scene.coordinates[kept()[unknowns()[crossing.unknown]]].name;
       const std::string told = sentence(crossing, x, parameter, {from_, to_});
       if (!crossing.p.is_finite()) {
@@ -172,8 +189,17 @@ class CriticalSearch {
     }
   }
 
+  /// Of one unknown: what the scene is written with ends before.
+  [[nodiscard]] bool has_no_values_at(const EndCrossing& crossing) {
+    if (!crossing.p.is_finite() || unknowns().size() != 1) return false;
+    const CriticalZero there{BifurcationSystem::Kind::pole, {Interval(crossing.end)}, crossing.p, false};
+    const CriticalValue end = value_at({there, BifurcationKind::unresolved, "", {}});
+    return lacks_values(dynamics_.model(), parameters_at(end.value), end.y, end.errors);
+  }
+
   void trace() {
-    result_.branches = branches([&](double& p) { return column(p); }, from_, to_, result_.critical, turns());
+    result_.branches =
+        branches([&](double& p) { return column(p); }, from_, to_, result_.critical, turns(), poles_);
   }
 
   void add_missed() {
@@ -259,7 +285,13 @@ class CriticalSearch {
       where += " and " + scene.coordinates[kept()[unknowns()[k]]].name + " = " + told(zero.x[k]);
     say(where +
         " the forces have no value, to within rounding: curves of equilibria may run into that place.");
+    know_pole(zero);
+  }
+
+  void know_pole(const CriticalZero& zero) {
     known_elsewhere_.push_back(zero.p.middle());
+    if (zero.x.size() == 1)
+      poles_.push_back({zero.p.middle(), kept()[unknowns()[0]], representative(zero.x[0])});
   }
 
   [[nodiscard]] std::vector<double> parameters_at(double p) const {
@@ -298,6 +330,7 @@ class CriticalSearch {
   std::shared_ptr<const BifurcationSystems> systems_;
   bool gave_up_{};
   std::vector<double> known_elsewhere_;  ///< values at which something happens that is not critical
+  std::vector<CurvePole> poles_;
   Bifurcations result_;
 };
 

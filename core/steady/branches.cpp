@@ -29,8 +29,8 @@ bool change_between(Stability a, Stability b) {
 class Tracer {
  public:
   Tracer(const EquilibriaAt& equilibria_at, std::span<const CriticalValue> critical,
-         const std::vector<bool>& turns)
-      : equilibria_at_(equilibria_at), critical_(critical), turns_(turns) {}
+         const std::vector<bool>& turns, std::span<const CurvePole> poles)
+      : equilibria_at_(equilibria_at), critical_(critical), turns_(turns), poles_(poles) {}
 
   std::vector<EquilibriumBranch> run(double from, double to) {
     std::vector<double> ends{from};
@@ -94,6 +94,14 @@ class Tracer {
     return x;
   }
 
+  [[nodiscard]] bool passes_pole(const EquilibriumBranch& branch, const SampledState& point, double p) const {
+    return std::ranges::any_of(poles_, [&](const CurvePole& pole) {
+      const bool is_between = branch.parameter.back() <= pole.parameter && pole.parameter <= p;
+      const std::size_t k = pole.coordinate;
+      return is_between && (branch.x.back()[k] - pole.x) * (point.x[k] - pole.x) <= 0;
+    });
+  }
+
   struct Pair {
     double distance;
     std::size_t open, point;
@@ -106,7 +114,7 @@ class Tracer {
       const std::vector<double> ahead = extrapolated(result_[open_[b]], p);
       for (std::size_t i = 0; i < points.size(); ++i) {
         const double d = distance(result_[open_[b]], ahead, points[i]);
-        if (std::isfinite(d)) all.push_back({d, b, i});
+        if (std::isfinite(d) && !passes_pole(result_[open_[b]], points[i], p)) all.push_back({d, b, i});
       }
     }
     std::ranges::stable_sort(all, {}, &Pair::distance);
@@ -182,6 +190,7 @@ class Tracer {
   const EquilibriaAt& equilibria_at_;
   std::span<const CriticalValue> critical_;
   const std::vector<bool>& turns_;
+  std::span<const CurvePole> poles_;
   std::vector<EquilibriumBranch> result_;
   std::vector<std::size_t> open_;  ///< branches that reach the last column
   double last_{-std::numeric_limits<double>::infinity()};
@@ -191,8 +200,8 @@ class Tracer {
 
 std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, double from, double to,
                                         std::span<const CriticalValue> critical,
-                                        const std::vector<bool>& turns) {
-  return Tracer(equilibria_at, critical, turns).run(from, to);
+                                        const std::vector<bool>& turns, std::span<const CurvePole> poles) {
+  return Tracer(equilibria_at, critical, turns, poles).run(from, to);
 }
 
 bool changes_between(std::span<const EquilibriumBranch> branches, std::span<const CriticalValue> critical,

@@ -21,12 +21,20 @@ struct EquilibriumBranch {
 /// It may move the parameter a little, off a place where they cannot be told apart.
 using EquilibriaAt = std::function<std::vector<SteadyState>(double& parameter)>;
 
+/// Where a curve has no value: none goes on from one side of it to the other.
+struct CurvePole {
+  double parameter{};
+  std::size_t coordinate{};
+  double x{};
+};
+
 /// Between two neighbours of from, the critical values and to, no equilibrium appears or vanishes, so each is
 /// the continuation of its nearest; a curve begins or ends only at a critical point, which it includes.
 /// `turns`: which of the scene's coordinates are angles modulo a turn.
 [[nodiscard]] std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, double from,
                                                       double to, std::span<const CriticalValue> critical,
-                                                      const std::vector<bool>& turns);
+                                                      const std::vector<bool>& turns,
+                                                      std::span<const CurvePole> poles = {});
 
 /// Whether a branch's stability changes where no critical value is, and none at which a force vanishes
 /// everywhere, as where gyroscopic or damping forces hold what the potential does not.

@@ -22,6 +22,9 @@ inline constexpr const char* growth_along_curve =
 inline constexpr const char* more_growth =
     "Oscillations about an equilibrium may begin to grow at more values than are listed: the search for them "
     "was given up, or rounding hides whether they do.";
+inline constexpr const char* more_poles =
+    "Curves of equilibria may run into places where the forces have no value at more values than are listed: the "
+    "search for them was given up, or rounding hides whether they do.";
 inline constexpr const char* growth_not_found =
     "The stability of an equilibrium changes where no equilibrium meets another: oscillations about it begin "
     "to grow, and the value at which they do was not found. The branches show between which it is.";

@@ -65,6 +65,8 @@ class SearchForSymmetries {
         allowed_(allowed_rates(result_.lagrangian)),
         variation_(result_.lagrangian, allowed_ ? allowed_->rates : std::vector<Replacement>{}) {
     if (allowed_) result_.on_constraints = allowed_->rates;
+    constants_ = result_.lagrangian.symbols.parameters;
+    constants_.push_back(result_.lagrangian.graph->symbol("pi"));  // the pitch of a screw is h/(2 pi)
     const auto is_known = [&](const std::string& name) {
       return std::ranges::any_of(known, [&](const ConservedQuantity& q) { return q.name == name; });
     };
@@ -77,8 +79,7 @@ class SearchForSymmetries {
 
   /// Of the Lagrangian that was given.
   SymmetrySearch result() {
-    const std::vector<Expression>& parameters = result_.lagrangian.symbols.parameters;
-    PlaceEvaluator place(*result_.lagrangian.graph, variations_, parameters);
+    PlaceEvaluator place(*result_.lagrangian.graph, variations_, constants_);
     const auto first = dependences(place, variations_.size(), 1);
     if (first.empty()) return with_jumps();
     const auto second = dependences(place, variations_.size(), 2);
@@ -110,7 +111,7 @@ class SearchForSymmetries {
   void try_to_claim(const SampledDependence& dependence) {
     const Lagrangian& lagrangian = result_.lagrangian;
     for (const AngleForm angles : {AngleForm::as_written, AngleForm::single}) {
-      auto coefficients = exact_coefficients(variations_, dependence, lagrangian.symbols.parameters, angles);
+      auto coefficients = exact_coefficients(variations_, dependence, constants_, angles);
       if (!coefficients) continue;
       PointChange change = combination(*lagrangian.graph, *coefficients, result_.changes);
       if (zeroness(variation_(change), most_work_of_proof) != Zeroness::zero) continue;
@@ -124,6 +125,7 @@ class SearchForSymmetries {
   SmoothedJumps jumps_;
   std::optional<AllowedRates> allowed_;
   Variation variation_;
+  std::vector<Expression> constants_;  ///< in which coefficients are
   std::vector<Expression> variations_;
 };
 

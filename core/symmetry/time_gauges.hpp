@@ -10,10 +10,9 @@
 
 namespace qdot {
 
-/// Gauges F(t) for the functions g(t) that stand alone, but for numbers and parameters, in some dL/dq_i: the
-/// integral of g and that of t g, which a boost needs, where they are elementary: of sines, cosines,
-/// exponentials and powers of what is linear in t. Those of degree two at most in t are elementary changes
-/// already.
+/// Gauges F(t) for the functions g(t) that stand alone, but for numbers and parameters, in some dL/dq_i or in
+/// a force beside L: the integral of g and that of t g, which a boost needs, where they are elementary
+/// (antiderivative.hpp). Those of degree two at most in t are elementary changes already.
 [[nodiscard]] std::vector<ElementaryChange> gauges_of_time(const Lagrangian& lagrangian);
 
 }  // namespace qdot

@@ -36,6 +36,14 @@ class Equilibria(Answers):
         self.assertNotIn("notes", self.ask("bifurcations", whirl))
         self.assertNotIn("left out", str(self.ask("equilibria", {"system": bowl, "initial": {"p_dot": 4}})["notes"]))
 
+    def test_rates_of_a_scene_that_the_request_brings_are_noted_too(self):
+        bowl = lagrangian("bowl", "m - 1; l - 1; g - 9.81", "th - 0.3 1; p - 0 4", "m*l^2*(th_dot^2 + sin(th)^2*p_dot^2)/2 + m*g*l*cos(th)")
+        for endpoint, more in (("equilibria", {}), ("bifurcations", {"parameter": "g", "from": 5, "to": 10}), ("modes", {})):
+            left_out = [note for note in self.ask(endpoint, {"system": bowl, **more})["notes"] if "its rate is left out" in note]
+            self.assertEqual(len(left_out), 1, (endpoint, left_out))
+            self.assertIn("The start has th_dot = 1,", left_out[0])
+        self.assertNotIn("left out", str(self.ask("modes", {"system": "orbiting_pendulum"}).get("notes")))
+
     def test_a_rate_is_not_left_out_for_what_depends_on_nothing(self):
         free = lagrangian("free", "m - 1", "x - 0.1", "m*x_dot^2/2")
         held = lagrangian("held", "m - 1; k - 2; c - 0.3", "x - 0.1; y - 0", "m*(x_dot^2 + y_dot^2)/2 - k*x^2/2", dissipation="c*y_dot^2/2")

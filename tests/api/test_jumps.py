@@ -64,6 +64,20 @@ class Jumps(Service):
                 self.assertIn(f"jumps with sign({u}) where {u} = 0", strict_json(answer.data)["detail"], l)
             self.assertEqual(sorted(self.names(l, TWO)), sorted(names), l)
 
+    def test_energies_are_told_beside_a_step_and_refused_on_it(self):
+        """By hand, with V = 2*A*|x| or A*sign(y - 0.5), m = 1 and A = 2."""
+        stepped = "m*(x_dot^2 + y_dot^2)/2 - A*abs(x)*sign(y - 0.5)"
+        for l, y, value, h, x_ddot in (("m*(x_dot^2 + y_dot^2)/2 - A*sign(y - 0.5)", 0, 2.505, -1.495, 0), (stepped, 0.6, 0.105, 0.905, -2),
+                                       (stepped, 0.4, 0.905, 0.105, 2)):
+            answer = self.ask("energy", {**self.scene(l, TWO), "initial": {"y": y}})
+            for name, true in (("L", value), ("h", h)):
+                self.assertLessEqual(abs(answer[name] - true), answer["error"][name] + 1e-16, l)
+            self.assertEqual(answer["accelerations"], {"x_ddot": x_ddot, "y_ddot": 0})
+        for initial in ({"y": 0.5}, {"x": 0, "y": 0.6}):
+            answer = self.post("energy", {**self.scene(stepped, TWO), "initial": initial})
+            self.assertEqual(answer.status, 422)
+            self.assertIn("sign(y - 1/2)", strict_json(answer.data)["detail"])
+
     def test_a_force_that_jumps_in_time_moves_as_it_does(self):
         answer = self.ask("simulate", {**self.scene("m*x_dot^2/2 + A*x*sign(1 - t)", ONE), "times": [0, 1, 3]})
         x = [row[answer["columns"].index("x")] for row in answer["rows"]] if "rows" in answer else answer["trajectory"]["x"]

@@ -47,7 +47,7 @@ def sets(parameters, unknown, form, more=()):
     names = [words.split()[0] for words in parameters.split(";") if words.split()[0] != unknown] + list(more)
     draw = random.Random(parameters)
     for _ in range(40*SETS):
-        numbers = {name: mpmath.mpf(10)**draw.uniform(-1, 1) for name in names}
+        numbers = {name: mpmath.mpf(10)**draw.uniform(-1, 1)*(draw.choice([-1, 1]) if name in more else 1) for name in names}
         if all(value(assumed, numbers) for assumed in form["assumes"]):
             yield numbers
 
@@ -78,6 +78,17 @@ class SignsOfSolutions(Service):
                 solution = value(form["text"], numbers)
                 if isinstance(solution, mpmath.mpf):  # else there is none, and the formula says so itself
                     self.assertLess(abs(slope(potential, 1, numbers | {name: solution})), 1e-12, (potential, form, numbers))
+
+    def test_the_square_of_the_rate_there_has_no_square_under_a_root(self):
+        for potential, parameters, place, name, _ in SOLVED:
+            system = lagrangian("solved", parameters, f"x - {place}", f"m*x_dot^2/2 - ({potential})")
+            form, rate2 = (self.ask("equilibria", {"system": system, "solve_for": name, "at": {"x": place}})["all"][0][key] for key in ("exact", "exact_rate2"))
+            self.assertNotIn("sqrt", rate2["text"])
+            for _, numbers in zip(range(SETS), sets(parameters, name, rate2, ["x"])):
+                solution = value(form["text"], numbers)
+                if isinstance(solution, mpmath.mpf):
+                    square = slope(potential, 2, numbers | {name: solution})/numbers["m"]
+                    self.assertLess(abs(value(rate2["text"], numbers) - square), 1e-12*(1 + abs(square)), (potential, rate2, numbers))
 
 
 if __name__ == "__main__":

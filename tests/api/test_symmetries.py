@@ -72,26 +72,37 @@ class Named(unittest.TestCase):
         self.assertEqual(told["momentum_x_y"], 1)
 
     def test_a_uniform_force_of_the_time_leaves_a_momentum(self):
-        """d/dt of the quantity along x'' = g(t)/m, by differences of 40 digits."""
-        for force, g in (("sin(w*t)", lambda t: mpmath.sin(1.3*t)), ("cos(w*t + 1)", lambda t: mpmath.cos(1.3*t + 1)),
-                         ("exp(-w*t)", lambda t: mpmath.exp(-1.3*t)), ("t^2", lambda t: t**2), ("t", lambda t: t),
-                         ("1/(1 + t)", lambda t: 1/(1 + t)), ("sqrt(2 + w*t)", lambda t: mpmath.sqrt(2 + 1.3*t))):
-            with self.subTest(force):
-                found = conserved(bare(f"m*x_dot^2/2 + k*x*{force}", "x", m=2, k=3, w="1.3"))
-                self.assertIn("momentum_x", found)
-                x = mpmath.odefun(lambda t, y: [y[1], 3*g(t)/2], 0, [mpmath.mpf("0.4"), mpmath.mpf("0.2")])
-                for name in ("momentum_x", "boost_x"):
-                    if name not in found:
-                        continue
-                    along = [value(found[name]["value"], {"t": t, "x": x(t)[0], "x_dot": x(t)[1], "m": 2, "k": 3, "w": mpmath.mpf(1.3),
-                                                          **{f: getattr(mpmath, f) for f in ("sin", "cos", "exp", "log", "sqrt")}})
+        """d/dt of the quantity along x'' = g(t)/m, by differences of 40 digits; in L and beside it, as a course writes a push."""
+        functions = {f: getattr(mpmath, f) for f in ("sin", "cos", "exp", "log", "sqrt", "cosh", "sinh", "atan")}
+        for force, names in (("sin(w*t)", 2), ("cos(w*t + 1)", 2), ("exp(-w*t)", 2), ("t^2", 2), ("t", 2), ("1/(1 + t)", 2), ("sqrt(2 + w*t)", 1),
+                             ("t*exp(-w*t)", 2), ("t^3*exp(-t/w)", 2), ("t*sin(w*t)", 2), ("sin(w*t)^2", 2), ("sin(w*t)^3", 2), ("sin(w*t)*cos(2*t)", 2),
+                             ("exp(-t)*sin(w*t)", 2), ("t*exp(-w*t)*cos(2*t)^2", 2), ("(1 + cos(w*t))^2", 2), ("log(1 + t)", 2), ("cosh(w*t)", 2),
+                             ("1/(1 + t^2)", 2), ("1/(1 + (t/w)^2)", 2), ("1 - exp(-t/w)", 2), ("atan(w*t)", 1)):
+            push = [{"value": f"k*({force})", "along": "x"}]
+            for found in (conserved(bare(f"m*x_dot^2/2 + k*x*({force})", "x", m=2, k=3, w="1.3")),
+                          conserved(bare("m*x_dot^2/2", "x", m=2, k=3, w="1.3") | {"forces": push})):
+                self.assertEqual([name for name in ("momentum_x", "boost_x") if name in found], ["momentum_x", "boost_x"][:names], force)
+                constants = {"m": 2, "k": 3, "w": mpmath.mpf("1.3"), **functions}
+                x = mpmath.odefun(lambda t, y: [y[1], 3*value(force, constants | {"t": t})/2], 0, [mpmath.mpf("0.4"), mpmath.mpf("0.2")])
+                for name in ("momentum_x", "boost_x")[:names]:
+                    along = [value(found[name]["value"], constants | {"t": t, "x": x(t)[0], "x_dot": x(t)[1]})
                              for t in (mpmath.mpf(0), mpmath.mpf("0.7"), mpmath.mpf("1.9"))]
                     for other in along[1:]:
                         self.assertLess(abs(other - along[0]), 1e-11, (name, found[name]))
         both = bare("m*(x_dot^2 + y_dot^2)/2 - k*(x - y)^2 + k*(x + y)*sin(t)", "xy", m=2, k=3)
         self.assertEqual(conserved(both)["momentum_x_y"]["value"], "m*(x_dot + y_dot) + 2*k*cos(t)")
-        driven = bare("m*x_dot^2/2 - k*x^2 + a*x*sin(w*t)", "x", m=2, k=3, a=1, w=1.3)
-        self.assertEqual(conserved(driven), {})
+        pushed = bare("m*(x_dot^2 + y_dot^2)/2 - k*(x - y)^2", "xy", m=2, k=3) | {"forces": [{"value": "k*sin(t)^2", "along": "x"}]}
+        self.assertEqual(conserved(pushed)["momentum_x_y"]["value"], "m*(x_dot + y_dot) + 1/4*k*(sin(2*t) - 2*t)")
+        for driven in (bare("m*x_dot^2/2 - k*x^2 + a*x*sin(w*t)", "x", m=2, k=3, a=1, w=1.3),
+                       bare("m*x_dot^2/2 - k*x^2", "x", m=2, k=3) | {"forces": [{"value": "sin(t)", "along": "x"}]},
+                       bare("m*x_dot^2/2", "x", m=2, k=3) | {"forces": [{"value": "k*x*sin(t)", "along": "x"}]},
+                       bare("m*x_dot^2/2", "x", m=2, k=3) | {"forces": [{"value": "k*exp(-t^2)", "along": "x"}]}):
+            self.assertEqual(conserved(driven), {})
+
+    def test_the_field_of_a_helix_keeps_a_screw_by_its_pitch(self):
+        """Landau, Lifshitz, Mechanics, section 9, problem 3: M_z + P_z*h/(2*pi)."""
+        self.check(bare("m*(r_dot^2 + r^2*ph_dot^2 + z_dot^2)/2 - a*r^2*cos(ph - 2*pi*z/h)", {"r": (1, 0), "ph": (0, 1), "z": (0, 0)}, m=1, h=2, a=1),
+                   {"momentum_ph_z": "m*(h*z_dot + 2*pi*r^2*ph_dot)"})
 
     def test_a_central_force_keeps_angular_momentum_in_the_plane_and_in_space(self):
         self.check(bare("m/2*(x_dot^2 + y_dot^2) + k/sqrt(x^2 + y^2)", "xy", m=2, k=3),

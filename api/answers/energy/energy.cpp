@@ -3,6 +3,7 @@
 #include "api/answers/energy/request.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/units_of.hpp"
+#include "core/dynamics/known_signs.hpp"
 #include "core/motion/column_errors.hpp"
 #include "core/motion/values_at_kinks.hpp"
 
@@ -62,8 +63,19 @@ class EnergyAnswer {
                                 multiplier_columns(model), validity_columns(model), report_columns(model)}) {
       all.insert(all.end(), columns.begin(), columns.end());
     }
-    stated_ = values_at_kinks(dynamics_, all, state_.parameters, t_, state_.y);
+    stated_ = model.impulse.empty() ? values_at_kinks(dynamics_, all, state_.parameters, t_, state_.y)
+                                    : beside_jumps(all);
     refuse_poles(all, energies(model).size() + momentum_columns(model).size());
+  }
+
+  /// Of a Lagrangian whose jumps are impulses, at a state that lies at none.
+  [[nodiscard]] StatedValues beside_jumps(const std::vector<qdot::Column>& columns) const {
+    if (!signs_are_known(dynamics_.model(), columns, state_.parameters, t_, state_.y))
+      throw Error(ErrorCode::not_applicable, dynamics_.model().impulse);
+    StatedValues stated{.values = values_at(dynamics_, columns, state_.parameters, t_, state_.y),
+                        .errors = {}};
+    stated.errors = value_errors(*dynamics_.columns(columns), state_.parameters, t_, state_.y, stated.values);
+    return stated;
   }
 
   /// A number of which nothing is known is none: tan(q) at pi/2, to the nearest double.

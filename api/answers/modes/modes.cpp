@@ -274,8 +274,8 @@ bool something_depends_on(const Model& model, std::size_t coordinate) {
          std::ranges::any_of(l.generalized_forces, depends);
 }
 
-/// Rates of the start that a steady motion has not: those of the request, and where constraints hold
-/// velocities those of the scene.
+/// Rates of the start that a steady motion has not: those of the request and of a scene that it
+/// brings, and where constraints hold velocities those of any scene.
 void note_rates_left_out(const Model& model, const SystemChoice& choice, const Reals& start,
                          const Modes& modes, Json& body) {
   const std::size_t n = model.scene.coordinates.size();
@@ -284,8 +284,9 @@ void note_rates_left_out(const Model& model, const SystemChoice& choice, const R
       std::ranges::count_if(model.scene.coordinates, [](const Coordinate& q) { return q.unit == "rad"; });
   for (std::size_t i = 0; i < n; ++i) {
     const std::string& name = model.scene.coordinates[i].name;
-    const bool was_given =
-        std::ranges::any_of(choice.initial, [&](const auto& given) { return given.first == name + "_dot"; });
+    const bool was_given = choice.is_carried || std::ranges::any_of(choice.initial, [&](const auto& given) {
+                             return given.first == name + "_dot";
+                           });
     if ((!rolls && !was_given) || start[n + i] == 0 || modes.y[n + i] != 0) continue;
     std::string note = "The start has " + name + "_dot = " + short_number(start[n + i]) +
                        ", but these are small motions about the state in 'equilibrium', where " + name +

@@ -1,0 +1,29 @@
+#pragma once
+// Periods of one coordinate with v^2 = e(x), to a few digits, wherever it may swing: what a formula says at
+// parameters that nobody chose is held against them.
+//
+//   T = 2 integral dx/sqrt(e) = 2 integral r cos(u) du/sqrt(e),   x = c + r sin(u) between two ends,
+//
+// whose integrand is smooth where the ends are simple zeros of e, or walls.
+
+#include <functional>
+#include <optional>
+
+#include "core/numerics/constants.hpp"
+
+namespace qdot {
+
+struct SquaredSpeed {
+  std::function<double(double)> at;          ///< e(x); not a number where there is none
+  double below{-infinity}, above{infinity};  ///< walls
+  std::optional<double> start{};             ///< where the motion is, if it is known
+};
+
+/// Whether one of the motions to and fro that are found, or the one from the start, has this period, or none
+/// at all is found that moves.
+[[nodiscard]] bool may_swing_with(const SquaredSpeed& e, double period);
+
+/// Whether a turn of 2 pi takes this time, or there is a place that stops it.
+[[nodiscard]] bool may_turn_with(const SquaredSpeed& e, double period);
+
+}  // namespace qdot

@@ -1,0 +1,141 @@
+"""What formulas of turning points and periods assume is enough: at any other parameters that satisfy it the potential has there the energy, by 30 digits
+of mpmath, and pushes back; a motion there and back takes the period, by quadrature between the zeros of h - V that polynomials, or bisection, tell."""
+
+import pathlib
+import random
+import sys
+import unittest
+
+import mpmath
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mpmath.mp.dps = 30
+FUNCTIONS = {name: getattr(mpmath, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "exp", "log", "pi", "ellipk")} | {"abs": abs}
+SETS = 20
+
+# V, parameters, the start, and what has to be assumed of x_max, x_min and the period; None: there is no such formula
+CASES = [
+    ("k*x^2/2 + (b - c)/x^2", "m - 1; k - 3; b - 0.2; c - 0.1", "x - 0.5 0.3", [], [], ["b > c"]),
+    ("m*g*x*(sin(c) - u*cos(c))", "m - 1; g - 9.81; c - 0.4; u - 0.2", "x - 2 4", ["sin(c) > u*cos(c)"], None, None),
+    ("(A - a)*abs(x)", "m - 1; A - 3; a - 1", "x - 0.5 0.3", ["A > a"], ["A > a"], ["A > a"]),
+    ("J/(2*x^2) - (k - q)/x", "m - 1; k - 3; J - 1; q - 1", "x - 0.5 0.3", [], [], ["k > q"]),
+    ("(A - a)*tan(x)^2", "m - 1; A - 3; a - 1", "x - 0.5 0.3", [], [], ["A > a"]),
+    ("(A - B)/sin(x)^2 + (C - D)/cos(x)^2", "m - 1; A - 3; B - 1; C - 2; D - 1", "x - 0.7 0.3", None, None, ["C > D", "A > B"]),
+    # With b < c there is a well, but a motion may start beside it.
+    ("a*x^2/2 + (b - c)*x^4/4", "m - 1; a - 3; b - 2; c - 1", "x - 0.7 0.3", ["b > c"], ["b > c"], ["b > c"]),
+    ("(k - s)*x^2/2", "m - 1; k - 3; s - 1", "x - 0.5 0.3", [], [], []),
+    ("k*x^2/2 - F*x + a*x", "m - 1; k - 3; a - 1; F - 3", "x - 0.5 0.3", [], [], []),
+    ("b*x^4/4 - (a - c)*x^2/2", "m - 1; a - 3; b - 1; c - 1", "x - 1.5 0.1", [], [], []),
+    ("(A - a)*x^4/4", "m - 1; A - 3; a - 1", "x - 0.5 0.3", [], [], []),
+    ("-m*(g - a)*l*cos(x)", "m - 1; g - 9.81; l - 1; a - 2", "x - 0.5 0.3", ["g > a"], ["g > a"], []),
+]
+
+
+def value(text, numbers):
+    return eval(text.replace("^", "**"), {"__builtins__": {}}, FUNCTIONS | numbers)  # noqa: S307
+
+
+def potential_at(potential, numbers):
+    return lambda x: value(potential, numbers | {"x": x})
+
+
+def sets(form, names):
+    draw = random.Random(form["text"])
+    for _ in range(40*SETS):
+        numbers = {name: mpmath.mpf(10)**draw.uniform(-1, 1) for name in names} | {"h": draw.choice([-1, 1])*mpmath.mpf(10)**draw.uniform(-1, 1)}
+        if all(assumed.startswith("ellipk") or value(assumed, numbers) for assumed in form["assumes"]):
+            yield numbers
+
+
+def is_real(number):
+    return isinstance(number, mpmath.mpf) and mpmath.isfinite(number)
+
+
+def zero(f, inside, outside):
+    """Of a function that is positive inside; None at a pole."""
+    size = f(inside)
+    for _ in range(90):
+        middle = (inside + outside)/2
+        inside, outside = (middle, outside) if f(middle) > 0 else (inside, middle)
+    return inside if f(inside) < size/1000 else None
+
+
+def is_inside(v, x, h):
+    try:
+        return -1e20 < v(x) < h
+    except ZeroDivisionError:
+        return False
+
+
+def motions(v, h):
+    """Ends between which v < h, found on a grid that is close and wide, and has the poles of these potentials."""
+    grid = sorted([0] + [mpmath.pi*k/2 for k in range(-4, 5)] + [s*mpmath.mpf(10)**(mpmath.mpf(k)/15) for k in range(-45, 31) for s in (-1, 1)] + [mpmath.mpf(k)/20 + mpmath.mpf(1)/997 for k in range(-62, 63)])
+    inside = [is_inside(v, x, h) for x in grid]
+    edges = [k for k in range(1, len(grid)) if inside[k] != inside[k - 1]]
+    for begin, end in zip(edges, edges[1:]):
+        if inside[begin]:
+            yield zero(lambda x: h - v(x), grid[begin], grid[begin - 1]), zero(lambda x: h - v(x), grid[end - 1], grid[end])
+
+
+def period(v, h, m, ends):
+    middle, half = sum(ends)/2, (ends[1] - ends[0])/2
+    speed = lambda u: mpmath.sqrt(2*(h - v(middle + half*mpmath.sin(u)))/m)  # noqa: E731
+    with mpmath.workdps(20):
+        return 2*mpmath.quad(lambda u: half*mpmath.cos(u)/speed(u), [-mpmath.pi/2, 0, mpmath.pi/2])
+
+
+class SignsOfTurning(Service):
+    def forms(self, potential, parameters, start, more=None):
+        system = lagrangian("turns", parameters, start, f"m*x_dot^2/2 - ({potential})", **(more or {}))
+        return self.ask("turning_points", {"system": system})["exact"]
+
+    def check_signs(self, form, needed, where):
+        signs = [assumed for assumed in form["assumes"] if not assumed.endswith(("> 0", "< 0")) and not assumed.startswith("ellipk")]
+        self.assertEqual(signs, needed, where)
+
+    def test_an_end_turns_the_motion_wherever_its_signs_hold(self):
+        for potential, parameters, start, *needed in CASES:
+            names = [words.split()[0] for words in parameters.split(";")]
+            exact = self.forms(potential, parameters, start)
+            for name, side, signs in (("x_max", 1, needed[0]), ("x_min", -1, needed[1])):
+                if signs is None:
+                    continue
+                form = exact[name]
+                self.check_signs(form, signs, (potential, name))
+                for _, numbers in zip(range(SETS), sets(form, names)):
+                    x = value(form["text"], numbers)
+                    if is_real(x):
+                        v = potential_at(potential, numbers)
+                        self.assertLess(abs(v(x) - numbers["h"]), 1e-18*sum(map(abs, numbers.values()))**2*(1 + 1/x**2), (potential, form, numbers))
+                        self.assertGreater(side*mpmath.diff(v, x), 0, (potential, form, numbers))
+
+    def test_a_motion_takes_the_period_wherever_its_signs_hold(self):
+        for potential, parameters, start, _, _, signs in CASES:
+            names = [words.split()[0] for words in parameters.split(";")]
+            if signs is None:
+                continue
+            form = self.forms(potential, parameters, start)["period"]
+            self.check_signs(form, signs, (potential, "period"))
+            for _, numbers in zip(range(5), sets(form, names)):
+                said = value(form["text"], numbers)
+                v = potential_at(potential, numbers)
+                found = list(motions(v, numbers["h"])) if is_real(said) else []
+                if found:
+                    self.assertTrue(any(None not in ends and abs(period(v, numbers["h"], numbers["m"], ends) - said) < 1e-5*said for ends in found), (potential, form, numbers))
+
+    def test_an_end_at_a_wall_is_one_where_the_energy_leads_there(self):
+        wall = {"events": [{"name": "wall", "expression": "x - b", "direction": "rising"}],
+                "impact": {"event": "wall", "map": {"x_dot": "-x_dot"}}}
+        for potential, needed in (("k*x^2/2", ["2*h > k*b^2"]), ("k*abs(x)", ["h > k*abs(b)"])):
+            exact = self.forms(potential, "m - 1; k - 3; b - 0.5", "x - 0.1 2.5", wall)
+            self.assertEqual(exact["x_max"]["text"], "b")
+            self.check_signs(exact["x_max"], needed, potential)
+            exact = self.forms(potential, "m - 1; k - 3; b - 0.5", "x - 0.1 0.5", wall)
+            self.check_signs(exact["x_max"], ["the motion comes to no impact"], potential)
+
+
+if __name__ == "__main__":
+    unittest.main()
