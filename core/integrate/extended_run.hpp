@@ -34,7 +34,7 @@ struct ExtendedSystem {
   /// what is allowed, at most 1 where nothing is hidden. Optional.
   std::function<double(double t, std::span<const double> y, double h, std::span<const double> allowed)>
       hidden{};
-  unsigned order_of_hidden{1};  ///< the power of h with which that goes
+  unsigned order_of_hidden{};  ///< of the series whose defect that is; 0: of the step's own
   /// Over the step that was looked at last: bounds of what rounding to doubles, and to double-doubles, does
   /// to each acceleration (the second half of y'). Optional.
   std::function<void(std::span<double> in_doubles, std::span<double> in_double_doubles)> rounding{};
@@ -85,9 +85,15 @@ class ExtendedStepper {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
+  struct Series {
+    std::vector<DoubleDouble> c;  ///< y_i(t + s) = sum_k c[i (order + 1) + k] s^k
+    unsigned order{};
+  };
   [[nodiscard]] std::optional<Ending> spent_limit() const;
+  /// Of the highest order up to that of the request, each time a quarter less, that is in range.
   [[nodiscard]] std::optional<Ending> expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
-                                             std::vector<DoubleDouble>& coefficients);
+                                             Series& series);
+  [[nodiscard]] bool is_in_range(const Series& series) const;
   [[nodiscard]] double weight(std::size_t i) const;
   [[nodiscard]] double step_size();
   [[nodiscard]] bool doubles_are_small(double h);
@@ -103,22 +109,22 @@ class ExtendedStepper {
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] bool try_step(const DoubleDouble& t);
   [[nodiscard]] bool holds_until(const DoubleDouble& h);
-  [[nodiscard]] std::span<const DoubleDouble> row(const std::vector<DoubleDouble>& c, std::size_t i) const {
-    return std::span(c).subspan(i * (order_ + 1), order_ + 1);
+  [[nodiscard]] static std::span<const DoubleDouble> row(const Series& series, std::size_t i) {
+    return std::span(series.c).subspan(i * (series.order + 1), series.order + 1);
   }
-  [[nodiscard]] ExtendedRows rows_of(const std::vector<DoubleDouble>& c) const {
-    return {c.data(), order_, system_.first_in_doubles};
+  [[nodiscard]] ExtendedRows rows_of(const Series& series) const {
+    return {series.c.data(), series.order, system_.first_in_doubles};
   }
 
   const ExtendedSystem& system_;
   const ExtendedRunRequest& request_;
-  unsigned order_;
+  unsigned order_;  ///< at most
   DoubleDouble t_previous_, t_;
   double last_step_{};
   std::vector<DoubleDouble> y_, attempt_, slopes_;
-  std::vector<DoubleDouble> coefficients_;  ///< at t_previous_: the dense output
-  std::vector<DoubleDouble> next_;          ///< at t_
-  std::vector<DoubleDouble> beyond_;        ///< at the end of the step that is tried
+  Series coefficients_;  ///< at t_previous_: the dense output
+  Series next_;          ///< at t_
+  Series beyond_;        ///< at the end of the step that is tried
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
   std::vector<double> place_, allowed_;  ///< scratch
