@@ -58,7 +58,7 @@ std::optional<Ending> ExtendedStepper::step() {
   trouble_.reset();
   if (steps_ == 0) {
     if (const auto spent = spent_limit()) return spent;
-    if (const auto failed = expand(t_, y_, next_)) return failed;
+    if (const auto failed = expand(t_, y_, order_, next_)) return failed;
   }
   const DoubleDouble left = request_.t_end - t_;
   const bool rounding_is_followed = static_cast<bool>(system_.in_doubles.expansion);
@@ -132,9 +132,9 @@ std::optional<Ending> ExtendedStepper::spent_limit() const {
 }
 
 std::optional<Ending> ExtendedStepper::expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
-                                              Series& series) {
+                                              unsigned order, Series& series) {
   if (const auto wrong = unusable_state(y, request_.limits.max_magnitude)) return trouble_ = wrong;
-  for (series.order = order_;; series.order = series.order * 3 / 4) {
+  for (series.order = order;; series.order = series.order * 3 / 4) {
     evaluations_ += series.order;
     const auto c = std::span(series.c).first(y.size() * (series.order + 1));
     if (const auto trouble = trouble_of(system_.expansion(t, y, series.order, c))) return trouble_ = trouble;
@@ -227,6 +227,17 @@ double ExtendedStepper::log_of_step_by(unsigned k, double part) const {
   return least;
 }
 
+/// Of the next series. Where steps are held short by other things than their last coefficients, such as a
+/// bound, fewer do; where this series has fewer, it is hardly in range yet.
+unsigned ExtendedStepper::order_after(double h) const {
+  constexpr double held = 0.9;
+  const unsigned lower = std::min(request_.lower_order, order_);
+  if (lower == 0) return order_;
+  if (next_.order < lower) return lower;
+  const double exponent = std::min(log_of_step_by(lower), log_of_step_by(lower - 1));
+  return evaluate(Function::log, h / held) < exponent ? lower : order_;
+}
+
 double ExtendedStepper::bounded_part(double h) {
   constexpr double least_part = 1e-12;
   constexpr int most_looks = 120;
@@ -264,7 +275,7 @@ bool ExtendedStepper::try_step(const DoubleDouble& t) {
   const DoubleDouble h = t - t_;
   sum_rows(rows_of(next_), ExtendedSum::value, h, attempt_);
   for (std::size_t i = 0; i < y_.size(); ++i) attempt_[i] = y_[i] + attempt_[i];
-  if (expand(t, attempt_, beyond_) || !holds_until(h)) return false;
+  if (expand(t, attempt_, order_after(h.high), beyond_) || !holds_until(h)) return false;
   t_previous_ = std::exchange(t_, t);
   last_step_ = h.high;
   y_.swap(attempt_);

@@ -10,6 +10,8 @@
 // the equation at its end is taken again, half as long. Where the system can tell what a step hides, it is
 // no longer than what hides no more than is allowed. Where high coefficients are doubles, it is so short that
 // their terms are small beside the others.
+// A series has fewer orders where its last coefficients are next to the end of the range of doubles, as
+// beside a pulse of 1e-10 s, or where it is not they that hold the step.
 // Source of the step: Jorba, Zou, Experimental
 // Mathematics 14 (2005) 99, section 3.
 
@@ -53,6 +55,7 @@ struct ExtendedRunRequest {
   std::vector<DoubleDouble> y_start;
   DoubleDouble t_end;
   unsigned order{};
+  unsigned lower_order{};  ///< taken where it allows steps as long; 0: never
   Tolerances tolerances;
   Limits limits;
 };
@@ -90,9 +93,10 @@ class ExtendedStepper {
     unsigned order{};
   };
   [[nodiscard]] std::optional<Ending> spent_limit() const;
-  /// Of the highest order up to that of the request, each time a quarter less, that is in range.
+  /// Of the highest order up to that one, each time a quarter less, that is in range.
   [[nodiscard]] std::optional<Ending> expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
-                                             Series& series);
+                                             unsigned order, Series& series);
+  [[nodiscard]] unsigned order_after(double h) const;
   [[nodiscard]] bool is_in_range(const Series& series) const;
   [[nodiscard]] double weight(std::size_t i) const;
   [[nodiscard]] double step_size();

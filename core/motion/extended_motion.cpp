@@ -15,6 +15,7 @@ constexpr double round_off_of_mixed = 1e-19;
 /// Steps in double-doubles cost mostly by their number: the order in doubles, which makes them long, is
 /// cheap.
 constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;
+constexpr unsigned lower_order_of_mixed = 24;
 constexpr double round_off_of_full = 1e-32;
 constexpr unsigned order_beside_full = 24;  ///< of the series in doubles that tell what a step in full hides
 
@@ -138,6 +139,7 @@ ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRe
                                .y_start = request.y_start,
                                .t_end = request.grid.empty() ? request.t_start : request.grid.back(),
                                .order = request.taylor_order > 0 ? request.taylor_order : order,
+                               .lower_order = is_full ? 0 : lower_order_of_mixed,
                                .tolerances = {rtol, rtol * 1e-3},
                                .limits = request.limits};
   return integrate(system, run, request.grid);

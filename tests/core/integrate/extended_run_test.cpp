@@ -104,6 +104,19 @@ TEST(ExtendedRun, FollowsAMotionSoFastThatCoefficientsOverflow) {
   EXPECT_LE(run.steps, 250u);
 }
 
+TEST(ExtendedRun, TakesFewerOrdersWhereABoundHoldsItsSteps) {
+  ExtendedSystem system = oscillator();
+  ExtendedRunRequest asked = request({1.0, 0.0}, 3.0);
+  asked.lower_order = asked.order / 2;
+  const ExtendedRun free = integrate(system, asked, {});
+  EXPECT_EQ(free.evaluations, asked.order * (free.steps + 1));
+  system.hidden = [](double, std::span<const double>, double h, std::span<const double>) { return h / 0.01; };
+  const ExtendedRun held = integrate(system, asked, {});
+  EXPECT_TRUE(held.bounded);
+  EXPECT_EQ(held.evaluations, asked.order + asked.lower_order * held.steps);
+  EXPECT_LE(std::abs((held.y[0] - sine_cosine(3.0).cosine).high), 1e-29);
+}
+
 TEST(ExtendedRun, SaysWhereTheMotionEnds) {
   const ExtendedSystem system = explosion();
   const std::vector<DoubleDouble> grid{0.5, 0.75, 2.0};
