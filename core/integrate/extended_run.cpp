@@ -20,10 +20,13 @@ constexpr double largest_end_defect =
 constexpr double allowed_to_hide = 100;  ///< times the step's length, in units of the tolerance
 constexpr double rounding_of_doubles = 0x1p-52;
 constexpr double rounding_of_states = 0x1p-103;  ///< of double-doubles, where they are typed and summed
-constexpr double small = 0.05;  ///< in the largest term: so little of what a motion in doubles lost is lost
+constexpr double small = 0.005;  ///< in the largest term: so little of what a motion in doubles lost is lost
 constexpr int most_shortenings =
     9;  ///< to an eighth: where low coefficients are zero no step is short enough
 constexpr double shortening = 0.8;
+/// A coefficient beyond it is multiplied by a power of the step next to where doubles end.
+constexpr double largest_coefficient = 1e250;
+constexpr unsigned lowest_order = 12;
 constexpr double infinity_of_steps = std::numeric_limits<double>::infinity();
 
 std::optional<Ending> unusable_state(std::span<const DoubleDouble> y, double max_magnitude) {
@@ -46,9 +49,9 @@ ExtendedStepper::ExtendedStepper(const ExtendedSystem& system, const ExtendedRun
       y_(request.y_start),
       attempt_(y_.size()),
       slopes_(y_.size()),
-      coefficients_(y_.size() * (order_ + 1)),
-      next_(coefficients_.size()),
-      beyond_(coefficients_.size()),
+      coefficients_{std::vector<DoubleDouble>(y_.size() * (order_ + 1)), order_},
+      next_(coefficients_),
+      beyond_(coefficients_),
       place_(y_.size()),
       allowed_(y_.size()),
       defect_(y_.size()),
@@ -59,7 +62,7 @@ std::optional<Ending> ExtendedStepper::step() {
   trouble_.reset();
   if (steps_ == 0) {
     if (const auto spent = spent_limit()) return spent;
-    if (const auto failed = expand(t_, y_, next_)) return failed;
+    if (const auto failed = expand(t_, y_, order_, next_)) return failed;
   }
   const DoubleDouble left = request_.t_end - t_;
   const bool rounding_is_followed = static_cast<bool>(system_.in_doubles.expansion);
@@ -95,7 +98,7 @@ void ExtendedStepper::interpolate(const DoubleDouble& t, std::span<DoubleDouble>
 }
 
 MotionPiece ExtendedStepper::polynomials() {
-  const unsigned order = std::min(order_, system_.highest_in_doubles);
+  const unsigned order = std::min(coefficients_.order, system_.highest_in_doubles);
   rows_.resize(y_.size() * (order + 1));
   double* to = rows_.data();
   for (std::size_t i = 0; i < y_.size(); ++i) {
@@ -111,7 +114,7 @@ std::span<const double> ExtendedStepper::truncated() {
   for (std::size_t i = 0; i < y_.size(); ++i) {
     const auto c = row(coefficients_, i);
     const auto term = [&](std::size_t k) { return powers_[k] * std::abs(c[k].high); };
-    truncated_[i] = 2 * std::max(term(order_), term(order_ - 1));
+    truncated_[i] = 2 * std::max(term(coefficients_.order), term(coefficients_.order - 1));
   }
   return truncated_;
 }
@@ -127,7 +130,8 @@ std::span<const double> ExtendedStepper::rounded() {
     rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
     rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
     if (in_doubles_.empty()) continue;
-    const double most_of_share = 2 * order_ * others / last_step_;  // all that it moves the velocity by
+    const double most_of_share =
+        2 * coefficients_.order * others / last_step_;  // all that it moves the velocity by
     const double of_share = share > small ? std::min(share * in_doubles_[i] * last_step_, most_of_share) : 0;
     const double of_velocity = in_double_doubles_[i] * last_step_ + of_share;
     rounded_[n + i] += of_velocity;
@@ -146,12 +150,22 @@ std::optional<Ending> ExtendedStepper::spent_limit() const {
 }
 
 std::optional<Ending> ExtendedStepper::expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
-                                              std::vector<DoubleDouble>& coefficients) {
+                                              unsigned order, Series& series) {
   if (const auto wrong = unusable_state(y, request_.limits.max_magnitude)) return trouble_ = wrong;
-  evaluations_ += order_;
-  const auto trouble = trouble_of(system_.expansion(t, y, order_, coefficients));
-  if (trouble) trouble_ = trouble;
-  return trouble;
+  for (series.order = order;; series.order = series.order * 3 / 4) {
+    evaluations_ += series.order;
+    const auto c = std::span(series.c).first(y.size() * (series.order + 1));
+    if (const auto trouble = trouble_of(system_.expansion(t, y, series.order, c))) return trouble_ = trouble;
+    if (series.order * 3 / 4 < lowest_order || is_in_range(series)) return std::nullopt;
+  }
+}
+
+/// Beside what is narrow coefficients grow by its width at each order, up to where doubles end.
+bool ExtendedStepper::is_in_range(const Series& series) const {
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    if (!(std::abs(row(series, i)[series.order].high) <= largest_coefficient)) return false;
+  }
+  return true;
 }
 
 double ExtendedStepper::weight(std::size_t i) const {
@@ -168,7 +182,7 @@ double ExtendedStepper::step_size() {
     }
     return true;
   };
-  unsigned highest = order_;
+  unsigned highest = next_.order;
   while (highest > 1 && !all_finite(highest)) --highest;
   double exponent = log_of_step_by(highest);
   if (highest > 2) exponent = std::min(exponent, log_of_step_by(highest - 1));
@@ -203,16 +217,17 @@ void ExtendedStepper::take_powers(double h) {
 
 /// |c_k| h^k, k >= 1, of the coefficients in double-doubles and of those in doubles.
 ExtendedStepper::Terms ExtendedStepper::largest_terms(std::span<const DoubleDouble> c) const {
-  const unsigned first_in_doubles = std::min(system_.first_in_doubles, order_ + 1);
-  const auto largest_between = [&](unsigned k, unsigned end) {
+  const unsigned end = static_cast<unsigned>(c.size());
+  const unsigned first_in_doubles = std::min(system_.first_in_doubles, end);
+  const auto largest_between = [&](unsigned k, unsigned to) {
     double largest = 0;
-    for (; k < end; ++k) {
+    for (; k < to; ++k) {
       const double term = powers_[k] * std::abs(c[k].high);
       largest = term > largest ? term : largest;
     }
     return largest;
   };
-  return {largest_between(1, first_in_doubles), largest_between(first_in_doubles, order_ + 1)};
+  return {largest_between(1, first_in_doubles), largest_between(first_in_doubles, end)};
 }
 
 /// The logarithm of the least over the components of (w / |part c_k|)^(1/k); infinite where all c_k are 0.
@@ -230,6 +245,17 @@ double ExtendedStepper::log_of_step_by(unsigned k, double part) const {
   return least;
 }
 
+/// Of the next series. Where steps are held short by other things than their last coefficients, such as a
+/// bound, fewer do; where this series has fewer, it is hardly in range yet.
+unsigned ExtendedStepper::order_after(double h) const {
+  constexpr double held = 0.9;
+  const unsigned lower = std::min(request_.lower_order, order_);
+  if (lower == 0) return order_;
+  if (next_.order < lower) return lower;
+  const double exponent = std::min(log_of_step_by(lower), log_of_step_by(lower - 1));
+  return evaluate(Function::log, h / held) < exponent ? lower : order_;
+}
+
 double ExtendedStepper::bounded_part(double h) {
   constexpr double least_part = 1e-12;
   constexpr int most_looks = 120;
@@ -237,12 +263,13 @@ double ExtendedStepper::bounded_part(double h) {
     place_[i] = y_[i].high;
     allowed_[i] = allowed_to_hide * weight(i);
   }
+  const unsigned order = system_.order_of_hidden > 0 ? system_.order_of_hidden : next_.order;
   double part = h;
   for (int i = 0; i < most_looks && part > least_part * h; ++i) {
     const double ratio = system_.hidden(t_.high, place_, part, allowed_, defect_);
     if (ratio <= 1) return part;
     const double logarithm = evaluate(Function::log, std::min(ratio, 1e300));
-    const double shorter = evaluate(Function::exp, -logarithm / system_.order_of_hidden);
+    const double shorter = evaluate(Function::exp, -logarithm / order);
     part *= std::max(0.5, 0.93 * shorter);
   }
   return 0;
@@ -250,7 +277,8 @@ double ExtendedStepper::bounded_part(double h) {
 
 /// hidden_, by the closest bound where a rough one tells of something.
 void ExtendedStepper::find_hidden(double h) {
-  const unsigned last = std::min(order_, system_.order_of_hidden);
+  const unsigned of_bound = system_.order_of_hidden > 0 ? system_.order_of_hidden : next_.order;
+  const unsigned last = std::min(next_.order, of_bound);
   take_powers(h);
   const auto hides = [&] {
     for (std::size_t i = 0; i < y_.size(); ++i) {
@@ -284,12 +312,12 @@ bool ExtendedStepper::try_step(const DoubleDouble& t) {
   const DoubleDouble h = t - t_;
   sum_rows(rows_of(next_), ExtendedSum::value, h, attempt_);
   for (std::size_t i = 0; i < y_.size(); ++i) attempt_[i] = y_[i] + attempt_[i];
-  if (expand(t, attempt_, beyond_) || !holds_until(h)) return false;
+  if (expand(t, attempt_, order_after(h.high), beyond_) || !holds_until(h)) return false;
   t_previous_ = std::exchange(t_, t);
   last_step_ = h.high;
   y_.swap(attempt_);
-  coefficients_.swap(next_);
-  next_.swap(beyond_);
+  std::swap(coefficients_, next_);
+  std::swap(next_, beyond_);
   ++steps_;
   return true;
 }

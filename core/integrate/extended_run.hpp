@@ -10,6 +10,8 @@
 // the equation at its end is taken again, half as long. Where the system can tell what a step hides, it is
 // no longer than what hides no more than is allowed. Where high coefficients are doubles, it is so short that
 // their terms are small beside the others.
+// A series has fewer orders where its last coefficients are next to the end of the range of doubles, as
+// beside a pulse of 1e-10 s, or where it is not they that hold the step.
 // Source of the step: Jorba, Zou, Experimental
 // Mathematics 14 (2005) 99, section 3.
 
@@ -36,7 +38,7 @@ struct ExtendedSystem {
   std::function<double(double t, std::span<const double> y, double h, std::span<const double> allowed,
                        std::span<double> defect)>
       hidden{};
-  unsigned order_of_hidden{1};  ///< the power of h with which that goes
+  unsigned order_of_hidden{};  ///< of the series whose defect that is; 0: of the step's own
   /// Over the step that was looked at last: bounds of what rounding to doubles, and to double-doubles, does
   /// to each acceleration (the second half of y'). Optional.
   std::function<void(std::span<double> in_doubles, std::span<double> in_double_doubles)> rounding{};
@@ -55,6 +57,7 @@ struct ExtendedRunRequest {
   std::vector<DoubleDouble> y_start;
   DoubleDouble t_end;
   unsigned order{};
+  unsigned lower_order{};  ///< taken where it allows steps as long; 0: never
   Tolerances tolerances;
   Limits limits;
 };
@@ -91,9 +94,16 @@ class ExtendedStepper {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
+  struct Series {
+    std::vector<DoubleDouble> c;  ///< y_i(t + s) = sum_k c[i (order + 1) + k] s^k
+    unsigned order{};
+  };
   [[nodiscard]] std::optional<Ending> spent_limit() const;
+  /// Of the highest order up to that one, each time a quarter less, that is in range.
   [[nodiscard]] std::optional<Ending> expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
-                                             std::vector<DoubleDouble>& coefficients);
+                                             unsigned order, Series& series);
+  [[nodiscard]] unsigned order_after(double h) const;
+  [[nodiscard]] bool is_in_range(const Series& series) const;
   [[nodiscard]] double weight(std::size_t i) const;
   [[nodiscard]] double step_size();
   [[nodiscard]] bool doubles_are_small(double h);
@@ -110,22 +120,22 @@ class ExtendedStepper {
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] bool try_step(const DoubleDouble& t);
   [[nodiscard]] bool holds_until(const DoubleDouble& h);
-  [[nodiscard]] std::span<const DoubleDouble> row(const std::vector<DoubleDouble>& c, std::size_t i) const {
-    return std::span(c).subspan(i * (order_ + 1), order_ + 1);
+  [[nodiscard]] static std::span<const DoubleDouble> row(const Series& series, std::size_t i) {
+    return std::span(series.c).subspan(i * (series.order + 1), series.order + 1);
   }
-  [[nodiscard]] ExtendedRows rows_of(const std::vector<DoubleDouble>& c) const {
-    return {c.data(), order_, system_.first_in_doubles};
+  [[nodiscard]] ExtendedRows rows_of(const Series& series) const {
+    return {series.c.data(), series.order, system_.first_in_doubles};
   }
 
   const ExtendedSystem& system_;
   const ExtendedRunRequest& request_;
-  unsigned order_;
+  unsigned order_;  ///< at most
   DoubleDouble t_previous_, t_;
   double last_step_{};
   std::vector<DoubleDouble> y_, attempt_, slopes_;
-  std::vector<DoubleDouble> coefficients_;  ///< at t_previous_: the dense output
-  std::vector<DoubleDouble> next_;          ///< at t_
-  std::vector<DoubleDouble> beyond_;        ///< at the end of the step that is tried
+  Series coefficients_;  ///< at t_previous_: the dense output
+  Series next_;          ///< at t_
+  Series beyond_;        ///< at the end of the step that is tried
   std::uint64_t steps_{}, evaluations_{};
   std::optional<Ending> trouble_;
   std::vector<double> place_, allowed_, defect_;  ///< scratch

@@ -12,8 +12,12 @@ namespace {
 using Form = ExtendedMotionRequest::Form;
 
 constexpr double round_off_of_mixed = 1e-19;
-constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;  ///< as for doubles at round-off
+/// Steps in double-doubles cost mostly by their number: the order in doubles, which makes them long, is
+/// cheap.
+constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;
+constexpr unsigned lower_order_of_mixed = 24;
 constexpr double round_off_of_full = 1e-32;
+constexpr unsigned order_beside_full = 24;  ///< of the series in doubles that tell what a step in full hides
 
 std::vector<double> rounded(std::span<const DoubleDouble> numbers) {
   std::vector<double> result;
@@ -32,7 +36,7 @@ RightHandSide in_doubles(const CompiledFunction& accelerations, std::span<const 
 
 /// By series in doubles, whose remainder is bounded beyond their digits.
 decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<TaylorExpansion>& expansion) {
-  constexpr unsigned order = TaylorExpansion::highest_order;
+  constexpr unsigned order = order_beside_full;
   return [expansion, t_expanded = 0.0, place = std::vector<double>(), c = std::vector<double>()](
              double t, std::span<const double> y, double h, std::span<const double> allowed,
              std::span<double> defect) mutable {
@@ -52,6 +56,7 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
                   const ExtendedMotionRequest& request) {
   const auto expansion = std::make_shared<TaylorExpansion>(accelerations, rounded(request.parameters));
   system.hidden = hidden_of(expansion);
+  system.order_of_hidden = order_beside_full;
   const auto length = std::make_shared<double>();
   system.hidden = [hidden = system.hidden, length](double t, std::span<const double> y, double h,
                                                    std::span<const double> allowed,
@@ -67,7 +72,7 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
   };
   if (!request.follow_rounding) return;
   system.in_doubles = in_doubles(accelerations, request.parameters);
-  system.highest_in_doubles = TaylorExpansion::highest_order;
+  system.highest_in_doubles = order_beside_full;
 }
 
 /// By the series in doubles that the expansion has taken anyway.
@@ -97,7 +102,6 @@ ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_s
 ExtendedSystem extended_system(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
   ExtendedSystem system;
   system.dimension = request.y_start.size();
-  system.order_of_hidden = TaylorExpansion::highest_order;
   const auto use = [&system](auto expansion) {
     system.expansion = [expansion](const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
                                    std::span<DoubleDouble> c) { return expansion->expand(t, y, order, c); };
@@ -134,6 +138,7 @@ ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRe
                                .y_start = request.y_start,
                                .t_end = request.grid.empty() ? request.t_start : request.grid.back(),
                                .order = request.taylor_order > 0 ? request.taylor_order : order,
+                               .lower_order = is_full ? 0 : lower_order_of_mixed,
                                .tolerances = {rtol, rtol * 1e-3},
                                .limits = request.limits};
   return integrate(system, run, request.grid);

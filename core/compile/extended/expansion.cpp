@@ -59,12 +59,13 @@ MixedExpansion::MixedExpansion(const CompiledFunction& accelerations,
     : first_(accelerations, parameters), others_(accelerations, high_parts(parameters)) {}
 
 Evaluation MixedExpansion::expand_in_doubles(double t, std::span<const double> y, unsigned order) {
-  order_ = 0;
+  order_ = order;
+  is_expanded_ = false;
   other_coefficients_.resize(y.size() * (order + 1));
   const Evaluation evaluation = others_.expand(t, y, order, other_coefficients_);
   if (evaluation != Evaluation::ok) return evaluation;
   t_ = t;
-  order_ = order;
+  is_expanded_ = true;
   return evaluation;
 }
 
@@ -90,10 +91,9 @@ Evaluation MixedExpansion::expand(const DoubleDouble& t, std::span<const DoubleD
 
 double MixedExpansion::bound_defect(double t, std::span<const double> y, double h,
                                     std::span<const double> allowed, std::span<double> defect) {
-  constexpr unsigned highest = TaylorExpansion::highest_order;
-  if (order_ != highest || t != t_ || !std::ranges::equal(y, y_)) {
+  if (!is_expanded_ || t != t_ || !std::ranges::equal(y, y_)) {
     y_.assign(y.begin(), y.end());
-    if (expand_in_doubles(t, y_, highest) != Evaluation::ok) return std::numeric_limits<double>::infinity();
+    if (expand_in_doubles(t, y_, order_) != Evaluation::ok) return std::numeric_limits<double>::infinity();
   }
   return others_.bound_defect(h, allowed, defect);
 }

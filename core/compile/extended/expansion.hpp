@@ -58,8 +58,8 @@ class MixedExpansion {
   [[nodiscard]] Evaluation expand(const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
                                   std::span<DoubleDouble> coefficients);
 
-  /// As TaylorExpansion::bound_defect, of the series of highest order in doubles through (t, y): mostly that
-  /// of the last expansion. Infinite where there is none.
+  /// As TaylorExpansion::bound_defect, of the series in doubles through (t, y) of the order of the last
+  /// expansion: mostly it is that one. Infinite where there is none.
   [[nodiscard]] double bound_defect(double t, std::span<const double> y, double h,
                                     std::span<const double> allowed, std::span<double> defect);
   /// As TaylorExpansion::bound_rounding, over the step that was bounded last.
@@ -72,8 +72,9 @@ class MixedExpansion {
   TaylorExpansion others_;
   std::vector<DoubleDouble> first_coefficients_;
   std::vector<double> y_, other_coefficients_;
-  double t_{};         ///< of the last series in doubles, as y_
-  unsigned order_{0};  ///< of that; 0: there is none
+  double t_{};  ///< of the last series in doubles, as y_
+  unsigned order_{TaylorExpansion::highest_order};
+  bool is_expanded_{false};  ///< there is one
 };
 
 }  // namespace qdot

@@ -13,10 +13,10 @@
 
 namespace qdot::taylor {
 
-inline constexpr unsigned highest_order = 24;
+inline constexpr unsigned highest_order = 32;
 /// x_k at row[k], and again at row[reversed - k]: near the pointer, so that the kernels' code is short.
 inline constexpr int reversed = -1;
-inline constexpr unsigned before_row = 28;
+inline constexpr unsigned before_row = 36;
 inline constexpr unsigned stride = before_row + highest_order + 4;
 
 enum class Kind : std::uint8_t {

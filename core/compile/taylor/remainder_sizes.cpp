@@ -1,6 +1,7 @@
 // How large the coefficients of the rows are over a step, and with them the ranges of rows and the terms that
 // products do not keep.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,14 +45,18 @@ double powered(double x, unsigned k) {
 }
 
 /// x^k for k up to order, four side by side: a chain of products would wait for each of them.
+/// They are no less than the least number of full precision: where they underflow, terms would be hidden.
 template <std::size_t size>
 void fill_powers(std::array<double, size>& powers, double x, unsigned order) {
+  constexpr double least = std::numeric_limits<double>::min();
   const double x2 = x * x, x4 = x2 * x2;
   PairOfDoubles low{1, x}, high{x2, x2 * x};
   for (unsigned k = 0; k <= order; k += 4, low *= x4, high *= x4) {
     put_pair(&powers[k], low);
     put_pair(&powers[k + 2], high);
   }
+  if (powers[order] >= least) return;
+  for (unsigned k = 0; k <= order; ++k) powers[k] = std::max(powers[k], least);
 }
 
 }  // namespace

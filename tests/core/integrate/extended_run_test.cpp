@@ -11,17 +11,17 @@
 namespace qdot::extended_run_test {
 namespace {
 
-/// c[k] for y'' = -y and its like: c_k+2 = a_k/((k+1)(k+2)) with a given by a recurrence.
-ExtendedSystem oscillator() {
+/// c[k] for y'' = -rate^2 y: c_k+2 = a_k/((k+1)(k+2)) with a given by a recurrence.
+ExtendedSystem oscillator(double rate = 1) {
   ExtendedSystem system;
   system.dimension = 2;
-  system.expansion = [](const DoubleDouble&, std::span<const DoubleDouble> y, unsigned order,
-                        std::span<DoubleDouble> c) {
+  system.expansion = [square = rate * rate](const DoubleDouble&, std::span<const DoubleDouble> y,
+                                            unsigned order, std::span<DoubleDouble> c) {
     c[0] = y[0];
     c[order + 1] = y[1];
     for (unsigned k = 1; k <= order; ++k) {
       c[k] = c[order + k] / DoubleDouble(k);
-      c[order + 1 + k] = -c[k - 1] / DoubleDouble(k);
+      c[order + 1 + k] = -square * c[k - 1] / DoubleDouble(k);
     }
     return Evaluation::ok;
   };
@@ -91,6 +91,30 @@ TEST(ExtendedRun, ErrsLessWithATighterTolerance) {
     EXPECT_LE(error, before * 1e-3);
     before = error;
   }
+}
+
+TEST(ExtendedRun, FollowsAMotionSoFastThatCoefficientsOverflow) {
+  constexpr double rate = 0x1p40;
+  const DoubleDouble t_end = 30 / rate;
+  const ExtendedSystem system = oscillator(rate);
+  const std::vector<DoubleDouble> grid{t_end};
+  const ExtendedRun run = integrate(system, request({1.0, 0.0}, t_end), grid);
+  ASSERT_EQ(run.rows, 1u);
+  EXPECT_LE(std::abs((run.states[0] - sine_cosine(30.0).cosine).high), 1e-29);
+  EXPECT_LE(run.steps, 250u);
+}
+
+TEST(ExtendedRun, TakesFewerOrdersWhereABoundHoldsItsSteps) {
+  ExtendedSystem system = oscillator();
+  ExtendedRunRequest asked = request({1.0, 0.0}, 3.0);
+  asked.lower_order = asked.order / 2;
+  const ExtendedRun free = integrate(system, asked, {});
+  EXPECT_EQ(free.evaluations, asked.order * (free.steps + 1));
+  system.hidden = [](double, std::span<const double>, double h, std::span<const double>) { return h / 0.01; };
+  const ExtendedRun held = integrate(system, asked, {});
+  EXPECT_TRUE(held.bounded);
+  EXPECT_EQ(held.evaluations, asked.order + asked.lower_order * held.steps);
+  EXPECT_LE(std::abs((held.y[0] - sine_cosine(3.0).cosine).high), 1e-29);
 }
 
 TEST(ExtendedRun, SaysWhereTheMotionEnds) {

@@ -131,6 +131,14 @@ TEST(Remainder, IsNeverBelowTheDefect) {
   EXPECT_GT(finite, cases * 3 / 4);
 }
 
+TEST(Remainder, IsNotHiddenByAStepSoShortThatItsPowersUnderflow) {
+  const CompiledFunction tape = test::function_of("-1e84*q");
+  Workspace workspace = tape.bind({});
+  const Step step(tape, {}, 0, {1e-150, 1e-108}, 8, 1e-42);
+  for (const std::size_t j : {0U, 1U})
+    EXPECT_LE(step.defect_at(tape, workspace, 0, j, step.h), std::min(step.closest[j], step.defect[j]));
+}
+
 TEST(Remainder, IsSmallWhereAStepIsUsual) {
   for (const char* formula : {"-sin(q)", "exp(-q^2)", "q^3 - q*q_dot/(1 + t)", "tanh(q)", "sqrt(1 + q^2)",
                               "1/(2 + q)", "(1 + q^2)^(5/3)", "log(2 + q)", "atan(q)", "abs(q)*q_dot"}) {
