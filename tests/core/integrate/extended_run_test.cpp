@@ -110,7 +110,9 @@ TEST(ExtendedRun, TakesFewerOrdersWhereABoundHoldsItsSteps) {
   asked.lower_order = asked.order / 2;
   const ExtendedRun free = integrate(system, asked, {});
   EXPECT_EQ(free.evaluations, asked.order * (free.steps + 1));
-  system.hidden = [](double, std::span<const double>, double h, std::span<const double>) { return h / 0.01; };
+  system.hidden = [](double, std::span<const double>, double h, std::span<const double>, std::span<double>) {
+    return h / 0.01;
+  };
   const ExtendedRun held = integrate(system, asked, {});
   EXPECT_TRUE(held.bounded);
   EXPECT_EQ(held.evaluations, asked.order + asked.lower_order * held.steps);
