@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/dynamics/missing_values.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/steady/far_field.hpp"
 #include "core/steady/force_system.hpp"
 #include "core/steady/kink_stability.hpp"
 #include "core/steady/region_sentences.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 /// Some hundred do for most scenes; past this number the answer says that it is not complete.
 constexpr std::size_t most_boxes(std::size_t unknowns) { return unknowns < 3 ? 20'000 : 60'000; }
-constexpr std::size_t most_boxes_of_middle = 2'000;
+constexpr std::size_t most_boxes_of_middle = 2'000, most_boxes_of_rest = 60'000;
 constexpr const char* nothing_rests = "The forces vanish nowhere in the region that was searched.";
 constexpr std::size_t most_kinks = 5;  ///< each multiplies the work by three
 
@@ -121,12 +122,27 @@ class RegionSearch {
     region.resize(region.size() + static_cast<std::size_t>(std::ranges::count(sides, 0)), {-1.001, 1.001});
     scales.resize(region.size(), 1.0);
     Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
+    if (!isolation.complete) {
+      if (auto all = within_farthest(sides, region, scales)) isolation = std::move(*all);
+    }
     if (!isolation.complete) isolation = nearer(sides, region, scales, std::move(isolation));
     for (const Box& box : isolation.undecided) {
       if (system_.holds(sides, box).value_or(true)) incomplete(undecided(scene(), problem_, box));
     }
     for (const Box& box : isolation.poles) give_up_at_pole(box);
     for (const IsolatedZero& zero : isolation.zeros) take(sides, zero);
+  }
+
+  /// Where it can be told how far away there are none, in what is left.
+  [[nodiscard]] std::optional<Isolation> within_farthest(const Sides& sides, Box region,
+                                                         const std::vector<double>& scales) {
+    const std::optional<double> farthest = farthest_zero(problem_);
+    if (!farthest) return std::nullopt;
+    for (Interval& side : region) {
+      side = intersection(side, {-*farthest, *farthest});
+      if (!(side.lower < side.upper)) return std::nullopt;
+    }
+    return isolate_zeros(system_.at(sides), region, scales, most_boxes_of_rest);
   }
 
   /// All equilibria in the middle of the region, where there are too many in the whole of it.
