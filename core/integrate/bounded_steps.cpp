@@ -66,10 +66,14 @@ BoundedSteps::Bound BoundedSteps::find(double t, double h, std::span<const doubl
   return {good, true};
 }
 
-/// Where the bound tells of something hidden it may be a rough one: then the closest is taken.
+/// Where the bound tells of something hidden it may be a rough one: then the one with the closest ranges is
+/// taken, too, which mostly is less.
 void BoundedSteps::look_closely(double h, std::span<const double> series) {
   hides_ = find_hidden(h, series);
-  if (hides_) bound_closely(h);
+  if (!hides_) return;
+  const std::vector<double> rough = defect_;
+  bound_closely(h);
+  for (std::size_t i = 0; i < rough.size(); ++i) defect_[i] = std::min(defect_[i], rough[i]);
 }
 
 /// After much shortening: between a length that does and one that does not.

@@ -19,7 +19,7 @@ constexpr double largest_end_defect =
     1e3;                                 ///< of the equation at the end of a step, in units of the tolerance
 constexpr double allowed_to_hide = 100;  ///< times the step's length, in units of the tolerance
 constexpr double rounding_of_doubles = 0x1p-52;
-constexpr double rounding_of_states = 0x1p-103;  ///< of double-doubles, where they are typed and summed
+constexpr double rounding_of_states = 0x1p-105;  ///< of double-doubles, where they are typed and summed
 constexpr double small = 0.005;  ///< in the largest term: so little of what a motion in doubles lost is lost
 constexpr int most_shortenings =
     9;  ///< to an eighth: where low coefficients are zero no step is short enough
@@ -290,8 +290,10 @@ void ExtendedStepper::find_hidden(double h) {
     return std::ranges::any_of(hidden_, [](double x) { return x > 0; });
   };
   if (!hides()) return;
+  const std::vector<double> by_rough_bound = hidden_;
   (void)system_.hidden(t_.high, place_, h, {}, defect_);
   (void)hides();
+  for (std::size_t i = 0; i < hidden_.size(); ++i) hidden_[i] = std::min(hidden_[i], by_rough_bound[i]);
 }
 
 /// Of the step that is to be taken. Whether there is a bound.
@@ -372,8 +374,12 @@ ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& re
     if (!failed && separation) {
       const MotionPiece step = stepper.polynomials();
       terms.take(step);
-      separation->add(stepper.hidden(), separation->now());  // it may have acted from the beginning on
-      separation->follow(step, terms, {stepper.truncated(), separation->now()});
+      const std::span<const double> truncated = stepper.truncated();
+      separation->follow(step, terms,
+                         {.sizes = truncated,
+                          .sides = separation->now(),
+                          .of_series = truncated,
+                          .hidden = stepper.hidden()});
       separation->add(stepper.rounded(), separation->now());
     }
     sample();

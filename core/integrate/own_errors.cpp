@@ -23,7 +23,9 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
       random_(std::bit_cast<std::uint64_t>(t)),
       terms_(start.by_truncation.size()),
       sizes_(start.by_truncation.size()),
-      signs_(sizes_.size()) {
+      signs_(sizes_.size()),
+      of_series_(sizes_.size()),
+      hidden_(sizes_.size()) {
   RandomBits random(std::bit_cast<std::uint64_t>(t));
   for (std::size_t i = 0; i < sizes_.size() / 2; ++i) always_.push_back(sign(random));
   always_.insert(always_.end(), always_.begin(), always_.end());
@@ -39,14 +41,18 @@ void OwnErrors::follow(const MotionPiece& step) {
   by_rounding_.add(sizes_, signs_);
   if (!step.rounding.empty()) take_forces(step);
   if (step.defect.empty()) return by_truncation_.follow(step, terms_);
-  if (find_hidden(step.h, step.rows, step.order, step.defect, sizes_))
-    by_truncation_.add(sizes_, by_rounding_.now());  // it may have acted from the beginning on
+  const bool hides = find_hidden(step.h, step.rows, step.order, step.defect, hidden_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
-    sizes_[i] = step.defect[i] * step.h / step.order;
-    if (!step.rounding.empty()) sizes_[i] += of_forces_[i];
+    of_series_[i] = step.defect[i] * step.h / step.order;
+    sizes_[i] = of_series_[i] + (step.rounding.empty() ? 0 : of_forces_[i]);
   }
   // One sample may be so small that last digits alone tell how it grows.
-  by_truncation_.follow(step, terms_, {sizes_, by_rounding_.now(), by_rounding_.shortest_part()});
+  by_truncation_.follow(step, terms_,
+                        {.sizes = sizes_,
+                         .sides = by_rounding_.now(),
+                         .of_series = of_series_,
+                         .hidden = hides ? std::span<const double>(hidden_) : std::span<const double>(),
+                         .longest_part = by_rounding_.shortest_part()});
 }
 
 /// What rounding of the accelerations does in a step.

@@ -44,7 +44,7 @@ class OwnErrors {
   RandomBits random_;
   std::vector<double> always_;  ///< sides
   StepTerms terms_;
-  std::vector<double> sizes_, signs_, of_forces_;  ///< scratch
+  std::vector<double> sizes_, signs_, of_forces_, of_series_, hidden_;  ///< scratch
 };
 
 }  // namespace qdot

@@ -34,40 +34,64 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
       y_(e_.size()),
       size_(e_.size()),
       added_(e_.size()),
+      most_(e_.size()),
       beside_(e_.size()),
       rise_(e_.size()) {
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
 void Separation::follow(const MotionPiece& step, const StepTerms& terms, const Errors& made) {
-  for (std::size_t i = 0; i < e_.size(); ++i) size_[i] = std::max(size_[i], terms.largest()[i]);
+  for (std::size_t i = 0; i < e_.size(); ++i) {
+    y_[i] = step.rows[i * (step.order + 1)];
+    size_[i] = std::max(size_[i], terms.largest()[i]);
+  }
   const std::size_t n = e_.size() / 2;
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
-  for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
   made_ = made;
+  release_what_is_pushed();
+  if (!made.hidden.empty()) add(made.hidden, made.sides);
+  project(step.t);
+  for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
   shortest_part_ = 1;
   advance(step, terms, {});
+}
+
+/// Coordinates and their velocities whose steps alone make errors as large as they are.
+void Separation::release_what_is_pushed() {
+  const std::size_t n = e_.size() / 2;
+  const auto is_pushed = [&](std::size_t i) {
+    const double of_series = made_.of_series.empty() ? 0 : made_.of_series[i];
+    const double hidden = made_.hidden.empty() ? 0 : made_.hidden[i];
+    return of_series + hidden > size_[i];
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (is_pushed(i) || is_pushed(n + i)) most_[i] = most_[n + i] = most_of_all;
+  }
 }
 
 /// What a whole step has made has no time to grow in it. In a part it may have been made where that begins.
 void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const Part& part) {
   for (std::size_t i = 0; i < e_.size(); ++i) y_[i] = piece.rows[i * (piece.order + 1)];
   project(piece.t);
-  const bool is_whole = part.from == 0 && part.to == 1;
-  if (is_whole && are_together()) add_part(piece.order, {0, some});  // what grows is seen by that
-  bool is_told = take_rise(piece, terms);
+  const bool is_whole = part.from == 0 && part.to == 1, is_tried = is_whole && are_together();
+  if (is_tried) try_part(piece.order);
+  const bool is_told = take_rise(piece, terms);
+  if (is_tried) std::ranges::fill(e_, 0.0);
   const double length = part.to - part.from;
   if (length > (is_told ? made_.longest_part : smallest_part)) return advance_by_halves(piece, part);
   shortest_part_ = std::min(shortest_part_, length);
-  if (!is_whole) {
-    add_part(piece.order, part);
-    is_told = take_rise(piece, terms);
-  }
-  for (std::size_t i = 0; i < e_.size(); i += 2) {
-    const PairOfDoubles e = pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_};
-    move_to(i, is_told ? e : limited(i, e));
-  }
+  if (!is_whole) add_part(piece.order, part);
+  if (!is_whole || is_tried) (void)take_rise(piece, terms);
+  for (std::size_t i = 0; i < e_.size(); i += 2)
+    move_to(i, pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_});
   if (is_whole) add_part(piece.order, part);
+}
+
+/// Where nothing is apart yet, some of what the step has made tells whether series are long enough.
+void Separation::try_part(unsigned order) {
+  const double share = whole_power(some, order);
+  for (std::size_t i = 0; i < made_.sizes.size(); ++i)
+    e_[i] = std::copysign(share * std::min(made_.sizes[i], most_of_all), made_.sides[i]);
 }
 
 bool Separation::are_together() const {
@@ -112,15 +136,12 @@ void Separation::add(std::span<const double> sizes, std::span<const double> side
 /// Of two components side by side: there is an even number of them. Each stays where it is while `e` is no
 /// number.
 void Separation::move_to(std::size_t i, PairOfDoubles e) {
-  const PairOfDoubles now = magnitudes(e) < infinity ? e : pair_at(&e_[i]);
+  const PairOfDoubles size = larger_or(pair_at(&added_[i]), pair_at(&size_[i]));  // of what stands still
+  const PairOfDoubles most = larger_or(pair_at(&most_[i]), lost * size), before = pair_at(&e_[i]);
+  const PairOfDoubles within = e < -most ? -most : (most < e ? most : e);
+  const PairOfDoubles now = magnitudes(e) < infinity ? within : before;
   put_pair(&e_[i], now);
   put_pair(&largest_[i], larger_or(magnitudes(now), pair_at(&largest_[i])));
-}
-
-/// Where series tell no more how it grows: as large as the motion.
-PairOfDoubles Separation::limited(std::size_t i, PairOfDoubles e) const {
-  const PairOfDoubles most = lost * larger_or(pair_at(&added_[i]), pair_at(&size_[i]));
-  return e < -most ? -most : (most < e ? most : e);
 }
 
 /// Motions that obey constraints are apart within them.

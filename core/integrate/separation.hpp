@@ -8,9 +8,9 @@
 //
 // It is followed beside the steps: by the Taylor series from the place that is e away from the reference's
 // own, less the reference's, of as low an order as does; where none does, as beside what rests and would
-// fall, over parts of the step. Where no part is short enough it grows no more than to be as large as the
-// motion. Of the d_k only the sizes are known: whoever adds them chooses signs. Each e_i is in the unit of
-// y_i.
+// fall, over parts of the step. Where e is as large as the motion it grows no more, unless the d_k alone are
+// as large, beside which the reference tells no size. Of the d_k only the sizes are known: whoever adds them
+// chooses signs. Each e_i is in the unit of y_i.
 // Source of the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14
 // (differentiability with respect to initial values and parameters).
 
@@ -34,10 +34,12 @@ class Separation {
   /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
 
-  /// Of a step: what truncation adds, which goes with its length as s^order.
+  /// Of a step, each to the side where `sides` are.
   struct Errors {
     std::span<const double> sizes{}, sides{};
-    double longest_part{1};  ///< of the step, by which e is followed
+    std::span<const double> of_series{};  ///< of them by truncation, which goes with the length as s^order
+    std::span<const double> hidden{};     ///< beside them what may have acted from its beginning on
+    double longest_part{1};               ///< of the step, by which e is followed
   };
   /// The reference has taken this step, and has these terms. Where the original has no values e stays as it
   /// is.
@@ -63,6 +65,8 @@ class Separation {
   void advance(const MotionPiece& piece, const StepTerms& terms, const Part& part);
   void advance_by_halves(const MotionPiece& piece, const Part& part);
   void add_part(unsigned order, const Part& part);
+  void try_part(unsigned order);
+  void release_what_is_pushed();
   [[nodiscard]] bool are_together() const;
   void project(double t);
   void place_beside();
@@ -70,7 +74,6 @@ class Separation {
   [[nodiscard]] bool take_rise(const MotionPiece& step, const StepTerms& terms);
   [[nodiscard]] unsigned rise(const MotionPiece& step, const StepTerms& terms, unsigned order);
   void move_to(std::size_t i, PairOfDoubles e);
-  [[nodiscard]] PairOfDoubles limited(std::size_t i, PairOfDoubles e) const;
 
   const RightHandSide& original_;
   Scale scale_;
@@ -81,6 +84,7 @@ class Separation {
   std::vector<double> e_, largest_;
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
   std::vector<double> added_;              ///< by steps, and where that alone takes coordinates
+  std::vector<double> most_;               ///< that e_ may be where it has been pushed farther than y went
   std::vector<double> beside_, c_, rise_;  ///< scratch
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/base/work.hpp"
 #include "core/dynamics/missing_values.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/steady/far_field.hpp"
@@ -121,8 +122,9 @@ class RegionSearch {
     // A little more than the sides' values: what lies at the ends counts.
     region.resize(region.size() + static_cast<std::size_t>(std::ranges::count(sides, 0)), {-1.001, 1.001});
     scales.resize(region.size(), 1.0);
+    const std::uint64_t work = work_left();
     Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
-    if (!isolation.complete) {
+    if (!isolation.complete && work_left() > work / 2) {
       if (auto all = within_farthest(sides, region, scales)) isolation = std::move(*all);
     }
     if (!isolation.complete) isolation = nearer(sides, region, scales, std::move(isolation));

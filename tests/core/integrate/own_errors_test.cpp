@@ -33,11 +33,11 @@ TEST(OwnErrors, CountTheRoundingOfStepsThatTheStartDoesNotShow) {
   EXPECT_LT(off[0], 0x1p-53 * grown * 10);
 }
 
-TEST(OwnErrors, OfTruncationAddUpAlongWhatGrows) {
+TEST(OwnErrors, OfHiddenDefectsAddUpAlongWhatGrows) {
   constexpr double e = 1e-6, defect = 1e-9;
   const std::vector<double> off = off_by({{e, -e}, {0, 0}}, std::vector{0.0, defect});
-  double sum = 0;
-  for (int i = 1; i < steps; ++i) sum += defect * length / order * std::exp(length * i) / 2;
+  double sum = 0;  // its terms do not show the defect, which so may have acted from each step's beginning on
+  for (int i = 1; i <= steps; ++i) sum += defect * length * std::exp(length * i) / 2;
   EXPECT_GT(off[0], 0.5 * sum);
   EXPECT_LT(off[0], 2 * sum);
 }
