@@ -34,8 +34,10 @@ std::optional<bool> is_inside(const Domain& domain, const Interval& x) {
 
 class RegionSearch {
  public:
-  RegionSearch(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y)
+  RegionSearch(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y,
+               SearchEffort effort)
       : dynamics_(dynamics),
+        effort_(effort),
         y_(y.begin(), y.end()),
         problem_(problem),
         reduction_(problem_.statics->reduction),
@@ -124,7 +126,7 @@ class RegionSearch {
     scales.resize(region.size(), 1.0);
     const std::uint64_t work = work_left();
     Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
-    if (!isolation.complete && work_left() > work / 2) {
+    if (!isolation.complete && effort_ == SearchEffort::thorough && work_left() > work / 2) {
       if (auto all = within_farthest(sides, region, scales)) isolation = std::move(*all);
     }
     if (!isolation.complete) isolation = nearer(sides, region, scales, std::move(isolation));
@@ -280,6 +282,7 @@ class RegionSearch {
   }
 
   const Dynamics& dynamics_;
+  SearchEffort effort_;
   std::vector<double> y_;
   SteadyProblem problem_;
   const Reduction& reduction_;
@@ -292,12 +295,14 @@ class RegionSearch {
 
 }  // namespace
 
-Equilibria steady_places(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y) {
-  return RegionSearch(dynamics, problem, y).run();
+Equilibria steady_places(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y,
+                         SearchEffort effort) {
+  return RegionSearch(dynamics, problem, y, effort).run();
 }
 
-Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y) {
-  Equilibria result = steady_places(dynamics, problem, y);
+Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y,
+                      SearchEffort effort) {
+  Equilibria result = steady_places(dynamics, problem, y, effort);
   StabilityAnalysis analysis(dynamics, result.problem);
   for (SteadyState& state : result.states) {
     if (!state.at_kink) {
@@ -311,7 +316,7 @@ Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, st
 }
 
 Equilibria equilibria(const Dynamics& dynamics, const Reals& parameters, const Reals& y) {
-  return equilibria(dynamics, steady_problem(dynamics, parameters, y), y);
+  return equilibria(dynamics, steady_problem(dynamics, parameters, y), y, SearchEffort::thorough);
 }
 
 }  // namespace qdot

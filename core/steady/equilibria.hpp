@@ -27,16 +27,19 @@ struct Equilibria {
   SteadyProblem problem;
 };
 
+/// What a search that is given up is worth: thorough, it goes on where it can be told how far away none is.
+enum class SearchEffort { usual, thorough };
+
 /// The state `y` gives the ignored coordinates their momenta and the free ones their values.
-/// Throws what steady_problem throws.
+/// Thorough. Throws what steady_problem throws.
 [[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, const Reals& parameters, const Reals& y);
 
 /// The same for constants of the caller's, such as momenta that stay while a parameter moves.
 [[nodiscard]] Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem,
-                                    std::span<const double> y);
+                                    std::span<const double> y, SearchEffort effort = SearchEffort::usual);
 
 /// The places alone, without their stability. Where the forces have charts, all of these are searched.
 [[nodiscard]] Equilibria steady_places(const Dynamics& dynamics, const SteadyProblem& problem,
-                                       std::span<const double> y);
+                                       std::span<const double> y, SearchEffort effort = SearchEffort::usual);
 
 }  // namespace qdot
