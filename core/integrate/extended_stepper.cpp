@@ -23,7 +23,7 @@ constexpr double small = 0.005;  ///< in the largest term: so little of what a m
 constexpr int most_shortenings =
     9;  ///< to an eighth: where low coefficients are zero no step is short enough
 constexpr double shortening = 0.8;
-constexpr int most_halvings = 20;
+constexpr double fast_fall = 0.1;  ///< by half the length
 /// A coefficient beyond it is multiplied by a power of the step next to where doubles end.
 constexpr double largest_coefficient = 1e250;
 constexpr unsigned lowest_order = 12;
@@ -300,20 +300,29 @@ void ExtendedStepper::find_hidden(double h) {
 }
 
 /// Up to that, a length over which rounding of the forces is as small as what a step may hide: where terms
-/// are much larger than their sum, as behind a pulse, it is the shorter the less.
+/// are much larger than their sum, as behind a pulse, it falls much faster than the length.
 double ExtendedStepper::exact_part(double h) {
   const std::size_t n = y_.size() / 2;
-  const auto is_small = [&](double length) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double off = in_double_doubles_[i] * length;
-      if (std::isfinite(off) && off > allowed_[n + i]) return false;
-    }
-    return true;
+  const auto rounded_over = [&](double length) {
+    if (!bound_rounding()) return 0.0;
+    double most = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      most = std::max(most, in_double_doubles_[i] * length / allowed_[n + i]);
+    return most;
   };
-  double part = h;
-  for (int i = 0; i < most_halvings && bound_rounding() && !is_small(part); ++i) {
+  const auto look_over = [&](double length) {
+    (void)system_.hidden(t_.high, place_, length, allowed_, defect_);
+    return rounded_over(length);
+  };
+  double part = h, rounded = rounded_over(h);
+  while (rounded > 1 && std::isfinite(rounded)) {
+    const double of_half = look_over(part / 2);
+    if (!(of_half < fast_fall * rounded)) {
+      (void)look_over(part);
+      break;
+    }
     part /= 2;
-    (void)system_.hidden(t_.high, place_, part, allowed_, defect_);
+    rounded = of_half;
   }
   return part;
 }
