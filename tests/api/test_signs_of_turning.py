@@ -157,7 +157,7 @@ class SignsOfTurning(Service):
     def test_a_pole_at_0_is_said_to_be_there(self):
         for text, start in (("m*x_dot^2/2 + (b - c)/x", "x - 0.8 0.3"), ("m*(x_dot^2 + x^2*f_dot^2)/2 + b/(2*x^2)", "x - 1 0.2; f - 0 1.3")):
             answer = self.ask("turning_points", {"system": lagrangian("pole", "m - 1; b - 5; c - 2", start, text)})
-            self.assertTrue(answer["x_min"]["reason"].startswith("At x = 0 the potential has a pole"), answer)
+            self.assertIn("At x = 0 the potential has a pole", str(answer))
 
 
 if __name__ == "__main__":
