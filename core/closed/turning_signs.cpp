@@ -224,6 +224,7 @@ class End {
     ask_coefficients(problem_.potential, equation_.x, signs);
     ask_parts(place_, signs);
     ask_between(problem_, equation_.graph->number(0), signs);
+    ask_between(problem_, equation_.graph->symbol("pi"), signs);
     if (const auto x0 = equation_.start()) ask_between(problem_, Number::ratio(1, 2) * (*x0 + place_), signs);
     return signs.separating([&](const FarPlace& far) { return holds_at(far); },
                             by_start_ ? tries_of_start : tries_anywhere / 2, by_start_ ? 0 : tries_of_start);
@@ -291,6 +292,7 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
   ask_parts(period.factor, signs);
   if (period.m) ask_parts(*period.m, signs);
   ask_between(problem, equation.graph->number(0), signs);
+  ask_between(problem, equation.graph->symbol("pi"), signs);
   const FarStart begin(equation, by_start);
   std::optional<SpeedAt> speed;
   const auto has_period = [&](const FarPlace& far) -> std::optional<bool> {

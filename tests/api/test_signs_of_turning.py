@@ -154,6 +154,13 @@ class SignsOfTurning(Service):
             form = self.ask("turning_points", {"system": lagrangian("beside", parameters, start, text)})["exact"][name]
             self.assertEqual([assumed for assumed in form["assumes"] if "(0)" not in assumed and not assumed.startswith("ellipk")], needed, (text, form))
 
+    def test_a_cycloid_has_its_period_where_no_motion_passes_the_cusp(self):
+        for rate in ("0.1", "3.6"):
+            system = lagrangian("cycloid", "m - 1; a - 0.6; g - 9.81", f"x - 0.9 {rate}", "m*a^2*(1 + cos(x))*x_dot^2 - m*g*a*(1 - cos(x))")
+            system["coordinates"][0]["unit"] = "rad"
+            form = self.ask("turning_points", {"system": system})["exact"]["period"]
+            self.assertEqual(form["assumes"], ["a > 0", "g > 0", "h > 0", "2*m*a*g > h"], rate)
+
     def test_a_pole_at_0_is_said_to_be_there(self):
         for text, start in (("m*x_dot^2/2 + (b - c)/x", "x - 0.8 0.3"), ("m*(x_dot^2 + x^2*f_dot^2)/2 + b/(2*x^2)", "x - 1 0.2; f - 0 1.3")):
             answer = self.ask("turning_points", {"system": lagrangian("pole", "m - 1; b - 5; c - 2", start, text)})
