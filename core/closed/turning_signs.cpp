@@ -153,6 +153,13 @@ void ask_between(const QuadratureProblem& problem, const Expression& place, Assu
   }
 }
 
+void ask_bottom_and_top(const TurningEquation& equation, const QuadratureProblem& problem,
+                        AssumedSigns& signs) {
+  ask_between(problem, equation.graph->number(0), signs);
+  const bool is_angle = equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad";
+  if (is_angle) ask_between(problem, equation.graph->symbol("pi"), signs);
+}
+
 /// Nothing is answered where the inertia is not positive.
 bool is_heavy(const QuadratureProblem& problem, double x, FarPlace far) {
   far.emplace_back(problem.x, Real(x));
@@ -223,8 +230,7 @@ class End {
     signs.ask(with_value(back_, equation_.x, place_));
     ask_coefficients(problem_.potential, equation_.x, signs);
     ask_parts(place_, signs);
-    ask_between(problem_, equation_.graph->number(0), signs);
-    ask_between(problem_, equation_.graph->symbol("pi"), signs);
+    ask_bottom_and_top(equation_, problem_, signs);
     if (const auto x0 = equation_.start()) ask_between(problem_, Number::ratio(1, 2) * (*x0 + place_), signs);
     return signs.separating([&](const FarPlace& far) { return holds_at(far); },
                             by_start_ ? tries_of_start : tries_anywhere / 2, by_start_ ? 0 : tries_of_start);
@@ -291,8 +297,7 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
   ask_coefficients(problem.potential, problem.x, signs);
   ask_parts(period.factor, signs);
   if (period.m) ask_parts(*period.m, signs);
-  ask_between(problem, equation.graph->number(0), signs);
-  ask_between(problem, equation.graph->symbol("pi"), signs);
+  ask_bottom_and_top(equation, problem, signs);
   const FarStart begin(equation, by_start);
   std::optional<SpeedAt> speed;
   const auto has_period = [&](const FarPlace& far) -> std::optional<bool> {
