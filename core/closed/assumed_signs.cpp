@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
+#include "core/closed/separation.hpp"
 #include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/rational_function.hpp"
@@ -15,6 +15,13 @@ namespace qdot {
 namespace {
 
 constexpr int far_places = 32;
+
+/// Between `value`/reach and `value` times reach.
+double scaled_value(double value, double reach, const Domain& domain, std::minstd_rand& random) {
+  const double u = static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max());
+  const double x = value * power(reach, 2 * u - 1);
+  return domain.contains(x) ? x : value;
+}
 
 /// Of the sign that a value has, between a twelfth and twelve where its domain has that.
 double far_value(double value, const Domain& domain, std::minstd_rand& random) {
@@ -71,7 +78,7 @@ void AssumedSigns::leave_out(const Expression& symbol, const std::optional<Expre
 
 void AssumedSigns::ask(const Expression& e) {
   const double value = values_.value(e).value;
-  if (value == 0 || sign_of(e) != 0 || !is_of_parameters(e)) return;
+  if (value == 0 || !std::isfinite(value) || sign_of(e) != 0 || !is_of_parameters(e)) return;
   if (const auto positive = positive_of(e, value > 0 ? 1 : -1)) take(*positive);
 }
 
@@ -85,12 +92,67 @@ void AssumedSigns::let_signs_go() {
   }
 }
 
+void AssumedSigns::let_go(const std::vector<Expression>& symbols, const OtherPlace& also) {
+  let_go_ = symbols;
+  also_ = also;
+  for (const Expression& e : symbols) {
+    int& sign = known_[e.id()];
+    const Expression positive = sign < 0 ? -e : e;
+    const bool is_known = std::exchange(sign, 0) != 0;
+    if (is_known) take(positive);
+  }
+}
+
+/// Places of which nothing is claimed count for little.
+std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tried, int tries,
+                                                                 int other_tries) {
+  constexpr int most_per_try = 3;
+  take_asked();
+  std::minstd_rand random;
+  std::vector<FarPlace> places;
+  std::vector<bool> holds;
+  const auto is_tried = [&](const FarPlace& place) {
+    const std::optional<bool> answer = tried(place);
+    if (!answer) return 0;
+    holds.push_back(*answer);
+    places.push_back(place);
+    return 1;
+  };
+  int anywhere = 0, others = 0;
+  for (int number = 0; number < most_per_try * std::max(tries, other_tries); ++number) {
+    if (anywhere == tries && others == other_tries) break;
+    const FarPlace place = far_place(number, random);
+    if (anywhere < tries) anywhere += is_tried(place);
+    const auto other = others < other_tries ? also_(place) : std::nullopt;
+    if (other) others += is_tried(*other);
+  }
+  return signs_that_tell(places, holds);
+}
+
+std::optional<std::vector<std::string>> AssumedSigns::signs_that_tell(const std::vector<FarPlace>& places,
+                                                                      const std::vector<bool>& holds) const {
+  std::vector<std::string> needed;
+  if (std::ranges::find(holds, false) == holds.end()) return needed;
+  std::vector<std::vector<bool>> broken(open_.size());
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    for (const FarPlace& place : places) broken[i].push_back(is_broken(open_[i].e, place));
+  }
+  const auto chosen = qdot::separating(broken, holds);
+  if (!chosen) return std::nullopt;
+  for (const std::size_t i : *chosen) needed.push_back(inequality(values_, open_[i].e));
+  return needed;
+}
+
+bool AssumedSigns::is_broken(const Expression& positive, const FarPlace& place) {
+  std::vector<Assignment> doubles;
+  for (const auto& [symbol, value] : place) doubles.emplace_back(symbol, value.value);
+  return !(evaluate(positive, doubles) > 0);
+}
+
 bool AssumedSigns::are_there() {
   take_asked();
-  const auto is_broken = [](const Open& open) {
-    return std::ranges::find(open.broken, true) != open.broken.end();
-  };
-  return std::ranges::any_of(open_, is_broken);
+  return std::ranges::any_of(
+      open_, [](const Open& open) { return std::ranges::find(open.broken, true) != open.broken.end(); });
 }
 
 std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
@@ -131,39 +193,51 @@ void AssumedSigns::take_asked() {
 }
 
 void AssumedSigns::take(const Expression& positive) {
+  constexpr std::size_t longest_told = 40;
+  if (also_ && written_length(positive) > longest_told) return;
   if (std::ranges::find(open_, positive, &Open::e) != open_.end()) return;
-  if (far_.empty()) find_far_places();
+  if (far_.empty() && !also_) find_far_places();
   Open open{positive, {}};
-  for (const auto& place : far_) {
-    std::vector<Assignment> doubles;
-    for (const auto& [symbol, value] : place) doubles.emplace_back(symbol, value.value);
-    open.broken.push_back(!(evaluate(positive, doubles) > 0));
-  }
+  for (const FarPlace& place : far_) open.broken.push_back(is_broken(positive, place));
   const auto is_longer = [&](const Open& other) {
     return written_length(other.e) > written_length(positive);
   };
   open_.insert(std::ranges::find_if(open_, is_longer), std::move(open));
 }
 
-/// Exponents keep the values with which the formulas were derived.
 void AssumedSigns::find_far_places() {
   std::minstd_rand random;
-  for (int number = 0; number < far_places; ++number) {
-    std::vector<RealAssignment> place;
-    for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
-      const Parameter& p = values_.model().scene.parameters[i];
-      const double value = values_.parameters()[i], far = far_value(value, p.domain, random);
-      const bool is_exponent = values_.model().parsed.exponents.put_in.contains(p.name);
-      place.emplace_back(values_.symbols()[i], is_exponent ? value : far);
-    }
-    for (const Expression& e : given_) {
-      const double far = far_value(values_.value(e).value, {}, random);
-      place.emplace_back(e, !given_has_signs_ && random() % 2 == 0 ? -far : far);
-    }
-    for (const auto& [symbol, value] : relations_.replacements)
-      std::ranges::find(place, symbol, &RealAssignment::first)->second = evaluate_exactly(value, place);
-    far_.push_back(std::move(place));
+  for (int number = 0; number < far_places; ++number) far_.push_back(far_place(number, random));
+}
+
+/// Exponents keep the values with which the formulas were derived.
+AssumedSigns::FarPlace AssumedSigns::far_place(int number, std::minstd_rand& random) const {
+  FarPlace place;
+  for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
+    const Parameter& p = values_.model().scene.parameters[i];
+    const double far = far_number(values_.symbols()[i], p.domain, number, random);
+    const bool is_exponent = values_.model().parsed.exponents.put_in.contains(p.name);
+    place.emplace_back(values_.symbols()[i], is_exponent ? values_.parameters()[i] : far);
   }
+  for (const Expression& e : given_) {
+    const double far = far_number(e, {}, number, random);
+    place.emplace_back(e, !given_has_signs_ && random() % 2 == 0 ? -far : far);
+  }
+  for (const auto& [symbol, value] : relations_.replacements)
+    std::ranges::find(place, symbol, &RealAssignment::first)->second = evaluate_exactly(value, place);
+  return place;
+}
+
+/// Where signs are let go: of any size, of that of the value, and near it.
+double AssumedSigns::far_number(const Expression& symbol, const Domain& domain, int number,
+                                std::minstd_rand& random) const {
+  const double value = values_.value(symbol).value;
+  const int kind = also_ ? number % 3 : 0;
+  const double x = kind == 0   ? far_value(value, domain, random)
+                   : kind == 1 ? scaled_value(value, 12, domain, random)
+                               : scaled_value(value, 1.6, domain, random);
+  const bool turns = also_ && random() % 3 == 0 && domain.contains(-x);  // the same places for all formulas
+  return turns && std::ranges::find(let_go_, symbol) != let_go_.end() ? -x : x;
 }
 
 /// Whether it speaks of nothing but the known symbols and small numbers: places near which something was
@@ -187,7 +261,8 @@ std::optional<Expression> AssumedSigns::positive_of(const Expression& e, int sig
     const int decided = sign_of(*part);
     product = decided == 0 ? product * *part : scaled(product, {}, Number(decided));
   }
-  return sign_of(product) != 0 ? std::nullopt : std::optional(short_form(product));
+  const bool is_decided = product.empty() || sign_of(product) != 0;
+  return is_decided ? std::nullopt : std::optional(short_form(product));
 }
 
 namespace {

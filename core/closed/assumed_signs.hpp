@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,6 +34,11 @@ class AssumedSigns {
 
   /// What is given may have the other sign, too, unless that has to be assumed.
   void let_signs_go();
+  /// So may these parameters, or given symbols, of which a formula does not speak; before anything is asked.
+  /// Far places are near ones, too, then, and those that `also` makes of them.
+  using FarPlace = std::vector<RealAssignment>;
+  using OtherPlace = std::function<std::optional<FarPlace>(const FarPlace&)>;
+  void let_go(const std::vector<Expression>& symbols, const OtherPlace& also);
 
   /// Of all that was asked for until now, what has to be assumed for the claims to hold and have values, as
   /// inequalities with what is subtracted on the other side.
@@ -39,6 +46,12 @@ class AssumedSigns {
   /// The same of claims that are tried where the symbols have these values.
   using HoldsAt = std::function<bool(const std::vector<RealAssignment>&)>;
   [[nodiscard]] std::vector<std::string> needed_for(const HoldsAt& holds_at);
+  /// Whether a formula holds where the symbols have these values; none where it claims nothing there.
+  using Tried = std::function<std::optional<bool>(const FarPlace&)>;
+  /// What keeps a formula from the far places where it does not hold, of which so many are tried, and so many
+  /// of the others that are made of them; none where nothing that was asked for does. After let_go().
+  [[nodiscard]] std::optional<std::vector<std::string>> separating(const Tried& tried, int tries,
+                                                                   int other_tries);
   /// Whether anything is open that is not true at all far places.
   [[nodiscard]] bool are_there();
 
@@ -51,6 +64,12 @@ class AssumedSigns {
   void take_asked();
   void take(const Expression& positive);
   void find_far_places();
+  [[nodiscard]] FarPlace far_place(int number, std::minstd_rand& random) const;
+  [[nodiscard]] std::optional<std::vector<std::string>> signs_that_tell(const std::vector<FarPlace>& places,
+                                                                        const std::vector<bool>& holds) const;
+  [[nodiscard]] static bool is_broken(const Expression& positive, const FarPlace& place);
+  [[nodiscard]] double far_number(const Expression& symbol, const Domain& domain, int number,
+                                  std::minstd_rand& random) const;
   [[nodiscard]] bool is_of_parameters(const Expression& e) const;
   [[nodiscard]] std::optional<Expression> positive_of(const Expression& e, int sign) const;
   [[nodiscard]] int sign_of(const Expression& e) const;
@@ -61,11 +80,13 @@ class AssumedSigns {
   const Relations& relations_;
   std::vector<Expression> given_;
   bool given_has_signs_{true};
+  std::vector<Expression> let_go_;
+  OtherPlace also_;
   std::map<NodeId, int> known_;  ///< signs; 0 where it is open
   std::vector<Replacement> formulas_;
   std::size_t asked_{};  ///< so many were looked at
   std::set<std::pair<NodeId, int>> seen_;
-  std::vector<std::vector<RealAssignment>> far_;
+  std::vector<FarPlace> far_;
   std::vector<Open> open_;
 };
 

@@ -1,5 +1,7 @@
 #include "core/closed/exact_extrema.hpp"
 
+#include <algorithm>
+
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/inverted_roots.hpp"
 #include "core/closed/trial.hpp"
@@ -44,26 +46,33 @@ void ExactExtrema::consider(End end, Function function, const Expression& root, 
 
 void ExactExtrema::keep(End end, Found found, const Expression& left, const Relations& relations) {
   if (!found || !is_root(found->first, left, relations)) return;
-  std::optional<ExactExtremum>& best = form_of(end);
-  if (best && found->second.value.text.size() >= best->value.text.size()) return;
-  kept_.insert_or_assign(end, Kept{found->first, relations});
-  best = std::move(found->second);
+  kept_[end].push_back({found->first, std::move(found->second), relations});
 }
 
 void ExactExtrema::assume_signs() {
-  assume_signs(End::maximum);
-  assume_signs(End::minimum);
+  maximum = shortest(End::maximum);
+  minimum = shortest(End::minimum);
 }
 
-void ExactExtrema::assume_signs(End end) {
-  std::optional<ExactExtremum>& form = form_of(end);
-  if (!form) return;
-  const Kept& kept = kept_.at(end);
-  const auto needed = signs_of_extremum(equation_, kept.x, end == End::maximum ? 1 : -1, kept.relations);
-  for (ClosedForm* each :
-       {&form->value, form->cosine ? &*form->cosine : nullptr, form->sine ? &*form->sine : nullptr}) {
-    if (each != nullptr) each->assumes.insert(each->assumes.end(), needed.begin(), needed.end());
+std::optional<ExactExtremum> ExactExtrema::shortest(End end) {
+  std::vector<Kept>& kept = kept_[end];
+  std::ranges::stable_sort(kept, {}, [](const Kept& each) { return each.form.value.text.size(); });
+  for (Kept& each : kept) {
+    if (assume_signs(end, each)) return std::move(each.form);
   }
+  return std::nullopt;
+}
+
+bool ExactExtrema::assume_signs(End end, Kept& kept) const {
+  ExactExtremum& form = kept.form;
+  const auto needed =
+      signs_of_extremum(equation_, kept.x, end == End::maximum ? 1 : -1, kept.relations, form.value.assumes);
+  if (!needed) return false;
+  for (ClosedForm* each :
+       {&form.value, form.cosine ? &*form.cosine : nullptr, form.sine ? &*form.sine : nullptr}) {
+    if (each != nullptr) each->assumes.insert(each->assumes.end(), needed->begin(), needed->end());
+  }
+  return true;
 }
 
 std::vector<Expression> ExactExtrema::roots_in(const Expression& unknown, const Expression& left) const {

@@ -32,7 +32,7 @@ class ExactExtrema {
   /// Those at the place where the motion begins, or at its mirror image.
   void consider_start(const Expression& left, const Relations& relations);
 
-  /// What the formulas that were kept assume beside the parameters' signs; after all was considered.
+  /// Takes the shortest that hold wherever the signs do that they assume; after all was considered.
   void assume_signs();
 
   std::optional<ExactExtremum> maximum, minimum;
@@ -42,19 +42,19 @@ class ExactExtrema {
   enum class End { maximum, minimum };
   struct Kept {
     Expression x;
+    ExactExtremum form;
     Relations relations;
   };
 
   void consider(End end, Function function, const Expression& root, const Expression& left,
                 const Relations& relations);
-  /// Where it is a root of `left`, and shorter.
+  /// Where it is a root of `left`.
   void keep(End end, Found found, const Expression& left, const Relations& relations);
-  void assume_signs(End end);
+  /// Whether that is possible.
+  [[nodiscard]] bool assume_signs(End end, Kept& kept) const;
+  [[nodiscard]] std::optional<ExactExtremum> shortest(End end);
   [[nodiscard]] const Finding& number_of(End end) const {
     return end == End::maximum ? equation_.found.maximum : equation_.found.minimum;
-  }
-  [[nodiscard]] std::optional<ExactExtremum>& form_of(End end) {
-    return end == End::maximum ? maximum : minimum;
   }
   /// Values of the unknown, a cosine say, where `left` is a quadratic polynomial of it.
   [[nodiscard]] std::vector<Expression> roots_in(const Expression& unknown, const Expression& left) const;
@@ -70,7 +70,7 @@ class ExactExtrema {
 
   const TurningEquation& equation_;
   bool is_angle_;
-  std::map<End, Kept> kept_;
+  std::map<End, std::vector<Kept>> kept_;
 };
 
 }  // namespace qdot

@@ -84,8 +84,9 @@ class TurningForms {
                                         : period_form(problem, equation_.values, *equation_.found.motion,
                                                       equation_.found.period, written);
     if (!period) return std::nullopt;
-    const std::vector<std::string> needed = signs_of_period(equation_, problem, *period, walls);
-    period->form.assumes.insert(period->form.assumes.end(), needed.begin(), needed.end());
+    const auto needed = signs_of_period(equation_, problem, *period, walls);
+    if (!needed) return std::nullopt;
+    period->form.assumes.insert(period->form.assumes.end(), needed->begin(), needed->end());
     return std::move(period->form);
   }
 

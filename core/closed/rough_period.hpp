@@ -26,4 +26,7 @@ struct SquaredSpeed {
 /// Whether a turn of 2 pi takes this time, or there is a place that stops it.
 [[nodiscard]] bool may_turn_with(const SquaredSpeed& e, double period);
 
+/// Whether a motion that is at `from` has e > 0 all the way to just before `to`, and passes no pole.
+[[nodiscard]] bool may_come(const SquaredSpeed& e, double from, double to);
+
 }  // namespace qdot

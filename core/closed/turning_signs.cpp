@@ -5,17 +5,23 @@
 #include <limits>
 #include <map>
 
+#include "core/base/error.hpp"
 #include "core/closed/assumed_signs.hpp"
 #include "core/closed/rough_period.hpp"
 #include "core/closed/trial.hpp"
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/polynomial.hpp"
+#include "core/expr/print/print.hpp"
+#include "core/expr/special_angles.hpp"
 
 namespace qdot {
 namespace {
 
-using FarPlace = std::vector<RealAssignment>;
+using FarPlace = AssumedSigns::FarPlace;
+
+constexpr int tries_anywhere = 48;
+constexpr int tries_of_start = 160;
 
 Expression with_value(const Expression& e, const Expression& x, const Expression& value) {
   const Replacement there{x, value};
@@ -58,33 +64,106 @@ void ask_coefficients(const Expression& potential, const Expression& x, AssumedS
     if (!varying.empty()) add(coefficients[varying], constant, number);
   }
   for (const auto& [varying, coefficient] : coefficients) {
-    if (coefficient.size() > 1) signs.ask(to_expression(graph, coefficient));
+    signs.ask(to_expression(graph, coefficient));
   }
+}
+
+/// What the formula assumes of its own symbols is all that holds at other parameters.
+std::vector<Expression> not_spoken_of(const TurningEquation& equation,
+                                      const std::vector<std::string>& assumes, bool has_constants) {
+  std::vector<Expression> symbols = equation.values.symbols();
+  if (has_constants) symbols.insert(symbols.end(), equation.constants.begin(), equation.constants.end());
+  std::erase_if(symbols, [&](const Expression& symbol) {
+    const std::string name = print(symbol, Form::text);
+    return std::ranges::any_of(assumes, [&](const std::string& assumed) {
+      return assumed == name + " > 0" || assumed == name + " < 0" || assumed.starts_with(name + " = ");
+    });
+  });
+  return symbols;
 }
 
 /// The same parameters, with the constants of the motion that the equation's start gives it, where it is
 /// known exactly and they have the signs that they are said to have.
-std::optional<FarPlace> with_start(const TurningEquation& equation, const FarPlace& place) {
-  if (!equation.energy) return std::nullopt;
-  FarPlace there = place;
+AssumedSigns::OtherPlace with_start(const TurningEquation& equation, const std::vector<Expression>& free) {
+  if (!equation.energy) return [](const FarPlace&) { return std::nullopt; };
   std::vector<Replacement> constants = equation.momenta;
   constants.emplace_back(equation.energy_symbol, *equation.energy);
-  for (const auto& [symbol, value] : constants) {
-    const Real number = evaluate_exactly(value, place);
-    const auto other = std::ranges::find(there, symbol, &RealAssignment::first);
-    if (other == there.end() || !(number.value * other->second.value > 0)) return std::nullopt;
-    other->second = number;
-  }
-  return there;
+  return [&equation, constants, free](const FarPlace& place) -> std::optional<FarPlace> {
+    FarPlace there = place;
+    for (const auto& [symbol, value] : constants) {
+      const Real number = evaluate_exactly(value, place);
+      const auto other = std::ranges::find(there, symbol, &RealAssignment::first);
+      if (other == there.end() || !number.is_finite()) return std::nullopt;
+      const bool is_free = std::ranges::find(free, symbol) != free.end();
+      if (!is_free && !(number.value * equation.values.value(symbol).value > 0)) return std::nullopt;
+      other->second = number;
+    }
+    return there;
+  };
 }
 
-/// Whether the motion has e > 0 all the way from its start to there.
-bool comes_from_start(const SquaredSpeed& e, double start, double end) {
-  constexpr int places = 64;
-  for (int i = 1; i < places; ++i) {
-    if (!(e.at(start + (end - start) * i / places) > 0)) return false;
+/// Where the motion begins at a far place; none where that says nothing of its start.
+class FarStart {
+ public:
+  FarStart(const TurningEquation& equation, bool by_start)
+      : equation_(equation), by_start_(by_start), x0_(equation.start()) {}
+
+  [[nodiscard]] std::optional<double> at(const FarPlace& place) const {
+    if (!x0_ || !(by_start_ || is_that_of_start(place))) return std::nullopt;
+    const Real x = evaluate_exactly(*x0_, place);
+    return x.is_finite() ? std::optional(x.value) : std::nullopt;
   }
-  return true;
+
+ private:
+  [[nodiscard]] bool is_that_of_start(const FarPlace& place) const {
+    if (!equation_.energy) return false;
+    const auto has = [&](const Expression& symbol, const Expression& value) {
+      const auto given = std::ranges::find(place, symbol, &RealAssignment::first);
+      return given != place.end() && given->second.value == evaluate_exactly(value, place).value;
+    };
+    const auto is_momentum = [&](const Replacement& p) { return has(p.first, p.second); };
+    return has(equation_.energy_symbol, *equation_.energy) &&
+           std::ranges::all_of(equation_.momenta, is_momentum);
+  }
+
+  const TurningEquation& equation_;
+  bool by_start_;
+  std::optional<Expression> x0_;
+};
+
+/// The sums of a formula, what it divides by, and what it takes roots of.
+void ask_parts(const Expression& formula, AssumedSigns& signs) {
+  Graph& graph = formula.graph();
+  const NodeId root = formula.id();
+  signs.ask(formula);
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    if (std::holds_alternative<Sum>(graph.node(id))) signs.ask(Expression(graph, id));
+  }
+}
+
+/// What is left of the energy at a place between the ends, and which way the force goes there.
+void ask_between(const QuadratureProblem& problem, const Expression& place, AssumedSigns& signs) {
+  constexpr std::size_t long_place = 20;
+  if (written_length(place) > long_place) return;
+  try {
+    for (const Expression& e :
+         {problem.energy - problem.potential, differentiate(problem.potential, problem.x)})
+      signs.ask(with_special_angles(with_value(e, problem.x, place)));
+  } catch (const Error&) {  // there is a pole
+  }
+}
+
+void ask_bottom_and_top(const TurningEquation& equation, const QuadratureProblem& problem,
+                        AssumedSigns& signs) {
+  ask_between(problem, equation.graph->number(0), signs);
+  const bool is_angle = equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad";
+  if (is_angle) ask_between(problem, equation.graph->symbol("pi"), signs);
+}
+
+/// Nothing is answered where the inertia is not positive.
+bool is_heavy(const QuadratureProblem& problem, double x, FarPlace far) {
+  far.emplace_back(problem.x, Real(x));
+  return evaluate_exactly(problem.inertia, far).value > 0;
 }
 
 /// v^2 with numbers in place of all but x.
@@ -115,40 +194,83 @@ class SpeedAt {
 
 }  // namespace
 
-std::vector<std::string> signs_of_extremum(const TurningEquation& equation, const Expression& x, int side,
-                                           const Relations& relations) {
-  const bool by_start = !equation.assumed.empty();
-  const auto with_constants = [&](const Expression& e) {
-    return by_start ? substitute(e, equation.momenta) : e;
-  };
-  const Expression potential = with_constants(equation.potential);
-  const Expression energy = by_start ? *equation.energy : equation.energy_symbol;
-  const Expression force = differentiate(potential, equation.x);  // towards smaller x
-  const Expression place = short_form(equation.values, x);
-  AssumedSigns signs(equation.values, relations, by_start ? std::vector<Expression>{} : equation.constants);
-  const Expression back = side > 0 ? force : -force;
-  signs.ask(with_value(back, equation.x, place));
-  ask_coefficients(potential, equation.x, signs);
-  if (!signs.are_there()) return without_impacts(equation, {});
-  Trial trial(equation.values, relations);
-  trial.only_where_real();
-  trial.set({equation.x}, {place});
-  trial.vanishes(terms_of(potential - energy));
-  trial.is_positive(back);
-  const Start start(equation, force);
-  const std::optional<Expression> x0 = by_start ? std::nullopt : equation.start();
-  std::optional<SpeedAt> speed;
-  const auto is_reached = [&](const FarPlace& far) {
-    const auto there = x0 ? with_start(equation, far) : std::nullopt;
-    const Real end = there ? evaluate_exactly(place, *there) : Real(0);
-    if (!there || !end.is_finite()) return true;
-    if (!speed) speed.emplace(QuadratureProblem{equation.x, equation.inertia, potential, energy}, *there);
-    const double begin = evaluate_exactly(*x0, *there).value;
-    return trial.holds_at(*there) && comes_from_start(speed->at(*there), begin, end.value);
-  };
-  return without_impacts(equation, signs.needed_for([&](const FarPlace& far) {
-    return !start.is_as_said(far) || (trial.holds_at(far) && is_reached(far));
-  }));
+namespace {
+
+/// A formula of an end of the motion.
+class End {
+ public:
+  End(const TurningEquation& equation, const Expression& x, int side, const Relations& relations)
+      : equation_(equation),
+        relations_(relations),
+        by_start_(!equation.assumed.empty()),
+        problem_{equation.x, equation.inertia, equation.potential, equation.energy_symbol},
+        place_(short_form(equation.values, x)),
+        trial_(equation.values, relations),
+        start_(equation, by_start_) {
+    if (by_start_) {
+      problem_ = {equation.x, substitute(equation.inertia, equation.momenta),
+                  substitute(equation.potential, equation.momenta), *equation.energy};
+    }
+    force_ = differentiate(problem_.potential, equation.x);
+    back_ = side > 0 ? force_ : -force_;
+    said_.emplace(equation, force_);
+    trial_.only_where_real();
+    trial_.set({equation.x}, {place_});
+    trial_.vanishes(terms_of(problem_.potential - problem_.energy));
+    trial_.is_positive(back_);
+  }
+
+  [[nodiscard]] std::optional<std::vector<std::string>> signs(const std::vector<std::string>& assumes) {
+    AssumedSigns signs(equation_.values, relations_,
+                       by_start_ ? std::vector<Expression>{} : equation_.constants);
+    const std::vector<Expression> free = not_spoken_of(equation_, assumes, !by_start_);
+    signs.let_go(free,
+                 by_start_ ? [](const FarPlace&) -> std::optional<FarPlace> { return std::nullopt; }
+                           : with_start(equation_, free));
+    signs.ask(with_value(back_, equation_.x, place_));
+    ask_coefficients(problem_.potential, equation_.x, signs);
+    ask_parts(place_, signs);
+    ask_bottom_and_top(equation_, problem_, signs);
+    if (const auto x0 = equation_.start()) ask_between(problem_, Number::ratio(1, 2) * (*x0 + place_), signs);
+    return signs.separating([&](const FarPlace& far) { return holds_at(far); },
+                            by_start_ ? tries_of_start : tries_anywhere / 2, by_start_ ? 0 : tries_of_start);
+  }
+
+ private:
+  /// It claims nothing where the formula has no value, or the motion begins elsewhere than is said.
+  [[nodiscard]] std::optional<bool> holds_at(const FarPlace& far) {
+    const Real end = evaluate_exactly(place_, far);
+    if (!end.is_finite() || !said_->is_as_said(far)) return std::nullopt;
+    const std::optional<double> x0 = start_.at(far);
+    if (!is_heavy(problem_, x0 ? *x0 : end.value, far)) return std::nullopt;
+    const bool is_tried = !x0 || tried_++ < tries_anywhere;  // what it says is the same everywhere
+    if (is_tried && !trial_.holds_at(far)) return false;
+    if (!x0) return true;
+    if (!speed_) speed_.emplace(problem_, far);
+    return may_come(speed_->at(far), *x0, end.value);
+  }
+
+  const TurningEquation& equation_;
+  const Relations& relations_;
+  bool by_start_;
+  QuadratureProblem problem_;
+  Expression place_;
+  Expression force_{place_}, back_{place_};  ///< towards smaller x, and away from the end
+  Trial trial_;
+  FarStart start_;
+  std::optional<Start> said_;
+  std::optional<SpeedAt> speed_;
+  int tried_{};
+};
+
+}  // namespace
+
+std::optional<std::vector<std::string>> signs_of_extremum(const TurningEquation& equation,
+                                                          const Expression& x, int side,
+                                                          const Relations& relations,
+                                                          const std::vector<std::string>& assumes) {
+  auto signs = End(equation, x, side, relations).signs(assumes);
+  return signs ? std::optional(without_impacts(equation, *std::move(signs))) : std::nullopt;
 }
 
 std::vector<std::string> signs_of_wall(const TurningEquation& equation, const Expression& wall) {
@@ -161,31 +283,38 @@ std::vector<std::string> signs_of_wall(const TurningEquation& equation, const Ex
   return signs.needed_for([&](const FarPlace& far) { return evaluate_exactly(left, far).value > 0; });
 }
 
-std::vector<std::string> signs_of_period(const TurningEquation& equation, const QuadratureProblem& problem,
-                                         const PeriodFormula& period, const WallPlaces& walls) {
+std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& equation,
+                                                        const QuadratureProblem& problem,
+                                                        const PeriodFormula& period,
+                                                        const WallPlaces& walls) {
   const bool by_start = problem.energy != equation.energy_symbol;
   AssumedSigns signs(equation.values, period.relations,
                      by_start ? std::vector<Expression>{} : equation.constants);
+  const std::vector<Expression> free = not_spoken_of(equation, period.form.assumes, !by_start);
+  signs.let_go(free,
+               by_start ? [](const FarPlace&) -> std::optional<FarPlace> { return std::nullopt; }
+                        : with_start(equation, free));
   ask_coefficients(problem.potential, problem.x, signs);
-  if (!signs.are_there()) return without_impacts(equation, {});
+  ask_parts(period.factor, signs);
+  if (period.m) ask_parts(*period.m, signs);
+  ask_bottom_and_top(equation, problem, signs);
+  const FarStart begin(equation, by_start);
   std::optional<SpeedAt> speed;
-  const auto has_period = [&](const FarPlace& far, std::optional<double> start) {
+  const auto has_period = [&](const FarPlace& far) -> std::optional<bool> {
     const double number = period.value_at(far);
-    if (!std::isfinite(number)) return true;
+    if (!std::isfinite(number)) return std::nullopt;
     if (!speed) speed.emplace(problem, far);
     SquaredSpeed e = speed->at(far);
-    e.start = start;
+    e.start = begin.at(far);
+    if (e.start && !is_heavy(problem, *e.start, far)) return std::nullopt;
     if (walls.below) e.below = evaluate_exactly(*walls.below, far).value;
     if (walls.above) e.above = evaluate_exactly(*walls.above, far).value;
     return equation.found.motion == MotionKind::rotation ? may_turn_with(e, number)
                                                          : may_swing_with(e, number);
   };
-  const std::optional<Expression> x0 = equation.start();
-  return without_impacts(equation, signs.needed_for([&](const FarPlace& far) {
-    if (!has_period(far, {})) return false;
-    const auto there = x0 && !by_start ? with_start(equation, far) : std::nullopt;
-    return !there || has_period(*there, evaluate_exactly(*x0, *there).value);
-  }));
+  auto needed =
+      signs.separating(has_period, by_start ? tries_of_start : tries_anywhere, by_start ? 0 : tries_of_start);
+  return needed ? std::optional(without_impacts(equation, *std::move(needed))) : std::nullopt;
 }
 
 }  // namespace qdot

@@ -13,9 +13,11 @@
 namespace qdot {
 
 /// Of the largest (side 1) or smallest (-1) place x, written by the equation's constants, or by the initial
-/// state where the equation assumes one.
-[[nodiscard]] std::vector<std::string> signs_of_extremum(const TurningEquation& equation, const Expression& x,
-                                                         int side, const Relations& relations);
+/// state where the equation assumes one. `assumes`: what is assumed anyway. None where the formula is not the
+/// turning point at all other parameters at which that holds, and no sign that is known tells where it is.
+[[nodiscard]] std::optional<std::vector<std::string>> signs_of_extremum(
+    const TurningEquation& equation, const Expression& x, int side, const Relations& relations,
+    const std::vector<std::string>& assumes);
 
 /// Of an end at a wall: that the motion has the energy to come there.
 [[nodiscard]] std::vector<std::string> signs_of_wall(const TurningEquation& equation, const Expression& wall);
@@ -25,9 +27,11 @@ struct WallPlaces {
   std::optional<Expression> below, above;
 };
 
-/// Of a period of this problem, which speaks of the equation's constants, or of its parameters alone.
-[[nodiscard]] std::vector<std::string> signs_of_period(const TurningEquation& equation,
-                                                       const QuadratureProblem& problem,
-                                                       const PeriodFormula& period, const WallPlaces& walls);
+/// Of a period of this problem, which speaks of the equation's constants, or of its parameters alone; none
+/// as above.
+[[nodiscard]] std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& equation,
+                                                                      const QuadratureProblem& problem,
+                                                                      const PeriodFormula& period,
+                                                                      const WallPlaces& walls);
 
 }  // namespace qdot

@@ -123,8 +123,10 @@ MotionBound TurningSearch::look_beyond_resolution() {
   return {MotionBound::Kind::unresolved, p_};
 }
 
-/// From p_ to where something is known of U again: next to 0 that may be a wide range, in which U overflows.
+/// From p_ to where something is known of U again: next to 0 that may be a wide range, in which U overflows
+/// on this side already.
 Interval TurningSearch::around_what_is_singular(const Piece& from) {
+  if (!energy_.potential(p_).is_finite() && !energy_.potential(0.0).is_finite()) return hull(p_, 0.0);
   for (double width = from.x.width(); width <= 4 * std::abs(p_); width *= 2) {
     const double end = p_ + sign_ * width;
     const Interval value = energy_.potential(end);

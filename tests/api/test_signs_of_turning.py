@@ -33,6 +33,19 @@ CASES = [
     ("-m*(g - a)*l*cos(x)", "m - 1; g - 9.81; l - 1; a - 2", "x - 0.5 0.3", ["g > a"], ["g > a"], []),
 ]
 
+# What is assumed where the start is put in, of a way that a hill may bar, and of walls at poles; and nothing else
+BESIDE = [
+    ("m*x_dot^2/2 - (k - c)*x^2/2 + F*x", "m - 1; k - 9; c - 4; F - 2", "x - 0 1", "x_max", ["m > 0", "k > 0", "c > 0", "F > 0", "k > c"]),
+    ("m*x_dot^2/2 - (k - c)*x^2/2 + F*x", "m - 1; k - 9; c - 4; F - 2", "x - 0", "x_max", ["k > 0", "c > 0", "F > 0", "k > c"]),
+    ("m*x_dot^2/2 - (a - c*d)*x^2/2 + c*x", "m - 1; a - 3; c - 1; d - 2", "x - 0.3", "x_max", ["a > 0", "c > 0", "d > 0", "a > c*d"]),
+    ("m*x_dot^2/2 + a*x^2/2 - b*x^4/4", "m - 1; a - 2; b - 1", "x - 2.5", "x_min", ["25*b > 8*a"]),
+    ("m*x_dot^2/2 + a*x^2/2 - b*x^4/4", "m - 1; a - 2; b - 1; c - 2.5", "x - c", "x_min", ["c > 0", "b*c^2 > 2*a"]),
+    ("m*x_dot^2/2 + A/x - C/x^2", "m - 1; A - 3; C - 0.3", "x - 1 0.1", "period", ["m > 0", "A > 0", "h < 0", "C > 0"]),
+    ("m*x_dot^2/2 - k*x^2/2 - b/x^2", "m - 1; k - 3; b - 2", "x - 0.8 0.3", "period", ["m > 0", "k > 0", "b > 0"]),
+    ("d*A*H*x_dot^2/2 - rho*g*A*x^2/2 + d*A*H*g*x", "rho - 1000; d - 600; A - 0.01; H - 0.3; g - 9.81", "x - 0.2", "x_min", ["rho > 0", "d > 0", "H > 0", "g > 0"]),
+    ("m*x_dot^2/2 - k*x^2/2 + F*x", "m - 1; k - 3; F - 2", "x - 0.1", "period", ["m > 0", "k > 0"]),
+]
+
 
 def value(text, numbers):
     return eval(text.replace("^", "**"), {"__builtins__": {}}, FUNCTIONS | numbers)  # noqa: S307
@@ -135,6 +148,23 @@ class SignsOfTurning(Service):
             self.check_signs(exact["x_max"], needed, potential)
             exact = self.forms(potential, "m - 1; k - 3; b - 0.5", "x - 0.1 0.5", wall)
             self.check_signs(exact["x_max"], ["the motion comes to no impact"], potential)
+
+    def test_formulas_assume_signs_of_what_they_do_not_speak_of(self):
+        for text, parameters, start, name, needed in BESIDE:
+            form = self.ask("turning_points", {"system": lagrangian("beside", parameters, start, text)})["exact"][name]
+            self.assertEqual([assumed for assumed in form["assumes"] if "(0)" not in assumed and not assumed.startswith("ellipk")], needed, (text, form))
+
+    def test_a_cycloid_has_its_period_where_no_motion_passes_the_cusp(self):
+        for rate in ("0.1", "3.6"):
+            system = lagrangian("cycloid", "m - 1; a - 0.6; g - 9.81", f"x - 0.9 {rate}", "m*a^2*(1 + cos(x))*x_dot^2 - m*g*a*(1 - cos(x))")
+            system["coordinates"][0]["unit"] = "rad"
+            form = self.ask("turning_points", {"system": system})["exact"]["period"]
+            self.assertEqual(form["assumes"], ["a > 0", "g > 0", "h > 0", "2*m*a*g > h"], rate)
+
+    def test_a_pole_at_0_is_said_to_be_there(self):
+        for text, start in (("m*x_dot^2/2 + (b - c)/x", "x - 0.8 0.3"), ("m*(x_dot^2 + x^2*f_dot^2)/2 + b/(2*x^2)", "x - 1 0.2; f - 0 1.3")):
+            answer = self.ask("turning_points", {"system": lagrangian("pole", "m - 1; b - 5; c - 2", start, text)})
+            self.assertIn("At x = 0 the potential has a pole", str(answer))
 
 
 if __name__ == "__main__":
