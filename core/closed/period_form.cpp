@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/closed/elliptic_period.hpp"
 #include "core/closed/gamma_period.hpp"
+#include "core/closed/taken_squares.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/notation.hpp"
@@ -22,19 +24,12 @@ constexpr const char* gamma_function =
 
 /// sqrt(4 x) as 2 sqrt(x).
 Expression with_squares_out(const Expression& e) {
-  Graph& graph = e.graph();
-  std::vector<Replacement> taken;
-  const NodeId root = e.id();
-  for (const NodeId id : reachable(graph, {&root, 1})) {
-    const auto* power = std::get_if<Power>(&graph.node(id));
-    if (power == nullptr || power->exponent.denominator() != Number(2)) continue;
-    const auto [coefficient, rest] = split_coefficient(Expression(graph, power->base));
+  return with_half_powers(e, [](const Expression& base, const Number& exponent) -> std::optional<Expression> {
+    const auto [coefficient, rest] = split_coefficient(base);
     const auto factor = coefficient.is_negative() ? std::nullopt : exact_root(coefficient);
-    if (!factor || *factor == Number(1)) continue;
-    const Number twice = power->exponent * Number(2);
-    taken.emplace_back(Expression(graph, id), pow(graph.number(*factor), twice) * pow(rest, power->exponent));
-  }
-  return substitute(e, taken);
+    if (!factor || *factor == Number(1)) return std::nullopt;
+    return pow(base.graph().number(*factor), exponent * Number(2)) * pow(rest, exponent);
+  });
 }
 
 /// K(m) to round-off, by the arithmetic-geometric mean.

@@ -18,18 +18,29 @@ bool still_has_roots(const Expression& e) {
 
 }  // namespace
 
-Expression with_squares_taken_out(const Expression& e, const SignOf& sign) {
+Expression with_half_powers(
+    const Expression& e,
+    const std::function<std::optional<Expression>(const Expression& base, const Number& exponent)>& by) {
   Graph& graph = e.graph();
   std::vector<Replacement> taken;
   const NodeId root = e.id();
   for (const NodeId id : reachable(graph, {&root, 1})) {
     const auto* power = std::get_if<Power>(&graph.node(id));
     if (power == nullptr || power->exponent.denominator() != Number(2)) continue;
-    const Number twice = power->exponent * Number(2);
-    const Expression base(graph, power->base), outside = positive_root(graph, rational_function(base), sign);
-    if (!still_has_roots(outside)) taken.emplace_back(Expression(graph, id), pow(outside, twice));
+    const Number exponent = power->exponent;
+    if (const auto other = by(Expression(graph, power->base), exponent))
+      taken.emplace_back(Expression(graph, id), *other);
   }
   return taken.empty() ? e : substitute(e, taken);
+}
+
+Expression with_squares_taken_out(const Expression& e, const SignOf& sign) {
+  return with_half_powers(
+      e, [&](const Expression& base, const Number& exponent) -> std::optional<Expression> {
+        const Expression outside = positive_root(e.graph(), rational_function(base), sign);
+        if (still_has_roots(outside)) return std::nullopt;
+        return pow(outside, exponent * Number(2));
+      });
 }
 
 }  // namespace qdot
