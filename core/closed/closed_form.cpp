@@ -37,7 +37,7 @@ std::vector<std::string> assumptions(const ExactValues& values, const Expression
     const ExponentValues& put_in = values.model().parsed.exponents.put_in;
     if (const auto exponent = put_in.find(name); exponent != put_in.end()) {
       found.push_back(name + " = " + print(e.graph().number(exponent->second), Form::text));
-    } else if (values.parameters()[i] == 0) {
+    } else if (values.is_zero(i)) {
       found.push_back(name + " = 0");
     } else if (depends_on(e, p)) {
       found.push_back(name + (values.parameters()[i] > 0 ? " > 0" : " < 0"));

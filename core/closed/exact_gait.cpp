@@ -18,7 +18,7 @@ class OneCoordinate {
   OneCoordinate(const ExactValues& values, std::size_t i) : values_(values), graph_(*values.graph()) {
     const Model& model = values.model();
     for (std::size_t k = 0; k < values.symbols().size(); ++k) {
-      if (values.parameters()[k] == 0) zeros_.emplace_back(values.symbols()[k], graph_.number(0));
+      if (values.is_zero(k)) zeros_.emplace_back(values.symbols()[k], graph_.number(0));
     }
     const Symbols::Varying& q = model.parsed.symbols.coordinates;
     q_ = graph_.adopt(q.value[i]);

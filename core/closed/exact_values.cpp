@@ -83,8 +83,7 @@ bool ExactValues::may_have_relations(const WrittenTexts& written) const {
     const bool is_relation = !written.contains(model_.scene.parameters[i].name) &&
                              depends_on(model_.parsed.parameter_defaults[i], symbols_);
     const auto unit = parse_unit(model_.scene.parameters[i].unit);
-    if (is_scale || is_relation || !unit || unit->dimension.is_dimensionless() || parameters_[i] == 0)
-      continue;
+    if (is_scale || is_relation || !unit || unit->dimension.is_dimensionless() || is_zero(i)) continue;
     const auto& e = unit->dimension.exponents;
     const auto exponent = [&](std::size_t k) {
       return static_cast<double>(e[k].numerator) / e[k].denominator;

@@ -60,6 +60,8 @@ class ExactValues {
   [[nodiscard]] Real value(const Expression& e) const;
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const Reals& parameters() const { return parameters_; }
+  /// Exactly, by number.
+  [[nodiscard]] bool is_zero(std::size_t parameter) const { return parameters_.exact(parameter) == Real(0); }
   [[nodiscard]] const std::vector<Expression>& symbols() const { return symbols_; }
 
  private:
@@ -67,7 +69,6 @@ class ExactValues {
   void find_relations(std::optional<std::size_t> unknown);
   void find_scaled_relations();
   [[nodiscard]] std::optional<Number> factor_of(const Expression& parameter, const Expression& unit) const;
-  [[nodiscard]] bool is_zero(std::size_t parameter) const { return parameters_[parameter] == 0; }
 
   const Model& model_;
   std::shared_ptr<Graph> graph_;

@@ -109,7 +109,7 @@ Expression TurningEquation::with_start() {
 Expression TurningEquation::without_zeros(const Expression& e) const {
   std::vector<Replacement> zeros;
   for (std::size_t i = 0; i < values.symbols().size(); ++i) {
-    if (values.parameters()[i] == 0) zeros.emplace_back(values.symbols()[i], graph->number(0));
+    if (values.is_zero(i)) zeros.emplace_back(values.symbols()[i], graph->number(0));
   }
   return substitute(e, zeros);
 }

@@ -76,21 +76,21 @@ std::shared_ptr<const CompiledFunction> Dynamics::by_accelerations(const Express
   });
 }
 
-std::shared_ptr<const Conserved> Dynamics::conserved(std::span<const double> parameters) const {
+std::shared_ptr<const Conserved> Dynamics::conserved(const Reals& parameters) const {
   const Vanishing vanishing = vanishing_among(parameters);
   return conserved_.get(vanishing, [&] {
     return std::make_shared<const Conserved>(derive_conserved(*model_, inputs_, vanishing));
   });
 }
 
-std::shared_ptr<const Conserved> Dynamics::found(std::span<const double> parameters) const {
+std::shared_ptr<const Conserved> Dynamics::found(const Reals& parameters) const {
   const Vanishing vanishing = vanishing_among(parameters);
   return found_.get(vanishing, [&] {
     return std::make_shared<const Conserved>(derive_found(*model_, inputs_, vanishing));
   });
 }
 
-std::shared_ptr<const Statics> Dynamics::statics(std::span<const double> parameters) const {
+std::shared_ptr<const Statics> Dynamics::statics(const Reals& parameters) const {
   if (model_->has_constraints()) no_statics(*model_);
   const Vanishing vanishing = vanishing_among(parameters);
   return statics_.get(vanishing, [&] {

@@ -57,16 +57,16 @@ class Dynamics {
   [[nodiscard]] std::shared_ptr<const CompiledFunction> by_accelerations(const Expression& column) const;
 
   /// The conserved quantities; which there are depends on the parameters that are 0.
-  [[nodiscard]] std::shared_ptr<const Conserved> conserved(std::span<const double> parameters) const;
+  [[nodiscard]] std::shared_ptr<const Conserved> conserved(const Reals& parameters) const;
   /// What symmetries of several coordinates keep beside these, searched for when it is first asked for.
-  [[nodiscard]] std::shared_ptr<const Conserved> found(std::span<const double> parameters) const;
+  [[nodiscard]] std::shared_ptr<const Conserved> found(const Reals& parameters) const;
   /// Functions for questions that need no motion; they depend on the parameters that are 0. Throws
   /// Error(not_applicable) where the time enters the equations, and with constraints.
-  [[nodiscard]] std::shared_ptr<const Statics> statics(std::span<const double> parameters) const;
+  [[nodiscard]] std::shared_ptr<const Statics> statics(const Reals& parameters) const;
   /// What `make` derives from the statics for one purpose,
   /// made once for each key and each set of vanishing parameters.
   template <class T, class Make>
-  [[nodiscard]] std::shared_ptr<const T> derived(const std::string& key, std::span<const double> parameters,
+  [[nodiscard]] std::shared_ptr<const T> derived(const std::string& key, const Reals& parameters,
                                                  const Make& make) const {
     const std::shared_ptr<const Statics> from = statics(parameters);
     return std::static_pointer_cast<const T>(

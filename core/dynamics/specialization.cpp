@@ -20,9 +20,9 @@ std::vector<Replacement> replacements_in(const Lagrangian& own, const Model& mod
 
 }  // namespace
 
-Vanishing vanishing_among(std::span<const double> parameters) {
+Vanishing vanishing_among(const Reals& parameters) {
   Vanishing vanishing;
-  for (const double value : parameters) vanishing.push_back(value == 0);
+  for (std::size_t i = 0; i < parameters.size(); ++i) vanishing.push_back(parameters.exact(i) == Real(0));
   return vanishing;
 }
 

@@ -15,9 +15,9 @@
 
 namespace qdot {
 
-/// For each parameter, whether it is 0.
+/// For each parameter, whether it is 0 exactly: one that cancels in all digits that are kept may not be.
 using Vanishing = std::vector<bool>;
-[[nodiscard]] Vanishing vanishing_among(std::span<const double> parameters);
+[[nodiscard]] Vanishing vanishing_among(const Reals& parameters);
 
 /// What stays constant along motions with given parameters.
 struct Conserved {

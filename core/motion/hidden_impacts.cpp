@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/dynamics/watch.hpp"
+#include "core/motion/accumulation.hpp"
 #include "core/motion/impact_map.hpp"
 
 namespace qdot {
@@ -24,6 +26,18 @@ double product(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
+}
+
+std::vector<Watch> watches_of_impacts(const ComputedMotion& motion) {
+  std::vector<Watch> found =
+      watches(motion.dynamics, {.parameters = motion.request.parameters, .on_invalid = OnInvalid::go_on});
+  std::erase_if(found, [](const Watch& watch) { return watch.kind != Watch::Kind::impact; });
+  return found;
+}
+
+/// Whether the distance is zero but for its rounding.
+bool is_hidden(const Watch& watch, double t, const std::vector<double>& y) {
+  return std::abs(watch.value(t, y)) <= roundings * watch.own_rounding(t, y);
 }
 
 /// On the cubic from y with velocities y' to the later state, half-way.
@@ -46,9 +60,7 @@ class Bounce {
         components_(motion.dynamics.columns(map_.components)),
         workspace_(components_->bind(motion.request.parameters)) {}
 
-  [[nodiscard]] bool is_hidden(double t, const std::vector<double>& y) const {
-    return std::abs(watch_.value(t, y)) <= roundings * watch_.own_rounding(t, y);
-  }
+  [[nodiscard]] const Watch& watch() const { return watch_; }
 
   /// What it changes, if the motion goes on towards it: it turns what it takes back, and so it did before.
   [[nodiscard]] std::vector<double> change(double t, const std::vector<double>& y,
@@ -75,11 +87,7 @@ class Bounce {
 class HiddenImpacts {
  public:
   HiddenImpacts(const ComputedMotion& motion, Simulation& check)
-      : motion_(motion),
-        check_(check),
-        watches_(watches(motion.dynamics,
-                         {.parameters = motion.request.parameters, .on_invalid = OnInvalid::go_on})) {
-    std::erase_if(watches_, [](const Watch& watch) { return watch.kind != Watch::Kind::impact; });
+      : motion_(motion), check_(check), watches_(watches_of_impacts(motion)) {
     for (const ParsedImpact& impact : motion.dynamics.model().parsed.impacts)
       bounces_.emplace_back(motion, impact, watches_[bounces_.size()]);
   }
@@ -102,11 +110,12 @@ class HiddenImpacts {
     const std::vector<double> y(begin, begin + width);
     const double since = t - impact.t;
     const std::vector<double> before = halfway(impact.after, y, since);
-    bool is_hidden = false;
+    bool any = false;
     for (const std::size_t number : impact.impacts) {
       Bounce& bounce = bounces_[number];
-      if (!bounce.is_hidden(t, y) || !bounce.is_hidden(impact.t + since / 2, before)) continue;
-      is_hidden = true;
+      if (!is_hidden(bounce.watch(), t, y) || !is_hidden(bounce.watch(), impact.t + since / 2, before))
+        continue;
+      any = true;
       const std::vector<double> change = bounce.change(t, y, impact);
       check_.unseen.resize(check_.rows * width);
       for (std::size_t i = 0; i < n; ++i) {
@@ -114,7 +123,7 @@ class HiddenImpacts {
         check_.unseen[row * width + i] += since * std::abs(change[i]);
       }
     }
-    return is_hidden;
+    return any;
   }
 
   const ComputedMotion& motion_;
@@ -131,6 +140,27 @@ void add_hidden_impacts(const ComputedMotion& motion, Simulation& check) {
   HiddenImpacts hidden(motion, check);
   for (std::size_t i = 0; i < sections.size(); ++i)
     hidden.look(sections[i], i + 1 < sections.size() ? sections[i + 1].t : motion.simulation.t);
+}
+
+std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion) {
+  const Simulation& simulation = motion.simulation;
+  const bool accumulate = simulation.stop && simulation.stop->reason == impacts_accumulate;
+  if (simulation.sections.empty() || accumulate) return {};
+  const SectionRecord& last = simulation.sections.back();
+  const double since = simulation.t - last.t;
+  const std::vector<double> before = halfway(last.after, simulation.y, since);
+  const std::vector<Watch> all = watches_of_impacts(motion);
+  std::vector<EventDoubt> doubts;
+  for (const std::size_t number : last.impacts) {
+    if (!is_hidden(all[number], simulation.t, simulation.y) ||
+        !is_hidden(all[number], last.t + since / 2, before))
+      continue;
+    const std::string& name = motion.dynamics.model().parsed.impacts[number].event;
+    doubts.push_back({name, "From the last '" + name +
+                                "' to the end the distance is no larger than its rounding: "
+                                "there may be more impacts than were met, and they may accumulate."});
+  }
+  return doubts;
 }
 
 }  // namespace qdot

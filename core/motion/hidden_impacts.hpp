@@ -2,12 +2,18 @@
 // Impacts that nobody sees. What bounces may bounce again lower than its distance is rounded, and then
 // neither the motion nor another computation of it tells on which side of the next impact a row is.
 
+#include <vector>
+
 #include "core/motion/computed_motion.hpp"
+#include "core/motion/events_in_doubt.hpp"
 
 namespace qdot {
 
 /// Adds what such an impact changes to `check.unseen`: at rows, which are those of motion.event_rows, up to
 /// which the distance is zero but for rounding since the impact before, and that fall.
 void add_hidden_impacts(const ComputedMotion& motion, Simulation& check);
+
+/// Impacts of which there may be more between the last one and the end than were met.
+[[nodiscard]] std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion);
 
 }  // namespace qdot

@@ -15,7 +15,7 @@ constexpr double least_difference = 1e-7;  ///< for a slope, relative
 /// All conserved quantities of a system, and what errors of a state do to each.
 class Quantities {
  public:
-  Quantities(const Dynamics& dynamics, std::span<const double> parameters)
+  Quantities(const Dynamics& dynamics, const Reals& parameters)
       : conserved_(dynamics.conserved(parameters)),
         workspace_(count() == 0 ? Workspace() : conserved_->values->bind(parameters)) {}
 
@@ -148,7 +148,7 @@ class Comparison {
 
 }  // namespace
 
-std::string changed_conserved_quantity(const Dynamics& dynamics, std::span<const double> parameters,
+std::string changed_conserved_quantity(const Dynamics& dynamics, const Reals& parameters,
                                        const StatedRows& rows, std::span<const SectionRecord> sections) {
   Quantities quantities(dynamics, parameters);
   if (rows.changes.empty()) return {};

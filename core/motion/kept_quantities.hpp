@@ -28,8 +28,7 @@ struct StatedRows {
 
 /// The name of a conserved quantity that changes by more than the errors explain; empty where there is none.
 /// At an impact it may jump: `sections` are those that the motion has. A row at an impact is before it.
-[[nodiscard]] std::string changed_conserved_quantity(const Dynamics& dynamics,
-                                                     std::span<const double> parameters,
+[[nodiscard]] std::string changed_conserved_quantity(const Dynamics& dynamics, const Reals& parameters,
                                                      const StatedRows& rows,
                                                      std::span<const SectionRecord> sections);
 

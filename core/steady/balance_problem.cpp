@@ -21,7 +21,7 @@ BalanceKinks derive_balance_kinks(const Statics& statics, const std::string& unk
 }
 
 std::shared_ptr<const BalanceKinks> kinks_of(const Dynamics& dynamics, const PositionStatics& position,
-                                             std::span<const double> parameters, const std::string& unknown) {
+                                             const Reals& parameters, const std::string& unknown) {
   if (position.surface)
     return std::make_shared<const BalanceKinks>(derive_balance_kinks(*position.statics, unknown));
   return dynamics.derived<BalanceKinks>("kinks beside " + unknown, parameters, [&](const Statics& statics) {
@@ -45,8 +45,7 @@ void place_position(BalanceProblem& problem) {
 
 std::shared_ptr<const SteadyPolynomial> polynomial_of(const Dynamics& dynamics,
                                                       const PositionStatics& position,
-                                                      std::span<const double> parameters,
-                                                      const std::string& unknown) {
+                                                      const Reals& parameters, const std::string& unknown) {
   if (position.surface)
     return std::make_shared<const SteadyPolynomial>(
         derive_steady_polynomial(position.surface->dynamics->model(), *position.statics,

@@ -47,7 +47,7 @@ struct BalanceProblem {
 /// The forces at `position` as a polynomial of `unknown`.
 [[nodiscard]] std::shared_ptr<const SteadyPolynomial> polynomial_of(const Dynamics& dynamics,
                                                                     const PositionStatics& position,
-                                                                    std::span<const double> parameters,
+                                                                    const Reals& parameters,
                                                                     const std::string& unknown);
 
 }  // namespace qdot

@@ -82,7 +82,7 @@ void CriticalProblem::add_charts(std::shared_ptr<const SteadyForces> forces, con
 Equilibria CriticalProblem::at(double p) {
   SteadyProblem here = problem_;
   here.constants[index_] = p;
-  here.parameters[index_] = p == 0 ? here.parameters[index_] : p;
+  if (p != 0) here.parameters.set(index_, p);
   if (!surface_) return equilibria(dynamics_, here, y_);
   surface_->steady = std::move(here);
   surface_->constants[index_] = Ball(p);

@@ -43,20 +43,6 @@ double rounding_of_parameters(const Linearization& at, const Shape& shape) {
   return moved / std::abs(inertia.middle.high);
 }
 
-bool is_rigid(const Linearization& at, const Shape& of_reduced) {
-  const Shape shape = displaced(at, of_reduced);
-  double size = 0;
-  for (const ComplexBall& entry : shape) size = std::max(size, magnitude(entry.re));
-  for (const double distance : {1.0, -0.5}) {
-    std::vector<Ball> x = at.place.x;
-    for (std::size_t i = 0; i < shape.size(); ++i) x[i] = x[i] + Ball(distance / size) * shape[i].re;
-    const std::vector<Ball> g = evaluated(at.statics.forces, at.constants, x);
-    if (!std::all_of(g.begin(), g.end(), [](const Ball& force) { return force.contains_zero(); }))
-      return false;
-  }
-  return true;
-}
-
 bool is_undamped_along(const SmallMotions& motions, const Shape& v) {
   for (std::size_t i = 0; i < v.size(); ++i) {
     ComplexBall sum;

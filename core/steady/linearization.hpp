@@ -33,8 +33,6 @@ using Shape = std::vector<ComplexBall>;
 [[nodiscard]] Shape displaced(const Linearization& at, const Shape& v);
 /// How far lambda of K v = lambda M v moves when every parameter moves by half a unit in its last place.
 [[nodiscard]] double rounding_of_parameters(const Linearization& at, const Shape& v);
-/// No force appears at finite distances along v, which leaves no surface.
-[[nodiscard]] bool is_rigid(const Linearization& at, const Shape& v);
 
 /// D v = 0, so that u = v t is a motion, too, and s = 0 counts twice.
 [[nodiscard]] bool is_undamped_along(const SmallMotions& motions, const Shape& v);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/steady/free_direction.hpp"
 #include "core/steady/mode_shapes.hpp"
 #include "core/steady/spectrum.hpp"
 
@@ -103,7 +104,10 @@ class ModeSearch {
 
   [[nodiscard]] std::vector<Mode> modes_of_square(const Eigensystem<Ball>& found,
                                                   const std::vector<std::size_t>& members,
-                                                  const std::vector<Shape>& shapes) const {
+                                                  std::vector<Shape> shapes) const {
+    // Of several that vanish any combinations are found: free directions are among the shortest of them.
+    const bool vanish = std::ranges::all_of(members, [&](std::size_t i) { return is_near_zero(found, i); });
+    if (vanish && members.size() > 1) shapes = echelon_form(std::move(shapes));
     std::vector<Mode> modes;
     for (std::size_t k = 0; k < members.size(); ++k) {
       const std::size_t i = members[k];
@@ -120,15 +124,22 @@ class ModeSearch {
     return modes;
   }
 
+  [[nodiscard]] static bool is_near_zero(const Eigensystem<Ball>& found, std::size_t i) {
+    return Ball(found.values[i].middle, found.radii[i]).contains_zero();
+  }
+
+  [[nodiscard]] bool is_rigid(const Shape& shape) const {
+    return is_free(at_.statics, at_.constants, displaced(at_, shape));
+  }
+
   [[nodiscard]] Mode mode_of_square(const Bounded& lambda, const Shape& shape) const {
     Mode mode;
-    if (lambda.ball.contains_zero() || std::abs(lambda.ball.value()) <= rounding_of_parameters(at_, shape)) {
-      mode.kind = is_rigid(at_, shape) ? ModeKind::rigid : ModeKind::neutral;
+    const double rounding = rounding_of_parameters(at_, shape);
+    if (lambda.ball.contains_zero() || std::abs(lambda.ball.value()) <= rounding) {
+      const bool rigid = lambda.ball.contains_zero() && is_rigid(shape);
+      mode.kind = rigid ? ModeKind::rigid : ModeKind::neutral;
       mode.lambda = 0.0;
-      mode.omega_error =
-          mode.kind == ModeKind::rigid
-              ? 0
-              : std::sqrt(std::max(lambda.ball.magnitude(), rounding_of_parameters(at_, shape)));
+      mode.omega_error = rigid ? 0 : std::sqrt(std::max(lambda.ball.magnitude(), rounding));
       return mode;
     }
     mode.lambda = lambda.ball.value();
@@ -146,10 +157,13 @@ class ModeSearch {
     std::size_t zeros = 0;  // eigenvalues that the kernel of K answers for
     for (const Shape& shape : kernel(at_.reduced.stiffness)) {
       std::vector<Mode> modes(1);
-      modes[0].kind = is_rigid(at_, shape) ? ModeKind::rigid : ModeKind::neutral;
-      modes[0].omega_error = 0.0;
+      modes[0].kind = is_rigid(shape) ? ModeKind::rigid : ModeKind::neutral;
       set_shapes(at_, modes, {shape}, {});
-      if (modes[0].kind == ModeKind::neutral && !at_.place.isolated) nearly_zero_.push_back(modes_.size());
+      if (modes[0].kind == ModeKind::rigid || is_zero(at_.reduced.stiffness)) {
+        modes[0].omega_error = 0.0;
+      } else {
+        nearly_zero_.push_back(modes_.size());
+      }
       modes_.push_back(modes[0]);
       zeros += is_undamped_along(at_.reduced, shape) ? 2 : 1;
     }
@@ -201,16 +215,18 @@ class ModeSearch {
     return shape;
   }
 
-  /// Where the place has a width, so has what vanishes there.
+  /// What vanishes to within rounding, or within the width of the place, is known as its eigenvalue is.
   void widen_zeros(double s) {
-    if (is_zero(at_.reduced.stiffness)) return;
-    for (const std::size_t k : nearly_zero_) modes_[k].omega_error = std::max(*modes_[k].omega_error, s);
+    for (const std::size_t k : nearly_zero_) {
+      std::optional<double>& error = modes_[k].omega_error;
+      error = std::max(error.value_or(0), s);
+    }
   }
 
   [[nodiscard]] static bool is_zero(const SquareMatrix<Ball>& k) {
     for (std::size_t i = 0; i < k.size(); ++i) {
       for (std::size_t j = 0; j < k.size(); ++j)
-        if (k(i, j).magnitude() > 0) return false;
+        if (!k(i, j).is_zero()) return false;
     }
     return true;
   }
@@ -250,7 +266,7 @@ class ModeSearch {
 
   const Linearization& at_;
   std::vector<Mode> modes_;
-  std::vector<std::size_t> nearly_zero_;  ///< modes whose stiffness is zero as far as the place is known
+  std::vector<std::size_t> nearly_zero_;  ///< modes whose stiffness is zero as far as it is known
   std::size_t near_zero_{};               ///< eigenvalues that may be zero, so far
   std::size_t shape_in_disc_{};           ///< members of the present disc, so far
 };

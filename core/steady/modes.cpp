@@ -22,7 +22,7 @@ class Analysis {
   Analysis(const Dynamics& dynamics, const Reals& parameters, const Reals& initial)
       : dynamics_(dynamics),
         statics_(dynamics.statics(parameters)),
-        parameters_(parameters.begin(), parameters.end()),
+        parameters_(parameters),
         constants_(parameters.as<Ball>()),
         y_(initial.begin(), initial.end()) {
     smooth_ = dynamics.derived<SmoothForces>(
@@ -200,7 +200,7 @@ class Analysis {
   const Dynamics& dynamics_;
   std::shared_ptr<const Statics> statics_;
   std::shared_ptr<const SmoothForces> smooth_;
-  std::vector<double> parameters_;
+  Reals parameters_;
   Balls constants_;
   std::vector<double> y_;
   Equilibrium place_;

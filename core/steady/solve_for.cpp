@@ -65,7 +65,7 @@ std::string held_rates(const BalanceProblem& problem) {
 
 }  // namespace
 
-std::vector<std::string> solvable_names(const Dynamics& dynamics, std::span<const double> parameters) {
+std::vector<std::string> solvable_names(const Dynamics& dynamics, const Reals& parameters) {
   const Scene& scene = dynamics.model().scene;
   std::vector<std::string> names;
   for (const Parameter& p : scene.parameters) names.push_back(p.name);

@@ -37,8 +37,7 @@ struct Solution {
 };
 
 /// Names that can be solved for: the parameters, then the velocities of the ignorable coordinates.
-[[nodiscard]] std::vector<std::string> solvable_names(const Dynamics& dynamics,
-                                                      std::span<const double> parameters);
+[[nodiscard]] std::vector<std::string> solvable_names(const Dynamics& dynamics, const Reals& parameters);
 
 /// The coordinates that the position must give, by number in the scene: those that forces depend on.
 [[nodiscard]] std::vector<std::size_t> needed_coordinates(const Dynamics& dynamics, const Reals& parameters,

@@ -148,7 +148,7 @@ void refuse_dry_friction(const Dynamics& dynamics, const Reals& parameters,
 }
 
 SteadyProblem steady_problem(const Dynamics& dynamics, const Reals& parameters, const Reals& y) {
-  SteadyProblem problem{dynamics.statics(parameters), nullptr, {parameters.begin(), parameters.end()}, {}};
+  SteadyProblem problem{dynamics.statics(parameters), nullptr, parameters, {}};
   problem.constants = parameters.as<Interval>();
   const std::vector<Interval> momenta = momenta_at(dynamics, *problem.statics, parameters, y);
   problem.constants.insert(problem.constants.end(), momenta.begin(), momenta.end());

@@ -59,7 +59,7 @@ struct RestEquations {
 struct SteadyProblem {
   std::shared_ptr<const Statics> statics;
   std::shared_ptr<const SteadyForces> forces;
-  std::vector<double> parameters;
+  Reals parameters;
   std::vector<Interval> constants;  ///< the parameters, then the momenta of the ignored coordinates
 };
 

@@ -10,8 +10,7 @@ SurfaceProblem surface_problem(const Dynamics& dynamics, const Reals& parameters
   refuse_dry_friction(*whole.dynamics, parameters, those.vanishing);
   result.steady = {whole.statics,
                    std::make_shared<const SteadyForces>(derive_surface_forces(whole, those.absent)),
-                   {parameters.begin(), parameters.end()},
-                   parameters.as<Interval>()};
+                   parameters, parameters.as<Interval>()};
   result.steady.constants.insert(result.steady.constants.end(), momenta.begin(), momenta.end());
   result.constants = constants_on_surface(whole, dynamics, parameters, y);
   result.y.assign(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(y.size() / 2));

@@ -51,8 +51,7 @@ Statics without_vanishing_momenta(const Statics& statics, std::span<const Ball> 
 
 }  // namespace
 
-std::string why_not_by_energy(const Dynamics& dynamics, std::span<const double> parameters,
-                              std::size_t coordinate) {
+std::string why_not_by_energy(const Dynamics& dynamics, const Reals& parameters, std::size_t coordinate) {
   std::shared_ptr<const Statics> statics;
   try {
     statics = dynamics.statics(parameters);

@@ -23,7 +23,7 @@ struct EnergyProblem {
 
 /// Empty where the energy integral answers for `coordinate`;
 /// else why it does not, in words that go on after "because".
-[[nodiscard]] std::string why_not_by_energy(const Dynamics& dynamics, std::span<const double> parameters,
+[[nodiscard]] std::string why_not_by_energy(const Dynamics& dynamics, const Reals& parameters,
                                             std::size_t coordinate);
 
 /// For the one coordinate that is left, with the momenta of the state y. Throws Error(not_applicable) where

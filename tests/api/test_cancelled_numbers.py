@@ -24,6 +24,12 @@ CASES = (
     ("p 1 1", "exp(p)-2.718281828459045235360287471352", lambda: mp.e - mpf("2.718281828459045235360287471352")),
     SQUARE,
 )
+STIFFNESSES = (
+    ("2", "sqrt(q)-1.41421356237309504880168872420969", mp.sqrt(2) - mpf("1.41421356237309504880168872420969")),
+    ("100", "cosh(q)^2-sinh(q)^2+4", 5),
+    ("20", "cosh(q)^2-sinh(q)^2+4", 5),
+    ("2", "log(q)-0.69314718055994530941723212145817", mp.log(2) - mpf("0.69314718055994530941723212145817")),
+)
 
 
 class CancelledNumbers(Service):
@@ -52,6 +58,33 @@ class CancelledNumbers(Service):
                 answer = self.numbers({"system": scene, "t_end": 1, "samples": 2, **options})
                 off = abs(answer["trajectory"]["x_dot"][-1] - known())
                 self.assertLessEqual(off, answer["accuracy"]["max_abs_error"]["x_dot"])
+
+    def test_a_stiffness_is_not_taken_for_zero(self):
+        """Its frequency is within the error stated, its place is found or said to be in doubt, and nothing rests."""
+        for q, text, stiffness in STIFFNESSES:
+            for parameters, potential in ((f"q 1 {q}", f"({text})*x^2/2"), (f"q 1 {q}; w 1 {text}", "w*x^2/2")):
+                scene = lagrangian("spring", parameters, "x - 0.1 0", f"x_dot^2/2 - {potential}")
+                with self.subTest(q=q, text=text, potential=potential):
+                    [mode] = self.ask("modes", {"system": scene})["modes"]
+                    self.assertNotEqual(mode["kind"], "rigid")
+                    self.assertLessEqual(abs(mode["omega"] - mp.sqrt(stiffness)), mode["error"])
+                    found = self.ask("equilibria", {"system": scene})
+                    if found["complete"]:
+                        [place] = found["equilibria"]
+                        self.assertEqual(place["state"]["x"], 0)
+                        self.assertLessEqual(abs(place["rate2"] - stiffness), place["rate2_error"])
+                    self.assertIn(self.ask("turning_points", {"system": scene})["motion"], (None, "libration"))
+
+    def test_carts_on_one_spring_have_a_rigid_mode_exactly(self):
+        scenes = (lagrangian("carts", "m 1 0.3; M 1 1.7; k 1 2.3", "x - 0 0; y - 0 0", "m*x_dot^2/2 + M*y_dot^2/2 - k*(x - y)^2/2"),
+                  lagrangian("wheels", "r 1 0.3; R 1 0.7; k 1 2.3", "a 1 0 0; b 1 0 0", "a_dot^2/2 + b_dot^2/2 - k*(r*a + R*b)^2/2"),
+                  lagrangian("three", "k 1 0.1", "x - 0 0; y - 0 0; z - 0 0",
+                             "(x_dot^2 + y_dot^2 + z_dot^2)/2 - k*(x - y)^2/2 - k*(y - z)^2"))
+        for scene in scenes:
+            with self.subTest(scene=scene["name"]):
+                kinds = [(mode["kind"], mode["error"]) for mode in self.ask("modes", {"system": scene})["modes"]]
+                self.assertEqual(kinds[0], ("rigid", 0))
+                self.assertNotIn("rigid", [kind for kind, _ in kinds[1:]])
 
 
 if __name__ == "__main__":

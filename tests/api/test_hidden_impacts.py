@@ -105,6 +105,32 @@ class HiddenImpacts(Service):
                         self.assertLessEqual(abs(event["t"] - known), event["error"])
         self.assertGreater(found, CASES / 3)
 
+    def test_impacts_that_are_missing_are_in_doubt(self):
+        """So is an answer that is complete although the ball has come to rest, or the other way round."""
+        draw, in_doubt = random.Random(20261129), 0
+        for _ in range(CASES):
+            ball = Ball(draw)
+            with self.subTest(request=ball.request({})):
+                answer = self.ask("simulate", ball.request({"events": ["ground"]}))
+                stops, rests = answer["status"] == "stopped", mpf(ball.end) >= ball.rest
+                if stops == rests and (stops or len(answer["events"]) == len(ball.impacts()[0])):
+                    continue
+                in_doubt += 1
+                if stops and "error" in answer["stop"]:
+                    self.assertLessEqual(abs(answer["stop"]["t"] - ball.rest), answer["stop"]["error"])
+                else:
+                    self.assertTrue(answer["accuracy"].get("reason"))
+        self.assertGreater(in_doubt, CASES / 10)
+
+    def test_a_ball_in_flight_is_not_in_doubt(self):
+        scene = Ball(random.Random(1)).request({})["system"]
+        scene.update(lagrangian="x_dot^2/2 + y_dot^2/2 - 9.81*y")
+        scene["coordinates"][1]["initial"] = "1.3"
+        scene["events"][0]["expression"] = "y - 0.1"
+        for end in (0.3, 0.6, 0.7, 1):
+            answer = self.ask("simulate", {"system": scene, "t_end": end, "samples": 3, "events": ["ground"]})
+            self.assertNotIn("reason", answer["accuracy"])
+
 
 if __name__ == "__main__":
     unittest.main()

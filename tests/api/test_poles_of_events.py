@@ -86,6 +86,18 @@ class PolesOfEvents(Service):
                         continue
                     self.assertLessEqual(abs(Fraction(answer["stop"]["t"]) - c / speed), answer["stop"]["error"])
 
+    def test_extended_precision_says_what_doubles_could_not_bound(self):
+        scene = lagrangian("swing", "", "x - 0 0.9", "x_dot^2/2 - x^2/8",
+                           valid_while=[{"name": "c", "expression": "1/((x - 1)*(x - 1.000006))", "reason": "r", "message": "m"}])
+        del scene["parameters"]
+        for options in ({}, {"precision": "extended"}, {"precision": "extended", "max_error": 1e-20}):
+            with self.subTest(**options):
+                answer = self.ask("simulate", {"system": scene, "t_end": 2.5, "samples": 2, **options})
+                if answer["status"] != "stopped":
+                    self.assertFalse(answer["accuracy"]["bounded"])
+                    self.assertIn("bound", answer["accuracy"]["reason"])
+                    self.assertFalse(answer["accuracy"].get("meets_request", False))
+
 
 if __name__ == "__main__":
     unittest.main()

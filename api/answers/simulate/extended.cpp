@@ -25,6 +25,9 @@ constexpr const char* nobody_watches =
 constexpr const char* not_bounded =
     "The error was measured with other computations, but for some steps no bound was found of what may "
     "happen between the places that they look at.";
+constexpr const char* conditions_not_bounded =
+    "Doubles watch the conditions under which the motion is valid, and for some steps no bound was found of what "
+    "happens to them between the places that are looked at.";
 constexpr const char* digits_round_away = "The digits asked for round more away than the error wanted.";
 constexpr const char* contradicted =
     "The computation in doubles, which watches this one, differs from it by more than the sum of their errors.";
@@ -70,9 +73,12 @@ class ExtendedAnswer {
     watched_ = simulate_with_error(*system_.dynamics, core, {});
     const WatchRequest watched{
         .parameters = core.parameters, .events = {}, .on_invalid = core.on_invalid, .impacts = core.impacts};
-    const bool is_lost = watched_.max_abs_error.empty() || watched_.horizon;
-    if (is_lost && !watches(*system_.dynamics, watched).empty())
+    if (watches(*system_.dynamics, watched).empty()) return;
+    if (watched_.max_abs_error.empty() || watched_.horizon)
       throw Error(ErrorCode::not_applicable, nobody_watches);
+    doubts_of_conditions_ = watched_.events_in_doubt.in_words();
+    if (doubts_of_conditions_.empty()) doubts_of_conditions_ = watched_.reason;
+    if (doubts_of_conditions_.empty() && !watched_.bounded) doubts_of_conditions_ = conditions_not_bounded;
   }
 
   void run() {
@@ -196,9 +202,10 @@ class ExtendedAnswer {
       json["max_abs_error"] = stated_errors();
       if (result_.horizon) json["horizon"] = grid_[*result_.horizon].high;
       json["verified_by"] = "taylor";
-      json["bounded"] = result_.bounded;
+      json["bounded"] = result_.bounded && doubts_of_conditions_.empty();
       if (!result_.bounded && reason.empty()) reason = not_bounded;
-      if (meets && !result_.bounded) meets = false;
+      if (!doubts_of_conditions_.empty()) reason += (reason.empty() ? "" : " ") + doubts_of_conditions_;
+      if (meets && !json["bounded"].get<bool>()) meets = false;
       if (meets && std::ranges::max(state_errors_) > *request_.max_error) {
         meets = false;
         reason = digits_round_away;
@@ -276,6 +283,7 @@ class ExtendedAnswer {
   std::vector<DoubleDouble> grid_;
   std::vector<qdot::Column> columns_;
   MeasuredSimulation watched_;
+  std::string doubts_of_conditions_;
   ExtendedSimulation result_;
   std::vector<double> state_errors_, column_errors_;  ///< with what `digits` rounds away
   std::vector<TextColumn> table_;
