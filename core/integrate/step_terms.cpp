@@ -8,13 +8,19 @@
 namespace qdot {
 namespace {
 
-/// The largest |c_k| h^k, 0 <= k <= order.
+/// The larger of the largest |c_k| h^k, 0 <= k <= order, and the magnitude of their sum.
 double largest_term(const double* c, const double* powers, unsigned order) {
-  PairOfDoubles most{};
+  PairOfDoubles most{}, sum{};
   unsigned k = 0;
-  for (; k < order; k += 2) most = larger_or(magnitudes(pair_at(c + k)) * pair_at(powers + k), most);
-  const double largest = std::max(most[0], most[1]);
-  return k == order ? std::max(largest, std::abs(c[k]) * powers[k]) : largest;
+  for (; k < order; k += 2) {
+    const PairOfDoubles terms = pair_at(c + k) * pair_at(powers + k);
+    most = larger_or(magnitudes(terms), most);
+    sum += terms;
+  }
+  const double last = k == order ? c[k] * powers[k] : 0;
+  const double end = std::abs(sum[0] + sum[1] + last);
+  const double largest = std::max({most[0], most[1], std::abs(last)});
+  return end > largest ? end : largest;
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ class StepTerms {
 
   void take(const MotionPiece& step);
 
-  /// The largest |c_k| h^k of each component.
+  /// The largest |c_k| h^k of each component, or what they come to where the step ends, if that is larger: so
+  /// it is of what grows as exp(t).
   [[nodiscard]] std::span<const double> largest() const { return largest_; }
 
   struct Difference {
