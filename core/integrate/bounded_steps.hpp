@@ -4,7 +4,7 @@
 //
 //   h d_i <= 100 w_i        (a reference: 10 w_i)
 //
-// Where h d_i exceeds 1000 times the last three terms they do not show it: such steps of a reference add h
+// Where h d_i exceeds 50 times the last three terms they do not show it: such steps of a reference add h
 // d_i to what may have gone unseen, in the unit of y_i, where velocities carry it on to the coordinates.
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace qdot {
 
 /// Of h d_i what the largest of the last three terms does not show: nothing, or all.
 [[nodiscard]] inline double hidden_behind(double last_term, double bound) {
-  constexpr double visible = 1000;
+  constexpr double visible = 50;
   return bound > visible * last_term ? bound : 0;
 }
 /// That of each component of a series. Whether there is any.
