@@ -58,10 +58,16 @@ class OneCoordinate {
     return find_places(after);
   }
 
+  /// m - c^2 m': zero where an impact leaves the energy as it is, so that no speed is told from another.
+  [[nodiscard]] Expression loss() const {
+    const Expression c = at(factor_, before_);
+    return simplify(at(inertia_, before_) - c * c * at(inertia_, after_));
+  }
+
   [[nodiscard]] Expression square_after() const {
-    const Expression c = at(factor_, before_), m = at(inertia_, before_), m_after = at(inertia_, after_);
+    const Expression c = at(factor_, before_);
     const Expression falls = simplify(graph_.number(2) * (at(potential_, after_) - at(potential_, before_)));
-    return c * c * simplify_quotient(falls, simplify(m - c * c * m_after));
+    return c * c * simplify_quotient(falls, loss());
   }
 
   /// Whether it goes on in the same direction, from a place that the parameters tell.
@@ -148,7 +154,7 @@ std::optional<ExactGait> gait_along(const Dynamics& dynamics, const Reals& param
   const Model& model = dynamics.model();
   ExactValues values(model, std::make_shared<Graph>(*model.parsed.graph), written, parameters);
   OneCoordinate one(values, i);
-  if (!one.has_energy() || !one.has_impact()) return std::nullopt;
+  if (!one.has_energy() || !one.has_impact() || one.loss().is_zero()) return std::nullopt;
   const std::size_t n = model.degrees_of_freedom();
   values.set(one.q(), {found.state[i], 0, found.errors[i]});
   const double rate = found.state[n + i], error = found.errors[n + i];

@@ -191,7 +191,8 @@ std::string reason(GaitSearch::Outcome outcome, const ParsedImpact& impact) {
       return "No motion that repeats, and has no others like it beside it, was found from the starts that are "
              "tried. Where all motions repeat, as of a ball that loses nothing, none is told.";
     case GaitSearch::Outcome::dies_away:
-      return "All motions that were tried shrink towards rest: nothing gives back what is lost.";
+      return "From all starts that are tried the search ends at rest. Where all motions repeat, as of a ball that "
+             "loses nothing, none is told.";
     case GaitSearch::Outcome::no_impact:
       return "Motions that repeat after a given time were found, but none of them meets " + impact.event +
              " then.";

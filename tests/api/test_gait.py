@@ -10,7 +10,7 @@ import mpmath
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, reference_cases  # noqa: E402
-from short_scene import G, particle, rigid, scene  # noqa: E402
+from short_scene import G, lagrangian, particle, rigid, scene  # noqa: E402
 
 STATE = 1e-12  # contract of this version; the reference asks 1e-9
 PRE_IMPACT = 1e-10  # the swing foot's rate just before the strike
@@ -85,6 +85,20 @@ class GaitAnswers(Service):
                     found = self.ask("gait", {"system": "compass_walker", "parameters": parameters} | kind)
                     self.assertEqual(found["gaits"], [])
                     self.assertTrue(found["reason"].endswith("."))
+
+    def test_where_nothing_is_lost_no_gait_is_told_from_those_beside_it(self):
+        for potential, wall in (("k*x^2/2", "x + 0.5"), ("k*x^2/2", "x - 0.5"), ("k*x", "x"), ("k*x^2/2", "x + 0.2")):
+            known = lagrangian("wall", "k 1 1", "x - 1 0", f"x_dot^2/2 - {potential}",
+                               events=[{"name": "w", "expression": wall, "direction": "falling"}],
+                               impacts=[{"event": "w", "restitution": 1}])
+            with self.subTest(potential=potential, wall=wall):
+                found = self.ask("gait", {"system": known})
+                if not found["gaits"]:
+                    self.assertIn("Where all motions repeat", found["reason"])
+                for gait in found["gaits"]:
+                    self.assertIsNone(gait["stable"])
+                    self.assertIn("other gaits may lie beside", gait["reason"])
+                    self.assertNotIn("exact", gait)
 
     def test_no_impact_no_gait(self):
         for system in ("cart_pendulum", "forced_spring_pendulum"):
