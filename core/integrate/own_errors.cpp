@@ -21,7 +21,6 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
     : by_truncation_(originals.asked, start.by_truncation),
       by_rounding_(originals.rounded, start.by_rounding),
       random_(std::bit_cast<std::uint64_t>(t)),
-      lost_(start.by_truncation.size() / 2),
       terms_(start.by_truncation.size()),
       sizes_(start.by_truncation.size()),
       signs_(sizes_.size()),
@@ -35,7 +34,6 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
 void OwnErrors::follow(const MotionPiece& step) {
   terms_.take(step);
   by_rounding_.follow(step, terms_);
-  note_lost();
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     sizes_[i] = enlarged * rounding * terms_.largest()[i] * (0.5 + random_.fraction());
     signs_[i] = sign(random_);
@@ -55,12 +53,6 @@ void OwnErrors::follow(const MotionPiece& step) {
                          .of_series = of_series_,
                          .hidden = hides ? std::span<const double>(hidden_) : std::span<const double>(),
                          .longest_part = by_rounding_.shortest_part()});
-}
-
-/// A velocity alone may be as small as its error, as where a motion is about to begin.
-void OwnErrors::note_lost() {
-  for (std::size_t i = 0; i < lost_.size(); ++i)
-    lost_[i] = lost_[i] || (by_rounding_.was_cut(i) && by_rounding_.was_cut(lost_.size() + i));
 }
 
 /// What rounding of the accelerations does in a step.

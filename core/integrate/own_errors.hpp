@@ -9,8 +9,7 @@
 // coordinate. By rounding, from a motion whose numbers differ by `enlarged` times as much as rounding makes:
 // of whole last places two or three often cancel to nothing. Each step adds about half a last place of its
 // largest term, enlarged as much, by random numbers. It adds the rounding of accelerations as well, always to
-// the same side: in a short motion what goes to and fro with the other sample may cancel. Where it is as
-// large as the motion, rounding comes to a part of that between 1/enlarged and all of it.
+// the same side: in a short motion what goes to and fro with the other sample may cancel.
 
 #include "core/integrate/separation.hpp"
 #include "core/numerics/random_bits.hpp"
@@ -35,17 +34,15 @@ class OwnErrors {
     return by_truncation_.in_last_step()[i] + rounding_in_last_step(i);
   }
   [[nodiscard]] double rounding_in_last_step(std::size_t i) const {
-    return by_rounding_.in_last_step()[i] / (lost_[i % lost_.size()] ? 1 : enlarged);
+    return by_rounding_.in_last_step()[i] / enlarged;
   }
 
  private:
   void take_forces(const MotionPiece& step);
-  void note_lost();
 
   Separation by_truncation_, by_rounding_;
   RandomBits random_;
   std::vector<double> always_;  ///< sides
-  std::vector<bool> lost_;      ///< coordinates that rounding, enlarged, has taken anywhere
   StepTerms terms_;
   std::vector<double> sizes_, signs_, of_forces_, of_series_, hidden_;  ///< scratch
 };

@@ -14,8 +14,9 @@ namespace {
 constexpr unsigned least_order = 8;
 constexpr double negligible = 0.03;  ///< of the largest term: so the last ones show that these were enough
 constexpr double lost = 2;           ///< times what a component has reached
+constexpr double large_part = 1.0 / 16;                ///< of it
 constexpr double smallest_part = 0x1p-12, some = 0.5;  ///< of a step
-constexpr double most_late = 0.75, log_of_2 = 0.7;
+constexpr double much_growth = 2, most_late = 0.75, log_of_2 = 0.7;
 constexpr double enlarged = 0x1p-30;
 constexpr double most_of_all = 1e300;  ///< instead of an error without a bound
 
@@ -37,7 +38,6 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
       size_(e_.size()),
       added_(e_.size()),
       most_(e_.size()),
-      cut_(e_.size()),
       beside_(e_.size()),
       rise_(e_.size()) {
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
@@ -55,18 +55,17 @@ void Separation::follow(const MotionPiece& step, const StepTerms& terms, const E
   if (!made.hidden.empty()) add(made.hidden, made.sides);
   project(step.t);
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
-  std::ranges::fill(cut_, 0.0);
   shortest_part_ = 1;
   advance(step, terms, {});
 }
 
-/// Coordinates and their velocities whose steps alone make errors as large as they are.
+/// Coordinates and their velocities whose steps alone make errors about as large as they are.
 void Separation::release_what_is_pushed() {
   const std::size_t n = e_.size() / 2;
   const auto is_pushed = [&](std::size_t i) {
     const double of_series = made_.of_series.empty() ? 0 : made_.of_series[i];
     const double hidden = made_.hidden.empty() ? 0 : made_.hidden[i];
-    return of_series + hidden > size_[i];
+    return of_series + hidden > large_part * size_[i];
   };
   for (std::size_t i = 0; i < n; ++i) {
     if (is_pushed(i) || is_pushed(n + i)) most_[i] = most_[n + i] = most_of_all;
@@ -80,7 +79,7 @@ void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const
   const bool is_whole = part.from == 0 && part.to == 1, is_tried = is_whole && are_together();
   if (is_tried) try_part(piece.order);
   const bool is_told = take_rise(piece, terms);
-  if (is_whole) late_growth_ = late_growth(piece.order);
+  if (is_whole) note_growth(piece.order);
   if (is_tried) std::ranges::fill(e_, 0.0);
   const double length = part.to - part.from;
   if (length > (is_told ? made_.longest_part : smallest_part)) return advance_by_halves(piece, part);
@@ -92,17 +91,23 @@ void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const
   if (is_whole) add_part(piece.order, part);
 }
 
-/// What becomes of 1 that comes in a step as s^order does, while e grows in it as exp(a s):
-/// 1 + a/(order + 1) + a^2/((order + 1)(order + 2)) + ... < 1/(1 - a/order).
-double Separation::late_growth(unsigned order) const {
-  double before = 0, rise = 0;
+/// Of e, by rise_.
+double Separation::growth() const {
+  double before = 0, after = 0;
   for (std::size_t i = 0; i < e_.size(); ++i) {
     if (!(size_[i] > 0)) continue;
     before += std::abs(e_[i]) / size_[i];
-    rise += std::abs(rise_[i]) / size_[i] / factor_;
+    after += std::abs(e_[i] + rise_[i] / factor_) / size_[i];
   }
-  if (!(rise > before) || !(before > 0)) return 1;
-  return 1 / (1 - std::min(log_of_2 * rough_log2(1 + rise / before) / order, most_late));
+  const double growth = after / before;
+  return std::isfinite(growth) ? growth : 1;
+}
+
+/// What becomes of 1 that comes in a step as s^order does, while e grows in it as exp(a s):
+/// 1 + a/(order + 1) + a^2/((order + 1)(order + 2)) + ... < 1/(1 - a/order).
+void Separation::note_growth(unsigned order) {
+  const double of_e = growth(), exponent = of_e > much_growth ? log_of_2 * rough_log2(of_e) : 0;
+  late_growth_ = 1 / (1 - std::min(exponent / order, most_late));
 }
 
 /// Where nothing is apart yet, some of what the step has made tells whether series are long enough.
@@ -158,7 +163,6 @@ void Separation::move_to(std::size_t i, PairOfDoubles e) {
   const PairOfDoubles size = larger_or(pair_at(&added_[i]), pair_at(&size_[i]));  // of what stands still
   const PairOfDoubles most = larger_or(pair_at(&most_[i]), lost * size), before = pair_at(&e_[i]);
   const PairOfDoubles within = e < -most ? -most : (most < e ? most : e);
-  put_pair(&cut_[i], most < magnitudes(e) ? PairOfDoubles{1, 1} : pair_at(&cut_[i]));
   const PairOfDoubles now = magnitudes(e) < infinity ? within : before;
   put_pair(&e_[i], now);
   put_pair(&largest_[i], larger_or(magnitudes(now), pair_at(&largest_[i])));

@@ -51,8 +51,6 @@ class Separation {
 
   /// By which e was followed through the last step.
   [[nodiscard]] double shortest_part() const { return shortest_part_; }
-  /// Whether e_i was as large as the motion in the last step: how large it would be is not told.
-  [[nodiscard]] bool was_cut(std::size_t i) const { return cut_[i] != 0; }
   [[nodiscard]] const std::vector<double>& now() const { return e_; }
   /// The largest |y_i| of the reference.
   [[nodiscard]] const std::vector<double>& reached() const { return size_; }
@@ -68,7 +66,8 @@ class Separation {
   void advance_by_halves(const MotionPiece& piece, const Part& part);
   void add_part(unsigned order, const Part& part);
   void try_part(unsigned order);
-  [[nodiscard]] double late_growth(unsigned order) const;
+  [[nodiscard]] double growth() const;
+  void note_growth(unsigned order);
   void release_what_is_pushed();
   [[nodiscard]] bool are_together() const;
   void project(double t);
@@ -89,7 +88,6 @@ class Separation {
   std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
   std::vector<double> added_;              ///< by steps, and where that alone takes coordinates
   std::vector<double> most_;               ///< that e_ may be where it has been pushed farther than y went
-  std::vector<double> cut_;                ///< not 0 where e_ would have been larger
   std::vector<double> beside_, c_, rise_;  ///< scratch
 };
 

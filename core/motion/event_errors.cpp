@@ -18,6 +18,8 @@ constexpr double rounding_of_values = 8 * std::numeric_limits<double>::epsilon()
 constexpr double rounding_of_scale = 1e-3;
 constexpr double tried_first = 1.05, tried_next = 1.5;  ///< of what is tried
 constexpr double nearly_all = 0.9;                      ///< of a doubt, which is rounded itself
+constexpr double much_more = 2;  ///< than slopes say: they are not the same all that time
+constexpr double seen_beside = 16, some_roundings = 8, as_steep = 0.25;
 constexpr double shortest_time = 1e-300;
 constexpr double share = 1e-4;          ///< of that time, for slopes along the motion
 constexpr double next_share = 10;       ///< times that, where values are rounded by as much as they change
@@ -116,8 +118,11 @@ std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::spa
     own_time = std::min(own_time, range / rate);
   }
   if (!std::isfinite(own_time)) return std::nullopt;
-  const std::optional<double> time = time_of(watch, place, shortest, own_time);
-  return time ? std::optional(with_state(std::max(*time, at_least), std::move(place))) : std::nullopt;
+  const std::optional<Time> time = time_of(watch, place, shortest, own_time);
+  if (!time) return std::nullopt;
+  EventError error = with_state(std::max(time->error, at_least), std::move(place));
+  error.is_single = time->by_slope;
+  return error;
 }
 
 EventError EventErrors::with_state(double time, Place place) {
@@ -130,8 +135,8 @@ EventError EventErrors::with_state(double time, Place place) {
   return {time, std::move(changes)};
 }
 
-std::optional<double> EventErrors::time_of(const Watch& watch, const Place& place, double shortest,
-                                           double own_time) {
+std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, const Place& place, double shortest,
+                                                      double own_time) {
   const double least = std::max({time_round_off(place.t), time_round_off(shortest), shortest_time});
   const Linear around = linear(watch, place);
   const double guess = tried_first * around.doubt / std::abs(around.slope),
@@ -142,22 +147,40 @@ std::optional<double> EventErrors::time_of(const Watch& watch, const Place& plac
   // It may lie beside the place by as much as values are rounded there.
   const bool is_rounded = value <= watch.own_rounding(place.t, place.y);
   bool has_one_sign = false;
-  for (double tau = is_told ? std::max(least, guess) : least; tau <= farthest; tau *= tried_next) {
+  const double first = is_told ? std::max(least, guess) : least;
+  for (double tau = first; tau <= farthest; tau *= tried_next) {
     const std::optional<int> before = sign_after(-tau, watch, place);
     const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
-    if (after && *before != *after) return tau + least;
+    if (after && *before != *after)
+      return Time{tau + least,
+                  is_told && tau <= much_more * first && is_as_steep(tau, around.slope, watch, place)};
     has_one_sign = has_one_sign || after;
     if (after && !is_rounded) break;
   }
   return has_one_sign ? std::nullopt : by_slopes(watch, place, own_time, around.doubt);
 }
 
+/// Whether g changes in some times tau about as its slope over larger distances says, or is rounded by as
+/// much: a multiple root is flatter.
+bool EventErrors::is_as_steep(double tau, double slope, const Watch& watch, const Place& place) {
+  const double some_times = seen_beside * tau;
+  double change = 0, rounding = 0;
+  for (const double length : {-some_times, some_times}) {
+    const std::vector<double> y = state_after(length, place);
+    const double t = place.t + length;
+    change += (length * slope > 0 ? 1 : -1) * watch.value(t, y);
+    rounding += watch.own_rounding(t, y);
+  }
+  const double expected = 2 * some_times * std::abs(slope);
+  return expected <= some_roundings * rounding || change >= as_steep * expected;
+}
+
 /// Where g is enclosed too widely: the smaller root of
 ///   |g'| tau - |g''| tau^2/2 = |g| + sum_k |dg/dy_k| e_k + r,
 /// with g' and g'' along the motion, and r what values of g are rounded by, of which slopes over a short time
 /// may be all. An estimate.
-std::optional<double> EventErrors::by_slopes(const Watch& watch, const Place& place, double own_time,
-                                             double doubt) {
+std::optional<EventErrors::Time> EventErrors::by_slopes(const Watch& watch, const Place& place,
+                                                        double own_time, double doubt) {
   for (double part = share; part <= farthest_share; part *= next_share) {
     const double tau = part * own_time;
     double rounding = 0;
@@ -171,9 +194,11 @@ std::optional<double> EventErrors::by_slopes(const Watch& watch, const Place& pl
     const double curvature = (std::abs(after - 2 * now + before) + 4 * rounding) / (tau * tau);
     const double all = doubt + rounding, discriminant = slope * slope - 2 * curvature * all;
     if (!(slope > 0 && discriminant >= 0)) continue;
-    double error = 2 * all / (slope + std::sqrt(discriminant)) + time_round_off(place.t);
+    const double first = 2 * all / (slope + std::sqrt(discriminant)) + time_round_off(place.t);
+    double error = first;
     while (error <= farthest_share * own_time && !is_clear_of_zero(error, watch, place)) error *= tried_next;
-    return error <= farthest_share * own_time ? std::optional(error) : std::nullopt;
+    if (!(error <= farthest_share * own_time)) return std::nullopt;
+    return Time{error, error <= much_more * first};
   }
   return std::nullopt;
 }

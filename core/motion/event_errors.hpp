@@ -57,11 +57,16 @@ class EventErrors {
     std::span<const double> y;
     std::vector<double> accelerations, errors;
   };
-  [[nodiscard]] std::optional<double> time_of(const Watch& watch, const Place& place, double shortest,
-                                              double own_time);
+  struct Time {
+    double error{};
+    bool by_slope{};  ///< of g, which is the same all that time, up to curvature
+  };
+  [[nodiscard]] std::optional<Time> time_of(const Watch& watch, const Place& place, double shortest,
+                                            double own_time);
   [[nodiscard]] EventError with_state(double time, Place place);
-  [[nodiscard]] std::optional<double> by_slopes(const Watch& watch, const Place& place, double own_time,
-                                                double doubt);
+  [[nodiscard]] std::optional<Time> by_slopes(const Watch& watch, const Place& place, double own_time,
+                                              double doubt);
+  [[nodiscard]] bool is_as_steep(double tau, double slope, const Watch& watch, const Place& place);
   [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> state_after(double tau, const Place& place);
   struct Linear {

@@ -14,6 +14,8 @@ namespace qdot {
 struct EventError {
   double time{};              ///< in s
   std::vector<double> state;  ///< of each component; empty where that is not known
+  /// Whether it is one crossing: in that time its function may also turn, and cross zero three times or more.
+  bool is_single{true};
 };
 
 struct MeasuredSimulation {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/short_number.hpp"
 #include "core/dynamics/watch.hpp"
 #include "core/integrate/approaches.hpp"
 
@@ -91,6 +92,21 @@ std::vector<EventDoubt> events_lost_in_errors(const ComputedMotion& motion, std:
        events_that(motion, [&](const Watch& watch) { return is_off_by_much(watch, motion, errors); }))
     found.push_back({name, "The errors of the motion are a large part of what the function of " + name +
                                " is along it: how often it happens cannot be told."});
+  return found;
+}
+
+std::vector<EventDoubt> events_that_may_be_several(const ComputedMotion& motion,
+                                                   std::span<const std::optional<EventError>> errors) {
+  std::vector<EventDoubt> found;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (!errors[i] || errors[i]->is_single) continue;
+    const EventRecord& event = motion.simulation.events[i];
+    if (std::ranges::find(found, event.name, &EventDoubt::event) != found.end()) continue;
+    found.push_back(
+        {event.name, "At t = " + short_number(event.t, 6) + " the function of " + event.name +
+                         " crosses zero so flatly that within the error of that time it may do so "
+                         "several times."});
+  }
   return found;
 }
 

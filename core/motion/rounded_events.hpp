@@ -3,10 +3,12 @@
 // x^2, but all that is seen of it are last digits of 1e18. How often such a one happens no computation tells.
 // The same of events whose functions the errors of a motion change by much of what they are.
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/motion/events_in_doubt.hpp"
+#include "core/motion/measured_simulation.hpp"
 #include "core/motion/motion_check.hpp"
 
 namespace qdot {
@@ -16,5 +18,9 @@ namespace qdot {
 [[nodiscard]] std::vector<EventDoubt> events_lost_in_rounding(const ComputedMotion& motion);
 [[nodiscard]] std::vector<EventDoubt> events_lost_in_errors(const ComputedMotion& motion,
                                                             std::span<const double> errors);
+/// Those that may happen several times within the error of one crossing's time. `errors`: of the motion's
+/// events.
+[[nodiscard]] std::vector<EventDoubt> events_that_may_be_several(
+    const ComputedMotion& motion, std::span<const std::optional<EventError>> errors);
 
 }  // namespace qdot

@@ -51,6 +51,21 @@ class GrowthFromNothing(Service):
             measured += self.check(scene, end, draw.choice(OPTIONS), x * grown + v / rate * rising, x * rate * rising + v * grown)
         self.assertGreater(measured, 100)
 
+    def test_a_start_on_the_direction_that_decays(self):
+        """To some digits: what is left of the other direction grows to more than the start was, and so do all errors."""
+        draw, measured = random.Random(20261201), 0
+        for _ in range(300):
+            k = mpf(draw.randint(100, 1200)) / 100
+            rate = mp.sqrt(k)
+            x = mpf(draw.randint(100, 999)) / 100 * mpf(10) ** draw.randint(-18, 2)
+            v = mpf(mp.nstr(-rate * x, draw.choice((16, 17, 20, 22, 25, 28))))
+            end = mpf(mp.nstr(draw.uniform(5, 75) / rate, 4))
+            scene = lagrangian("top", "", f"x - {mp.nstr(x, 30)} {mp.nstr(v, 30)}", f"x_dot^2/2 + {mp.nstr(k, 6)}*x^2/2")
+            grown, rising = mp.cosh(rate * end), mp.sinh(rate * end)
+            options = draw.choice(({}, {"max_error": 1e-9}, {"precision": "extended"}))
+            measured += self.check(scene, end, options, x * grown + v / rate * rising, x * rate * rising + v * grown) or 0
+        self.assertGreater(measured, 250)
+
     def test_a_push_far_below_the_tolerance(self):
         draw, measured = random.Random(20261130), 0
         for _ in range(60):

@@ -28,6 +28,23 @@ class SeveralEventsInDoubt(Service):
                     reason = self.reason(scene, names, tolerances)
                     self.assertEqual({name for name in names if name in reason}, alone)
 
+    def test_three_crossings_within_the_error_of_one_are_told(self):
+        """An odd number of them changes the sign as one does."""
+        for function, begin in (("(x - 1.7)*(x - 1.700000001)*(x - 1.699999999)", 1000000), ("(x - 1.7)^3", 0), ("(x - 1.7)^5", 10),
+                                ("(x - 1.7)*((x - 1.7)^2 - 1e-34)", 0), ("(x - 1.7)^5 - 1e-28*(x - 1.7)^3", 0)):
+            scene = lagrangian("free", "", "x - 0.5 1", "x_dot^2/2", events=[{"name": "e", "expression": function}])
+            del scene["parameters"]
+            with self.subTest(function):
+                answer = self.ask("simulate", {"system": scene, "t_start": begin, "t_end": begin + 4, "samples": 2, "events": ["e"]})
+                if len(answer["events"]) < 3 and answer["events"][0]["error"] is not None:
+                    self.assertIn("several times", answer["accuracy"]["reason"])
+        for function in ("x - 1.7", "(x - 1.7)*(x - 1.8)*(x - 1.6)", "sin(9*x)", "(x - 1.7)^3 + 0.001*(x - 1.7)", "exp(5*x) - 9", "tanh(99*(x - 1.7))"):
+            scene = lagrangian("free", "", "x - 0.5 1", "x_dot^2/2", events=[{"name": "e", "expression": function}])
+            del scene["parameters"]
+            with self.subTest(function):
+                answer = self.ask("simulate", {"system": scene, "t_end": 4, "samples": 2, "events": ["e"]})
+                self.assertNotIn("reason", answer["accuracy"])
+
     def reason(self, scene, names, tolerances):
         request = {"system": scene, "t_end": 8, "samples": 3, "events": list(names), **tolerances}
         return self.ask("simulate", request)["accuracy"].get("reason", "")

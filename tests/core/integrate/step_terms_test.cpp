@@ -25,12 +25,14 @@ std::vector<double> drawn(std::size_t count, std::uint64_t seed) {
 }
 
 double largest_one_by_one(std::span<const double> c) {
-  double power = 1, largest = 0;
-  for (const double x : c) {
-    largest = std::max(largest, std::abs(x) * power);
+  double power = 1, largest = 0, end[2]{};
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    largest = std::max(largest, std::abs(c[k]) * power);
+    if (k + 1 < c.size() || k % 2 == 1) end[k % 2] += c[k] * power;
     power *= h;
   }
-  return largest;
+  const double last = c.size() % 2 == 1 ? c.back() * (power / h) : 0;
+  return std::max(largest, std::abs(end[0] + end[1] + last));
 }
 
 TEST(StepTerms, AreTheLargestOfEachComponentAtEvenAndOddOrders) {
