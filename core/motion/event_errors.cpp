@@ -20,6 +20,7 @@ constexpr double tried_first = 1.05, tried_next = 1.5;  ///< of what is tried
 constexpr double nearly_all = 0.9;                      ///< of a doubt, which is rounded itself
 constexpr double much_more = 2;  ///< than slopes say: they are not the same all that time
 constexpr double seen_beside = 16, some_roundings = 8, as_steep = 0.25;
+constexpr double several_instants = 64;  ///< round-offs of time: zeros as near have one instant
 constexpr double shortest_time = 1e-300;
 constexpr double share = 1e-4;          ///< of that time, for slopes along the motion
 constexpr double next_share = 10;       ///< times that, where values are rounded by as much as they change
@@ -120,7 +121,8 @@ std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::spa
   if (!std::isfinite(own_time)) return std::nullopt;
   const std::optional<Time> time = time_of(watch, place, shortest, own_time);
   if (!time) return std::nullopt;
-  EventError error = with_state(std::max(time->error, at_least), std::move(place));
+  const double merged = time->by_slope ? 0 : several_instants * time_round_off(t);
+  EventError error = with_state(std::max(time->error, at_least) + merged, std::move(place));
   error.is_single = time->by_slope;
   return error;
 }
