@@ -16,6 +16,12 @@ constexpr unsigned order_of_slopes = 5;    ///< the least that a series has
 constexpr double longest_of_rates = 1e-2;  ///< of the motion's span
 constexpr double next_of_rates = 4;
 
+/// x + time * rate, in twice the digits: beside one that is zero a double's last digit would be all.
+Real moved(double x, double time, double rate) {
+  const DoubleDouble sum = DoubleDouble(x) + two_product(time, rate);
+  return {sum.high, sum.low, 0};
+}
+
 int sign_of(const Ball& value) {
   if (!value.is_finite() || value.contains_zero()) return 0;
   return value.value() > 0 ? 1 : -1;
@@ -24,11 +30,25 @@ int sign_of(const Ball& value) {
 }  // namespace
 
 int EventSides::at_start(const Watch& watch) const {
-  if (!watch.exact) return 0;
+  const auto value = rounded_at_start(watch);
+  return value ? sign_of(*value) : 0;
+}
+
+/// The value at t_start in twice the digits, where doubles round it away.
+std::optional<Ball> EventSides::rounded_at_start(const Watch& watch) const {
+  if (!watch.exact) return std::nullopt;
   const double value = watch.value(request_.t_start, request_.y_start);
-  if (!(std::abs(value) <= of_own_rounding * watch.rounding(request_.t_start, request_.y_start))) return 0;
+  if (!(std::abs(value) <= of_own_rounding * watch.rounding(request_.t_start, request_.y_start)))
+    return std::nullopt;
   const auto& [parameters, t, y] = typed_start(request_);
-  return sign_of(watch.exact(parameters, t, y));
+  return watch.exact(parameters, t, y);
+}
+
+/// Whether the motion begins on a surface that it hits from one side, as all digits have it.
+bool EventSides::begins_on(const Watch& watch) const {
+  if (watch.kind != Watch::Kind::impact || watch.direction == Crossing::either) return false;
+  const auto value = rounded_at_start(watch);
+  return value && value->is_finite() && value->contains_zero();
 }
 
 bool EventSides::is_behind_start(const Watch& watch, double t) const {
@@ -62,21 +82,31 @@ void EventSides::pass(const SectionRecord& impact) {
     if (!is_crossed_[i]) continue;
     if (sides_[i] == 0 && watch.direction != Crossing::either)
       sides_[i] = watch.direction == Crossing::falling ? 1 : -1;
-    if (goes_through(watch, impact.t, impact.before, impact.after))
+    if (!is_turned_by_restitution(i, impact) && goes_through(watch, impact.t, impact.before, impact.after))
       sides_[i] = -sides_[i];
     else if (watch.kind != Watch::Kind::impact)
       sides_[i] = 0;  // it was met, and may have been just behind: the motion leaves it on either side
   }
 }
 
+/// However small its rate is there, and so may be all rounding.
+bool EventSides::is_turned_by_restitution(std::size_t watch, const SectionRecord& impact) const {
+  const std::vector<ParsedImpact>& all = dynamics_.model().parsed.impacts;
+  const std::size_t first = sections_.watches().size() - all.size();
+  return watch >= first && all[watch - first].has_restitution() &&
+         std::ranges::find(impact.impacts, watch - first) != impact.impacts.end();
+}
+
 void EventSides::mark(double t, std::span<const double> y, const SectionRecord* impact,
                       std::vector<EventFunction>& events) const {
   const std::span<const Watch> watches = sections_.watches();
   for (std::size_t i = 0; i < watches.size(); ++i) {
-    if (sides_.empty())
+    if (sides_.empty()) {
       events[i].sign_at_start = at_start(watches[i]);
-    else if (sides_[i] != 0 && (sides_[i] * watches[i].value(t, y) > 0 || is_near_zero(watches[i], t, y)))
+      events[i].is_zero_at_start = events[i].is_zero_at_start || begins_on(watches[i]);
+    } else if (sides_[i] != 0 && (sides_[i] * watches[i].value(t, y) > 0 || is_near_zero(watches[i], t, y))) {
       events[i].sign_at_start = sides_[i];
+    }
     events[i].is_beside_zero = events[i].sign_at_start != 0;
   }
   if (impact != nullptr) mark_impacts(*impact, events);
@@ -178,8 +208,11 @@ double EventSides::rate_over(const Watch& watch, double t, const std::vector<dou
 /// The same in twice the digits.
 double EventSides::sharp_rate(const Watch& watch, double t, const std::vector<double>& y, double tau) const {
   if (!watch.exact) return 0;
+  const std::vector<double> slopes = sections_.slopes(t, y);
   const auto value = [&](double time) {
-    return watch.exact(request_.parameters, t + time, Reals(ahead(t, y, time)));
+    Reals there;
+    for (std::size_t i = 0; i < y.size(); ++i) there.push_back(moved(y[i], time, slopes[i]));
+    return watch.exact(request_.parameters, moved(t, time, 1), there);
   };
   const Ball change = value(tau) - value(-tau);
   return change.is_finite() && !change.contains_zero() ? change.value() / (2 * tau) : 0;

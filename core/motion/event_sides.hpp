@@ -6,6 +6,7 @@
 // other one where its end has crossed zero: an event that is not met before a wall turns the motion back,
 // however near behind it, is not met at all, and one behind a kick is met next.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,6 +63,9 @@ class EventSides {
   [[nodiscard]] double sharp_rate(const Watch& watch, double t, const std::vector<double>& y,
                                   double tau) const;
   [[nodiscard]] double slope(const Watch& watch, double t, const std::vector<double>& y) const;
+  [[nodiscard]] std::optional<Ball> rounded_at_start(const Watch& watch) const;
+  [[nodiscard]] bool is_turned_by_restitution(std::size_t watch, const SectionRecord& impact) const;
+  [[nodiscard]] bool begins_on(const Watch& watch) const;
   [[nodiscard]] bool leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const;
   void mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const;
   void look_sharply(const Watch& watch, double begin, EventFunction& event) const;
