@@ -23,6 +23,25 @@ constexpr double part_of_flight = 1e-4;     ///< in which a speed is measured
 constexpr double safety_of_unseen = 16;
 constexpr double largest_ratio = 0.99;
 
+constexpr double roundings = 64;  ///< of the distance: what the search for events may not see
+constexpr std::size_t hidden_in_a_row = 16;
+
+/// Whether the distance is zero but for its rounding.
+bool is_hidden(const Watch& watch, double t, const std::vector<double>& y) {
+  return std::abs(watch.value(t, y)) <= roundings * watch.own_rounding(t, y);
+}
+
+/// On the cubic from y with velocities y' to the later state, half-way.
+std::vector<double> halfway(const std::vector<double>& from, const std::vector<double>& to, double duration) {
+  std::vector<double> y(from.size());
+  const std::size_t n = y.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    y[i] = 0.5 * (from[i] + to[i]) + duration / 8 * (from[n + i] - to[n + i]);
+    y[n + i] = 0.5 * (from[n + i] + to[n + i]);
+  }
+  return y;
+}
+
 bool vanishes(const SectionRecord& section) {
   return section.duration <= no_time * time_round_off(section.t);
 }
@@ -110,6 +129,21 @@ double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flig
   }
   const double shortest = std::max(lowest_flight, std::sqrt(time_round_off(1)) * longest);
   return safety_of_unseen * shortest / (1 - std::clamp(ratio, 0.0, largest_ratio));
+}
+
+bool is_hidden_since(const Watch& watch, const SectionRecord& impact, double t,
+                     const std::vector<double>& y) {
+  const double since = t - impact.t;
+  return is_hidden(watch, t, y) && is_hidden(watch, impact.t + since / 2, halfway(impact.after, y, since));
+}
+
+std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch, std::span<const SectionRecord> sections) {
+  if (sections.size() <= hidden_in_a_row) return std::nullopt;
+  const auto flights = sections.last(hidden_in_a_row + 1);
+  for (std::size_t i = 0; i + 1 < flights.size(); ++i) {
+    if (!is_hidden_since(watch, flights[i], flights[i + 1].t, flights[i + 1].before)) return std::nullopt;
+  }
+  return RestOfImpacts{0, flights.back().t - flights.front().t, false};
 }
 
 double lowest_flight(const Watch& watch, const SectionRecord& longest, std::span<const double> slopes,

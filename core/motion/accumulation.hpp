@@ -30,6 +30,15 @@ struct RestOfImpacts {
 /// the longest one's height.
 [[nodiscard]] double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flight);
 
+/// Whether the distance is zero but for its rounding at (t, y), and half-way to there since that impact.
+[[nodiscard]] bool is_hidden_since(const Watch& watch, const SectionRecord& impact, double t,
+                                   const std::vector<double>& y);
+
+/// Where the last flights, one after the other, were all so: nothing tells them from contact, and they go on
+/// for ever. The doubt is how long they took.
+[[nodiscard]] std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch,
+                                                          std::span<const SectionRecord> sections);
+
 /// The duration of a flight that is as high as the distance is rounded where the last section ended. Heights
 /// go with d^2: that of the longest is v d/4, with the speed that `slopes`, y' at its end, tell.
 [[nodiscard]] double lowest_flight(const Watch& watch, const SectionRecord& longest,

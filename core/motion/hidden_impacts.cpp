@@ -13,8 +13,6 @@
 namespace qdot {
 namespace {
 
-constexpr double roundings = 64;  ///< of the distance: what the search for events may not see
-
 /// The velocities that `after` has and y has not.
 std::vector<double> kick(const std::vector<double>& y, const std::vector<double>& after) {
   std::vector<double> change;
@@ -33,22 +31,6 @@ std::vector<Watch> watches_of_impacts(const ComputedMotion& motion) {
       watches(motion.dynamics, {.parameters = motion.request.parameters, .on_invalid = OnInvalid::go_on});
   std::erase_if(found, [](const Watch& watch) { return watch.kind != Watch::Kind::impact; });
   return found;
-}
-
-/// Whether the distance is zero but for its rounding.
-bool is_hidden(const Watch& watch, double t, const std::vector<double>& y) {
-  return std::abs(watch.value(t, y)) <= roundings * watch.own_rounding(t, y);
-}
-
-/// On the cubic from y with velocities y' to the later state, half-way.
-std::vector<double> halfway(const std::vector<double>& from, const std::vector<double>& to, double duration) {
-  std::vector<double> y(from.size());
-  const std::size_t n = y.size() / 2;
-  for (std::size_t i = 0; i < n; ++i) {
-    y[i] = 0.5 * (from[i] + to[i]) + duration / 8 * (from[n + i] - to[n + i]);
-    y[n + i] = 0.5 * (from[n + i] + to[n + i]);
-  }
-  return y;
 }
 
 /// One of the scene's impacts.
@@ -109,12 +91,10 @@ class HiddenImpacts {
     const double* begin = check_.states.data() + row * width;
     const std::vector<double> y(begin, begin + width);
     const double since = t - impact.t;
-    const std::vector<double> before = halfway(impact.after, y, since);
     bool any = false;
     for (const std::size_t number : impact.impacts) {
       Bounce& bounce = bounces_[number];
-      if (!is_hidden(bounce.watch(), t, y) || !is_hidden(bounce.watch(), impact.t + since / 2, before))
-        continue;
+      if (!is_hidden_since(bounce.watch(), impact, t, y)) continue;
       any = true;
       const std::vector<double> change = bounce.change(t, y, impact);
       check_.unseen.resize(check_.rows * width);
@@ -147,14 +127,10 @@ std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion) {
   const bool accumulate = simulation.stop && simulation.stop->reason == impacts_accumulate;
   if (simulation.sections.empty() || accumulate) return {};
   const SectionRecord& last = simulation.sections.back();
-  const double since = simulation.t - last.t;
-  const std::vector<double> before = halfway(last.after, simulation.y, since);
   const std::vector<Watch> all = watches_of_impacts(motion);
   std::vector<EventDoubt> doubts;
   for (const std::size_t number : last.impacts) {
-    if (!is_hidden(all[number], simulation.t, simulation.y) ||
-        !is_hidden(all[number], last.t + since / 2, before))
-      continue;
+    if (!is_hidden_since(all[number], last, simulation.t, simulation.y)) continue;
     const std::string& name = motion.dynamics.model().parsed.impacts[number].event;
     doubts.push_back({name, "From the last '" + name +
                                 "' to the end the distance is no larger than its rounding: "

@@ -36,6 +36,7 @@ std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> s
   const double lowest = lowest_flight(passed.all.front().impact, sections);
   auto rest = passed.is_over ? rest_of_impacts(sections, request_.t_end - request_.t_start, lowest)
                              : RestOfImpacts{0, doubt_of_lost(sections, lowest), false};
+  if (!rest) rest = rest_of_hidden(watches()[passed.all.front().impact], sections);
   if (!rest) return rest;
   if (passed.is_over && rest->time == 0 && leaves_contact(passed.all.front().impact, sections))
     rest = RestOfImpacts{0, 0, true};

@@ -1,0 +1,78 @@
+"""A body that comes to rest on a wall that moves, speeds up or is tilted, or begins there: what pulls it onto the wall leaves
+no motion, and it does not fall through. Against flights in closed form, along the distance g'' = -a."""
+
+import pathlib
+import random
+import sys
+import unittest
+from decimal import Decimal
+
+from mpmath import mp, mpf
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+from short_scene import lagrangian  # noqa: E402
+
+mp.dps = 40
+OPTIONS = ({}, {"accuracy": "accurate"}, {"accuracy": "fast"}, {"max_error": 1e-9}, {"method": "gauss", "h": 0.01})
+
+
+class Body:
+    """Along x, pulled by -f, above the wall x = p t + q t^2, or x = -b y where it moves along y as well."""
+
+    def __init__(self, draw, begins):
+        def number(low, high):
+            return Decimal(str(round(draw.uniform(low, high), draw.choice((1, 2, 3, 4, 16)))))
+
+        self.e = draw.choice(("0", "0", "0.5", "0.001")) if begins == "above" else draw.choice(("0", "0.5", "1"))
+        pull, p, q, b, u = number(1, 10), number(-0.6, 0.6), number(-0.3, 0.3), number(-0.6, 0.6), number(-1, 1)
+        x, v = (number(0.7, 1.5), number(-2, 2)) if begins == "above" else (number(0, 1), None)
+        if draw.random() < 0.4:
+            x = x if begins == "above" else Decimal(0)
+            v = -b * u if v is None else v
+            self.height, self.speed, self.fall = x, v + b * u, pull
+            self.wall, place, kinetic = f"x + ({b})*y", f"x - {x} {v}; y - 0 {u}", "x_dot^2/2 + y_dot^2/2"
+            self.turned = 1 + b * b  # an impact goes along the wall's normal
+        else:
+            v, offset = (p, x) if v is None else (v, Decimal(0))
+            self.height, self.speed, self.fall = x - offset, v - p, pull + 2 * q
+            self.wall, place, kinetic = f"x - ({offset}) - ({p})*t - ({q})*t^2", f"x - {x} {v}", "x_dot^2/2"
+        self.scene = lagrangian("body", "", place, kinetic, forces=[{"name": "f", "value": f"-({pull})", "along": "x"}],
+                                events=[{"name": "w", "expression": self.wall, "direction": "falling"}],
+                                impacts=[{"event": "w", "restitution": self.e}])
+        del self.scene["parameters"]
+
+    def rests_at(self):
+        height, speed, fall, e = (mpf(str(x)) for x in (self.height, self.speed, self.fall, self.e))
+        if height == 0:
+            return mpf(0)
+        hit = mp.sqrt(speed**2 + 2 * fall * height)
+        return (speed + hit) / fall + 2 * hit * e / (fall * (1 - e))
+
+
+class ContactWithMovingWalls(Service):
+    def each(self, begins, cases, seed):
+        draw, told = random.Random(seed), 0
+        for _ in range(cases):
+            body, options = Body(draw, begins), draw.choice(OPTIONS)
+            request = {"system": body.scene, "t_end": 6, "samples": 5, **options}
+            with self.subTest(request=request):
+                answer = self.ask("simulate", request)
+                self.assertEqual((answer["status"], answer["stop"]["reason"]), ("stopped", "impacts_accumulate"))
+                if "error" in answer["stop"]:
+                    told += 1
+                    self.assertLessEqual(abs(answer["stop"]["t"] - body.rests_at()), answer["stop"]["error"])
+                else:
+                    self.assertTrue(answer["accuracy"]["reason"])
+                    self.assertLess(abs(answer["stop"]["t"] - body.rests_at()), 1e-3)
+        return told
+
+    def test_what_falls_comes_to_rest_when_it_should(self):
+        self.assertGreater(self.each("above", 200, 1), 150)
+
+    def test_what_begins_in_contact_stays_there(self):
+        self.each("on it", 150, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
