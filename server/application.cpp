@@ -11,6 +11,7 @@
 
 #include "api/http/problem.hpp"
 #include "server/engine.hpp"
+#include "server/refusals.hpp"
 #include "server/spread.hpp"
 
 namespace qdot::server {
@@ -42,6 +43,9 @@ std::string fresh_id() {
   }
   return id;
 }
+
+// Not all clients come back at once.
+std::string seconds_until_retry() { return std::to_string(1 + fresh_number() % 5); }
 
 std::string_view field(const api::Request* request, const std::string& name) {
   if (request == nullptr) return {};
@@ -100,6 +104,12 @@ struct Application::Case {
   double waited{0};  // milliseconds
 };
 
+struct Application::Sent {
+  std::string_view id;
+  int status;
+  std::uint64_t evaluations{0};
+};
+
 Application::Application(const ApplicationOptions& options, ApplicationParts parts, RequestLog& log,
                          Metrics& metrics)
     : options_(options),
@@ -134,15 +144,22 @@ void Application::admit(Case& it) {
   Lanes::Work work{.cost = it.appraisal.milliseconds,
                    .bytes = lane == Lane::heavy ? it.appraisal.bytes : 0,
                    .task = [this, it]() mutable { compute(it); }};
-  if (!has_room() || !lanes_.submit(lane, std::move(work))) shed(it);
+  if (has_room() && lanes_.submit(lane, std::move(work))) return;
+  shed(it);
+  if (lane == Lane::light) parts_.overloaded();
 }
 
 bool Application::has_room() const { return parts_.unsent_bytes() <= options_.unsent_bytes; }
 
 void Application::shed(Case& it) {
   metrics_.count_shed();
-  finish(it, it.problem(ProblemKind::overloaded));
+  thread_local Refusals refusals;
+  const auto id = request_id(it.request);
+  const Refusals::Asked asked{.method = it.method(), .path = it.path(), .follow = follow(it)};
+  send(it, {.id = id, .status = 503}, refusals.answer(asked, id, seconds_until_retry()));
 }
+
+Follow Application::follow(const Case& it) const { return draining_ ? Follow::close : it.exchange->follow; }
 
 void Application::compute(Case& it) {
   const auto deadline = it.exchange->arrived + options_.deadline;
@@ -173,29 +190,36 @@ void Application::finish(Case& it, api::Response response) {
   const auto id = request_id(it.request);
   response.headers["X-Request-Id"] = id;
   response.headers["X-Content-Type-Options"] = "nosniff";
-  if (response.status == 503) response.headers["Retry-After"] = std::to_string(1 + fresh_number() % 5);
+  if (response.status == 503) response.headers["Retry-After"] = seconds_until_retry();
   if (response.status == 401) response.headers["WWW-Authenticate"] = "Bearer";
-  LogEntry entry{.id = id, .method = it.method(), .target = it.target(), .status = response.status};
-  const auto evaluations = response.evaluations;
-  auto outgoing = to_http(std::move(response), {.method = it.method(),
-                                                .accept_encoding = field(it.request, "accept-encoding"),
-                                                .follow = draining_ ? Follow::close : it.exchange->follow});
-  entry.bytes = outgoing.body().size();
-  record(it, entry, evaluations);
+  const Sent sent{.id = id, .status = response.status, .evaluations = response.evaluations};
+  send(it, sent,
+       to_http(std::move(response), {.method = it.method(),
+                                     .accept_encoding = field(it.request, "accept-encoding"),
+                                     .follow = follow(it)}));
+}
+
+void Application::send(Case& it, const Sent& sent, Outgoing outgoing) {
+  record(it, sent, outgoing.body().size());
   lanes_.make_way();
   it.exchange->answer(std::move(outgoing));
 }
 
-void Application::record(const Case& it, LogEntry& entry, std::uint64_t evaluations) {
-  entry.milliseconds = Milliseconds(Clock::now() - it.exchange->arrived).count();
-  entry.waited = it.waited;
-  entry.abandoned = it.exchange->abandoned();
+void Application::record(const Case& it, const Sent& sent, std::size_t bytes) {
+  const LogEntry entry{.id = sent.id,
+                       .method = it.method(),
+                       .target = it.target(),
+                       .status = sent.status,
+                       .bytes = bytes,
+                       .milliseconds = Milliseconds(Clock::now() - it.exchange->arrived).count(),
+                       .waited = it.waited,
+                       .abandoned = it.exchange->abandoned()};
   if (entry.abandoned) metrics_.count_abandoned();
   metrics_.count({.method = entry.method,
                   .route = it.appraisal.route,
                   .status = entry.status,
                   .seconds = entry.milliseconds / 1000,
-                  .evaluations = evaluations});
+                  .evaluations = sent.evaluations});
   log_.write(entry);
 }
 

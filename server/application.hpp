@@ -33,6 +33,7 @@ struct ApplicationParts {
   std::function<api::Response(const api::Request&)> answer;     ///< api::Service::handle
   std::function<api::Appraisal(const api::Request&)> appraise;  ///< api::Service::appraise
   std::function<std::size_t()> unsent_bytes{[] { return std::size_t{0}; }};
+  std::function<void()> overloaded{[] {}};  ///< light work was refused
 };
 
 class Application {
@@ -50,13 +51,16 @@ class Application {
 
  private:
   struct Case;  // one request with what is known of it
+  struct Sent;  // what of its answer is counted and logged
   void receive(const std::shared_ptr<Exchange>& exchange);
   void admit(Case& it);
   void compute(Case& it);
   void shed(Case& it);
   [[nodiscard]] bool has_room() const;
   void finish(Case& it, api::Response response);
-  void record(const Case& it, LogEntry& entry, std::uint64_t evaluations);
+  void send(Case& it, const Sent& sent, Outgoing outgoing);
+  void record(const Case& it, const Sent& sent, std::size_t bytes);
+  [[nodiscard]] Follow follow(const Case& it) const;
 
   ApplicationOptions options_;
   ApplicationParts parts_;

@@ -35,11 +35,16 @@ sigset_t stopping_signals() {
   return signals;
 }
 
-/// Waits for a signal in a thread of its own, because the others may be computing, or waiting for a pipe.
-void end_on_signal(BatchOutput& output, const BatchProgress& progress, bool can_be_resumed) {
+/// In this thread and in those that it starts from now on: a thread that left them alone would be ended by
+/// one, and all others with it.
+void leave_signals_to_one_thread() {
   const sigset_t signals = stopping_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread([&output, &progress, signals, can_be_resumed] {
+}
+
+/// Waits for a signal in a thread of its own, because the others may be computing, or waiting for a pipe.
+void end_on_signal(BatchOutput& output, const BatchProgress& progress, bool can_be_resumed) {
+  std::thread([&output, &progress, signals = stopping_signals(), can_be_resumed] {
     int signal = 0;
     sigwait(&signals, &signal);
     output.close();
@@ -109,6 +114,7 @@ ExitCode run_batch(const BatchOptions& options) {
   const Descriptor input = opened(options.file);
   const auto start = options.resume ? BatchOutput::Start::where_it_ended : BatchOutput::Start::anew;
   BatchOutput output(options.output, start);
+  leave_signals_to_one_thread();
   BatchProgress progress(size_of(input.get()));
   end_on_signal(output, progress, !options.output.empty());
   LineReader reader(input.get(), api::longest_batch_line());

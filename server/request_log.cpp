@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
@@ -27,7 +28,10 @@ std::string utc_now() {
   return std::string(text.data(), length) + "." + fraction + "Z";
 }
 
+bool stands_for_itself(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
+
 std::string quoted(std::string_view text) {
+  if (std::ranges::all_of(text, stands_for_itself)) return '"' + std::string(text) + '"';
   return api::Json(text).dump(-1, ' ', false, api::Json::error_handler_t::replace);
 }
 

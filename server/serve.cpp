@@ -156,7 +156,8 @@ void serve(const ServeOptions& given) {
            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.deadline))},
       {.answer = [&](const api::Request& request) { return service.handle(request); },
        .appraise = [&](const api::Request& request) { return service.appraise(request); },
-       .unsent_bytes = [&] { return transport.gauges().unsent_bytes; }},
+       .unsent_bytes = [&] { return transport.gauges().unsent_bytes; },
+       .overloaded = [&] { transport.rest(); }},
       log, metrics);
   application = &it;
   const Ending ending(it, transport);

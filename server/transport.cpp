@@ -28,6 +28,7 @@ constexpr std::size_t reserved_files = 24;    // descriptors that are not connec
 constexpr std::size_t all_bodies = 32 << 20;  // bytes that large bodies may hold at a time
 constexpr auto sweep_interval = 100ms;
 constexpr auto leaving_interval = 20ms;
+constexpr auto resting = 4ms;
 
 /// As many connections as asked for, if the process may have so many descriptors.
 std::size_t possible_connections(std::size_t wanted) {
@@ -57,6 +58,7 @@ struct Transport::Impl {
   void run() {
     thread_ = std::this_thread::get_id();
     while (!finished()) {
+      if (std::exchange(rests_, false)) std::this_thread::sleep_for(resting);
       const auto events = poller_.wait(wait_milliseconds());
       now_ = Clock::now();
       take_answers();  // before anyone is let in, because whoever was answered can give way
@@ -71,6 +73,8 @@ struct Transport::Impl {
     stopping_ = true;
     poller_.wake();
   }
+
+  void rest() { rests_ = true; }
 
   [[nodiscard]] int port() const { return entrance_.port(); }
   std::atomic<std::size_t> connection_count_{0};
@@ -269,6 +273,7 @@ struct Transport::Impl {
   Id next_id_{Entrance::first_free};
   std::thread::id thread_;  ///< that polls
   bool someone_leaves_{false};
+  bool rests_{false};
   std::atomic<bool> stopping_{false};
   std::mutex mutex_;
   std::vector<Posted> posted_;  // filled by the threads that answer; guarded by mutex_
@@ -281,6 +286,7 @@ Transport::~Transport() = default;
 int Transport::port() const { return impl_->port(); }
 void Transport::run() { impl_->run(); }
 void Transport::stop() { impl_->stop(); }
+void Transport::rest() { impl_->rest(); }
 Transport::Gauges Transport::gauges() const {
   return {.connections = impl_->connection_count_, .unsent_bytes = impl_->unsent_.used()};
 }

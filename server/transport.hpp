@@ -42,6 +42,11 @@ class Transport {
   /// run() returns when what is in flight is answered.
   void stop();
 
+  /// From the handler: the poller looks away for some milliseconds after this round. What comes meanwhile is
+  /// then read at one time, and the threads that compute are not interrupted for each request that is
+  /// refused.
+  void rest();
+
   struct Gauges {
     std::size_t connections{};
     std::size_t unsent_bytes{};  ///< of answers that clients have not read yet

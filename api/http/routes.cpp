@@ -52,6 +52,8 @@ Routes::Match Routes::match(std::string_view method, std::string_view path) cons
   const std::string_view wanted = method == "HEAD" ? "GET" : method;
   Match match;
   for (const Route& route : all_) {
+    const std::string_view pattern = route.pattern;
+    if (!path.starts_with(pattern.substr(0, pattern.find('{')))) continue;  // as nearly all
     auto found = captures(route.pattern, path);
     if (!found) continue;
     if (route.method == wanted) {

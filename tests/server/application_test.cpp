@@ -39,7 +39,8 @@ struct Running {
         application(options,
                     {.answer = std::move(answer),
                      .appraise = light,
-                     .unsent_bytes = [this] { return unsent_bytes.load(); }},
+                     .unsent_bytes = [this] { return unsent_bytes.load(); },
+                     .overloaded = [this] { ++overloaded; }},
                     log, metrics) {}
 
   /// What it answers, now or later.
@@ -53,6 +54,7 @@ struct Running {
   Answer operator()(Incoming incoming) { return ask(std::move(incoming)).get(); }
 
   std::atomic<std::size_t> unsent_bytes{0};
+  std::atomic<int> overloaded{0};
   RequestLog log;
   Metrics metrics;
   Application application;
@@ -105,7 +107,9 @@ TEST(Application, WhatExceedsTheQueueIsTurnedAwayAndProbesAreNot) {
   Running application(std::ref(slow), {.lanes = {.threads = 1, .light = {.longest_wait = 0, .waiting = 0}}});
   auto first = application.ask(get("/v1/slow"));
   slow.begun.wait();
+  EXPECT_EQ(application.overloaded, 0);
   const auto second = application(get("/v1/energy"));
+  EXPECT_EQ(application.overloaded, 1);
   EXPECT_EQ(second.status, 503);
   EXPECT_THAT(second.headers.at("Retry-After"), MatchesRegex("[1-5]"));
   EXPECT_THAT(second.body, HasSubstr("/errors/overloaded"));

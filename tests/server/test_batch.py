@@ -29,6 +29,20 @@ def lines(count, seed=1):
     return "".join(line(i, *chosen.choice(QUESTIONS)) for i in range(count))
 
 
+def listen_to_control_c():
+    """What a shell starts in the background does not."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def read_until(terminal, mark):
+    """What a program writes there, up to the mark; what has come after 30 seconds without it."""
+    text = b""
+    deadline = time.monotonic() + 30
+    while mark not in text and time.monotonic() < deadline and select.select([terminal], [], [], 30)[0]:
+        text += os.read(terminal, 4096)
+    return text
+
+
 class Batch(unittest.TestCase):
     def setUp(self):
         self.directory = tempfile.TemporaryDirectory()
@@ -170,14 +184,14 @@ class Memory(Batch):
 
 
 class Resume(Batch):
-    def run_until(self, source, target, seconds, ending=signal.SIGKILL):
-        """Runs, and ends it after so long; its exit code."""
+    def run_until(self, source, target, seconds):
+        """Runs, and kills it after so long; its exit code."""
         process = subprocess.Popen([QDOT, "batch", source, "--output", target, "--resume"], stderr=subprocess.PIPE,
                                    env=ENVIRONMENT)
         try:
             _, errors = process.communicate(timeout=seconds)
         except subprocess.TimeoutExpired:
-            process.send_signal(ending)
+            process.kill()
             _, errors = process.communicate(timeout=20)
         return process.returncode, errors.decode()
 
@@ -243,12 +257,18 @@ class Resume(Batch):
         source = self.path("in", "".join(line(i, "simulate", slow) for i in range(1000)))
         for ending in (signal.SIGINT, signal.SIGTERM):
             target = self.path(f"out{ending}")
-            code, errors = self.run_until(source, target, 2, ending)
-            self.assertEqual(code, 128 + ending)
+            with subprocess.Popen([QDOT, "batch", source, "--output", target], stderr=subprocess.PIPE, env=ENVIRONMENT,
+                                  preexec_fn=listen_to_control_c) as process:
+                deadline = time.monotonic() + 20
+                while not (os.path.exists(target) and self.read(target)) and time.monotonic() < deadline:
+                    time.sleep(0.02)
+                process.send_signal(ending)
+                _, errors = process.communicate(timeout=20)
+            self.assertEqual(process.returncode, 128 + ending)
             written = self.read(target)
-            self.assertTrue(written == b"" or written.endswith(b"\n"))
-            self.assertIn(f"Stopped after {written.count(bytes([10]))} lines", errors)
-            self.assertIn("--resume", errors)
+            self.assertTrue(written.endswith(b"\n"))
+            self.assertIn(f"Stopped after {written.count(bytes([10]))} lines", errors.decode())
+            self.assertIn("--resume", errors.decode())
 
 
 class Terminal(Batch):
@@ -256,18 +276,16 @@ class Terminal(Batch):
         slow = {"system": "spring_pendulum", "t_end": 500, "samples": 2}
         source = self.path("in", "".join(line(i, "simulate", slow) for i in range(100000)))
         terminal, its_end = pty.openpty()
-        process = subprocess.Popen([QDOT, "batch", source, "--output", self.path("out")], stderr=its_end,
-                                   stdout=subprocess.DEVNULL, env=ENVIRONMENT)
+        process = subprocess.Popen([QDOT, "batch", source, "--output", self.path("out"), "--jobs", "1"], stderr=its_end,
+                                   stdout=subprocess.DEVNULL, env=ENVIRONMENT, preexec_fn=listen_to_control_c)
         os.close(its_end)
-        text = b""
-        deadline = time.monotonic() + 30
-        while b"left" not in text and time.monotonic() < deadline:
-            if select.select([terminal], [], [], 1)[0]:
-                text += os.read(terminal, 4096)
+        text = read_until(terminal, b" left")
         process.send_signal(signal.SIGINT)
-        process.wait(20)
+        text += read_until(terminal, b"--resume")
+        self.assertEqual(process.wait(20), 128 + signal.SIGINT)
         os.close(terminal)
         self.assertRegex(text.decode(), r"\d+ lines, \d+ %, about [\d.]+ (s|min|h) left")
+        self.assertRegex(text.decode(), r"Stopped after \d+ lines; --resume")
 
 
 if __name__ == "__main__":

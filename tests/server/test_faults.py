@@ -168,7 +168,7 @@ class Faults(unittest.TestCase):
                 sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
                 sock.sendall(worst)
             highest = 0
-            end = time.monotonic() + 5
+            end = time.monotonic() + (1 if SANITIZED else 5)
             while time.monotonic() < end:
                 highest = max(highest, resident(server))
                 time.sleep(0.01)
@@ -215,13 +215,13 @@ class Faults(unittest.TestCase):
             self.assertLess(time.monotonic() - started, 1)
 
     def test_a_log_that_is_full_closed_or_not_read(self):
-        def run(stderr, close=False):
+        def run(stderr, close=False, requests=100):
             command = [QDOT, "serve", "--port", "0"]
             if close:
                 command = ["sh", "-c", 'exec "$0" "$@" 2>&-', *command]
             process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=stderr, env=ENVIRONMENT)
             port = json.loads(process.stdout.readline())["port"]
-            for _ in range(400):
+            for _ in range(requests):
                 reply = wire.exchange(port, hostile_inputs.get(b"/v1/energy?system=cart_pendulum"))
                 self.assertEqual(reply.status, 200)
                 self.assertTrue(reply.body.startswith(b"{"))
@@ -233,7 +233,7 @@ class Faults(unittest.TestCase):
             run(full)
         run(None, close=True)
         reader, writer = os.pipe()  # nobody reads it
-        run(writer)
+        run(writer, requests=400)  # it holds some 250 lines
         os.close(reader)
         os.close(writer)
 

@@ -135,6 +135,23 @@ TEST(Transport, OneConnectionCarriesManyRequests) {
   EXPECT_EQ(client.Get("/last")->get_header_value("Connection"), "close");
 }
 
+TEST(Transport, LooksAwayForAWhileAfterItWasToldToRest) {
+  std::vector<Clock::time_point> handled;
+  std::optional<Transport> transport;
+  transport.emplace(TransportOptions{.port = 0}, [&](const std::shared_ptr<Exchange>& exchange) {
+    handled.push_back(Clock::now());
+    transport->rest();
+    exchange->answer(to_http(echo(exchange->incoming), {.method = "GET", .follow = exchange->follow}));
+  });
+  std::thread thread([&] { transport->run(); });
+  httplib::Client client(loopback, transport->port());
+  client.set_keep_alive(true);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(client.Get("/")->status, 200);
+  transport->stop();
+  thread.join();
+  for (std::size_t i = 1; i < handled.size(); ++i) EXPECT_GE(handled[i] - handled[i - 1], 4ms);
+}
+
 TEST(Transport, PipelinedRequestsAreAnsweredInOrder) {
   RunningTransport server;
   const RawClient client(server.port());
