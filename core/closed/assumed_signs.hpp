@@ -46,10 +46,16 @@ class AssumedSigns {
   /// The same of claims that are tried where the symbols have these values.
   using HoldsAt = std::function<bool(const std::vector<RealAssignment>&)>;
   [[nodiscard]] std::vector<std::string> needed_for(const HoldsAt& holds_at);
-  /// Whether a formula holds where the symbols have these values; none where it claims nothing there.
-  using Tried = std::function<std::optional<bool>(const FarPlace&)>;
+  /// Whether a formula holds somewhere, and by several measures how much is left until it does not.
+  struct Verdict {
+    bool holds{};
+    std::vector<double> rooms{};
+  };
+  /// Of a formula where the symbols have these values; none where it claims nothing there.
+  using Tried = std::function<std::optional<Verdict>(const FarPlace&)>;
   /// What keeps a formula from the far places where it does not hold, of which so many are tried, and so many
-  /// of the others that are made of them; none where nothing that was asked for does. After let_go().
+  /// of the others that are made of them, and then places near those where it hardly holds; none where
+  /// nothing that was asked for does. After let_go().
   [[nodiscard]] std::optional<std::vector<std::string>> separating(const Tried& tried, int tries,
                                                                    int other_tries);
   /// Whether anything is open that is not true at all far places.
@@ -65,6 +71,8 @@ class AssumedSigns {
   void take(const Expression& positive);
   void find_far_places();
   [[nodiscard]] FarPlace far_place(int number, std::minstd_rand& random) const;
+  [[nodiscard]] FarPlace place_near(FarPlace place, double reach, std::minstd_rand& random) const;
+  void relate(FarPlace& place) const;
   [[nodiscard]] std::optional<std::vector<std::string>> signs_that_tell(const std::vector<FarPlace>& places,
                                                                         const std::vector<bool>& holds) const;
   [[nodiscard]] static bool is_broken(const Expression& positive, const FarPlace& place);
