@@ -163,6 +163,7 @@ void ask_turn_of_start(const QuadratureProblem& problem, const Expression& start
     if (call == nullptr || (call->function != Function::sin && call->function != Function::cos &&
                             call->function != Function::tan))
       continue;
+    if (!depends_on(Expression(graph, call->argument), problem.x)) continue;
     const Expression angle = with_value(Expression(graph, call->argument), problem.x, start);
     const Expression turn =
         call->function == Function::tan ? Number::ratio(1, 2) * graph.symbol("pi") : graph.symbol("pi");
