@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/closed/separation.hpp"
-#include "core/closed/tries.hpp"
 #include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/rational_function.hpp"
@@ -213,7 +212,7 @@ void AssumedSigns::find_far_places() {
 }
 
 /// Exponents keep the values with which the formulas were derived.
-AssumedSigns::FarPlace AssumedSigns::far_place(int number, std::minstd_rand& random) const {
+FarPlace AssumedSigns::far_place(int number, std::minstd_rand& random) const {
   FarPlace place;
   for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
     const Parameter& p = values_.model().scene.parameters[i];
@@ -235,8 +234,7 @@ void AssumedSigns::relate(FarPlace& place) const {
 }
 
 /// Some parameters become up to 1 + reach times as large, or as small; signs and exponents stay.
-AssumedSigns::FarPlace AssumedSigns::place_near(FarPlace place, double reach,
-                                                std::minstd_rand& random) const {
+FarPlace AssumedSigns::place_near(FarPlace place, double reach, std::minstd_rand& random) const {
   for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
     const Parameter& p = values_.model().scene.parameters[i];
     const double x = scaled_value(place[i].second.value, 1 + reach, p.domain, random);

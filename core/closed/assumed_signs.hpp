@@ -14,6 +14,7 @@
 #include "core/closed/exact_values.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/trial.hpp"
+#include "core/closed/tries.hpp"
 
 namespace qdot {
 
@@ -36,7 +37,6 @@ class AssumedSigns {
   void let_signs_go();
   /// So may these parameters, or given symbols, of which a formula does not speak; before anything is asked.
   /// Far places are near ones, too, then, and those that `also` makes of them.
-  using FarPlace = std::vector<RealAssignment>;
   using OtherPlace = std::function<std::optional<FarPlace>(const FarPlace&)>;
   void let_go(const std::vector<Expression>& symbols, const OtherPlace& also);
 
@@ -46,13 +46,6 @@ class AssumedSigns {
   /// The same of claims that are tried where the symbols have these values.
   using HoldsAt = std::function<bool(const std::vector<RealAssignment>&)>;
   [[nodiscard]] std::vector<std::string> needed_for(const HoldsAt& holds_at);
-  /// Whether a formula holds somewhere, and by several measures how much is left until it does not.
-  struct Verdict {
-    bool holds{};
-    std::vector<double> rooms{};
-  };
-  /// Of a formula where the symbols have these values; none where it claims nothing there.
-  using Tried = std::function<std::optional<Verdict>(const FarPlace&)>;
   /// What keeps a formula from the far places where it does not hold, of which so many are tried, and so many
   /// of the others that are made of them, and then places near those where it hardly holds; none where
   /// nothing that was asked for does. After let_go().

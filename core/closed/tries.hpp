@@ -4,20 +4,33 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/closed/assumed_signs.hpp"
+#include "core/closed/exact_values.hpp"
 
 namespace qdot {
+
+/// Values of all symbols that a formula may speak of.
+using FarPlace = std::vector<RealAssignment>;
+
+/// Whether a formula holds somewhere, and by several measures how much is left until it does not.
+struct Claim {
+  bool holds{};
+  std::vector<double> rooms{};
+};
+/// None where it claims nothing.
+using Tried = std::function<std::optional<Claim>(const FarPlace&)>;
 
 /// What a formula says at places, and how much room it has there.
 class Tries {
  public:
-  explicit Tries(const AssumedSigns::Tried& tried) : tried_(tried) {}
+  explicit Tries(const Tried& tried) : tried_(tried) {}
 
   /// Whether anything is claimed there. Where the place is made of another, that one is kept for the search.
-  bool add(const AssumedSigns::FarPlace& place, const AssumedSigns::FarPlace& made_of) {
+  bool add(const FarPlace& place, const FarPlace& made_of) {
     const auto verdict = tried_(place);
     if (!verdict) return false;
     holds.push_back(verdict->holds);
@@ -30,8 +43,8 @@ class Tries {
   }
 
   /// So many with the least room, by each measure.
-  [[nodiscard]] std::vector<AssumedSigns::FarPlace> scarce(std::size_t most) {
-    std::vector<AssumedSigns::FarPlace> found;
+  [[nodiscard]] std::vector<FarPlace> scarce(std::size_t most) {
+    std::vector<FarPlace> found;
     for (auto& places_by_room : scarce_) {
       std::ranges::stable_sort(places_by_room, {}, [](const auto& s) { return s.first; });
       if (places_by_room.size() > most) places_by_room.resize(most);
@@ -40,12 +53,12 @@ class Tries {
     return found;
   }
 
-  std::vector<AssumedSigns::FarPlace> places;
+  std::vector<FarPlace> places;
   std::vector<bool> holds;
 
  private:
-  const AssumedSigns::Tried& tried_;
-  std::vector<std::vector<std::pair<double, AssumedSigns::FarPlace>>> scarce_;
+  const Tried& tried_;
+  std::vector<std::vector<std::pair<double, FarPlace>>> scarce_;
 };
 
 }  // namespace qdot

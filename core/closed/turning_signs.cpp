@@ -18,8 +18,6 @@
 namespace qdot {
 namespace {
 
-using FarPlace = AssumedSigns::FarPlace;
-
 constexpr int tries_anywhere = 48;
 constexpr int tries_of_start = 480;
 
@@ -276,18 +274,18 @@ class End {
 
  private:
   /// It claims nothing where the formula has no value, or the motion begins elsewhere than is said.
-  [[nodiscard]] std::optional<AssumedSigns::Verdict> holds_at(const FarPlace& far) {
+  [[nodiscard]] std::optional<Claim> holds_at(const FarPlace& far) {
     const Real end = evaluate_exactly(place_, far);
     if (!end.is_finite() || !said_->is_as_said(far)) return std::nullopt;
     const std::optional<double> x0 = start_.at(far);
     if (!is_heavy(problem_, x0 ? *x0 : end.value, far)) return std::nullopt;
     const bool is_tried = !x0 || tried_++ < tries_anywhere;  // what it says is the same everywhere
-    if (is_tried && !trial_.holds_at(far)) return AssumedSigns::Verdict{};
-    if (!x0) return AssumedSigns::Verdict{.holds = true};
+    if (is_tried && !trial_.holds_at(far)) return Claim{};
+    if (!x0) return Claim{.holds = true};
     if (!speed_) speed_.emplace(problem_, far);
     const SquaredSpeed e = speed_->at(far);
     const Rooms rooms = rooms_between(e, *x0, end.value);
-    return AssumedSigns::Verdict{may_come(e, *x0, end.value), {rooms.on_the_way, rooms.in_the_middle}};
+    return Claim{may_come(e, *x0, end.value), {rooms.on_the_way, rooms.in_the_middle}};
   }
 
   const TurningEquation& equation_;
@@ -340,7 +338,7 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
   ask_about(equation, problem, signs);
   const FarStart begin(equation, by_start);
   std::optional<SpeedAt> speed;
-  const auto has_period = [&](const FarPlace& far) -> std::optional<AssumedSigns::Verdict> {
+  const auto has_period = [&](const FarPlace& far) -> std::optional<Claim> {
     const double number = period.value_at(far);
     if (!std::isfinite(number)) return std::nullopt;
     if (!speed) speed.emplace(problem, far);
@@ -350,7 +348,7 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
     if (walls.below) e.below = evaluate_exactly(*walls.below, far).value;
     if (walls.above) e.above = evaluate_exactly(*walls.above, far).value;
     const bool turns = equation.found.motion == MotionKind::rotation;
-    return AssumedSigns::Verdict{turns ? may_turn_with(e, number) : may_swing_with(e, number)};
+    return Claim{turns ? may_turn_with(e, number) : may_swing_with(e, number)};
   };
   Needed needed = with_force_at_start(equation, problem, by_start, signs, [&] {
     return signs.separating(has_period, by_start ? tries_of_start : tries_anywhere,
