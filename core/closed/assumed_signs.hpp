@@ -91,8 +91,11 @@ class AssumedSigns {
   std::vector<Open> open_;
 };
 
-/// What the formulas of a place assume so: that nothing pushes there and, of one coordinate, that its
-/// stiffness has its sign.
+/// What is positive inside a coordinate's domain: of an end that is 0.
+[[nodiscard]] std::vector<Expression> inside_domain(const Domain& domain, const Expression& x);
+
+/// What the formulas of a place assume so: that nothing pushes there, that it lies in the domains of the
+/// coordinates and, of one coordinate, that its stiffness has its sign.
 [[nodiscard]] std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
                                                   const ExactValues& values);
 

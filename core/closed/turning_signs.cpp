@@ -260,6 +260,7 @@ class End {
                  by_start_ ? [](const FarPlace&) -> std::optional<FarPlace> { return std::nullopt; }
                            : with_start(equation_, free));
     signs.ask(with_value(back_, equation_.x, place_));
+    for (const Expression& e : inside_domain(domain(), place_)) signs.ask(e);
     ask_coefficients(problem_.potential, equation_.x, signs);
     ask_parts(place_, signs);
     ask_about(equation_, problem_, signs);
@@ -278,6 +279,8 @@ class End {
     const Real end = evaluate_exactly(place_, far);
     if (!end.is_finite() || !said_->is_as_said(far)) return std::nullopt;
     const std::optional<double> x0 = start_.at(far);
+    if (x0 && !domain().contains(*x0)) return std::nullopt;
+    if (!domain().contains(end.value)) return Claim{};
     if (!is_heavy(problem_, x0 ? *x0 : end.value, far)) return std::nullopt;
     const bool is_tried = !x0 || tried_++ < tries_anywhere;  // what it says is the same everywhere
     if (is_tried && !trial_.holds_at(far)) return Claim{};
@@ -286,6 +289,10 @@ class End {
     const SquaredSpeed e = speed_->at(far);
     const Rooms rooms = rooms_between(e, *x0, end.value);
     return Claim{may_come(e, *x0, end.value), {rooms.on_the_way, rooms.in_the_middle}};
+  }
+
+  [[nodiscard]] const Domain& domain() const {
+    return equation_.values.model().scene.coordinates[equation_.found.coordinate].domain;
   }
 
   const TurningEquation& equation_;

@@ -163,6 +163,12 @@ class SignsOfTurning(Service):
             form = self.ask("turning_points", {"system": lagrangian("beside", parameters, start, text)})["exact"][name]
             self.assertEqual([assumed for assumed in form["assumes"] if "(0)" not in assumed and not assumed.startswith("ellipk")], needed, (text, form))
 
+    def test_an_end_lies_in_the_domain_of_its_coordinate(self):
+        system = lagrangian("inside", "m - 1; k - 3; F - 2; G - 1", "x - 0.4", "m*x_dot^2/2 - k*x^2/2 + F*x - G*x")
+        system["coordinates"][0]["domain"] = "> 0"
+        form = self.ask("turning_points", {"system": system})["exact"]["x_min"]
+        self.assertIn("5*F > k + 5*G", form["assumes"])
+
     def test_a_cycloid_has_its_period_where_no_motion_passes_the_cusp(self):
         for rate in ("0.1", "3.6"):
             system = lagrangian("cycloid", "m - 1; a - 0.6; g - 9.81", f"x - 0.9 {rate}", "m*a^2*(1 + cos(x))*x_dot^2 - m*g*a*(1 - cos(x))")
