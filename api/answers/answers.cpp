@@ -7,6 +7,7 @@
 #include "api/contract/version.hpp"
 #include "core/dynamics/consistent_state.hpp"
 #include "core/expr/parse.hpp"
+#include "core/mechanics/moments.hpp"
 #include "core/mechanics/restitution.hpp"
 
 namespace qdot::api {
@@ -23,6 +24,7 @@ ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
                 "The default of " + p.name + " has no valid value here: give " + p.name + ".");
   }
   refuse_wrong_restitutions(model.parsed, state.parameters);
+  refuse_impossible_moments(model.parsed, state.parameters);
   state.y = initial_state(model, state.parameters, initial);
   for (std::size_t i = 0; i < state.y.size(); ++i) {
     if (std::isfinite(state.y[i])) continue;

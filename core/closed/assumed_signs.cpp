@@ -1,6 +1,7 @@
 #include "core/closed/assumed_signs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -106,27 +107,28 @@ void AssumedSigns::let_go(const std::vector<Expression>& symbols, const OtherPla
 /// Places of which nothing is claimed count for little.
 std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tried, int tries,
                                                                  int other_tries) {
-  constexpr int most_per_try = 3;
+  constexpr int most_per_try = 3, rounds = 5, most_scarce = 6, per_scarce = 6;
   take_asked();
   std::minstd_rand random;
-  std::vector<FarPlace> places;
-  std::vector<bool> holds;
-  const auto is_tried = [&](const FarPlace& place) {
-    const std::optional<bool> answer = tried(place);
-    if (!answer) return 0;
-    holds.push_back(*answer);
-    places.push_back(place);
-    return 1;
-  };
+  Tries all(tried);
   int anywhere = 0, others = 0;
   for (int number = 0; number < most_per_try * std::max(tries, other_tries); ++number) {
     if (anywhere == tries && others == other_tries) break;
     const FarPlace place = far_place(number, random);
-    if (anywhere < tries) anywhere += is_tried(place);
+    if (anywhere < tries && all.add(place, place)) ++anywhere;
     const auto other = others < other_tries ? also_(place) : std::nullopt;
-    if (other) others += is_tried(*other);
+    if (other && all.add(*other, place)) ++others;
   }
-  return signs_that_tell(places, holds);
+  for (int round = 0; round < rounds; ++round) {
+    for (const FarPlace& scarce : all.scarce(most_scarce)) {
+      for (int i = 0; i < per_scarce; ++i) {
+        const FarPlace near = place_near(scarce, 2 / ((1.0 + round) * (1.0 + round)), random);
+        const auto other = other_tries > 0 ? also_(near) : std::optional(near);
+        if (other) all.add(*other, near);
+      }
+    }
+  }
+  return signs_that_tell(all.places, all.holds);
 }
 
 std::optional<std::vector<std::string>> AssumedSigns::signs_that_tell(const std::vector<FarPlace>& places,
@@ -211,7 +213,7 @@ void AssumedSigns::find_far_places() {
 }
 
 /// Exponents keep the values with which the formulas were derived.
-AssumedSigns::FarPlace AssumedSigns::far_place(int number, std::minstd_rand& random) const {
+FarPlace AssumedSigns::far_place(int number, std::minstd_rand& random) const {
   FarPlace place;
   for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
     const Parameter& p = values_.model().scene.parameters[i];
@@ -223,8 +225,24 @@ AssumedSigns::FarPlace AssumedSigns::far_place(int number, std::minstd_rand& ran
     const double far = far_number(e, {}, number, random);
     place.emplace_back(e, !given_has_signs_ && random() % 2 == 0 ? -far : far);
   }
+  relate(place);
+  return place;
+}
+
+void AssumedSigns::relate(FarPlace& place) const {
   for (const auto& [symbol, value] : relations_.replacements)
     std::ranges::find(place, symbol, &RealAssignment::first)->second = evaluate_exactly(value, place);
+}
+
+/// Some parameters become up to 1 + reach times as large, or as small; signs and exponents stay.
+FarPlace AssumedSigns::place_near(FarPlace place, double reach, std::minstd_rand& random) const {
+  for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
+    const Parameter& p = values_.model().scene.parameters[i];
+    const double x = scaled_value(place[i].second.value, 1 + reach, p.domain, random);
+    const bool is_exponent = values_.model().parsed.exponents.put_in.contains(p.name);
+    if (random() % 2 == 0 && !is_exponent) place[i].second = x;
+  }
+  relate(place);
   return place;
 }
 
@@ -326,14 +344,30 @@ Expression AssumedSigns::short_form(const Polynomial& e) const {
   return to_expression(graph, scaled(e, front, Number(1) / number));
 }
 
+std::vector<Expression> inside_domain(const Domain& domain, const Expression& x) {
+  std::vector<Expression> positive;
+  if (domain.lower == 0) positive.push_back(x);
+  if (domain.upper == 0) positive.push_back(-x);
+  return positive;
+}
+
 std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
                                     const ExactValues& values) {
   std::vector<Expression> given = place.undecided();
   given.insert(given.end(), motions.momenta.begin(), motions.momenta.end());
   const Relations none;
   AssumedSigns signs(values, none, given);
+  std::vector<Expression> inside;
+  for (std::size_t k = 0; k < motions.moving.size(); ++k) {
+    const Domain& domain = values.model().scene.coordinates[motions.moving[k]].domain;
+    for (const Expression& e : inside_domain(domain, motions.x[k])) {
+      inside.push_back(e);
+      signs.ask(substitute(e, std::array{Replacement{motions.x[k], place.x()[k]}}));
+    }
+  }
   if (!signs.are_there()) return {};
   Trial trial(values, none);
+  for (const Expression& e : inside) trial.is_positive(e);
   trial.set_given(given);
   trial.set(motions.x, place.x());
   for (const auto* vanishing : {&motions.forces, &motions.surface}) {

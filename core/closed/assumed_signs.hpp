@@ -14,6 +14,7 @@
 #include "core/closed/exact_values.hpp"
 #include "core/closed/linear_motions.hpp"
 #include "core/closed/trial.hpp"
+#include "core/closed/tries.hpp"
 
 namespace qdot {
 
@@ -36,7 +37,6 @@ class AssumedSigns {
   void let_signs_go();
   /// So may these parameters, or given symbols, of which a formula does not speak; before anything is asked.
   /// Far places are near ones, too, then, and those that `also` makes of them.
-  using FarPlace = std::vector<RealAssignment>;
   using OtherPlace = std::function<std::optional<FarPlace>(const FarPlace&)>;
   void let_go(const std::vector<Expression>& symbols, const OtherPlace& also);
 
@@ -46,10 +46,9 @@ class AssumedSigns {
   /// The same of claims that are tried where the symbols have these values.
   using HoldsAt = std::function<bool(const std::vector<RealAssignment>&)>;
   [[nodiscard]] std::vector<std::string> needed_for(const HoldsAt& holds_at);
-  /// Whether a formula holds where the symbols have these values; none where it claims nothing there.
-  using Tried = std::function<std::optional<bool>(const FarPlace&)>;
   /// What keeps a formula from the far places where it does not hold, of which so many are tried, and so many
-  /// of the others that are made of them; none where nothing that was asked for does. After let_go().
+  /// of the others that are made of them, and then places near those where it hardly holds; none where
+  /// nothing that was asked for does. After let_go().
   [[nodiscard]] std::optional<std::vector<std::string>> separating(const Tried& tried, int tries,
                                                                    int other_tries);
   /// Whether anything is open that is not true at all far places.
@@ -65,6 +64,8 @@ class AssumedSigns {
   void take(const Expression& positive);
   void find_far_places();
   [[nodiscard]] FarPlace far_place(int number, std::minstd_rand& random) const;
+  [[nodiscard]] FarPlace place_near(FarPlace place, double reach, std::minstd_rand& random) const;
+  void relate(FarPlace& place) const;
   [[nodiscard]] std::optional<std::vector<std::string>> signs_that_tell(const std::vector<FarPlace>& places,
                                                                         const std::vector<bool>& holds) const;
   [[nodiscard]] static bool is_broken(const Expression& positive, const FarPlace& place);
@@ -90,8 +91,11 @@ class AssumedSigns {
   std::vector<Open> open_;
 };
 
-/// What the formulas of a place assume so: that nothing pushes there and, of one coordinate, that its
-/// stiffness has its sign.
+/// What is positive inside a coordinate's domain: of an end that is 0.
+[[nodiscard]] std::vector<Expression> inside_domain(const Domain& domain, const Expression& x);
+
+/// What the formulas of a place assume so: that nothing pushes there, that it lies in the domains of the
+/// coordinates and, of one coordinate, that its stiffness has its sign.
 [[nodiscard]] std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
                                                   const ExactValues& values);
 

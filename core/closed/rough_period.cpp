@@ -180,4 +180,17 @@ bool may_come(const SquaredSpeed& e, double from, double to) {
   return !has_pole(e, from, to);
 }
 
+Rooms rooms_between(const SquaredSpeed& e, double from, double to) {
+  constexpr double margin = 0.2;
+  Rooms least;
+  double largest = 0;
+  for (int i = 1; i < pieces; ++i) {
+    const double u = static_cast<double>(i) / pieces, room = e.at(from + u * (to - from)) / (u * (1 - u));
+    least.on_the_way = std::min(least.on_the_way, room);
+    if (u > margin && u < 1 - margin) least.in_the_middle = std::min(least.in_the_middle, room);
+    largest = std::max(largest, room);
+  }
+  return largest > 0 ? Rooms{least.on_the_way / largest, least.in_the_middle / largest} : Rooms{};
+}
+
 }  // namespace qdot

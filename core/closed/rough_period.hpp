@@ -29,4 +29,11 @@ struct SquaredSpeed {
 /// Whether a motion that is at `from` has e > 0 all the way to just before `to`, and passes no pole.
 [[nodiscard]] bool may_come(const SquaredSpeed& e, double from, double to);
 
+/// The least of e on that way, and on the middle of it, next to what a parabola between its ends would have,
+/// and to the largest.
+struct Rooms {
+  double on_the_way{infinity}, in_the_middle{infinity};
+};
+[[nodiscard]] Rooms rooms_between(const SquaredSpeed& e, double from, double to);
+
 }  // namespace qdot

@@ -18,10 +18,8 @@
 namespace qdot {
 namespace {
 
-using FarPlace = AssumedSigns::FarPlace;
-
 constexpr int tries_anywhere = 48;
-constexpr int tries_of_start = 160;
+constexpr int tries_of_start = 480;
 
 Expression with_value(const Expression& e, const Expression& x, const Expression& value) {
   const Replacement there{x, value};
@@ -153,11 +151,45 @@ void ask_between(const QuadratureProblem& problem, const Expression& place, Assu
   }
 }
 
-void ask_bottom_and_top(const TurningEquation& equation, const QuadratureProblem& problem,
-                        AssumedSigns& signs) {
+/// Whether the start lies within the turn about 0 of the angles that the potential speaks of: arcs of cosines
+/// do.
+void ask_turn_of_start(const QuadratureProblem& problem, const Expression& start, AssumedSigns& signs) {
+  Graph& graph = start.graph();
+  const NodeId root = problem.potential.id();
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (call == nullptr || (call->function != Function::sin && call->function != Function::cos &&
+                            call->function != Function::tan))
+      continue;
+    if (!depends_on(Expression(graph, call->argument), problem.x)) continue;
+    const Expression angle = with_value(Expression(graph, call->argument), problem.x, start);
+    const Expression turn =
+        call->function == Function::tan ? Number::ratio(1, 2) * graph.symbol("pi") : graph.symbol("pi");
+    signs.ask(turn - angle);
+    signs.ask(turn + angle);
+  }
+}
+
+void ask_about(const TurningEquation& equation, const QuadratureProblem& problem, AssumedSigns& signs) {
   ask_between(problem, equation.graph->number(0), signs);
   const bool is_angle = equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad";
   if (is_angle) ask_between(problem, equation.graph->symbol("pi"), signs);
+  if (const auto start = equation.start()) ask_turn_of_start(problem, *start, signs);
+}
+
+using Needed = std::optional<std::vector<std::string>>;
+
+/// What is needed, and where no sign tells, what the force at the start tells beside it.
+Needed with_force_at_start(const TurningEquation& equation, const QuadratureProblem& problem, bool by_start,
+                           AssumedSigns& signs, const std::function<Needed()>& needed) {
+  const Needed without = needed();
+  const auto start = equation.start();
+  if (without || !start) return without;
+  ask_between(problem, *start, signs);
+  Needed with = needed();
+  if (with && !by_start)
+    with->push_back(print(equation.x, Form::text) + "(0) = " + print(*start, Form::text));
+  return with;
 }
 
 /// Nothing is answered where the inertia is not positive.
@@ -228,26 +260,39 @@ class End {
                  by_start_ ? [](const FarPlace&) -> std::optional<FarPlace> { return std::nullopt; }
                            : with_start(equation_, free));
     signs.ask(with_value(back_, equation_.x, place_));
+    for (const Expression& e : inside_domain(domain(), place_)) signs.ask(e);
     ask_coefficients(problem_.potential, equation_.x, signs);
     ask_parts(place_, signs);
-    ask_bottom_and_top(equation_, problem_, signs);
+    ask_about(equation_, problem_, signs);
     if (const auto x0 = equation_.start()) ask_between(problem_, Number::ratio(1, 2) * (*x0 + place_), signs);
-    return signs.separating([&](const FarPlace& far) { return holds_at(far); },
-                            by_start_ ? tries_of_start : tries_anywhere / 2, by_start_ ? 0 : tries_of_start);
+    return with_force_at_start(equation_, problem_, by_start_, signs, [&] {
+      tried_ = 0;
+      return signs.separating([&](const FarPlace& far) { return holds_at(far); },
+                              by_start_ ? tries_of_start : tries_anywhere / 2,
+                              by_start_ ? 0 : tries_of_start);
+    });
   }
 
  private:
   /// It claims nothing where the formula has no value, or the motion begins elsewhere than is said.
-  [[nodiscard]] std::optional<bool> holds_at(const FarPlace& far) {
+  [[nodiscard]] std::optional<Claim> holds_at(const FarPlace& far) {
     const Real end = evaluate_exactly(place_, far);
     if (!end.is_finite() || !said_->is_as_said(far)) return std::nullopt;
     const std::optional<double> x0 = start_.at(far);
+    if (x0 && !domain().contains(*x0)) return std::nullopt;
+    if (!domain().contains(end.value)) return Claim{};
     if (!is_heavy(problem_, x0 ? *x0 : end.value, far)) return std::nullopt;
     const bool is_tried = !x0 || tried_++ < tries_anywhere;  // what it says is the same everywhere
-    if (is_tried && !trial_.holds_at(far)) return false;
-    if (!x0) return true;
+    if (is_tried && !trial_.holds_at(far)) return Claim{};
+    if (!x0) return Claim{.holds = true};
     if (!speed_) speed_.emplace(problem_, far);
-    return may_come(speed_->at(far), *x0, end.value);
+    const SquaredSpeed e = speed_->at(far);
+    const Rooms rooms = rooms_between(e, *x0, end.value);
+    return Claim{may_come(e, *x0, end.value), {rooms.on_the_way, rooms.in_the_middle}};
+  }
+
+  [[nodiscard]] const Domain& domain() const {
+    return equation_.values.model().scene.coordinates[equation_.found.coordinate].domain;
   }
 
   const TurningEquation& equation_;
@@ -297,10 +342,10 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
   ask_coefficients(problem.potential, problem.x, signs);
   ask_parts(period.factor, signs);
   if (period.m) ask_parts(*period.m, signs);
-  ask_bottom_and_top(equation, problem, signs);
+  ask_about(equation, problem, signs);
   const FarStart begin(equation, by_start);
   std::optional<SpeedAt> speed;
-  const auto has_period = [&](const FarPlace& far) -> std::optional<bool> {
+  const auto has_period = [&](const FarPlace& far) -> std::optional<Claim> {
     const double number = period.value_at(far);
     if (!std::isfinite(number)) return std::nullopt;
     if (!speed) speed.emplace(problem, far);
@@ -309,11 +354,13 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
     if (e.start && !is_heavy(problem, *e.start, far)) return std::nullopt;
     if (walls.below) e.below = evaluate_exactly(*walls.below, far).value;
     if (walls.above) e.above = evaluate_exactly(*walls.above, far).value;
-    return equation.found.motion == MotionKind::rotation ? may_turn_with(e, number)
-                                                         : may_swing_with(e, number);
+    const bool turns = equation.found.motion == MotionKind::rotation;
+    return Claim{turns ? may_turn_with(e, number) : may_swing_with(e, number)};
   };
-  auto needed =
-      signs.separating(has_period, by_start ? tries_of_start : tries_anywhere, by_start ? 0 : tries_of_start);
+  Needed needed = with_force_at_start(equation, problem, by_start, signs, [&] {
+    return signs.separating(has_period, by_start ? tries_of_start : tries_anywhere,
+                            by_start ? 0 : tries_of_start);
+  });
   return needed ? std::optional(without_impacts(equation, *std::move(needed))) : std::nullopt;
 }
 

@@ -69,6 +69,15 @@ bool has_negative_moment(Ranges& ranges, const ParsedBody& body) {
   return std::ranges::any_of(body.spins, [&](const ParsedSpin& s) { return is_negative(ranges, s.inertia); });
 }
 
+/// Whether one is larger than the sum of the other two, whatever the parameters are (moments.hpp).
+bool has_impossible_moments(Ranges& ranges, const ParsedBody& body) {
+  if (body.turns.empty() || body.spins.size() != 3) return false;
+  const Expression sum = body.spins[0].inertia + body.spins[1].inertia + body.spins[2].inertia;
+  return std::ranges::any_of(body.spins, [&](const ParsedSpin& spin) {
+    return ranges.of(sum - Number(2) * spin.inertia).upper < 0;
+  });
+}
+
 }  // namespace
 
 std::vector<Diagnostic> negative_inertia(const Scene& scene, const ParsedScene& parsed,
@@ -84,6 +93,8 @@ std::vector<Diagnostic> negative_inertia(const Scene& scene, const ParsedScene& 
            "A mass must be above zero. Only that of a hole is below zero, in a body that outweighs it."});
     } else if (has_negative_moment(ranges, body)) {
       moments.push_back({place, "domain", "A moment of inertia is not below zero."});
+    } else if (has_impossible_moments(ranges, body)) {
+      moments.push_back({place, "domain", "No principal moment is larger than the sum of the other two."});
     }
   }
   if (!moments.empty() || masses.empty() || !parsed.constraints.empty()) return moments;

@@ -9,7 +9,7 @@
 namespace qdot {
 
 /// What is wrong with the inertia of a scene's bodies, by the domains of its parameters and coordinates:
-///   a moment of inertia below zero, of a body whose mass is not;
+///   a moment of inertia below zero, of a body whose mass is not, or three that are those of no body;
 ///   a mass below zero that nothing outweighs: a coordinate that moves alone has M_ii <= 0.
 /// Constraints may hold what is negative to what is not, so that of scenes with them only the first is known.
 [[nodiscard]] std::vector<Diagnostic> negative_inertia(const Scene& scene, const ParsedScene& parsed,

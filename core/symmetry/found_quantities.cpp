@@ -154,8 +154,45 @@ class Wording {
     }
     const std::string kept =
         words.kept.empty() || !change.gauge.is_zero() || has_work ? "" : words.kept + ", ";
-    const std::string until = scene_.has_impacts() ? " is constant between impacts." : " is constant.";
-    return words.doing + " " + effect + ", so " + kept + formula(change) + (kept.empty() ? "" : ",") + until;
+    const std::string until = scene_.has_impacts() ? " is constant between impacts" : " is constant";
+    return words.doing + " " + effect + ", so " + kept + formula(change) + (kept.empty() ? "" : ",") + until +
+           condition(change.gauge) + ".";
+  }
+
+  /// An integral over the time divides by rates: A cos(w t)/w is none where w is zero.
+  [[nodiscard]] std::string condition(const Expression& gauge) const {
+    std::vector<Expression> own = lagrangian_.generalized_forces;
+    own.push_back(lagrangian_.lagrangian);
+    const std::vector<Expression> known = divisors(own);
+    std::vector<std::string> rates;
+    for (const Expression& e : divisors({gauge})) {
+      if (!excludes_zero(e) && std::ranges::find(known, e) == known.end()) rates.push_back(written(e));
+    }
+    if (rates.empty()) return {};
+    if (rates.size() == 1) return " where " + rates[0] + " is not zero";
+    if (rates.size() == 2) return " where neither " + rates[0] + " nor " + rates[1] + " is zero";
+    return " where none of " + listed(rates) + " is zero";
+  }
+
+  /// What is divided by, in the order in which it was made.
+  [[nodiscard]] std::vector<Expression> divisors(const std::vector<Expression>& all) const {
+    const Graph& graph = *lagrangian_.graph;
+    std::vector<NodeId> roots;
+    for (const Expression& e : all) roots.push_back(e.id());
+    std::vector<Expression> found;
+    for (const NodeId id : reachable(graph, roots)) {
+      const auto* power = std::get_if<Power>(&graph.node(id));
+      if (power == nullptr || !power->exponent.is_negative()) continue;
+      const Expression base(*lagrangian_.graph, power->base);
+      if (std::ranges::find(found, base) == found.end()) found.push_back(base);
+    }
+    return found;
+  }
+
+  [[nodiscard]] bool excludes_zero(const Expression& e) const {
+    const auto& parameters = lagrangian_.symbols.parameters;
+    const auto k = static_cast<std::size_t>(std::ranges::find(parameters, e) - parameters.begin());
+    return k < parameters.size() && !scene_.parameters[k].domain.contains(0);
   }
 
   [[nodiscard]] Words in_space(const MotionInSpace& motion) const {

@@ -84,6 +84,15 @@ class AssumedSigns(Service):
                 self.assertIn(expected, rest["exact_rate2"]["assumes"])
                 self.assertIn(expected, rest["exact"]["x"]["assumes"])
 
+    def test_a_place_lies_in_the_domain_of_its_coordinate(self):
+        for text, needed in (("m*(x_dot^2 + b^2*x^2)/2 - k*(x - a)^2/2", "k > m*b^2"), ("m*x_dot^2/2 - k*x^2/2 + a*x - b*x", "a > b")):
+            system = lagrangian("inside", "m - 1; k - 30; a - 3; b - 2", "x - 0.4", text)
+            (free,) = self.ask("equilibria", {"system": system})["equilibria"]
+            self.assertNotIn(needed, free["exact"]["x"]["assumes"])
+            system["coordinates"][0]["domain"] = "> 0"
+            (rest,) = self.ask("equilibria", {"system": system})["equilibria"]
+            self.assertEqual(rest["exact"]["x"]["assumes"], free["exact"]["x"]["assumes"] + [needed])
+
     def test_what_the_parameters_decide_is_not_assumed(self):
         system = lagrangian("carts", "m - 1; M - 2; k - 3; g - 9.81; l - 0.5", "x - 0; th - 0",
                             "M*x_dot^2/2 + m*(x_dot^2 + 2*l*x_dot*th_dot*cos(th) + l^2*th_dot^2)/2 + m*g*l*cos(th) - k*x^2/2")

@@ -29,6 +29,34 @@ def body_rates(turned, angles, rates):
     return (back.inv() * forward).as_rotvec() / (2 * h)
 
 
+class Moments(Service):
+    """No principal moment is larger than the sum of the other two: I3 = I1 + I2 - 2 sum of m z^2."""
+
+    def refusal(self, endpoint="energy", **request):
+        (error,) = self.refused(endpoint, request)["errors"]
+        return error["pointer"], error["detail"]
+
+    def test_those_of_no_body_are_refused_with_the_parameters_that_make_them(self):
+        turned = {"sequence": "ZXZ", "angles": ["a", "b", "c"]}
+        for moments, which in ((("1", "1", "3"), "third"), (("1", "3.5", "2"), "second"), (("0.31", "0.1", "0.2"), "first")):
+            pointer, detail = self.refusal(system=scenes.free_body(turned, moments))
+            self.assertEqual(pointer, "#/parameters")
+            self.assertIn(f"With these parameters the {which} principal moment of 'body' is larger", detail)
+        self.assertIn("third", self.refusal("simulate", system=scenes.free_body(turned), parameters={"I3": 3.001}, t_end=1)[1])
+
+    def test_those_of_a_plate_are_let_pass_as_decimals(self):
+        turned = {"sequence": "ZXZ", "angles": ["a", "b", "c"]}
+        for moments in (("0.1", "0.2", "0.3"), ("0.3", "0.1", "0.2"), ("0.7", "0.6", "0.1"), ("1", "1", "2")):
+            self.ask("energy", {"system": scenes.free_body(turned, moments)})
+
+    def test_numbers_that_no_parameter_changes_are_refused_in_the_scene(self):
+        scene = scenes.free_body({"sequence": "ZXZ", "angles": ["a", "b", "c"]})
+        scene["bodies"][0]["principal_moments"] = ["0.1", "0.1", "0.3"]
+        self.assertEqual(self.refusal("equations", system=scene), ("#/system/bodies/0", "No principal moment is larger than the sum of the other two."))
+        scene["bodies"][0]["principal_moments"] = ["0.1", "0.1", "0.2"]
+        self.ask("equations", {"system": scene})
+
+
 class Energies(Service):
     def kinetic(self, scene, state):
         return self.ask("energy", {"system": scene, "initial": state})["T"]

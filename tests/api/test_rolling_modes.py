@@ -113,6 +113,7 @@ class RollingModes(Service):
         for _ in range(6):
             values = {"I1": round(rng.uniform(1e-4, 1e-3), 6), "I2": round(rng.uniform(1e-3, 4e-3), 6), "a": round(rng.uniform(0.5, 3), 3),
                       "b": round(rng.uniform(0.02, 0.2), 4), "s": round(rng.uniform(-0.05, 0.05), 4), "c": round(rng.uniform(0.005, 0.05), 4)}
+            values["I3"] = round(values["I2"] + values["I1"]/2, 8)
             values = {name: str(value) for name, value in values.items()}
             if float(values["a"]) * float(values["b"]) > float(values["s"])**2:
                 self.assert_spins_as_by_newton_and_euler(values, round(rng.uniform(-3, 3), 2))

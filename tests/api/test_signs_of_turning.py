@@ -44,6 +44,15 @@ BESIDE = [
     ("m*x_dot^2/2 - k*x^2/2 - b/x^2", "m - 1; k - 3; b - 2", "x - 0.8 0.3", "period", ["m > 0", "k > 0", "b > 0"]),
     ("d*A*H*x_dot^2/2 - rho*g*A*x^2/2 + d*A*H*g*x", "rho - 1000; d - 600; A - 0.01; H - 0.3; g - 9.81", "x - 0.2", "x_min", ["rho > 0", "d > 0", "H > 0", "g > 0"]),
     ("m*x_dot^2/2 - k*x^2/2 + F*x", "m - 1; k - 3; F - 2", "x - 0.1", "period", ["m > 0", "k > 0"]),
+    # An arc of a cosine is a place of the first turn, where a motion from another does not come.
+    ("m*l^2*x_dot^2/2 + m*g*l*cos(x)", "m - 1; g - 9.81; l - 0.7; c - 0.5", "x - c", "x_min", ["c > 0", "pi > c"]),
+    ("m*l^2*x_dot^2/2 + m*g*l*cos(x)", "m - 1; g - 9.81; l - 0.7; c - 0.4; u - 0.5", "x - c u", "x_max", ["g > 0", "l > 0", "c > 0", "u > 0", "pi > c"]),
+    # A hump rises at 0 just before the force at the start turns: one place in a hundred.
+    ("m*l^2*x_dot^2/2 + m*g*l*cos(x) - k*x^2/2", "m - 1; g - 9.81; l - 0.7; k - 2", "x - 0.4", "x_min", ["2*k + 25*m*g*l > 25*m*g*l*cos(2/5)"]),
+    ("m*x_dot^2/2 - a*(1 - cos(x)) - b*(1 - cos(2*x))", "m - 1; a - 1; b - 1", "x - 0.3", "x_min", ["a + b > a*cos(0.3) + b*cos(3/5)"]),
+    # Beyond the top nothing comes back.
+    ("m*x_dot^2/2 - (a - b)*x^2/2 - (c - d)*x^4/4", "m - 1; a - 3; b - 1; c - 1; d - 3", "x - 0.3 0.1", "x_min",
+     ["a > 0", "b > 0", "c > 0", "d > 0", "h > 0", "100*a + 9*c > 100*b + 9*d"]),
 ]
 
 
@@ -153,6 +162,12 @@ class SignsOfTurning(Service):
         for text, parameters, start, name, needed in BESIDE:
             form = self.ask("turning_points", {"system": lagrangian("beside", parameters, start, text)})["exact"][name]
             self.assertEqual([assumed for assumed in form["assumes"] if "(0)" not in assumed and not assumed.startswith("ellipk")], needed, (text, form))
+
+    def test_an_end_lies_in_the_domain_of_its_coordinate(self):
+        system = lagrangian("inside", "m - 1; k - 3; F - 2; G - 1", "x - 0.4", "m*x_dot^2/2 - k*x^2/2 + F*x - G*x")
+        system["coordinates"][0]["domain"] = "> 0"
+        form = self.ask("turning_points", {"system": system})["exact"]["x_min"]
+        self.assertIn("5*F > k + 5*G", form["assumes"])
 
     def test_a_cycloid_has_its_period_where_no_motion_passes_the_cusp(self):
         for rate in ("0.1", "3.6"):

@@ -142,6 +142,14 @@ class Named(unittest.TestCase):
                                                 "so w*y*p_x - w*x*p_y + h is constant.")
         self.assertEqual(list(found), ["h_x_y"])
 
+    def test_an_integral_over_the_time_says_at_which_rates_it_is_none(self):
+        for force, domain, end in (("sin(w*t)", "", "is constant where w is not zero."), ("sin(w*t)", "> 0", "is constant."), ("sin(3*t)", "", "is constant."),
+                                   ("sin(w*t)*cos(2*t)", "> 0", "is constant where neither 2 + w nor w - 2 is zero.")):
+            scene = bare(f"m*x_dot^2/2 + k*x*{force}/m", "x", m=2, k=3, w=1)
+            if domain:
+                scene["parameters"][2]["domain"] = domain
+            self.assertTrue(conserved(scene)["momentum_x"]["why"].endswith(end), (force, conserved(scene)["momentum_x"]))
+
     def test_a_centre_elsewhere_is_in_the_parameters(self):
         self.check(bare("(x_dot^2 + y_dot^2)/2 - k*sqrt((x - a)^2 + (y - b)^2)", "xy", a=1, b=2, k=3),
                    {"angular_momentum_x_y": "x_dot*(b - y) + y_dot*(x - a)"})
