@@ -11,6 +11,7 @@ namespace {
 constexpr double lost_rate = 1e-9;      ///< is rounding
 constexpr double of_own_rounding = 64;  ///< so much a state's own is larger than that of its numbers
 constexpr double same_surface = 1e-12;  ///< relative
+constexpr double unseen_by_doubles = 0x1p-80, seen_by_doubles = 0x1p-40;
 constexpr double told_by_half = 0.5;
 constexpr unsigned order_of_slopes = 5;    ///< the least that a series has
 constexpr double longest_of_rates = 1e-2;  ///< of the motion's span
@@ -25,6 +26,26 @@ Real moved(double x, double time, double rate) {
 int sign_of(const Ball& value) {
   if (!value.is_finite() || value.contains_zero()) return 0;
   return value.value() > 0 ? 1 : -1;
+}
+
+/// Whether some coordinate, moved by that part of the largest one, leaves zero to both sides: beside a
+/// multiple root all digits are rounding.
+bool changes_sign_around(const Watch& watch, const Reals& parameters, const Real& t, const Reals& y,
+                         double part) {
+  const std::size_t n = y.size() / 2;
+  double size = 0;
+  for (std::size_t i = 0; i < n; ++i) size = std::max(size, std::abs(y[i]));
+  const double step = part * (size > 0 ? size : 1);
+  const auto sign_at = [&](std::size_t i, double moved_by) {
+    Reals there = y;
+    const DoubleDouble x = y.exact(i).double_double() + DoubleDouble(moved_by);
+    there.set(i, {x.high, x.low, y.exact(i).error});
+    return sign_of(watch.exact(parameters, t, there));
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (sign_at(i, step) * sign_at(i, -step) < 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -48,7 +69,9 @@ std::optional<Ball> EventSides::rounded_at_start(const Watch& watch) const {
 bool EventSides::begins_on(const Watch& watch) const {
   if (watch.kind != Watch::Kind::impact || watch.direction == Crossing::either) return false;
   const auto value = rounded_at_start(watch);
-  return value && value->is_finite() && value->contains_zero();
+  if (!value || !value->is_finite() || !value->contains_zero()) return false;
+  const auto& [parameters, t, y] = typed_start(request_);
+  return changes_sign_around(watch, parameters, t, y, unseen_by_doubles);
 }
 
 bool EventSides::is_behind_start(const Watch& watch, double t) const {
@@ -93,8 +116,14 @@ void EventSides::pass(const SectionRecord& impact) {
 bool EventSides::is_turned_by_restitution(std::size_t watch, const SectionRecord& impact) const {
   const std::vector<ParsedImpact>& all = dynamics_.model().parsed.impacts;
   const std::size_t first = sections_.watches().size() - all.size();
-  return watch >= first && all[watch - first].has_restitution() &&
-         std::ranges::find(impact.impacts, watch - first) != impact.impacts.end();
+  if (watch < first || !all[watch - first].has_restitution()) return false;
+  return std::ranges::find(impact.impacts, watch - first) != impact.impacts.end() &&
+         is_sharp(sections_.watches()[watch], impact);
+}
+
+bool EventSides::is_sharp(const Watch& watch, const SectionRecord& impact) const {
+  return watch.exact &&
+         changes_sign_around(watch, request_.parameters, impact.t, Reals(impact.before), seen_by_doubles);
 }
 
 void EventSides::mark(double t, std::span<const double> y, const SectionRecord* impact,

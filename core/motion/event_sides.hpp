@@ -45,6 +45,8 @@ class EventSides {
   /// surface.
   [[nodiscard]] bool goes_through(const Watch& watch, double t, const std::vector<double>& before,
                                   const std::vector<double>& after) const;
+  /// Whether beside the place of that impact digits tell on which side of its surface a state is.
+  [[nodiscard]] bool is_sharp(const Watch& watch, const SectionRecord& impact) const;
   /// An impact where its section begins is there but for rounding: by how many seconds it may be off.
   [[nodiscard]] double late_at_begin(const Watch& watch, const SectionRecord& impact) const;
   /// Whether two functions are zero at the same places, as far as can be seen at (t, y).

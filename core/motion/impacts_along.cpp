@@ -10,6 +10,8 @@ constexpr double short_flight = 1e-2;      ///< of the longest
 constexpr double moment_of_flight = 1e-6;  ///< in which a speed is measured
 constexpr double of_twice = 0.1;           ///< where rounding is larger than a way, its double is another
 constexpr double no_speed = 1e-5;          ///< of that before an impact
+constexpr double longest_of_looks = 1e-2;  ///< of the motion's span
+constexpr double next_of_looks = 4, roundings_of_look = 64;
 
 }  // namespace
 
@@ -31,8 +33,11 @@ InstantImpacts::Passed ImpactsAlong::pass(double t, const std::vector<double>& y
 }
 
 std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> sections,
-                                                const InstantImpacts::Passed& passed) {
+                                                const InstantImpacts::Passed& passed,
+                                                const EventSides& sides) {
   if (sections[longest_].duration < sections.back().duration) longest_ = sections.size() - 1;
+  if (passed.is_over && is_pressed_on(passed.all.back().impact, sections.back(), sides))
+    return RestOfImpacts{0, sections_.resolution(), true};
   const double lowest = lowest_flight(passed.all.front().impact, sections);
   auto rest = passed.is_over ? rest_of_impacts(sections, request_.t_end - request_.t_start, lowest)
                              : RestOfImpacts{0, doubt_of_lost(sections, lowest), false};
@@ -42,6 +47,29 @@ std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> s
     rest = RestOfImpacts{0, 0, true};
   rest->doubt += sections_.resolution();
   return rest;
+}
+
+/// Whether the impact has left its distance no rate but for rounding, and the forces lead behind the surface:
+/// soon they have led there by more than rounding.
+bool ImpactsAlong::is_pressed_on(std::size_t impact, const SectionRecord& last,
+                                 const EventSides& sides) const {
+  const Watch& watch = watches()[impact];
+  const std::optional<double> rate = impacts_->hidden_rate(impact, last.t, last.after);
+  if (!rate || watch.direction == Crossing::either || !sides.is_sharp(watch, last)) return false;
+  const double longest = longest_of_looks * (request_.t_end - request_.t_start);
+  const std::vector<double> slopes = sections_.slopes(last.t, last.after);
+  const std::size_t n = slopes.size() / 2;
+  for (double tau = sections_.resolution(); tau < longest; tau *= next_of_looks) {
+    std::vector<double> y = last.after;
+    for (std::size_t i = 0; i < n; ++i) {
+      y[i] += tau * (slopes[i] + tau / 2 * slopes[n + i]);
+      y[n + i] += tau * slopes[n + i];
+    }
+    const double g = watch.value(last.t + tau, y);
+    if (!(std::abs(g) > roundings_of_look * watch.own_rounding(last.t + tau, y) + 2 * *rate * tau)) continue;
+    return (g < 0) == (watch.direction == Crossing::falling);
+  }
+  return false;
 }
 
 /// Whether the last impact after a flight took all speed from the distance, as far as rounding lets that be

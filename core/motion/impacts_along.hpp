@@ -34,12 +34,15 @@ class ImpactsAlong {
   /// What is left of the motion, if its impacts accumulate: after the last of `sections`, which ended by
   /// `passed`.
   [[nodiscard]] std::optional<RestOfImpacts> rest(std::span<const SectionRecord> sections,
-                                                  const InstantImpacts::Passed& passed);
+                                                  const InstantImpacts::Passed& passed,
+                                                  const EventSides& sides);
 
   /// One for each impact.
   [[nodiscard]] std::span<const Watch> watches() const;
 
  private:
+  [[nodiscard]] bool is_pressed_on(std::size_t impact, const SectionRecord& last,
+                                   const EventSides& sides) const;
   [[nodiscard]] bool leaves_contact(std::size_t impact, std::span<const SectionRecord> sections) const;
   [[nodiscard]] double lowest_flight(std::size_t impact, std::span<const SectionRecord> sections) const;
 

@@ -140,6 +140,19 @@ std::optional<double> InstantImpacts::follows(std::size_t impact, const Instant&
   return std::min((off + distance.radius) / speed, resolution_);
 }
 
+std::optional<double> InstantImpacts::hidden_rate(std::size_t impact, double t,
+                                                  const std::vector<double>& y) const {
+  const Rule& rule = rules_[impact];
+  if (!rule.approach) return std::nullopt;
+  rule.enclosed_approach->set_time(rounded(t));
+  Ball values[2];
+  (*rule.enclosed_approach)(rounded(y), values);
+  const auto& [distance, rate] = values;
+  const bool is_hidden =
+      distance.is_finite() && rate.is_finite() && distance.contains_zero() && rate.contains_zero();
+  return is_hidden ? std::optional(rate.magnitude()) : std::nullopt;
+}
+
 std::vector<double> InstantImpacts::repeat(double t, std::vector<double> y,
                                            std::span<const Happened> impacts) const {
   for (const Happened& happened : impacts) change(happened.impact, t, y);

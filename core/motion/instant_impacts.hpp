@@ -45,6 +45,11 @@ class InstantImpacts {
   [[nodiscard]] Passed pass(double t, const std::vector<double>& y, const std::vector<bool>& met,
                             std::span<const Watch> watches, const EventSides& sides, ImpactOrder order);
 
+  /// The largest rate that its distance may have where both are zero as far as the state's rounding tells;
+  /// none elsewhere, and without restitution.
+  [[nodiscard]] std::optional<double> hidden_rate(std::size_t impact, double t,
+                                                  const std::vector<double>& y) const;
+
   /// What the same impacts, one after the other, do to another state.
   [[nodiscard]] std::vector<double> repeat(double t, std::vector<double> y,
                                            std::span<const Happened> impacts) const;

@@ -108,8 +108,9 @@ bool MetImpacts::is_over(const InstantImpacts::Passed& passed) {
     result.ending = Ending::reached_end;
     return true;
   }
-  const auto rest = impacts_.rest(result.sections, passed);
+  const auto rest = impacts_.rest(result.sections, passed, motion_.sides);
   if (!rest) return false;
+  if (rest->in_contact) result.y = passed.after;
   result.t += rest->time;
   result.stop = Stop{impacts_accumulate, result.t, rest->in_contact ? contact : accumulation, rest->doubt};
   return true;
