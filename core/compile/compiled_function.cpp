@@ -8,12 +8,14 @@
 #include <limits>
 
 #include "core/numerics/linear_system.hpp"
+#include "core/numerics/side_by_side.hpp"
 
 namespace qdot {
 namespace {
 
-double sum_of_products(const Instruction& i, const Slot* operand, const double* slots) {
-  double sum = 0;
+template <class Number>
+Number sum_of_products(const Instruction& i, const Slot* operand, const Number* slots) {
+  Number sum{};
   for (unsigned k = 0; k < i.linear; ++k, operand += 2) sum += slots[operand[0]] * slots[operand[1]];
   for (unsigned k = 0; k < i.products; ++k, operand += 3) {
     sum += slots[operand[0]] * slots[operand[1]] * slots[operand[2]];
@@ -21,34 +23,70 @@ double sum_of_products(const Instruction& i, const Slot* operand, const double* 
   return sum;
 }
 
+double power_of(double x, double exponent) { return Sleef_cinz_powd1_u10purec(x, exponent); }
+PairOfDoubles power_of(PairOfDoubles x, PairOfDoubles exponent) {
+  return Sleef_cinz_powd2_u10sse2(x, exponent);
+}
+
+void sine_and_cosine(double* out, double x) {
+  const auto both = Sleef_cinz_sincosd1_u10purec(x);
+  out[0] = both.x;
+  out[1] = both.y;
+}
+void sine_and_cosine(PairOfDoubles* out, PairOfDoubles x) {
+  const auto both = Sleef_cinz_sincosd2_u10sse2(x);
+  out[0] = both.x;
+  out[1] = both.y;
+}
+
 /// Two unknowns by the determinant that was simplified symbolically; `m` by rows, one right-hand side after
 /// the other. The determinant is lost when it is round-off beside the products it is made of.
-bool solve_two(double determinant, const double* m, std::span<double> b) {
-  const double scale = std::abs(m[0] * m[3]) + std::abs(m[1] * m[2]);
-  if (!(std::abs(determinant) > 4 * std::numeric_limits<double>::epsilon() * scale)) return false;
+template <class Number>
+bool solve_two(const Number& determinant, const Number* m, std::span<Number> b) {
+  for (unsigned i = 0; i < count_of<Number>; ++i) {
+    const double scale =
+        std::abs(one_of(m[0], i) * one_of(m[3], i)) + std::abs(one_of(m[1], i) * one_of(m[2], i));
+    if (!(std::abs(one_of(determinant, i)) > 4 * std::numeric_limits<double>::epsilon() * scale))
+      return false;
+  }
   for (std::size_t k = 0; k < b.size(); k += 2) {
-    const double x = (m[3] * b[k] - m[1] * b[k + 1]) / determinant;
-    const double y = (m[0] * b[k + 1] - m[2] * b[k]) / determinant;
+    const Number x = (m[3] * b[k] - m[1] * b[k + 1]) / determinant;
+    const Number y = (m[0] * b[k + 1] - m[2] * b[k]) / determinant;
     b[k] = x;
     b[k + 1] = y;
   }
   return true;
 }
 
-bool solve(const Instruction& i, const Slot* operand, double* slots) {
+bool solve_any(std::size_t n, std::span<double> m, std::span<double> b) { return solve_linear(n, m, b); }
+
+/// One after the other.
+bool solve_any(std::size_t n, std::span<const PairOfDoubles> m, std::span<PairOfDoubles> b) {
+  std::array<double, largest_system * largest_system> own_m, own_b;
+  for (unsigned i = 0; i < 2; ++i) {
+    for (std::size_t k = 0; k < m.size(); ++k) own_m[k] = m[k][i];
+    for (std::size_t k = 0; k < b.size(); ++k) own_b[k] = b[k][i];
+    if (!solve_linear(n, std::span(own_m).first(m.size()), std::span(own_b).first(b.size()))) return false;
+    for (std::size_t k = 0; k < b.size(); ++k) b[k][i] = own_b[k];
+  }
+  return true;
+}
+
+template <class Number>
+bool solve(const Instruction& i, const Slot* operand, Number* slots) {
   const std::size_t n = i.linear;
   if (n == 1) {
-    const double m = slots[operand[0]];
+    const Number m = slots[operand[0]];
     for (std::size_t k = 0; k < i.products; ++k) slots[i.out + k] = slots[operand[1 + k]] / m;
-    return m != 0;
+    return one_of(m, 0) != 0 && one_of(m, count_of<Number> - 1) != 0;
   }
-  const double determinant = i.has_determinant ? slots[*operand++] : 0;
-  std::array<double, largest_system * largest_system> m;
+  const Number determinant = i.has_determinant ? slots[*operand++] : Number{};
+  std::array<Number, largest_system * largest_system> m;
   for (std::size_t k = 0; k < n * n; ++k) m[k] = slots[*operand++];
-  const std::span<double> b(slots + i.out, n * i.products);
-  for (double& value : b) value = slots[*operand++];
+  const std::span<Number> b(slots + i.out, n * i.products);
+  for (Number& value : b) value = slots[*operand++];
   if (i.has_determinant) return solve_two(determinant, m.data(), b);
-  return solve_linear(n, std::span(m).first(n * n), b);
+  return solve_any(n, std::span(m).first(n * n), b);
 }
 
 }  // namespace
@@ -63,19 +101,31 @@ Workspace CompiledFunction::bind(std::span<const double> parameters) const {
 
 Evaluation CompiledFunction::evaluate(double t, std::span<const double> variables, Workspace& workspace,
                                       std::span<double> out) const noexcept {
-  double* slots = workspace.data();
-  slots[parameters_] = t;
+  return values(t, variables, workspace, out);
+}
+
+Evaluation CompiledFunction::evaluate(double t, std::span<const PairOfDoubles> variables,
+                                      PairWorkspace& workspace, std::span<PairOfDoubles> out) const noexcept {
+  return values(t, variables, workspace, out);
+}
+
+template <class Number>
+Evaluation CompiledFunction::values(double t, std::span<const Number> variables,
+                                    std::vector<Number>& workspace, std::span<Number> out) const noexcept {
+  Number* slots = workspace.data();
+  slots[parameters_] = Number{} + t;
   std::copy(variables.begin(), variables.end(), slots + parameters_ + 1);
   if (!run(body_, slots)) return Evaluation::singular_mass;
   bool finite = true;
   for (std::size_t k = 0; k < outputs_.size(); ++k) {
     out[k] = slots[outputs_[k]];
-    finite = finite && std::isfinite(out[k]);
+    for (unsigned i = 0; i < count_of<Number>; ++i) finite = finite && std::isfinite(one_of(out[k], i));
   }
   return finite ? Evaluation::ok : Evaluation::nonfinite;
 }
 
-bool CompiledFunction::run(std::span<const Instruction> instructions, double* slots) const noexcept {
+template <class Number>
+bool CompiledFunction::run(std::span<const Instruction> instructions, Number* slots) const noexcept {
   const Slot* const operands = operands_.data();
   for (const Instruction& i : instructions) {
     const Slot* operand = operands + i.first;
@@ -87,19 +137,17 @@ bool CompiledFunction::run(std::span<const Instruction> instructions, double* sl
         slots[i.out] = slots[operand[0]] / slots[operand[1]];
         break;
       case Operation::power:
-        slots[i.out] = Sleef_cinz_powd1_u10purec(slots[operand[0]], slots[operand[1]]);
+        slots[i.out] = power_of(slots[operand[0]], slots[operand[1]]);
         break;
       case Operation::square_root:
-        slots[i.out] = std::sqrt(slots[operand[0]]);
+        slots[i.out] = square_root(slots[operand[0]]);
         break;
-      case Operation::sine_cosine: {
-        const auto both = Sleef_cinz_sincosd1_u10purec(slots[operand[0]]);
-        slots[i.out] = both.x;
-        slots[i.out + 1] = both.y;
+      case Operation::sine_cosine:
+        sine_and_cosine(slots + i.out, slots[operand[0]]);
         break;
-      }
       case Operation::call:
-        slots[i.out] = qdot::evaluate(i.function, slots[operand[0]]);
+        slots[i.out] = of_each<Number>(
+            [&](unsigned k) { return qdot::evaluate(i.function, one_of(slots[operand[0]], k)); });
         break;
       case Operation::solve:
         if (!solve(i, operand, slots)) return false;

@@ -16,6 +16,7 @@
 
 #include "core/numerics/evaluation.hpp"
 #include "core/numerics/function.hpp"
+#include "core/numerics/pairs.hpp"
 #include "core/numerics/real.hpp"
 
 namespace qdot {
@@ -48,6 +49,8 @@ struct Instruction {
 
 /// Values of all slots of one tape for one thread.
 using Workspace = std::vector<double>;
+/// Of two sets of parameters side by side.
+using PairWorkspace = std::vector<PairOfDoubles>;
 
 class CompiledFunction {
  public:
@@ -63,6 +66,9 @@ class CompiledFunction {
   /// outputs are unspecified.
   [[nodiscard]] Evaluation evaluate(double t, std::span<const double> variables, Workspace& workspace,
                                     std::span<double> out) const noexcept;
+  /// Both side by side, with the bits that each has alone; ok where both are.
+  [[nodiscard]] Evaluation evaluate(double t, std::span<const PairOfDoubles> variables,
+                                    PairWorkspace& workspace, std::span<PairOfDoubles> out) const noexcept;
 
  private:
   friend class TapeBuilder;
@@ -72,7 +78,11 @@ class CompiledFunction {
   friend class taylor::Rounding;
   friend class ExtendedTape;
 
-  [[nodiscard]] bool run(std::span<const Instruction> instructions, double* slots) const noexcept;
+  template <class Number>
+  [[nodiscard]] Evaluation values(double t, std::span<const Number> variables, std::vector<Number>& workspace,
+                                  std::span<Number> out) const noexcept;
+  template <class Number>
+  [[nodiscard]] bool run(std::span<const Instruction> instructions, Number* slots) const noexcept;
 
   std::size_t parameters_{};  ///< slots 0 .. parameters_ - 1; the time and the variables follow
   std::size_t variables_{};

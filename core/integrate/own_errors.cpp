@@ -20,6 +20,7 @@ double sign(RandomBits& random) { return random() % 2 == 0 ? 1 : -1; }
 OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
     : by_truncation_(originals.asked, start.by_truncation),
       by_rounding_(originals.rounded, start.by_rounding),
+      rises_(originals),
       random_(std::bit_cast<std::uint64_t>(t)),
       terms_(start.by_truncation.size()),
       sizes_(start.by_truncation.size()),
@@ -33,6 +34,7 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
 
 void OwnErrors::follow(const MotionPiece& step) {
   terms_.take(step);
+  rises_.find(step, terms_, by_truncation_, by_rounding_);
   by_rounding_.follow(step, terms_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     sizes_[i] = enlarged * rounding * terms_.largest()[i] * (0.5 + random_.fraction());

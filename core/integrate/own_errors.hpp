@@ -11,7 +11,7 @@
 // largest term, enlarged as much, by random numbers. It adds the rounding of accelerations as well, always to
 // the same side: in a short motion what goes to and fro with the other sample may cancel.
 
-#include "core/integrate/separation.hpp"
+#include "core/integrate/paired_rises.hpp"
 #include "core/numerics/random_bits.hpp"
 
 namespace qdot {
@@ -41,6 +41,7 @@ class OwnErrors {
   void take_forces(const MotionPiece& step);
 
   Separation by_truncation_, by_rounding_;
+  PairedRises rises_;
   RandomBits random_;
   std::vector<double> always_;  ///< sides
   StepTerms terms_;

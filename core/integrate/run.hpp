@@ -12,6 +12,7 @@
 #include "core/integrate/approach.hpp"
 #include "core/numerics/crossing.hpp"
 #include "core/numerics/evaluation.hpp"
+#include "core/numerics/pairs.hpp"
 #include "core/numerics/sign_search.hpp"
 
 namespace qdot {
@@ -124,6 +125,10 @@ struct Apart {
 };
 struct Originals {
   RightHandSide asked{}, rounded{};
+  /// What `expansion` of each gives, to the bit, side by side. False where they have to be asked one by one.
+  /// Optional.
+  std::function<bool(double t, std::span<const PairOfDoubles> y, unsigned order, std::span<PairOfDoubles> c)>
+      both{};
 };
 
 struct RunRequest {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/integrate/series_rise.hpp"
 #include "core/integrate/step_polynomial.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/rough_powers.hpp"
@@ -11,9 +12,7 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned least_order = 8;
-constexpr double negligible = 0.03;  ///< of the largest term: so the last ones show that these were enough
-constexpr double lost = 2;           ///< times what a component has reached
+constexpr double lost = 2;                             ///< times what a component has reached
 constexpr double large_part = 1.0 / 16;                ///< of it
 constexpr double smallest_part = 0x1p-12, some = 0.5;  ///< of a step
 constexpr double much_growth = 2, most_late = 0.75, log_of_2 = 0.7;
@@ -43,17 +42,31 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
 }
 
+Separation::Wanted Separation::look_ahead(const MotionPiece& step) {
+  begin(step);
+  place_beside();
+  return {beside_, e_, std::min(order_, step.order)};
+}
+
+void Separation::begin(const MotionPiece& step) {
+  for (std::size_t i = 0; i < e_.size(); ++i) y_[i] = step.rows[i * (step.order + 1)];
+  project(step.t);
+  has_begun_ = true;
+  is_known_ = false;
+}
+
 void Separation::follow(const MotionPiece& step, const StepTerms& terms, const Errors& made) {
-  for (std::size_t i = 0; i < e_.size(); ++i) {
-    y_[i] = step.rows[i * (step.order + 1)];
-    size_[i] = std::max(size_[i], terms.largest()[i]);
-  }
+  for (std::size_t i = 0; i < e_.size(); ++i) size_[i] = std::max(size_[i], terms.largest()[i]);
+  if (!has_begun_) begin(step);
+  has_begun_ = false;
   const std::size_t n = e_.size() / 2;
   for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
   made_ = made;
   release_what_is_pushed();
-  if (!made.hidden.empty()) add(made.hidden, made.sides);
-  project(step.t);
+  if (!made.hidden.empty()) {
+    add(made.hidden, made.sides);
+    project(step.t);
+  }
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
   shortest_part_ = 1;
   advance(step, terms, {});
@@ -74,9 +87,12 @@ void Separation::release_what_is_pushed() {
 
 /// What a whole step has made has no time to grow in it. In a part it may have been made where that begins.
 void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const Part& part) {
-  for (std::size_t i = 0; i < e_.size(); ++i) y_[i] = piece.rows[i * (piece.order + 1)];
-  project(piece.t);
   const bool is_whole = part.from == 0 && part.to == 1, is_tried = is_whole && are_together();
+  if (!is_whole) {
+    for (std::size_t i = 0; i < e_.size(); ++i) y_[i] = piece.rows[i * (piece.order + 1)];
+    project(piece.t);
+    is_known_ = false;
+  }
   if (is_tried) try_part(piece.order);
   const bool is_told = take_rise(piece, terms);
   if (is_whole) note_growth(piece.order);
@@ -208,9 +224,10 @@ bool Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
     std::ranges::fill(rise_, 0.0);
     return true;
   }
-  place_beside();
-  const unsigned order = std::min(order_, step.order);
-  unsigned enough = rise(step, terms, order);
+  const bool is_known = is_known_ && known_.e == e_;
+  const unsigned order = is_known ? known_.order : std::min(order_, step.order);
+  unsigned enough = is_known ? known_.enough : rise(step, terms, order);
+  if (is_known) rise_ = known_.rise;
   if (enough > order && order < step.order) enough = rise(step, terms, step.order);
   order_ = enough > least_order ? enough + 1 : least_order;
   return enough <= step.order;
@@ -220,6 +237,7 @@ bool Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
 /// terms in a row show that the rest is. It is more than this one where there are none.
 unsigned Separation::rise(const MotionPiece& step, const StepTerms& terms, unsigned order) {
   std::ranges::fill(rise_, 0.0);
+  place_beside();
   c_.resize(e_.size() * (order + 1));
   if (original_.expansion(step.t, beside_, order, c_) != Evaluation::ok) return order + 1;
   unsigned enough = std::min(least_order, order);
@@ -228,9 +246,7 @@ unsigned Separation::rise(const MotionPiece& step, const StepTerms& terms, unsig
     double* c = c_.data() + i * (order + 1);
     const auto [sum, largest] = terms.subtract(own, order, factor_ * std::abs(e_[i]), c);
     rise_[i] = sum;
-    unsigned last = order;
-    while (last + 2 > enough && std::abs(c[last]) <= negligible * largest) --last;
-    enough = std::max(enough, last + 2);
+    enough = order_that_does(order, enough, largest, [c](unsigned k) { return c[k]; });
   }
   return enough;
 }

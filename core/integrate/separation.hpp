@@ -45,6 +45,24 @@ class Separation {
   /// is.
   void follow(const MotionPiece& step, const StepTerms& terms, const Errors& made);
   void follow(const MotionPiece& step, const StepTerms& terms) { follow(step, terms, {}); }
+  /// Before that: what it will expand first, for whoever does it in its place.
+  struct Wanted {
+    std::span<const double> place{}, apart{};
+    unsigned order{};
+  };
+  [[nodiscard]] Wanted look_ahead(const MotionPiece& step);
+  /// What has been found there by series of an order: what the step adds to e, and the order that does
+  /// (series_rise.hpp).
+  struct Known {
+    std::vector<double> e{}, rise{};
+    unsigned order{}, enough{};
+  };
+  /// To be filled in.
+  [[nodiscard]] Known& known() {
+    is_known_ = true;
+    return known_;
+  }
+
   /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
   /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
@@ -62,6 +80,7 @@ class Separation {
   struct Part {
     double from{0}, to{1};
   };
+  void begin(const MotionPiece& step);
   void advance(const MotionPiece& piece, const StepTerms& terms, const Part& part);
   void advance_by_halves(const MotionPiece& piece, const Part& part);
   void add_part(unsigned order, const Part& part);
@@ -82,6 +101,8 @@ class Separation {
   unsigned order_;    ///< of the series to be tried
   double factor_{1};  ///< e times it is what series differ by
   Errors made_;       ///< in this step
+  bool has_begun_{false}, is_known_{false};
+  Known known_;  ///< of this step
   double shortest_part_{1};
   double late_growth_{1};  ///< of what this step has made, in it
   std::vector<double> e_, largest_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/pairs.hpp"
-
 namespace qdot {
 namespace {
 
@@ -39,7 +37,8 @@ void StepTerms::take(const MotionPiece& step) {
   }
 }
 
-StepTerms::Difference StepTerms::subtract(const double* own, unsigned order, double least, double* c) const {
+StepTerms::Difference<double> StepTerms::subtract(const double* own, unsigned order, double least,
+                                                  double* c) const {
   PairOfDoubles most{};
   const double* powers = powers_.data();
   double sum = 0, largest = least;
@@ -57,6 +56,18 @@ StepTerms::Difference StepTerms::subtract(const double* own, unsigned order, dou
     largest = std::max(largest, std::abs(c[k]));
   }
   return {sum, std::max({largest, most[0], most[1]})};
+}
+
+StepTerms::Difference<PairOfDoubles> StepTerms::subtract(const double* own, unsigned order,
+                                                         PairOfDoubles least, PairOfDoubles* c) const {
+  PairOfDoubles sum{}, most{};
+  for (unsigned k = 1; k <= order; ++k) {
+    const PairOfDoubles term = (own[k] - c[k]) * powers_[k];
+    c[k] = term;
+    most = larger_or(magnitudes(term), most);
+    sum += term;
+  }
+  return {sum, larger_or(most, least)};
 }
 
 }  // namespace qdot

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/integrate/run.hpp"
+#include "core/numerics/pairs.hpp"
 
 namespace qdot {
 
@@ -18,12 +19,16 @@ class StepTerms {
   /// it is of what grows as exp(t).
   [[nodiscard]] std::span<const double> largest() const { return largest_; }
 
+  template <class Number>
   struct Difference {
-    double sum{};      ///< from k = 1 on, in their order
-    double largest{};  ///< magnitude
+    Number sum{};      ///< from k = 1 on, in their order
+    Number largest{};  ///< magnitude
   };
   /// Turns c_k into (own_k - c_k) h^k for 1 <= k <= order. The largest is `least` at least.
-  Difference subtract(const double* own, unsigned order, double least, double* c) const;
+  Difference<double> subtract(const double* own, unsigned order, double least, double* c) const;
+  /// The same of two series side by side.
+  Difference<PairOfDoubles> subtract(const double* own, unsigned order, PairOfDoubles least,
+                                     PairOfDoubles* c) const;
 
  private:
   std::vector<double> powers_;  ///< h^k, each the one before times h

@@ -46,8 +46,8 @@ MotionSections::MotionSections(const Dynamics& dynamics, const SimulationRequest
   now_->system = motion_system(dynamics, request);
   if (request.originals) {
     const auto& [asked, rounded] = *request.originals;
-    now_->originals = {motion_system(dynamics, asked.parameters, request.method),
-                       motion_system(dynamics, rounded.parameters, request.method)};
+    now_->originals =
+        motions_stood_for(dynamics, nullptr, asked.parameters, rounded.parameters, request.method);
   }
   now_->watches = qdot::watches(dynamics, watch_request(request));
   now_->parameters = request.parameters;
@@ -147,12 +147,13 @@ void MotionSections::enter(const KinkModes::Way& way, double t) {
     now_->parameters = modes_->parameters(way.sides);
     now_->system = motion_system(dynamics_, way.sides, now_->parameters, request_.method);
     if (request_.originals) {
-      const auto system_of = [&](std::vector<double> parameters) {
+      const auto with_sides = [&](std::vector<double> parameters) {
         parameters.insert(parameters.end(), way.sides.begin(), way.sides.end());
-        return motion_system(dynamics_, way.sides, parameters, request_.method);
+        return parameters;
       };
-      now_->originals = {system_of(request_.originals->asked.parameters),
-                         system_of(request_.originals->rounded.parameters)};
+      now_->originals =
+          motions_stood_for(dynamics_, &way.sides, with_sides(request_.originals->asked.parameters),
+                            with_sides(request_.originals->rounded.parameters), request_.method);
     }
     WatchRequest watched = watch_request(request_);
     watched.parameters = now_->parameters;

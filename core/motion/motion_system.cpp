@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/compile/taylor/expansion.hpp"
+#include "core/compile/taylor/pair_expansion.hpp"
 #include "core/integrate/methods.hpp"
 
 namespace qdot {
@@ -38,9 +38,9 @@ std::optional<RightHandSide::CanonicalForm> canonical_form(const Dynamics& dynam
   return form;
 }
 
-/// Keeps references to the functions.
+/// Keeps references to the functions. `expansion`: of the accelerations, where a method needs it.
 RightHandSide system_of(const CompiledFunction& accelerations, const CompiledFunction* jacobian,
-                        std::span<const double> parameters, Needs needs) {
+                        std::span<const double> parameters, std::shared_ptr<TaylorExpansion> expansion) {
   const std::size_t n = accelerations.outputs();
   RightHandSide system;
   system.dimension = 2 * n;
@@ -55,8 +55,7 @@ RightHandSide system_of(const CompiledFunction& accelerations, const CompiledFun
       return jacobian->evaluate(t, y, workspace, out);
     };
   }
-  if (needs == Needs::expansion) {
-    const auto expansion = std::make_shared<TaylorExpansion>(accelerations, parameters);
+  if (expansion) {
     system.expansion = [expansion](double t, std::span<const double> y, unsigned order, std::span<double> c) {
       return expansion->expand(t, y, order, c);
     };
@@ -76,11 +75,35 @@ void add_projection(const Dynamics& dynamics, std::span<const double> parameters
   };
 }
 
-RightHandSide smooth_system(const Dynamics& dynamics, std::span<const double> parameters, Needs needs) {
-  RightHandSide system = system_of(
-      dynamics.accelerations(), needs == Needs::jacobian ? &dynamics.jacobian() : nullptr, parameters, needs);
-  add_projection(dynamics, parameters, system);
+/// On the sides of kinks, where there are `sides`.
+const CompiledFunction& accelerations_of(const Dynamics& dynamics, const Sides* sides) {
+  return sides == nullptr ? dynamics.accelerations() : dynamics.kinked(staying_on(*sides))->accelerations;
+}
+
+const CompiledFunction* jacobian_of(const Dynamics& dynamics, const Sides* sides, Needs needs) {
+  if (needs != Needs::jacobian) return nullptr;
+  return sides == nullptr ? &dynamics.jacobian() : &dynamics.kinked_jacobian(staying_on(*sides));
+}
+
+std::shared_ptr<TaylorExpansion> expansion_of(const Dynamics& dynamics, const Sides* sides,
+                                              std::span<const double> parameters, Needs needs) {
+  if (needs != Needs::expansion) return nullptr;
+  return std::make_shared<TaylorExpansion>(accelerations_of(dynamics, sides), parameters);
+}
+
+RightHandSide system_on(const Dynamics& dynamics, const Sides* sides, std::span<const double> parameters,
+                        Needs needs, const std::shared_ptr<TaylorExpansion>& expansion) {
+  RightHandSide system = system_of(accelerations_of(dynamics, sides), jacobian_of(dynamics, sides, needs),
+                                   parameters, expansion);
+  const std::size_t own =
+      sides == nullptr ? parameters.size() : dynamics.model().parsed.symbols.parameters.size();
+  add_projection(dynamics, parameters.first(own), system);
   return system;
+}
+
+RightHandSide system_on(const Dynamics& dynamics, const Sides* sides, std::span<const double> parameters,
+                        Needs needs) {
+  return system_on(dynamics, sides, parameters, needs, expansion_of(dynamics, sides, parameters, needs));
 }
 
 }  // namespace
@@ -92,23 +115,29 @@ RightHandSide motion_system(const Dynamics& dynamics, const SimulationRequest& r
     canonical = canonical_form(dynamics, request);
     if (!canonical) needs = Needs::jacobian;  // it steps in (q, q') then
   }
-  RightHandSide system = smooth_system(dynamics, request.parameters, needs);
+  RightHandSide system = system_on(dynamics, nullptr, request.parameters, needs);
   system.canonical = std::move(canonical);
   return system;
 }
 
-RightHandSide motion_system(const Dynamics& dynamics, std::span<const double> parameters, Method method) {
-  return smooth_system(dynamics, parameters, record_of(method).needs);
-}
-
 RightHandSide motion_system(const Dynamics& dynamics, const Sides& sides, std::span<const double> parameters,
                             Method method) {
-  const Staying staying = staying_on(sides);
+  return system_on(dynamics, &sides, parameters, record_of(method).needs);
+}
+
+Originals motions_stood_for(const Dynamics& dynamics, const Sides* sides, std::span<const double> asked,
+                            std::span<const double> rounded, Method method) {
   const Needs needs = record_of(method).needs;
-  const CompiledFunction* jacobian = needs == Needs::jacobian ? &dynamics.kinked_jacobian(staying) : nullptr;
-  RightHandSide system = system_of(dynamics.kinked(staying)->accelerations, jacobian, parameters, needs);
-  add_projection(dynamics, parameters.first(dynamics.model().parsed.symbols.parameters.size()), system);
-  return system;
+  const auto first = expansion_of(dynamics, sides, asked, needs);
+  const auto second = expansion_of(dynamics, sides, rounded, needs);
+  Originals originals{system_on(dynamics, sides, asked, needs, first),
+                      system_on(dynamics, sides, rounded, needs, second),
+                      {}};
+  if (first == nullptr) return originals;
+  originals.both = [both = std::make_shared<PairExpansion>(*first, *second)](
+                       double t, std::span<const PairOfDoubles> y, unsigned order,
+                       std::span<PairOfDoubles> c) { return both->expand(t, y, order, c); };
+  return originals;
 }
 
 }  // namespace qdot

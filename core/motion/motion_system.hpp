@@ -13,12 +13,14 @@ namespace qdot {
 /// The equations as they are; kinks count as functions like others.
 [[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, const SimulationRequest& request);
 
-/// The same without canonical variables.
-[[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, std::span<const double> parameters,
-                                          Method method);
-
 /// On the sides of the kinks; not for methods of fixed step. `parameters`: those of KinkModes.
 [[nodiscard]] RightHandSide motion_system(const Dynamics& dynamics, const Sides& sides,
                                           std::span<const double> parameters, Method method);
+
+/// The motions that a request stands for, which differ by their parameters; on the sides of kinks where there
+/// are `sides`.
+[[nodiscard]] Originals motions_stood_for(const Dynamics& dynamics, const Sides* sides,
+                                          std::span<const double> asked, std::span<const double> rounded,
+                                          Method method);
 
 }  // namespace qdot

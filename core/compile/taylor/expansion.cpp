@@ -8,10 +8,11 @@
 namespace qdot {
 
 taylor::Kernels taylor::best_kernels() {
-  return __builtin_cpu_supports("avx2") ? Kernels{avx2::expand, avx2::measure} : plain_kernels();
+  return __builtin_cpu_supports("avx2") ? Kernels{avx2::expand, avx2::expand_pair, avx2::measure}
+                                        : plain_kernels();
 }
 
-taylor::Kernels taylor::plain_kernels() { return {plain::expand, plain::measure}; }
+taylor::Kernels taylor::plain_kernels() { return {plain::expand, plain::expand_pair, plain::measure}; }
 
 TaylorExpansion::TaylorExpansion(const CompiledFunction& accelerations, std::span<const double> parameters,
                                  InstructionSet instruction_set)

@@ -51,6 +51,8 @@ class TaylorExpansion {
   void bound_rounding(std::span<double> rounding, double unit = taylor::half_unit_of_doubles);
 
  private:
+  friend class PairExpansion;
+
   const CompiledFunction& tape_;
   taylor::Kernels kernels_;
   Workspace workspace_;

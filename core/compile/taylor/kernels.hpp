@@ -10,10 +10,16 @@
 #include <cstdint>
 
 #include "core/numerics/linear_system.hpp"
+#include "core/numerics/pairs.hpp"
 
 namespace qdot::taylor {
 
 inline constexpr unsigned highest_order = 32;
+inline constexpr unsigned highest_order_of_pairs = 24;
+template <class Number>
+inline constexpr unsigned highest_order_of = highest_order;
+template <>
+inline constexpr unsigned highest_order_of<PairOfDoubles> = highest_order_of_pairs;
 /// x_k at row[k], and again at row[reversed - k]: near the pointer, so that the kernels' code is short.
 inline constexpr int reversed = -1;
 inline constexpr unsigned before_row = 36;
@@ -49,68 +55,84 @@ enum class Kind : std::uint8_t {
   still  ///< out keeps its coefficient 0: a quotient or function that has reached its limit
 };
 
-struct Term {
-  double factor{};
-  const double* x{};
+template <class Number>
+struct BasicTerm {
+  Number factor{};
+  const Number* x{};
 };
-struct Product {
-  double factor{};
-  const double* x{};
-  const double* y{};
-  double x_0{};  ///< factor x_0
-  double y_0{};  ///< factor y_0
+template <class Number>
+struct BasicProduct {
+  Number factor{};
+  const Number* x{};
+  const Number* y{};
+  Number x_0{};  ///< factor x_0
+  Number y_0{};  ///< factor y_0
 };
 /// M_ij = factor m, but for a constant; m null where M_ij is constant in time.
-struct Entry {
-  double factor{};
-  const double* m{};
-  double x_0{};  ///< factor x_0, x the unknown that it belongs to
+template <class Number>
+struct BasicEntry {
+  Number factor{};
+  const Number* m{};
+  Number x_0{};  ///< factor x_0, x the unknown that it belongs to
 };
 
 /// M x = f for n unknowns and one right-hand side.
-struct Solve {
+template <class Number>
+struct BasicSolve {
   std::uint32_t n{};
-  const Entry* matrix{};         ///< n x n
-  const double* const* right{};  ///< n rows
-  double* const* unknowns{};     ///< n rows
-  const double* inverse{};       ///< of M_0, n x n
-  const double* const* start{};  ///< n x n: the values of M_0
+  const BasicEntry<Number>* matrix{};  ///< n x n
+  const Number* const* right{};        ///< n rows
+  Number* const* unknowns{};           ///< n rows
+  const Number* inverse{};             ///< of M_0, n x n
+  const Number* const* start{};        ///< n x n: the values of M_0
 };
 
-struct Step {
+template <class Number>
+struct BasicStep {
   Kind kind{};
   Kind usual{};  ///< what a step that is still was, and may be again
   std::uint16_t term_count{}, product_count{};
-  double constant{};  ///< exponent; of a sum; sign of an arc or a tangent; of what stands in abs or sign; 1:
+  Number constant{};  ///< exponent; of a sum; sign of an arc or a tangent; of what stands in abs or sign; 1:
                       ///< out is cosh
-  const Term* terms{};
-  const Product* products{};
-  const double* x{};
-  const double* y{};
-  double* out{};
-  double* out2{};
-  double* aux{};
-  const Solve* solve{};
-  const double* argument{};  ///< the value u_0, where x is the rate of u
+  const BasicTerm<Number>* terms{};
+  const BasicProduct<Number>* products{};
+  const Number* x{};
+  const Number* y{};
+  Number* out{};
+  Number* out2{};
+  Number* aux{};
+  const BasicSolve<Number>* solve{};
+  const Number* argument{};  ///< the value u_0, where x is the rate of u
 };
 
 /// y' = v for the first half of the state, y' = a for the second.
-struct State {
+template <class Number>
+struct BasicState {
   std::size_t n{};
-  double* rows{};                        ///< q then v, one after the other
-  const double* const* accelerations{};  ///< n rows
+  Number* rows{};                        ///< q then v, one after the other
+  const Number* const* accelerations{};  ///< n rows
   std::size_t count{};                   ///< of rows: 2n, and more where accelerations are given as well
 };
 
-struct Program {
-  const Step* steps{};
+template <class Number>
+struct BasicProgram {
+  const BasicStep<Number>* steps{};
   std::size_t count{};
-  State state{};
+  BasicState<Number> state{};
 };
+
+using Term = BasicTerm<double>;
+using Product = BasicProduct<double>;
+using Entry = BasicEntry<double>;
+using Solve = BasicSolve<double>;
+using Step = BasicStep<double>;
+using Program = BasicProgram<double>;
+using PairProgram = BasicProgram<PairOfDoubles>;
 
 /// Coefficients 1 .. order of every row; coefficient 0 is there. Rows of the state get one more than the
 /// others, rows of rates begin with what they get in the first pass.
 using Kernel = void (*)(const Program& program, unsigned order);
+using PairKernel = void (*)(const PairProgram& program, unsigned order);
 
 /// How large a row is over 0 <= s <= h, roughly (remainder.hpp): g = h/rho.
 struct RowSizes {
@@ -131,6 +153,7 @@ using Measure = void (*)(RowSizes* const* rows, unsigned count, const SizeScales
 
 struct Kernels {
   Kernel expand{};
+  PairKernel expand_pair{};
   Measure measure{};
 };
 
@@ -140,10 +163,12 @@ struct Kernels {
 
 namespace plain {
 void expand(const Program& program, unsigned order);
+void expand_pair(const PairProgram& program, unsigned order);
 void measure(RowSizes* const* rows, unsigned count, const SizeScales& scales);
 }  // namespace plain
 namespace avx2 {
 void expand(const Program& program, unsigned order);
+void expand_pair(const PairProgram& program, unsigned order);
 void measure(RowSizes* const* rows, unsigned count, const SizeScales& scales);
 }  // namespace avx2
 

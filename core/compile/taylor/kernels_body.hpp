@@ -1,16 +1,61 @@
 // The kernels, included once for each instruction set inside a namespace of its own. Nothing here may call a
 // function of another file that is inline: the linker would keep one copy, maybe the one for AVX2.
 //
+// Numbers are doubles, or two side by side: what is done to one of them is done to it alone as well, so that
+// its bits are the same.
+//
 // What the pass before has just computed is the last to be added: the rest of a sum does not wait for it.
 
 using Four [[gnu::vector_size(32)]] = double;
 
 namespace {
 
-[[gnu::always_inline]] inline Four load(const double* x) {
+template <class Number>
+[[gnu::always_inline]] inline Four load(const Number* x) {
   Four v;
   __builtin_memcpy(&v, x, sizeof v);
   return v;
+}
+
+/// Four numbers.
+template <class Number>
+struct Block;
+template <>
+struct Block<double> {
+  Four all;
+};
+template <>
+struct Block<PairOfDoubles> {
+  Four first, last;
+};
+
+[[gnu::always_inline]] inline Block<double> product(const double* x, const double* y) {
+  return {load(x) * load(y)};
+}
+[[gnu::always_inline]] inline Block<PairOfDoubles> product(const PairOfDoubles* x, const PairOfDoubles* y) {
+  return {load(x) * load(y), load(x + 2) * load(y + 2)};
+}
+[[gnu::always_inline]] inline void operator+=(Block<double>& sum, const Block<double>& x) {
+  sum.all += x.all;
+}
+[[gnu::always_inline]] inline void operator+=(Block<PairOfDoubles>& sum, const Block<PairOfDoubles>& x) {
+  sum.first += x.first;
+  sum.last += x.last;
+}
+[[gnu::always_inline]] inline Block<double> operator*(double factor, const Block<double>& x) {
+  return {factor * x.all};
+}
+[[gnu::always_inline]] inline Block<PairOfDoubles> operator*(const PairOfDoubles& factor,
+                                                             const Block<PairOfDoubles>& x) {
+  const Four twice = __builtin_shufflevector(factor, factor, 0, 1, 0, 1);
+  return {twice * x.first, twice * x.last};
+}
+[[gnu::always_inline]] inline double joined(const Block<double>& x) {
+  return (x.all[0] + x.all[2]) + (x.all[1] + x.all[3]);
+}
+[[gnu::always_inline]] inline PairOfDoubles joined(const Block<PairOfDoubles>& x) {
+  const Four sum = x.first + x.last;
+  return __builtin_shufflevector(sum, sum, 0, 1) + __builtin_shufflevector(sum, sum, 2, 3);
 }
 
 /// Partial sums of a Cauchy product of order K without its ends j = 0 and j = K, which are younger than the
@@ -22,32 +67,30 @@ struct Inner {
   static constexpr unsigned rest = terms % 4;
 };
 
-template <unsigned K>
-[[gnu::always_inline]] inline Four blocks_of(const double* x, const double* y) {
-  const double* backwards = y + (reversed - static_cast<int>(K));
-  Four part = load(x + 1) * load(backwards + 1);
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline Block<Number> blocks_of(const Number* x, const Number* y) {
+  const Number* backwards = y + (reversed - static_cast<int>(K));
+  Block<Number> part = product(x + 1, backwards + 1);
 #pragma GCC unroll 8
-  for (unsigned b = 1; b < Inner<K>::blocks; ++b) part += load(x + 1 + 4 * b) * load(backwards + 1 + 4 * b);
+  for (unsigned b = 1; b < Inner<K>::blocks; ++b) part += product(x + 1 + 4 * b, backwards + 1 + 4 * b);
   return part;
 }
 
-template <unsigned K>
-[[gnu::always_inline]] inline double rest_of(const double* x, const double* y) {
-  if constexpr (Inner<K>::rest == 0) return 0;
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline Number rest_of(const Number* x, const Number* y) {
+  if constexpr (Inner<K>::rest == 0) return Number{};
   constexpr unsigned first = 1 + 4 * Inner<K>::blocks;
-  double sum = x[first] * y[K - first];
+  Number sum = x[first] * y[K - first];
 #pragma GCC unroll 4
   for (unsigned j = first + 1; j < K; ++j) sum += x[j] * y[K - j];
   return sum;
 }
 
-[[gnu::always_inline]] inline double joined(const Four& sum) { return (sum[0] + sum[2]) + (sum[1] + sum[3]); }
-
 /// sum_{j=1}^{K-1} x_j y_{K-j}
-template <unsigned K>
-[[gnu::always_inline]] inline double inner(const double* x, const double* y) {
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline Number inner(const Number* x, const Number* y) {
   if constexpr (Inner<K>::blocks > 0) {
-    const double sum = joined(blocks_of<K>(x, y));
+    const Number sum = joined(blocks_of<K>(x, y));
     return Inner<K>::rest > 0 ? sum + rest_of<K>(x, y) : sum;
   } else {
     return rest_of<K>(x, y);
@@ -55,8 +98,8 @@ template <unsigned K>
 }
 
 /// sum_{j=0}^{K} x_j y_{K-j}
-template <unsigned K>
-[[gnu::always_inline]] inline double cauchy(const double* x, const double* y) {
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline Number cauchy(const Number* x, const Number* y) {
   if constexpr (K == 0) {
     return x[0] * y[0];
   } else {
@@ -64,8 +107,8 @@ template <unsigned K>
   }
 }
 
-template <unsigned K>
-[[gnu::always_inline]] inline void store(double* row, double value) {
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline void store(Number* row, const Number& value) {
   row[K] = value;
   row[reversed - static_cast<int>(K)] = value;
 }
@@ -75,36 +118,36 @@ inline constexpr double reciprocal = 1.0 / K;
 
 /// x/K. Divided where it matters: the rounding of 1/3 is the same in every step,
 /// and an energy would drift by it.
-template <unsigned K>
-[[gnu::always_inline]] inline double divided(double x) {
-  return K <= 8 ? x / K : x * reciprocal<K>;
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline Number divided(const Number& x) {
+  return K <= 8 ? x / double{K} : x * reciprocal<K>;
 }
 
 /// What of a product with a factor was there before this pass, without the blocks.
-template <unsigned K>
-[[gnu::always_inline]] inline double old_of(const Product& p) {
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline Number old_of(const BasicProduct<Number>& p) {
   return p.factor * rest_of<K>(p.x, p.y);
 }
-template <unsigned K>
-[[gnu::always_inline]] inline double young_of(const Product& p) {
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline Number young_of(const BasicProduct<Number>& p) {
   return p.x_0 * p.y[K] + p.x[K] * p.y_0;
 }
 
 /// Products come last because their factors are often what the step before has computed.
-template <unsigned K>
-[[gnu::always_inline]] inline void sum(const Step& step, unsigned terms, unsigned products) {
-  double total = terms > 0 ? step.terms[0].factor * step.terms[0].x[K] : 0;
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline void sum(const BasicStep<Number>& step, unsigned terms, unsigned products) {
+  Number total = terms > 0 ? step.terms[0].factor * step.terms[0].x[K] : Number{};
 #pragma GCC unroll 3
   for (unsigned i = 1; i < terms; ++i) total += step.terms[i].factor * step.terms[i].x[K];
   if (products == 0) return store<K>(step.out, total);
-  const Product* p = step.products;
+  const BasicProduct<Number>* p = step.products;
   if constexpr (Inner<K>::rest > 0) {
     total = terms > 0 ? total + old_of<K>(*p) : old_of<K>(*p);
 #pragma GCC unroll 2
     for (unsigned i = 1; i < products; ++i) total += old_of<K>(p[i]);
   }
   if constexpr (Inner<K>::blocks > 0) {
-    Four lanes = p->factor * blocks_of<K>(p->x, p->y);
+    Block<Number> lanes = p->factor * blocks_of<K>(p->x, p->y);
 #pragma GCC unroll 2
     for (unsigned i = 1; i < products; ++i) lanes += p[i].factor * blocks_of<K>(p[i].x, p[i].y);
     total = terms > 0 || Inner<K>::rest > 0 ? total + joined(lanes) : joined(lanes);
@@ -114,97 +157,98 @@ template <unsigned K>
   store<K>(step.out, total);
 }
 
-template <unsigned K>
-[[gnu::noinline]] void sum_any(const Step& step) {
+template <unsigned K, class Number>
+[[gnu::noinline]] void sum_any(const BasicStep<Number>& step) {
   sum<K>(step, step.term_count, step.product_count);
 }
 
-template <unsigned K>
-[[gnu::always_inline]] inline void rate_of_sum(const Step& step) {
-  double total = 0;
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline void rate_of_sum(const BasicStep<Number>& step) {
+  Number total{};
   for (unsigned i = 0; i < step.term_count; ++i) total += step.terms[i].factor * step.terms[i].x[K - 1];
   store<K - 1>(step.out, total);
 }
 
-template <unsigned K>
-[[gnu::always_inline]] inline void quotient(const Step& step) {
-  const double old = inner<K>(step.y, step.out);
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline void quotient(const BasicStep<Number>& step) {
+  const Number old = inner<K>(step.y, step.out);
   store<K>(step.out, (step.x[K] - (old + step.y[K] * step.out[0])) * step.aux[0]);
 }
 
-template <unsigned K>
-[[gnu::noinline]] void root(const Step& step) {
+template <unsigned K, class Number>
+[[gnu::noinline]] void root(const BasicStep<Number>& step) {
   store<K>(step.out, (step.x[K] - inner<K>(step.out, step.out)) * step.aux[0]);
 }
 
 /// z = x^c: x z' = c x' z.
-template <unsigned K>
-[[gnu::noinline]] void power(const Step& step) {
-  double total = 0;
-  for (unsigned j = 0; j < K; ++j) total += (step.constant * (K - j) - j) * step.x[K - j] * step.out[j];
-  store<K>(step.out, total / (K * step.x[0]));
+template <unsigned K, class Number>
+[[gnu::noinline]] void power(const BasicStep<Number>& step) {
+  Number total{};
+  for (unsigned j = 0; j < K; ++j)
+    total += (step.constant * double(K - j) - double(j)) * step.x[K - j] * step.out[j];
+  store<K>(step.out, total / (double{K} * step.x[0]));
 }
 
 // f(u)' = f'(u) u': coefficient K - 1 of the product is K times the one wanted.
 
-template <unsigned K>
-[[gnu::always_inline]] inline void sine_cosine(const Step& step) {
-  const double sine = cauchy<K - 1>(step.x, step.out2);
-  const double cosine = cauchy<K - 1>(step.x, step.out);
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline void sine_cosine(const BasicStep<Number>& step) {
+  const Number sine = cauchy<K - 1>(step.x, step.out2);
+  const Number cosine = cauchy<K - 1>(step.x, step.out);
   store<K>(step.out, divided<K>(sine));
   store<K>(step.out2, -divided<K>(cosine));
 }
 
-template <unsigned K>
-[[gnu::noinline]] void hyperbolic(const Step& step) {
-  const double first = cauchy<K - 1>(step.x, step.out2);
-  const double second = cauchy<K - 1>(step.x, step.out);
+template <unsigned K, class Number>
+[[gnu::noinline]] void hyperbolic(const BasicStep<Number>& step) {
+  const Number first = cauchy<K - 1>(step.x, step.out2);
+  const Number second = cauchy<K - 1>(step.x, step.out);
   store<K>(step.out, divided<K>(first));
   store<K>(step.out2, divided<K>(second));
 }
 
-template <unsigned K>
-[[gnu::noinline]] void exponential(const Step& step) {
+template <unsigned K, class Number>
+[[gnu::noinline]] void exponential(const BasicStep<Number>& step) {
   store<K>(step.out, divided<K>(cauchy<K - 1>(step.x, step.out)));
 }
 
 /// z = log u: u z' = u'.
-template <unsigned K>
-[[gnu::noinline]] void logarithm(const Step& step) {
-  double total = 0;
-  for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * step.x[K - j];
-  store<K>(step.out, (step.x[K] - total / K) / step.x[0]);
+template <unsigned K, class Number>
+[[gnu::noinline]] void logarithm(const BasicStep<Number>& step) {
+  Number total{};
+  for (unsigned j = 1; j < K; ++j) total += double(j) * step.out[j] * step.x[K - j];
+  store<K>(step.out, (step.x[K] - total / double{K}) / step.x[0]);
 }
 
 /// z' = w u' with w = 1 + constant z^2.
-template <unsigned K>
-[[gnu::noinline]] void tangent(const Step& step) {
-  double* z = step.out;
+template <unsigned K, class Number>
+[[gnu::noinline]] void tangent(const BasicStep<Number>& step) {
+  Number* z = step.out;
   store<K>(z, divided<K>(cauchy<K - 1>(step.x, step.aux)));
-  store<K>(step.aux, step.constant * (inner<K>(z, z) + 2 * (z[0] * z[K])));
+  store<K>(step.aux, step.constant * (inner<K>(z, z) + 2.0 * (z[0] * z[K])));
 }
 
 /// w z' = constant u'.
-template <unsigned K>
-[[gnu::noinline]] void arc(const Step& step) {
-  double total = 0;
-  for (unsigned j = 1; j < K; ++j) total += j * step.out[j] * step.y[K - j];
-  store<K>(step.out, (step.constant * step.x[K - 1] - total) / (K * step.y[0]));
+template <unsigned K, class Number>
+[[gnu::noinline]] void arc(const BasicStep<Number>& step) {
+  Number total{};
+  for (unsigned j = 1; j < K; ++j) total += double(j) * step.out[j] * step.y[K - j];
+  store<K>(step.out, (step.constant * step.x[K - 1] - total) / (double{K} * step.y[0]));
 }
 
 /// M_0 x_K = f_K - sum_{j>=1} M_j x_{K-j}
-template <unsigned K>
-[[gnu::always_inline]] inline void solve(const Solve& system, unsigned n) {
-  double b[largest_system];
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline void solve(const BasicSolve<Number>& system, unsigned n) {
+  Number b[largest_system];
 #pragma GCC unroll 3
   for (unsigned i = 0; i < n; ++i) {
-    double lagged = 0;
-    Four lanes{};
+    Number lagged{};
+    Block<Number> lanes{};
 #pragma GCC unroll 3
     for (unsigned j = 0; j < n; ++j) {
       const auto& [factor, m, m_factor_x] = system.matrix[i * n + j];
       if (m == nullptr) continue;
-      const double* x = system.unknowns[j];
+      const Number* x = system.unknowns[j];
       if constexpr (Inner<K>::blocks > 0) lanes += factor * blocks_of<K>(m, x);
       if constexpr (Inner<K>::rest > 0) lagged += factor * rest_of<K>(m, x);
       lagged += m[K] * m_factor_x;
@@ -212,35 +256,35 @@ template <unsigned K>
     if constexpr (Inner<K>::blocks > 0) lagged += joined(lanes);
     b[i] = system.right[i][K] - lagged;
   }
-  const double* inverse = system.inverse;
+  const Number* inverse = system.inverse;
 #pragma GCC unroll 3
   for (unsigned i = 0; i < n; ++i) {
-    double value = 0;
+    Number value{};
 #pragma GCC unroll 3
     for (unsigned j = 0; j < n; ++j) value += *inverse++ * b[j];
     store<K>(system.unknowns[i], value);
   }
 }
 
-template <unsigned K>
-[[gnu::noinline]] void solve_any(const Solve& system) {
+template <unsigned K, class Number>
+[[gnu::noinline]] void solve_any(const BasicSolve<Number>& system) {
   solve<K>(system, system.n);
 }
 
-template <unsigned K>
-[[gnu::always_inline]] inline void raise_state(const State& state) {
-  double* q = state.rows;
-  double* v = q + state.n * stride;
+template <unsigned K, class Number>
+[[gnu::always_inline]] inline void raise_state(const BasicState<Number>& state) {
+  Number* q = state.rows;
+  Number* v = q + state.n * stride;
   for (std::size_t i = 0; i < state.n; ++i, q += stride, v += stride) {
     store<K>(q, divided<K>(v[K - 1]));
     store<K>(v, divided<K>(state.accelerations[i][K - 1]));
   }
 }
 
-template <unsigned K>
-[[gnu::noinline]] void pass(const Program& program) {
+template <unsigned K, class Number>
+[[gnu::noinline]] void pass(const BasicProgram<Number>& program) {
   raise_state<K>(program.state);
-  for (const Step *step = program.steps, *end = step + program.count; step != end; ++step) {
+  for (const BasicStep<Number>*step = program.steps, *end = step + program.count; step != end; ++step) {
     switch (step->kind) {
       case Kind::sum:
         sum_any<K>(*step);
@@ -273,7 +317,7 @@ template <unsigned K>
         sum<K>(*step, 2, 2);
         break;
       case Kind::rate:
-        store<K - 1>(step->out, K * step->x[K]);
+        store<K - 1>(step->out, double{K} * step->x[K]);
         break;
       case Kind::rate_of_sum:
         rate_of_sum<K>(*step);
@@ -324,9 +368,9 @@ template <unsigned K>
   }
 }
 
-template <unsigned K>
-void passes(const Program& program, unsigned order) {
-  if constexpr (K < highest_order) {
+template <unsigned K, class Number>
+void passes(const BasicProgram<Number>& program, unsigned order) {
+  if constexpr (K < highest_order_of<Number>) {
     if (K < order) {
       pass<K>(program);
       return passes<K + 1>(program, order);
@@ -338,3 +382,5 @@ void passes(const Program& program, unsigned order) {
 }  // namespace
 
 void expand(const Program& program, unsigned order) { passes<1>(program, order); }
+
+void expand_pair(const PairProgram& program, unsigned order) { passes<1>(program, order); }

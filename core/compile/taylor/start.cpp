@@ -1,55 +1,74 @@
-// Coefficients 0 of the rows, and what the kernels multiply by instead of dividing.
+#include "core/compile/taylor/start.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "core/compile/taylor/translation.hpp"
+#include "core/numerics/linear_system.hpp"
+#include "core/numerics/side_by_side.hpp"
 
 namespace qdot {
+namespace {
 
+using taylor::BasicStep;
 using taylor::Kind;
-using taylor::Step;
 
-bool TaylorTranslation::invert(System& system, const Workspace& slots) {
-  std::vector<double>& m = system.matrix;
-  for (std::size_t i = 0; i < m.size(); ++i) m[i] = slots[system.matrix_slots[i]];
-  if (system.has_determinant) {
-    const double determinant = slots[system.determinant_slot];
-    const double signs[4]{m[3], -m[1], -m[2], m[0]};
-    for (std::size_t i = 0; i < 4; ++i) system.inverse[i] = signs[i] / determinant;
-    return true;
-  }
+bool invert(std::size_t n, std::span<double> m, std::span<double> inverse) {
   RowOrder order;
-  if (!factor_linear(system.n, m, order)) return false;
-  for (std::size_t j = 0; j < system.n; ++j) {
-    std::fill(system.column.begin(), system.column.end(), 0.0);
-    system.column[j] = 1;
-    substitute_linear(system.n, m, order, system.column);
-    for (std::size_t i = 0; i < system.n; ++i) system.inverse[i * system.n + j] = system.column[i];
+  std::array<double, largest_system> column_of{};
+  const auto column = std::span(column_of).first(n);
+  if (!factor_linear(n, m, order)) return false;
+  for (std::size_t j = 0; j < n; ++j) {
+    std::ranges::fill(column, 0.0);
+    column[j] = 1;
+    substitute_linear(n, m, order, column);
+    for (std::size_t i = 0; i < n; ++i) inverse[i * n + j] = column[i];
   }
+  return true;
+}
+
+bool invert(std::size_t n, std::span<const PairOfDoubles> m, std::span<PairOfDoubles> inverse) {
+  std::array<double, largest_system * largest_system> own_m, own_inverse;
+  for (unsigned lane = 0; lane < 2; ++lane) {
+    for (std::size_t i = 0; i < n * n; ++i) own_m[i] = m[i][lane];
+    if (!invert(n, std::span(own_m).first(n * n), std::span(own_inverse).first(n * n))) return false;
+    for (std::size_t i = 0; i < n * n; ++i) inverse[i][lane] = own_inverse[i];
+  }
+  return true;
+}
+
+template <class Number>
+bool invert(typename TaylorStart<Number>::System& system, std::span<const Number> slots) {
+  std::vector<Number>& m = system.matrix;
+  for (std::size_t i = 0; i < m.size(); ++i) m[i] = slots[system.matrix_slots[i]];
+  if (!system.has_determinant) return invert(system.n, std::span(m), std::span(system.inverse));
+  const Number determinant = slots[system.determinant_slot];
+  const Number signs[4]{m[3], -m[1], -m[2], m[0]};
+  for (std::size_t i = 0; i < 4; ++i) system.inverse[i] = signs[i] / determinant;
   return true;
 }
 
 /// What a function tends to where its argument, or what it is divided by, grows beyond all numbers: there the
 /// rows of that are no numbers, and its own is a constant. How far from it, the remainder tells.
-bool TaylorTranslation::has_reached_limit(const Step& step) {
+template <class Number>
+bool has_reached_limit(const BasicStep<Number>& step, unsigned lane) {
   constexpr double huge = 1e150;  // its coefficients of higher order may be no numbers
-  const double value = std::abs(step.out[0]);
+  const double value = std::abs(one_of(step.out[0], lane));
   switch (step.kind) {
     case Kind::quotient:
-      return std::abs(step.y[0]) > huge && value < 1 / huge;
+      return std::abs(one_of(step.y[0], lane)) > huge && value < 1 / huge;
     case Kind::power:
-      return step.x[0] > huge && value < 1 / huge;
+      return one_of(step.x[0], lane) > huge && value < 1 / huge;
     case Kind::exponential:
       return value == 0;
     case Kind::tangent:
-      return step.constant < 0 && std::abs(*step.argument) > huge;
+      return one_of(step.constant, lane) < 0 && std::abs(one_of(*step.argument, lane)) > huge;
     default:
       return false;
   }
 }
 
-void TaylorTranslation::hold_still(Step& step) {
+void hold_still(BasicStep<double>& step) {
   step.usual = step.kind;
   step.kind = Kind::still;
   for (unsigned k = 1; k <= taylor::highest_order; ++k) {
@@ -58,88 +77,85 @@ void TaylorTranslation::hold_still(Step& step) {
   }
 }
 
+/// False where the others of the step would have to go on.
+bool heed_limit(BasicStep<double>& step) {
+  if (step.kind == Kind::still) step.kind = step.usual;
+  if (has_reached_limit(step, 0)) hold_still(step);
+  return true;
+}
+bool heed_limit(BasicStep<PairOfDoubles>& step) {
+  return !has_reached_limit(step, 0) && !has_reached_limit(step, 1);
+}
+
 /// 1 + tan^2 u or 1 - tanh^2 u; that cancels where it is small, and 1/cosh^2 u does not.
-double TaylorTranslation::slope_of_tangent(const Step& step) {
+double slope_of_tangent(double constant, double z, double argument) {
   constexpr double cancels = 0.5;
-  const double z = step.out[0];
-  if (step.constant > 0 || z * z < cancels) return 1 + step.constant * z * z;
-  const double inverse = 1 / evaluate(Function::cosh, *step.argument);
+  if (constant > 0 || z * z < cancels) return 1 + constant * z * z;
+  const double inverse = 1 / evaluate(Function::cosh, argument);
   return inverse * inverse;
 }
 
-/// What has_reached_limit() and start_own_rows() look at.
-bool TaylorTranslation::has_own_start(const Step& step) {
-  switch (step.kind) {
-    case Kind::quotient:
-    case Kind::power:
-    case Kind::root:
-    case Kind::exponential:
-    case Kind::tangent:
-    case Kind::hyperbolic:
-    case Kind::absolute:
-    case Kind::sign:
-      return true;
-    case Kind::sum_0_1:
-      return !is_row_of_slot(step.out);
-    default:
-      return false;
-  }
-}
-
 /// Rows that are no slots, and reciprocals of what a step divides by.
-void TaylorTranslation::start_own_rows(Step& step) {
-  if (step.kind == Kind::still) step.kind = step.usual;
-  if (has_reached_limit(step)) hold_still(step);
+template <class Number>
+void begin_step(BasicStep<Number>& step, const typename TaylorStart<Number>::Own& own,
+                std::span<const Number> slots) {
   switch (step.kind) {
     case Kind::sum_0_1:  // 1 + u^2 or 1 - u^2, where it is a row of our own
-      if (!is_row_of_slot(step.out)) {
-        step.out[0] = 1 + step.products[0].factor * step.products[0].x[0] * step.products[0].y[0];
+      if (!own.is_row_of_slot) {
+        step.out[0] = 1.0 + step.products[0].factor * step.products[0].x[0] * step.products[0].y[0];
       }
       break;
     case Kind::quotient:
-      step.aux[0] = 1 / step.y[0];
+      step.aux[0] = 1.0 / step.y[0];
       break;
     case Kind::root:
-      if (!is_row_of_slot(step.out)) step.out[0] = std::sqrt(step.x[0]);
-      step.aux[0] = 1 / (2 * step.out[0]);
+      if (!own.is_row_of_slot) step.out[0] = square_root(step.x[0]);
+      step.aux[0] = 1.0 / (2.0 * step.out[0]);
       break;
     case Kind::absolute:
     case Kind::sign:
-      step.constant = evaluate(Function::sign, step.x[0]);
+      step.constant =
+          of_each<Number>([&](unsigned i) { return evaluate(Function::sign, one_of(step.x[0], i)); });
       break;
     case Kind::tangent:
-      step.aux[0] = slope_of_tangent(step);
+      step.aux[0] = of_each<Number>([&](unsigned i) {
+        return slope_of_tangent(one_of(step.constant, i), one_of(step.out[0], i), one_of(*step.argument, i));
+      });
+      break;
+    case Kind::hyperbolic:
+      step.out2[0] = of_each<Number>(
+          [&](unsigned i) { return evaluate(own.partner, one_of(slots[own.argument_slot], i)); });
       break;
     default:
       break;
   }
 }
 
-bool TaylorTranslation::start(const Workspace& slots) {
-  for (System& system : systems_) {
-    if (!invert(system, slots)) return false;
+}  // namespace
+
+template <class Number>
+bool TaylorStart<Number>::begin(std::span<const Number> slots, BasicStep<Number>* steps) {
+  for (System& system : systems) {
+    if (!invert<Number>(system, slots)) return false;
   }
-  const double* values = slots.data();
-  for (const auto& [slot, row] : started_) *row = values[slot];
-  double* t = row(tape_.parameters_);
-  t[1] = t[taylor::reversed - 1] = 1;
-  for (taylor::Product* const p : products_) {
+  for (const auto& [slot, row] : rows) *row = slots[slot];
+  time[1] = time[taylor::reversed - 1] = Number{} + 1.0;
+  for (taylor::BasicProduct<Number>* const p : products) {
     p->x_0 = p->factor * p->x[0];
     p->y_0 = p->factor * p->y[0];
   }
-  for (const auto& [entries, solve] : entries_) {
-    for (std::size_t i = 0; i < entries.size(); ++i)
-      entries[i].x_0 = entries[i].factor * solve->unknowns[i % solve->n][0];
+  for (const auto& [all, solve] : entries) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i].x_0 = all[i].factor * solve->unknowns[i % solve->n][0];
   }
-  auto partner = partners_.begin();
-  for (const std::size_t i : begun_) {
-    Step& step = steps_[i];
-    start_own_rows(step);
-    if (step.kind != Kind::hyperbolic) continue;
-    step.out2[0] = evaluate(partner->first, slots[partner->second]);
-    ++partner;
+  for (const Own& one : own) {
+    if (!heed_limit(steps[one.step])) return false;
+    begin_step<Number>(steps[one.step], one, slots);
   }
   return true;
 }
+
+template struct TaylorStart<double>;
+template struct TaylorStart<PairOfDoubles>;
 
 }  // namespace qdot

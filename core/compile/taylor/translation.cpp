@@ -52,6 +52,7 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   const auto place = reinterpret_cast<std::uintptr_t>(rows_.data()) / sizeof(double);
   first_ = taylor::before_row + (3 - place % 4) % 4;
   rows_used_ = tape.slots_;
+  start_.time = row(tape.parameters_);
   one_ = new_row();
   one_[0] = 1;
   for (std::size_t slot = 0; slot < tape.slots_; ++slot) row(slot)[0] = constants[slot];
@@ -63,9 +64,7 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
   for (const Instruction& instruction : tape.body_) {
     if (is_needed(instruction)) translate(instruction);
   }
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    if (has_own_start(steps_[i])) begun_.push_back(i);
-  }
+  find_own_starts();
   std::vector<const double*> accelerations;
   for (const Slot slot : tape.outputs_) accelerations.push_back(row(slot));
   const std::size_t n = accelerations.size();
@@ -73,6 +72,35 @@ TaylorTranslation::TaylorTranslation(const CompiledFunction& tape, const Workspa
               steps_.size(),
               {n, row(tape.parameters_ + 1), kept(accelerations).data(), tape.variables_}};
   for (const Slot slot : tape.outputs_) start_at(slot);
+}
+
+/// Steps that begin with more than their slots' values.
+void TaylorTranslation::find_own_starts() {
+  auto partner = partners_.begin();
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    TaylorStart<double>::Own own{i, is_row_of_slot(steps_[i].out), {}, {}};
+    switch (steps_[i].kind) {
+      case Kind::sum_0_1:
+        if (own.is_row_of_slot) continue;
+        break;
+      case Kind::hyperbolic:
+        own.partner = partner->first;
+        own.argument_slot = partner->second;
+        ++partner;
+        break;
+      case Kind::quotient:
+      case Kind::power:
+      case Kind::root:
+      case Kind::exponential:
+      case Kind::tangent:
+      case Kind::absolute:
+      case Kind::sign:
+        break;
+      default:
+        continue;
+    }
+    start_.own.push_back(own);
+  }
 }
 
 taylor::Program TaylorTranslation::composition() const {
@@ -141,7 +169,7 @@ void TaylorTranslation::add_sum(const Form& form, double* out) {
   step.terms = kept(terms).data();
   const std::span<taylor::Product> kept_products = kept(products);
   step.products = kept_products.data();
-  for (taylor::Product& product : kept_products) products_.push_back(&product);
+  for (taylor::Product& product : kept_products) start_.products.push_back(&product);
   step.out = out;
   steps_.push_back(step);
 }
@@ -244,14 +272,13 @@ void TaylorTranslation::translate_solve(const Instruction& instruction) {
     steps_.push_back(step);
     return;
   }
-  System& system = systems_.emplace_back();
+  TaylorStart<double>::System& system = start_.systems.emplace_back();
   system.n = n;
   system.has_determinant = instruction.has_determinant;
   if (instruction.has_determinant) system.determinant_slot = *operand++;
   system.matrix_slots.assign(operand, operand + n * n);
   system.matrix.resize(n * n);
   system.inverse.resize(n * n);
-  system.column.resize(n);
   std::vector<taylor::Entry> matrix;
   std::vector<const double*> right, start;
   std::vector<double*> unknowns;
@@ -269,7 +296,7 @@ void TaylorTranslation::translate_solve(const Instruction& instruction) {
                                           kept(unknowns).data(), system.inverse.data(), kept(start).data()}};
   step.kind = n == 2 ? Kind::solve_2 : n == 3 ? Kind::solve_3 : Kind::solve;
   step.solve = kept(solve).data();
-  entries_.push_back({entries, step.solve});
+  start_.entries.push_back({entries, step.solve});
   steps_.push_back(step);
 }
 

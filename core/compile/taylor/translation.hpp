@@ -15,7 +15,7 @@
 
 #include "core/compile/compiled_function.hpp"
 #include "core/compile/taylor/kernels.hpp"
-#include "core/numerics/linear_system.hpp"
+#include "core/compile/taylor/start.hpp"
 
 namespace qdot {
 
@@ -26,7 +26,7 @@ class TaylorTranslation {
   TaylorTranslation(const CompiledFunction& tape, const Workspace& constants, std::size_t coordinates);
 
   /// Coefficients 0, from the slots of an evaluation. False where a mass matrix has no inverse.
-  [[nodiscard]] bool start(const Workspace& slots);
+  [[nodiscard]] bool start(const Workspace& slots) { return start_.begin(std::span(slots), steps_.data()); }
   [[nodiscard]] const taylor::Program& program() const { return program_; }
   /// The same for a function of the state, which has no accelerations.
   [[nodiscard]] taylor::Program composition() const;
@@ -36,9 +36,14 @@ class TaylorTranslation {
     return rows_.data() + first_ + slot * taylor::stride;
   }
   [[nodiscard]] bool is_of_state(const double* row) const;
+  [[nodiscard]] std::size_t slot_of(const double* argument) const {
+    return static_cast<std::size_t>(argument - constants_.data());
+  }
   [[nodiscard]] double* variable(std::size_t i) { return row(tape_.parameters_ + 1 + i); }
 
  private:
+  friend class PairTranslation;
+
   /// A sum of what varies.
   struct Form {
     struct Term {
@@ -60,14 +65,6 @@ class TaylorTranslation {
     unsigned otherwise{};
 
     [[nodiscard]] unsigned all() const { return as_term + as_factor + otherwise; }
-  };
-
-  struct System {
-    std::size_t n{};
-    std::vector<Slot> matrix_slots;
-    Slot determinant_slot{};
-    bool has_determinant{};
-    std::vector<double> matrix, column, inverse;
   };
 
   void find_forms();
@@ -92,15 +89,10 @@ class TaylorTranslation {
   [[nodiscard]] const double* rate_row_of(Slot coordinate_or_time);
 
   [[nodiscard]] double* row(std::size_t index) { return rows_.data() + first_ + index * taylor::stride; }
-  void start_at(Slot slot) { started_.emplace_back(slot, row(slot)); }
+  void start_at(Slot slot) { start_.rows.emplace_back(slot, row(slot)); }
   [[nodiscard]] double* new_row() { return row(rows_used_++); }
   [[nodiscard]] bool is_row_of_slot(const double* pointer) { return pointer < row(tape_.slots_); }
-  [[nodiscard]] bool has_own_start(const taylor::Step& step);
-  void start_own_rows(taylor::Step& step);
-  [[nodiscard]] static bool has_reached_limit(const taylor::Step& step);
-  [[nodiscard]] static double slope_of_tangent(const taylor::Step& step);
-  static void hold_still(taylor::Step& step);
-  [[nodiscard]] static bool invert(System& system, const Workspace& slots);
+  void find_own_starts();
 
   /// What the kernels point to must stay where it is.
   template <class T>
@@ -117,21 +109,13 @@ class TaylorTranslation {
   std::vector<Form> forms_;   ///< of slots that are sums
   std::vector<bool> is_sum_;  ///< slots with a form
   std::vector<Uses> uses_;
-  std::vector<std::pair<Slot, double*>> started_;  ///< slots whose rows are used
   std::vector<double> rows_;
   std::size_t first_{};  ///< coefficient 1 of a row begins a vector register's worth of memory
   std::size_t rows_used_{};
   double* one_{};  ///< the rate of the time
   std::pmr::monotonic_buffer_resource lists_;
-  std::vector<taylor::Product*> products_;
-  std::vector<System> systems_;
-  struct Entries {
-    std::span<taylor::Entry> all;
-    const taylor::Solve* solve{};
-  };
-  std::vector<Entries> entries_;  ///< of each system that is solved
+  TaylorStart<double> start_;
   std::vector<taylor::Step> steps_;
-  std::vector<std::size_t> begun_;                   ///< steps that begin with more than a slot's value
   std::vector<std::pair<Function, Slot>> partners_;  ///< of hyperbolic steps, in their order: argument's slot
   taylor::Program program_;
 };

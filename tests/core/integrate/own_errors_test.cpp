@@ -18,7 +18,7 @@ constexpr int steps = 40;
 
 /// e of x and x' after motions from (1, -1).
 std::vector<double> off_by(const Apart& start, std::span<const double> defect) {
-  const Originals originals{pulled_by(1), pulled_by(1)};
+  const Originals originals{pulled_by(1), pulled_by(1), {}};
   OwnErrors errors(originals, start, 0);
   take_steps(pulled_by(1), {1, -1}, length, steps, defect,
              [&](const MotionPiece& step) { errors.follow(step); });
@@ -48,13 +48,55 @@ TEST(OwnErrors, SayWhatTheSecondSampleShowsWithoutItsEnlargement) {
   EXPECT_NEAR(off[0], e * std::cosh(length * steps), 1e-3 * off[0]);
 }
 
+/// As motions of one tape are, and how often that is asked.
+Originals side_by_side(Originals originals, int& asked) {
+  originals.both = [first = originals.asked.expansion, second = originals.rounded.expansion, &asked](
+                       double t, std::span<const PairOfDoubles> y, unsigned highest,
+                       std::span<PairOfDoubles> c) {
+    std::vector<double> one(y.size()), other(y.size()), c_of_one(c.size()), c_of_other(c.size());
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      one[i] = y[i][0];
+      other[i] = y[i][1];
+    }
+    (void)first(t, one, highest, c_of_one);
+    (void)second(t, other, highest, c_of_other);
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = PairOfDoubles{c_of_one[i], c_of_other[i]};
+    ++asked;
+    return true;
+  };
+  return originals;
+}
+
+TEST(OwnErrors, AreTheSameWhereBothMotionsAreExpandedSideBySide) {
+  const Originals apart{pulled_by(1.001), pulled_by(1.002), {}};
+  int asked = 0;
+  const Originals together = side_by_side(apart, asked);
+  Originals refused = apart;
+  refused.both = [](double, std::span<const PairOfDoubles>, unsigned, std::span<PairOfDoubles>) {
+    return false;
+  };
+  const Apart start{{1e-9, 2e-9}, {-3e-6, 4e-6}};
+  OwnErrors one_by_one(apart, start, 0), at_once(together, start, 0), one_by_one_after_all(refused, start, 0);
+  const std::vector defect{0.0, 1e-12};
+  take_steps(pulled_by(1), {1, -1}, length, steps, defect, [&](const MotionPiece& step) {
+    one_by_one.follow(step);
+    at_once.follow(step);
+    one_by_one_after_all.follow(step);
+    for (const OwnErrors* other : {&at_once, &one_by_one_after_all}) {
+      EXPECT_EQ(one_by_one.now().by_truncation, other->now().by_truncation) << step.t;
+      EXPECT_EQ(one_by_one.now().by_rounding, other->now().by_rounding) << step.t;
+    }
+  });
+  EXPECT_EQ(asked, steps);
+}
+
 /// x'' = -x for a quarter of a period: a force that is off by e all along moves x by e.
 TEST(OwnErrors, CountARoundingOfForcesThatIsTheSameAllAlong) {
   constexpr double e = 1e-10, start = 1e-16, short_h = 0.4;
   const std::vector rounding{e};
   for (const double x : {start, -start}) {
     for (const double v : {start, -start}) {
-      const Originals originals{pulled_by(-1), pulled_by(-1)};
+      const Originals originals{pulled_by(-1), pulled_by(-1), {}};
       OwnErrors errors(originals, {{0, 0}, {x, v}}, 0);
       take_steps(pulled_by(-1), {2, 0}, short_h, 4, std::vector{0.0, 0.0}, [&](MotionPiece step) {
         step.rounding = rounding;
@@ -70,7 +112,7 @@ TEST(OwnErrors, CountARoundingOfForcesThatIsTheSameAllAlong) {
 /// A motion at rest whose force is rounded by e: its speed may be e t, whatever the samples have reached.
 TEST(OwnErrors, CountWhatRoundingDoesToAForceThatIsZero) {
   constexpr double e = 1e3, rest = 0;
-  const Originals originals{pulled_by(0), pulled_by(0)};
+  const Originals originals{pulled_by(0), pulled_by(0), {}};
   OwnErrors errors(originals, {{0, 0}, {0, 0}}, 0);
   const std::vector<double> rows(2 * (order + 1), rest), defect(2), rounding{e};
   for (int i = 0; i < 3; ++i)

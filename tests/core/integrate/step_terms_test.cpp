@@ -79,5 +79,28 @@ TEST(StepTerms, OfDifferencesHaveTheBitsOfOneSumInTheirOrder) {
   }
 }
 
+TEST(StepTerms, OfTwoDifferencesSideBySideAreThoseOfEach) {
+  for (const unsigned order : {7U, 8U}) {
+    const std::vector<double> own = drawn(23, 1);
+    std::vector<double> first = drawn(order + 1, 2), second = drawn(order + 1, 3);
+    second[3] = no_number;
+    std::vector<PairOfDoubles> both(order + 1);
+    for (unsigned k = 0; k <= order; ++k) both[k] = PairOfDoubles{first[k], second[k]};
+    StepTerms terms(1);
+    terms.take({.t = 0, .h = h, .rows = own, .order = 22});
+    const auto [sum, largest] = terms.subtract(own.data(), order, PairOfDoubles{1e-3, 1e6}, both.data());
+    const auto of_first = terms.subtract(own.data(), order, 1e-3, first.data());
+    const auto of_second = terms.subtract(own.data(), order, 1e6, second.data());
+    EXPECT_EQ(sum[0], of_first.sum);
+    EXPECT_TRUE(std::isnan(sum[1]) && std::isnan(of_second.sum));
+    EXPECT_EQ(largest[0], of_first.largest);
+    EXPECT_EQ(largest[1], of_second.largest);
+    for (unsigned k = 0; k <= order; ++k) {
+      EXPECT_EQ(both[k][0], first[k]) << k;
+      EXPECT_TRUE(both[k][1] == second[k] || k == 3) << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace qdot
