@@ -23,8 +23,8 @@ namespace {
 constexpr double tightest_check = 1e-17;
 constexpr double rung = 1e-2;  ///< a check's tolerance over that of the run it checks
 constexpr double check_of_others = 1e-3;
-constexpr unsigned order_of_checks = 25;
-constexpr unsigned order_of_loose_checks = 22;  ///< of runs that have order 16
+constexpr unsigned order_of_checks = 22;
+constexpr unsigned order_of_loose_checks = 20;  ///< of runs that have order 16
 constexpr double drift_of_rounding = 1e-14;     ///< relative
 /// A check that is off by r of what the motion is, is off by r/(1 - r) of their difference: twice that is in
 /// the error stated (row_errors.hpp) up to a third.
