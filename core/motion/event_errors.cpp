@@ -119,6 +119,7 @@ std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::spa
     own_time = std::min(own_time, range / rate);
   }
   if (!std::isfinite(own_time)) return std::nullopt;
+  place.own_time = own_time;
   const std::optional<Time> time = time_of(watch, place, shortest, own_time);
   if (!time) return std::nullopt;
   const double merged = time->by_slope ? 0 : several_instants * time_round_off(t);
@@ -174,7 +175,8 @@ bool EventErrors::is_as_steep(double tau, double slope, const Watch& watch, cons
     rounding += watch.own_rounding(t, y);
   }
   const double expected = 2 * some_times * std::abs(slope);
-  return expected <= some_roundings * rounding || change >= as_steep * expected;
+  return expected <= some_roundings * rounding ||
+         (change >= as_steep * expected && as_steep * change <= expected);
 }
 
 /// Where g is enclosed too widely: the smaller root of
@@ -212,7 +214,7 @@ bool EventErrors::is_clear_of_zero(double tau, const Watch& watch, const Place& 
   for (const double length : {-tau, tau}) {
     const std::vector<double> y = state_after(tried_first * length, place);
     const double t = place.t + tried_first * length, value = watch.value(t, y);
-    const Place there{t, y, accelerations(t, y), place.errors};
+    const Place there{t, y, accelerations(t, y), place.errors, place.own_time};
     const double doubt = linear(watch, there).doubt - std::abs(value) + watch.own_rounding(t, y);
     if (!(std::abs(value) >= nearly_all * doubt)) return false;
     if (before != 0) return (before < 0) != (value < 0);
@@ -253,6 +255,9 @@ EventErrors::Linear EventErrors::linear(const Watch& watch, const Place& place) 
     result.doubt += std::abs(partial) * place.errors[k];
     result.slope += partial * (k < n ? place.y[n + k] : place.accelerations[k - n]);
   }
+  const double tau = std::max(shortest_step * place.own_time, seen_beside * time_round_off(place.t));
+  const double later = watch.value(place.t + tau, place.y), earlier = watch.value(place.t - tau, place.y);
+  if (std::isfinite(later - earlier)) result.slope += (later - earlier) / (2 * tau);
   return result;
 }
 

@@ -56,6 +56,7 @@ class EventErrors {
     double t{};
     std::span<const double> y;
     std::vector<double> accelerations, errors;
+    double own_time{};  ///< in which the motion goes through one of its components
   };
   struct Time {
     double error{};
