@@ -146,6 +146,13 @@ std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch, std::span<const 
   return RestOfImpacts{0, flights.back().t - flights.front().t, false};
 }
 
+double duration_of_hidden(const Watch& watch, std::span<const SectionRecord> sections) {
+  std::size_t first = sections.size() - 1;
+  while (first > 0 && is_hidden_since(watch, sections[first - 1], sections[first].t, sections[first].before))
+    --first;
+  return sections.back().t - sections[first].t;
+}
+
 double lowest_flight(const Watch& watch, const SectionRecord& longest, std::span<const double> slopes,
                      const SectionRecord& last) {
   const double tau = part_of_flight * longest.duration;

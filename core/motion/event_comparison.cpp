@@ -47,9 +47,18 @@ std::vector<std::optional<EventError>> EventComparison::of_events() {
                          ? std::nullopt
                          : of_state_.of(event, errors, are_of_it ? std::span(reached_) : scale_));
     if (last != nullptr && last->t == event.t) share_with_cause(result);
+    if (last != nullptr && last->t == event.t && last->name == event.name && !is_impact(event.name)) {
+      result.back().reset();  // zeros that are too near to each other for times of their own
+      result[result.size() - 2].reset();
+    }
     last = &event;
   }
   return result;
+}
+
+bool EventComparison::is_impact(const std::string& name) const {
+  const std::vector<ParsedImpact>& impacts = motion_.dynamics.model().parsed.impacts;
+  return std::ranges::find(impacts, name, &ParsedImpact::event) != impacts.end();
 }
 
 /// What happens at the instant of another event may follow from it, as one impact from another.

@@ -56,6 +56,7 @@ class EventComparison {
   [[nodiscard]] std::vector<double> rows_before(double t);
   [[nodiscard]] std::vector<double> some_rows_after(double t) const;
   [[nodiscard]] double own_time() const;
+  [[nodiscard]] bool is_impact(const std::string& name) const;
   [[nodiscard]] bool is_small(std::span<const double> errors) const;
   [[nodiscard]] std::optional<EventError> of_accumulation(std::span<const double> of_state,
                                                           std::span<const double> of_rows);

@@ -10,8 +10,18 @@ constexpr double short_flight = 1e-2;      ///< of the longest
 constexpr double moment_of_flight = 1e-6;  ///< in which a speed is measured
 constexpr double of_twice = 0.1;           ///< where rounding is larger than a way, its double is another
 constexpr double no_speed = 1e-5;          ///< of that before an impact
-constexpr double longest_of_looks = 1e-2;  ///< of the motion's span
+constexpr double longest_of_looks = 0.5;   ///< of the motion's span
 constexpr double next_of_looks = 4, roundings_of_look = 64;
+
+/// After that time with these accelerations.
+std::vector<double> moved(std::vector<double> y, std::span<const double> accelerations, double time) {
+  const std::size_t n = y.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    y[i] += time * (y[n + i] + time / 2 * accelerations[i]);
+    y[n + i] += time * accelerations[i];
+  }
+  return y;
+}
 
 }  // namespace
 
@@ -45,29 +55,29 @@ std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> s
   if (!rest) return rest;
   if (passed.is_over && rest->time == 0 && leaves_contact(passed.all.front().impact, sections))
     rest = RestOfImpacts{0, 0, true};
-  rest->doubt += sections_.resolution();
+  rest->doubt += sections_.resolution() + duration_of_hidden(watches()[passed.all.front().impact], sections);
   return rest;
 }
 
 /// Whether the impact has left its distance no rate but for rounding, and the forces lead behind the surface:
-/// soon they have led there by more than rounding.
+/// soon they have led there by more than rounding, those of then as well as those of now.
 bool ImpactsAlong::is_pressed_on(std::size_t impact, const SectionRecord& last,
                                  const EventSides& sides) const {
   const Watch& watch = watches()[impact];
   const std::optional<double> rate = impacts_->hidden_rate(impact, last.t, last.after);
   if (!rate || watch.direction == Crossing::either || !sides.is_sharp(watch, last)) return false;
   const double longest = longest_of_looks * (request_.t_end - request_.t_start);
-  const std::vector<double> slopes = sections_.slopes(last.t, last.after);
-  const std::size_t n = slopes.size() / 2;
+  const std::vector<double> now = sections_.slopes(last.t, last.after);
+  const std::size_t n = now.size() / 2;
   for (double tau = sections_.resolution(); tau < longest; tau *= next_of_looks) {
-    std::vector<double> y = last.after;
-    for (std::size_t i = 0; i < n; ++i) {
-      y[i] += tau * (slopes[i] + tau / 2 * slopes[n + i]);
-      y[n + i] += tau * slopes[n + i];
-    }
+    const std::vector<double> y = moved(last.after, std::span(now).last(n), tau);
     const double g = watch.value(last.t + tau, y);
-    if (!(std::abs(g) > roundings_of_look * watch.own_rounding(last.t + tau, y) + 2 * *rate * tau)) continue;
-    return (g < 0) == (watch.direction == Crossing::falling);
+    const double hidden = roundings_of_look * watch.own_rounding(last.t + tau, y) + 2 * *rate * tau;
+    if (!(std::abs(g) > hidden)) continue;
+    const std::vector<double> then = sections_.slopes(last.t + tau, y);
+    const double by_then = watch.value(last.t + tau, moved(last.after, std::span(then).last(n), tau));
+    const double inside = watch.direction == Crossing::falling ? -1 : 1;
+    return inside * g > 0 && inside * by_then > 0;
   }
   return false;
 }
