@@ -139,4 +139,22 @@ std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion) {
   return doubts;
 }
 
+std::vector<EventDoubt> impacts_at_end(const ComputedMotion& motion, std::span<const double> errors) {
+  const Simulation& simulation = motion.simulation;
+  const bool has_just_passed = !simulation.sections.empty() && simulation.sections.back().t == simulation.t;
+  const bool is_wanted = motion.request.impacts == Impacts::apply && !errors.empty();
+  if (!is_wanted || simulation.stop || has_just_passed) return {};
+  std::vector<Interval> box;
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    box.emplace_back(simulation.y[k] - errors[k], simulation.y[k] + errors[k]);
+  std::vector<EventDoubt> doubts;
+  for (const Watch& watch : watches_of_impacts(motion)) {
+    const Interval distance = watch.enclosure(simulation.t, box);
+    if (!distance.contains(0.0)) continue;
+    doubts.push_back({watch.name, "Where the motion ends it is as near to '" + watch.name +
+                                      "' as its error: whether it happens there cannot be told."});
+  }
+  return doubts;
+}
+
 }  // namespace qdot

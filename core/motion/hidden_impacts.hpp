@@ -2,6 +2,7 @@
 // Impacts that nobody sees. What bounces may bounce again lower than its distance is rounded, and then
 // neither the motion nor another computation of it tells on which side of the next impact a row is.
 
+#include <span>
 #include <vector>
 
 #include "core/motion/computed_motion.hpp"
@@ -12,6 +13,10 @@ namespace qdot {
 /// Adds what such an impact changes to `check.unseen`: at rows, which are those of motion.event_rows, up to
 /// which the distance is zero but for rounding since the impact before, and that fall.
 void add_hidden_impacts(const ComputedMotion& motion, Simulation& check);
+
+/// Impacts that may happen where the motion ends, as far as these errors of its state tell.
+[[nodiscard]] std::vector<EventDoubt> impacts_at_end(const ComputedMotion& motion,
+                                                     std::span<const double> errors);
 
 /// Impacts of which there may be more between the last one and the end than were met.
 [[nodiscard]] std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion);

@@ -196,6 +196,16 @@ bool Measurement::can_be_checked_by(const Simulation& other) {
   return true;
 }
 
+/// The last row may be before such an impact or after it.
+void Measurement::note_impacts_at_end() {
+  std::vector<EventDoubt> doubts = impacts_at_end(motion(), result_.max_abs_error);
+  const double end = result_.simulation.t;
+  const bool is_row = !grid_.t.empty() && grid_.t.back() == end && grid_.wanted.back();
+  const bool is_named = std::ranges::find(result_.at_impacts, end) != result_.at_impacts.end();
+  if (!doubts.empty() && is_row && !is_named) result_.at_impacts.push_back(end);
+  result_.events_in_doubt.add(std::move(doubts));
+}
+
 void Measurement::state(const std::vector<Simulation>& others) {
   const std::string unclear = why_unclear(result_.simulation, others);
   if (!unclear.empty()) {
@@ -213,6 +223,7 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.stop_error = comparison.stop_error;
   result_.horizon = comparison.horizon && rests_within_rounding() ? std::nullopt : comparison.horizon;
   result_.at_impacts = std::move(comparison.at_impacts);
+  note_impacts_at_end();
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
     result_.reason = accuracy_reasons::may_not_stop;
   if (result_.reason.empty() && std::ranges::max(result_.max_abs_error) > without_bound)

@@ -73,6 +73,19 @@ class ContactWithMovingWalls(Service):
     def test_what_begins_in_contact_stays_there(self):
         self.each("on it", 150, 2)
 
+    def test_an_impact_where_the_motion_ends_is_in_doubt(self):
+        for place, rate, end in (("0.21", "-0.7", 0.3), ("0.5", "-1", 0.5), ("0.42", "-0.6", 0.7)):
+            scene = lagrangian("body", "", f"x - {place} {rate}", "x_dot^2/2",
+                               events=[{"name": "w", "expression": "x", "direction": "falling"}],
+                               impacts=[{"event": "w", "restitution": "0.5"}])
+            del scene["parameters"]
+            with self.subTest(place=place, rate=rate):
+                for later in (0, -0.01, 0.01):
+                    answer = self.ask("simulate", {"system": scene, "t_end": end + later, "samples": 2, "events": ["w"]})
+                    self.assertEqual("at_impacts" in answer["accuracy"], later == 0)
+                    self.assertEqual("w" in answer["accuracy"].get("reason", ""), later == 0)
+                    self.assertEqual(len(answer["events"]), 1 if later > 0 else 0)
+
 
 if __name__ == "__main__":
     unittest.main()

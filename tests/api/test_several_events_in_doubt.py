@@ -45,6 +45,15 @@ class SeveralEventsInDoubt(Service):
                 answer = self.ask("simulate", {"system": scene, "t_end": 4, "samples": 2, "events": ["e"]})
                 self.assertNotIn("reason", answer["accuracy"])
 
+    def test_ordinary_events_of_the_time_are_not_in_doubt(self):
+        for function in ("sin(t) - 0.3", "cos(2*t) + x/9", "exp(-t) - 0.4", "x - cos(3*t)", "t - 1 + x/9", "sin(50*t) + x - 0.2"):
+            scene = lagrangian("body", "", "x - 0.5 1", "x_dot^2/2", events=[{"name": "e", "expression": function}])
+            del scene["parameters"]
+            with self.subTest(function):
+                answer = self.ask("simulate", {"system": scene, "t_end": 3, "samples": 2, "events": ["e"]})
+                self.assertNotIn("reason", answer["accuracy"])
+                self.assertLess(max(event["error"] for event in answer["events"]), 1e-13)
+
     def reason(self, scene, names, tolerances):
         request = {"system": scene, "t_end": 8, "samples": 3, "events": list(names), **tolerances}
         return self.ask("simulate", request)["accuracy"].get("reason", "")
