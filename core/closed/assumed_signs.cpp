@@ -78,9 +78,10 @@ void AssumedSigns::leave_out(const Expression& symbol, const std::optional<Expre
 }
 
 void AssumedSigns::ask(const Expression& e) {
-  const double value = values_.value(e).value;
-  if (value == 0 || !std::isfinite(value) || sign_of(e) != 0 || !is_of_parameters(e)) return;
-  if (const auto positive = positive_of(e, value > 0 ? 1 : -1)) take(*positive);
+  const Real value = values_.value(e);
+  const bool may_vanish = std::abs(value.value) <= value.error;  // h - V(c) at rest at c
+  if (may_vanish || !value.is_finite() || sign_of(e) != 0 || !is_of_parameters(e)) return;
+  if (const auto positive = positive_of(e, value.value > 0 ? 1 : -1)) take(*positive);
 }
 
 void AssumedSigns::let_signs_go() {

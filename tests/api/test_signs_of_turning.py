@@ -163,6 +163,13 @@ class SignsOfTurning(Service):
             form = self.ask("turning_points", {"system": lagrangian("beside", parameters, start, text)})["exact"][name]
             self.assertEqual([assumed for assumed in form["assumes"] if "(0)" not in assumed and not assumed.startswith("ellipk")], needed, (text, form))
 
+    def test_nothing_is_assumed_that_is_an_equality_at_rest(self):
+        for text, parameters, start in (("m*x_dot^2/2 - D*(1 - exp(-a*(x - b)))^2", "m - 1; D - 1; a - 1.2; b - 0.4; c - 0.7", "x - c"),
+                                        ("m*l^2*x_dot^2/6 - m*g*l*sin(x)/2", "m - 1; g - 9.81; l - 0.7; c - 1", "x - c")):
+            for name, form in self.ask("turning_points", {"system": lagrangian("at_rest", parameters, start, text)})["exact"].items():
+                barred = [assumed for assumed in form["assumes"] if "exp(a*b - a*c)" in assumed or assumed.startswith("2*h >")]
+                self.assertEqual(barred, [], (text, name))
+
     def test_an_end_lies_in_the_domain_of_its_coordinate(self):
         system = lagrangian("inside", "m - 1; k - 3; F - 2; G - 1", "x - 0.4", "m*x_dot^2/2 - k*x^2/2 + F*x - G*x")
         system["coordinates"][0]["domain"] = "> 0"
