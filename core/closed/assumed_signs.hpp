@@ -79,7 +79,7 @@ class AssumedSigns {
 
   const ExactValues& values_;
   const Relations& relations_;
-  std::vector<Expression> given_;
+  std::vector<Expression> given_, angles_;
   bool given_has_signs_{true};
   std::vector<Expression> let_go_;
   OtherPlace also_;

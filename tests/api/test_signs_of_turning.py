@@ -50,6 +50,8 @@ BESIDE = [
     # A hump rises at 0 just before the force at the start turns: one place in a hundred.
     ("m*l^2*x_dot^2/2 + m*g*l*cos(x) - k*x^2/2", "m - 1; g - 9.81; l - 0.7; k - 2", "x - 0.4", "x_min", ["2*k + 25*m*g*l > 25*m*g*l*cos(2/5)"]),
     ("m*x_dot^2/2 - a*(1 - cos(x)) - b*(1 - cos(2*x))", "m - 1; a - 1; b - 1", "x - 0.3", "x_min", ["a + b > a*cos(0.3) + b*cos(3/5)"]),
+    # The sign of an angle does not tell that of its sine.
+    ("3*m/4*x_dot^2 - m*g*x*sin(al)", "e - 1; m - 1; g - 9.81; al - 0.3; u - 1", "x - 0 u", "x_max", ["g > 0", "al > 0", "u > 0", "sin(al) > 0"]),
     # Beyond the top nothing comes back.
     ("m*x_dot^2/2 - (a - b)*x^2/2 - (c - d)*x^4/4", "m - 1; a - 3; b - 1; c - 1; d - 3", "x - 0.3 0.1", "x_min",
      ["a > 0", "b > 0", "c > 0", "d > 0", "h > 0", "100*a + 9*c > 100*b + 9*d"]),
