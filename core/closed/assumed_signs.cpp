@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/closed/far_numbers.hpp"
-#include "core/closed/separation.hpp"
 #include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/rational_function.hpp"
@@ -115,19 +114,13 @@ std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tr
       }
     }
   }
-  return signs_that_tell(all.places, all.holds);
-}
-
-std::optional<std::vector<std::string>> AssumedSigns::signs_that_tell(const std::vector<FarPlace>& places,
-                                                                      const std::vector<bool>& holds) const {
-  std::vector<std::string> needed;
-  if (std::ranges::find(holds, false) == holds.end()) return needed;
-  std::vector<std::vector<bool>> broken(open_.size());
-  for (std::size_t i = 0; i < open_.size(); ++i) {
-    for (const FarPlace& place : places) broken[i].push_back(is_broken(open_[i].e, place));
+  Chosen chosen = that_tell(all);
+  for (int round = 0; round < rounds && chosen; ++round) {
+    if (!is_refuted(all, *chosen, other_tries > 0, random)) break;
+    chosen = that_tell(all);
   }
-  const auto chosen = qdot::separating(broken, holds);
   if (!chosen) return std::nullopt;
+  std::vector<std::string> needed;
   for (const std::size_t i : *chosen) needed.push_back(inequality(values_, open_[i].e));
   return needed;
 }

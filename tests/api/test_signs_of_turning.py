@@ -165,6 +165,15 @@ class SignsOfTurning(Service):
             form = self.ask("turning_points", {"system": lagrangian("beside", parameters, start, text)})["exact"][name]
             self.assertEqual([assumed for assumed in form["assumes"] if "(0)" not in assumed and not assumed.startswith("ellipk")], needed, (text, form))
 
+    def test_no_end_is_given_where_a_hump_may_bar_the_way(self):
+        text, parameters = "m*x_dot^2/2 - a*x^2/2 + b*x^4/4 - q*x^6/6", "m - 1; a - 1; b - 1; q - 0.1; c - 0.4"
+        system = lagrangian("hump", parameters, "x - c", text)
+        self.assertNotIn("x_min", self.ask("turning_points", {"system": system})["exact"])
+        barred = {"a": 0.419997, "b": 0.435243, "q": 0.079203, "c": 2.276637}
+        answer = self.ask("turning_points", {"system": system, "parameters": barred})
+        self.assertAlmostEqual(answer["x_max"], barred["c"])
+        self.assertAlmostEqual(answer["x_min"], 1.7446410654699616)
+
     def test_nothing_is_assumed_that_is_an_equality_at_rest(self):
         for text, parameters, start in (("m*x_dot^2/2 - D*(1 - exp(-a*(x - b)))^2", "m - 1; D - 1; a - 1.2; b - 0.4; c - 0.7", "x - c"),
                                         ("m*l^2*x_dot^2/6 - m*g*l*sin(x)/2", "m - 1; g - 9.81; l - 0.7; c - 1", "x - c")):
