@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/closed/separation.hpp"
+#include "core/closed/far_numbers.hpp"
 #include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/rational_function.hpp"
@@ -16,24 +16,6 @@ namespace qdot {
 namespace {
 
 constexpr int far_places = 32;
-
-/// Between `value`/reach and `value` times reach.
-double scaled_value(double value, double reach, const Domain& domain, std::minstd_rand& random) {
-  const double u = static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max());
-  const double x = value * power(reach, 2 * u - 1);
-  return domain.contains(x) ? x : value;
-}
-
-/// Of the sign that a value has, between a twelfth and twelve where its domain has that.
-double far_value(double value, const Domain& domain, std::minstd_rand& random) {
-  const double u = static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max());
-  const double size = power(12.0, 2 * u - 1), x = value < 0 ? -size : size;
-  if (value == 0 || domain.contains(x)) return value == 0 ? 0 : x;
-  const double lower = value > 0 ? std::max(domain.lower, 0.0) : domain.lower,
-               upper = value < 0 ? std::min(domain.upper, 0.0) : domain.upper;
-  if (std::isinf(upper)) return lower + size;
-  return std::isinf(lower) ? upper - size : lower + (upper - lower) * u;
-}
 
 std::string inequality(const ExactValues& values, const Expression& e) {
   Graph& graph = e.graph();
@@ -63,7 +45,10 @@ std::string inequality(const ExactValues& values, const Expression& e) {
 
 AssumedSigns::AssumedSigns(const ExactValues& values, const Relations& relations,
                            std::vector<Expression> given)
-    : values_(values), relations_(relations), given_(std::move(given)) {
+    : values_(values),
+      relations_(relations),
+      given_(std::move(given)),
+      angles_(angles_among(values.symbols())) {
   const auto take = [&](const Expression& symbol) {
     const double value = values.value(symbol).value;
     known_[symbol.id()] = value > 0 ? 1 : value < 0 ? -1 : 0;
@@ -78,9 +63,10 @@ void AssumedSigns::leave_out(const Expression& symbol, const std::optional<Expre
 }
 
 void AssumedSigns::ask(const Expression& e) {
-  const double value = values_.value(e).value;
-  if (value == 0 || !std::isfinite(value) || sign_of(e) != 0 || !is_of_parameters(e)) return;
-  if (const auto positive = positive_of(e, value > 0 ? 1 : -1)) take(*positive);
+  const Real value = values_.value(e);
+  const bool may_vanish = std::abs(value.value) <= value.error;  // h - V(c) at rest at c
+  if (may_vanish || !value.is_finite() || sign_of(e) != 0 || !is_of_parameters(e)) return;
+  if (const auto positive = positive_of(e, value.value > 0 ? 1 : -1)) take(*positive);
 }
 
 void AssumedSigns::let_signs_go() {
@@ -128,19 +114,13 @@ std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tr
       }
     }
   }
-  return signs_that_tell(all.places, all.holds);
-}
-
-std::optional<std::vector<std::string>> AssumedSigns::signs_that_tell(const std::vector<FarPlace>& places,
-                                                                      const std::vector<bool>& holds) const {
-  std::vector<std::string> needed;
-  if (std::ranges::find(holds, false) == holds.end()) return needed;
-  std::vector<std::vector<bool>> broken(open_.size());
-  for (std::size_t i = 0; i < open_.size(); ++i) {
-    for (const FarPlace& place : places) broken[i].push_back(is_broken(open_[i].e, place));
+  Chosen chosen = that_tell(all);
+  for (int round = 0; round < rounds && chosen; ++round) {
+    if (!is_refuted(all, *chosen, other_tries > 0, random)) break;
+    chosen = that_tell(all);
   }
-  const auto chosen = qdot::separating(broken, holds);
   if (!chosen) return std::nullopt;
+  std::vector<std::string> needed;
   for (const std::size_t i : *chosen) needed.push_back(inequality(values_, open_[i].e));
   return needed;
 }
@@ -246,14 +226,16 @@ FarPlace AssumedSigns::place_near(FarPlace place, double reach, std::minstd_rand
   return place;
 }
 
-/// Where signs are let go: of any size, of that of the value, and near it.
+/// Where signs are let go: of any size, of that of the value, and near it. Angles go beyond a turn, too.
 double AssumedSigns::far_number(const Expression& symbol, const Domain& domain, int number,
                                 std::minstd_rand& random) const {
   const double value = values_.value(symbol).value;
   const int kind = also_ ? number % 3 : 0;
-  const double x = kind == 0   ? far_value(value, domain, random)
-                   : kind == 1 ? scaled_value(value, 12, domain, random)
-                               : scaled_value(value, 1.6, domain, random);
+  const bool is_angle = std::ranges::find(angles_, symbol) != angles_.end();
+  const double x = is_angle && kind < 2 && random() % 2 == 0 ? far_angle(value, domain, random)
+                   : kind == 0                               ? far_value(value, domain, random)
+                   : kind == 1                               ? scaled_value(value, 12, domain, random)
+                                                             : scaled_value(value, 1.6, domain, random);
   const bool turns = also_ && random() % 3 == 0 && domain.contains(-x);  // the same places for all formulas
   return turns && std::ranges::find(let_go_, symbol) != let_go_.end() ? -x : x;
 }

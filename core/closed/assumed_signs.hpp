@@ -66,8 +66,12 @@ class AssumedSigns {
   [[nodiscard]] FarPlace far_place(int number, std::minstd_rand& random) const;
   [[nodiscard]] FarPlace place_near(FarPlace place, double reach, std::minstd_rand& random) const;
   void relate(FarPlace& place) const;
-  [[nodiscard]] std::optional<std::vector<std::string>> signs_that_tell(const std::vector<FarPlace>& places,
-                                                                        const std::vector<bool>& holds) const;
+  using Chosen = std::optional<std::vector<std::size_t>>;  ///< numbers of what is open
+  [[nodiscard]] Chosen that_tell(const Tries& all) const;
+  bool is_refuted(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
+                  std::minstd_rand& random);
+  std::optional<bool> claimed_at(const FarPlace& made_of, Tries& all, const std::vector<std::size_t>& chosen,
+                                 bool by_others) const;
   [[nodiscard]] static bool is_broken(const Expression& positive, const FarPlace& place);
   [[nodiscard]] double far_number(const Expression& symbol, const Domain& domain, int number,
                                   std::minstd_rand& random) const;
@@ -79,7 +83,7 @@ class AssumedSigns {
 
   const ExactValues& values_;
   const Relations& relations_;
-  std::vector<Expression> given_;
+  std::vector<Expression> given_, angles_;
   bool given_has_signs_{true};
   std::vector<Expression> let_go_;
   OtherPlace also_;

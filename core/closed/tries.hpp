@@ -42,6 +42,9 @@ class Tries {
     return true;
   }
 
+  /// Whether it tells by how much claims hold.
+  [[nodiscard]] bool has_rooms() const { return !scarce_.empty(); }
+
   /// So many with the least room, by each measure.
   [[nodiscard]] std::vector<FarPlace> scarce(std::size_t most) {
     std::vector<FarPlace> found;

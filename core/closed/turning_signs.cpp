@@ -234,6 +234,7 @@ class End {
   End(const TurningEquation& equation, const Expression& x, int side, const Relations& relations)
       : equation_(equation),
         relations_(relations),
+        side_(side),
         by_start_(!equation.assumed.empty()),
         problem_{equation.x, equation.inertia, equation.potential, equation.energy_symbol},
         place_(short_form(equation.values, x)),
@@ -285,10 +286,16 @@ class End {
     const bool is_tried = !x0 || tried_++ < tries_anywhere;  // what it says is the same everywhere
     if (is_tried && !trial_.holds_at(far)) return Claim{};
     if (!x0) return Claim{.holds = true};
+    if (is_other_side(*x0, end.value)) return Claim{};
     if (!speed_) speed_.emplace(problem_, far);
     const SquaredSpeed e = speed_->at(far);
     const Rooms rooms = rooms_between(e, *x0, end.value);
     return Claim{may_come(e, *x0, end.value), {rooms.on_the_way, rooms.in_the_middle}};
+  }
+
+  [[nodiscard]] bool is_other_side(double x0, double end) const {
+    const double rounding = 1e-9 * (std::abs(x0) + std::abs(end));
+    return side_ * (end - x0) < -rounding;
   }
 
   [[nodiscard]] const Domain& domain() const {
@@ -297,6 +304,7 @@ class End {
 
   const TurningEquation& equation_;
   const Relations& relations_;
+  int side_;
   bool by_start_;
   QuadratureProblem problem_;
   Expression place_;

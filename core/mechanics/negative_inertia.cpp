@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
+#include "core/expr/polynomial.hpp"
 #include "core/mechanics/equations_of_motion.hpp"
 #include "core/numerics/interval.hpp"
 
@@ -27,9 +29,13 @@ class Ranges {
     return known_.at(root);
   }
 
+  /// Whether it is a symbol that is never zero, nor below.
+  [[nodiscard]] bool is_above_zero(NodeId symbol) const { return above_zero_.contains(symbol); }
+
  private:
   void add(const Expression& symbol, const Domain& domain) {
     known_.emplace(symbol.id(), Interval(domain.lower, domain.upper));
+    if (domain.lower > 0 || (domain.lower == 0 && domain.lower_open)) above_zero_.insert(symbol.id());
   }
 
   [[nodiscard]] Interval of_node(const Node& node) const {
@@ -54,6 +60,7 @@ class Ranges {
   }
 
   std::map<NodeId, Interval> known_;
+  std::set<NodeId> above_zero_;
 };
 
 bool is_negative(Ranges& ranges, const Expression& e) { return !e.is_zero() && ranges.of(e).upper <= 0; }
@@ -69,12 +76,25 @@ bool has_negative_moment(Ranges& ranges, const ParsedBody& body) {
   return std::ranges::any_of(body.spins, [&](const ParsedSpin& s) { return is_negative(ranges, s.inertia); });
 }
 
+/// Below zero even where it comes as near to zero as parameters allow: -I1 for I1 > 0.
+bool is_never_zero(Ranges& ranges, const Expression& negative) {
+  const Polynomial terms = multiplied_out(negative);
+  const auto is_below = [&](const auto& term) {
+    return ranges.of(to_expression(negative.graph(), term.first)).lower >= 0 && term.second.is_negative();
+  };
+  const auto is_strict = [&](const auto& term) {
+    return std::ranges::all_of(term.first, [&](const Atom& atom) { return ranges.is_above_zero(atom.base); });
+  };
+  return std::ranges::all_of(terms, is_below) && std::ranges::any_of(terms, is_strict);
+}
+
 /// Whether one is larger than the sum of the other two, whatever the parameters are (moments.hpp).
 bool has_impossible_moments(Ranges& ranges, const ParsedBody& body) {
   if (body.turns.empty() || body.spins.size() != 3) return false;
   const Expression sum = body.spins[0].inertia + body.spins[1].inertia + body.spins[2].inertia;
   return std::ranges::any_of(body.spins, [&](const ParsedSpin& spin) {
-    return ranges.of(sum - Number(2) * spin.inertia).upper < 0;
+    const Expression e = sum - Number(2) * spin.inertia;
+    return ranges.of(e).upper < 0 || is_never_zero(ranges, e);
   });
 }
 

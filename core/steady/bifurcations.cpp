@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/dynamics/missing_values.hpp"
+#include "core/mechanics/moments.hpp"
 #include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/critical_sentences.hpp"
@@ -261,6 +262,7 @@ class CriticalSearch {
         continue;
       }
       CriticalValue critical = value_at(zero);
+      if (is_of_no_body(critical)) continue;
       if (lacks_values(dynamics_.model(), parameters_at(critical.value), critical.y, critical.errors))
         continue;
       // Where charts overlap, both may tell of it.
@@ -268,6 +270,17 @@ class CriticalSearch {
       if (all_.charts().size() == 1 || std::ranges::none_of(result_.critical, is_same))
         result_.critical.push_back(std::move(critical));
     }
+  }
+
+  bool is_of_no_body(const CriticalValue& critical) {
+    Reals there = problem_.parameters;
+    there.set(index_, {critical.value, 0, critical.error});
+    const auto impossible = impossible_moment(dynamics_.model().parsed, there);
+    if (!impossible) return false;
+    say("At " + dynamics_.model().scene.parameters[index_].name + " = " + short_number(critical.value) + " " +
+        *impossible + ", which it is of no body: what happens there is left out.");
+    known_elsewhere_.push_back(critical.value);
+    return true;
   }
 
   [[nodiscard]] bool is_at_pole(const CriticalZero& zero) const {

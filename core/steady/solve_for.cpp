@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mechanics/moments.hpp"
 #include "core/steady/balance_stability.hpp"
 #include "core/steady/balance_values.hpp"
 #include "core/steady/search_region.hpp"
@@ -36,16 +37,34 @@ SolvedValue solved(const BalanceProblem& problem, const Interval& u) {
   return result;
 }
 
+/// What is so of no body with this value.
+std::optional<std::string> impossible_with(const BalanceProblem& problem, const Interval& u) {
+  if (!problem.solves_for_parameter()) return std::nullopt;
+  Reals parameters = problem.parameters;
+  parameters.set(problem.polynomial->place, {u.middle(), 0, u.width()});
+  return impossible_moment(problem.dynamics.model().parsed, parameters);
+}
+
 std::vector<SolvedValue> allowed_values(const BalanceProblem& problem, const std::vector<Interval>& found) {
   std::vector<SolvedValue> values;
   for (const Interval& u : found) {
-    if (is_allowed(problem.domain, u) && u.is_finite()) values.push_back(solved(problem, u));
+    if (is_allowed(problem.domain, u) && u.is_finite() && !impossible_with(problem, u))
+      values.push_back(solved(problem, u));
   }
   std::sort(values.begin(), values.end(), [](const SolvedValue& a, const SolvedValue& b) {
     if ((a.value >= 0) != (b.value >= 0)) return a.value >= 0;
     return std::abs(a.value) < std::abs(b.value);
   });
   return values;
+}
+
+void tell_why_none_is_allowed(const BalanceProblem& problem, Candidates& found) {
+  const auto inside = std::ranges::find_if(
+      found.values, [&](const Interval& u) { return u.is_finite() && is_allowed(problem.domain, u); });
+  const bool is_inside = inside != found.values.end();
+  found.number = (is_inside ? *inside : found.values[0]).middle();
+  found.obstacle = is_inside ? Obstacle::impossible_body : Obstacle::outside_domain;
+  if (is_inside) found.name = impossible_with(problem, *inside).value_or("");
 }
 
 /// Velocities of ignorable coordinates stay as they are, also where the start gives them by the unknown.
@@ -95,10 +114,7 @@ Solution solve_for(const Dynamics& dynamics, const Reals& parameters, const Real
   Solution result;
   result.polynomial = problem.polynomial;
   result.values = allowed_values(problem, found.values);
-  if (result.values.empty() && !found.values.empty()) {
-    found.obstacle = Obstacle::outside_domain;
-    found.number = found.values[0].middle();
-  }
+  if (result.values.empty() && !found.values.empty()) tell_why_none_is_allowed(problem, found);
   result.reason = sentence(found, unknown, position_in_words(problem));
   if (!result.reason.empty()) result.reason += held_rates(problem);
   if (problem.kinks->at_rest.kinks() > 0) return result;  // ranges would end at kinks, too

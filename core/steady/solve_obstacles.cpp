@@ -40,6 +40,9 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
       return "No single value of " + u + " balances all forces at " + at + ".";
     case Obstacle::outside_domain:
       return u + " would have to be " + short_number(found.number, 6) + ", which is outside its domain.";
+    case Obstacle::impossible_body:
+      return u + " would have to be " + short_number(found.number, 6) + ", with which " + found.name +
+             ": that is no body.";
   }
   return "";
 }

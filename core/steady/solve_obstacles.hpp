@@ -22,14 +22,15 @@ enum class Obstacle {
   not_decided,      ///< a force is too small to tell where it vanishes
   at_kink,          ///< the forces have no single value at the position, or their kinks move with u
   no_common_value,  ///< no value makes all the forces vanish
-  outside_domain
+  outside_domain,
+  impossible_body  ///< its principal moments would be those of none
 };
 
 /// Values that make the forces vanish; none with the obstacle and what its sentence names.
 struct Candidates {
   Obstacle obstacle{Obstacle::none};
   std::vector<Interval> values;
-  std::string name;  ///< of coordinates out of balance, or of a constraint
+  std::string name;  ///< of coordinates out of balance, or of a constraint; or what is impossible
   double number{};
 };
 

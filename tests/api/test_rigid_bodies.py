@@ -56,6 +56,43 @@ class Moments(Service):
         scene["bodies"][0]["principal_moments"] = ["0.1", "0.1", "0.2"]
         self.ask("equations", {"system": scene})
 
+    def test_those_that_no_parameters_make_possible_are_refused_in_the_scene(self):
+        scene = scenes.free_body({"sequence": "ZXZ", "angles": ["a", "b", "c"]})
+        for parameter in scene["parameters"]:
+            parameter["domain"] = "> 0"
+        for third, is_refused in (("3*I1", True), ("2*I1", False), ("I1", False)):
+            scene["bodies"][0]["principal_moments"] = ["I1", "I1", third]
+            self.check_scene(scene, is_refused)
+        for third, is_refused in (("I1 + I2 + I3", True), ("5*I1 + 2*I2", True), ("I1 + I2", False), ("2*I1 + I3", False)):
+            scene["bodies"][0]["principal_moments"] = ["I1", "I2", third]
+            self.check_scene(scene, is_refused)
+        scene["parameters"][3]["domain"] = ">= 0"  # a plate, where it is 0
+        scene["bodies"][0]["principal_moments"] = ["I1", "I2", "I1 + I2 + I3"]
+        self.check_scene(scene, False)
+
+    def check_scene(self, scene, is_refused):
+        if is_refused:
+            self.assertEqual(self.refusal("equations", system=scene), ("#/system/bodies/0", "No principal moment is larger than the sum of the other two."))
+        else:
+            self.ask("equations", {"system": scene})
+
+    def test_a_parameter_is_not_given_a_value_that_is_that_of_no_body(self):
+        start = {"theta": 0.5, "psi_dot": 100, "phi_dot": 1}
+        answer = self.ask("equilibria", {"system": scenes.SYMMETRIC_TOP, "solve_for": "C", "at": {"theta": 0.5}, "initial": start})
+        self.assertEqual(answer["all"], [])
+        self.assertIn("the third principal moment of 'top' is larger than the sum of the other two", answer["reason"])
+        start["psi_dot"] = 400  # a quarter of it, for the same momentum
+        self.assertEqual(len(self.ask("equilibria", {"system": scenes.SYMMETRIC_TOP, "solve_for": "C", "at": {"theta": 0.5}, "initial": start})["all"]), 1)
+
+    def test_a_critical_value_of_no_body_is_left_out_and_told(self):
+        request = {"system": scenes.SLEEPING_TOP, "parameter": "C", "from": 0.0005, "to": 0.02}
+        start = {"a": 0, "b": 0, "psi": 0, "a_dot": 0, "b_dot": 0}
+        answer = self.ask("bifurcations", request | {"initial": start | {"psi_dot": 25}})
+        self.assertEqual(answer["critical"], [])
+        self.assertIn("the third principal moment of 'top' is larger than the sum of the other two", answer["reason"])
+        answer = self.ask("bifurcations", request | {"initial": start | {"psi_dot": 60}})
+        self.assertEqual(len(answer["critical"]), 2)  # upright and hanging
+
 
 class Energies(Service):
     def kinetic(self, scene, state):

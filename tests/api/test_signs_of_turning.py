@@ -50,6 +50,8 @@ BESIDE = [
     # A hump rises at 0 just before the force at the start turns: one place in a hundred.
     ("m*l^2*x_dot^2/2 + m*g*l*cos(x) - k*x^2/2", "m - 1; g - 9.81; l - 0.7; k - 2", "x - 0.4", "x_min", ["2*k + 25*m*g*l > 25*m*g*l*cos(2/5)"]),
     ("m*x_dot^2/2 - a*(1 - cos(x)) - b*(1 - cos(2*x))", "m - 1; a - 1; b - 1", "x - 0.3", "x_min", ["a + b > a*cos(0.3) + b*cos(3/5)"]),
+    # The sign of an angle does not tell that of its sine.
+    ("3*m/4*x_dot^2 - m*g*x*sin(al)", "e - 1; m - 1; g - 9.81; al - 0.3; u - 1", "x - 0 u", "x_max", ["g > 0", "al > 0", "u > 0", "sin(al) > 0"]),
     # Beyond the top nothing comes back.
     ("m*x_dot^2/2 - (a - b)*x^2/2 - (c - d)*x^4/4", "m - 1; a - 3; b - 1; c - 1; d - 3", "x - 0.3 0.1", "x_min",
      ["a > 0", "b > 0", "c > 0", "d > 0", "h > 0", "100*a + 9*c > 100*b + 9*d"]),
@@ -162,6 +164,22 @@ class SignsOfTurning(Service):
         for text, parameters, start, name, needed in BESIDE:
             form = self.ask("turning_points", {"system": lagrangian("beside", parameters, start, text)})["exact"][name]
             self.assertEqual([assumed for assumed in form["assumes"] if "(0)" not in assumed and not assumed.startswith("ellipk")], needed, (text, form))
+
+    def test_no_end_is_given_where_a_hump_may_bar_the_way(self):
+        text, parameters = "m*x_dot^2/2 - a*x^2/2 + b*x^4/4 - q*x^6/6", "m - 1; a - 1; b - 1; q - 0.1; c - 0.4"
+        system = lagrangian("hump", parameters, "x - c", text)
+        self.assertNotIn("x_min", self.ask("turning_points", {"system": system})["exact"])
+        barred = {"a": 0.419997, "b": 0.435243, "q": 0.079203, "c": 2.276637}
+        answer = self.ask("turning_points", {"system": system, "parameters": barred})
+        self.assertAlmostEqual(answer["x_max"], barred["c"])
+        self.assertAlmostEqual(answer["x_min"], 1.7446410654699616)
+
+    def test_nothing_is_assumed_that_is_an_equality_at_rest(self):
+        for text, parameters, start in (("m*x_dot^2/2 - D*(1 - exp(-a*(x - b)))^2", "m - 1; D - 1; a - 1.2; b - 0.4; c - 0.7", "x - c"),
+                                        ("m*l^2*x_dot^2/6 - m*g*l*sin(x)/2", "m - 1; g - 9.81; l - 0.7; c - 1", "x - c")):
+            for name, form in self.ask("turning_points", {"system": lagrangian("at_rest", parameters, start, text)})["exact"].items():
+                barred = [assumed for assumed in form["assumes"] if "exp(a*b - a*c)" in assumed or assumed.startswith("2*h >")]
+                self.assertEqual(barred, [], (text, name))
 
     def test_an_end_lies_in_the_domain_of_its_coordinate(self):
         system = lagrangian("inside", "m - 1; k - 3; F - 2; G - 1", "x - 0.4", "m*x_dot^2/2 - k*x^2/2 + F*x - G*x")
