@@ -33,7 +33,7 @@ class Hostile(unittest.TestCase):
     @classmethod
     def ask_until_there_is_room(cls, data, statuses):
         """Sixteen at a time may be too many, which is no answer to the question yet."""
-        for _ in range(50):
+        for _ in range(300):
             reply = cls.ask(data)
             if reply.status != 503 or 503 in statuses:
                 break
