@@ -120,6 +120,14 @@ bool InstantImpacts::still_comes(const Instant& now, std::size_t impact, const s
   return now.sides.goes_through(watch, now.t, now.y, y);
 }
 
+/// Of a rule with restitution.
+InstantImpacts::Approach InstantImpacts::approach(const Rule& rule, double t, const std::vector<double>& y) {
+  rule.enclosed_approach->set_time(rounded(t));
+  Ball values[2];
+  (*rule.enclosed_approach)(rounded(y), values);
+  return {values[0], values[1]};
+}
+
 /// Where its distance is 0 there and falls, neither in doubt for its rounding: by how many seconds it may be
 /// apart.
 std::optional<double> InstantImpacts::follows(std::size_t impact, const Instant& now,
@@ -128,10 +136,7 @@ std::optional<double> InstantImpacts::follows(std::size_t impact, const Instant&
   const Watch& watch = now.watches[impact];
   if (!rule.approach || watch.direction == Crossing::either) return std::nullopt;
   if (now.sides.is_behind_start(watch, now.t)) return std::nullopt;
-  rule.enclosed_approach->set_time(rounded(now.t));
-  Ball values[2];
-  (*rule.enclosed_approach)(rounded(y), values);
-  const auto& [distance, rate] = values;
+  const auto [distance, rate] = approach(rule, now.t, y);
   if (!distance.is_finite() || !rate.is_finite() || rate.contains_zero()) return std::nullopt;
   if ((rate.value() > 0) != (watch.direction == Crossing::rising)) return std::nullopt;
   const double speed = std::abs(rate.value()), off = std::abs(distance.value());
@@ -144,10 +149,7 @@ std::optional<double> InstantImpacts::hidden_rate(std::size_t impact, double t,
                                                   const std::vector<double>& y) const {
   const Rule& rule = rules_[impact];
   if (!rule.approach) return std::nullopt;
-  rule.enclosed_approach->set_time(rounded(t));
-  Ball values[2];
-  (*rule.enclosed_approach)(rounded(y), values);
-  const auto& [distance, rate] = values;
+  const auto [distance, rate] = approach(rule, t, y);
   const bool is_hidden =
       distance.is_finite() && rate.is_finite() && distance.contains_zero() && rate.contains_zero();
   return is_hidden ? std::optional(rate.magnitude()) : std::nullopt;

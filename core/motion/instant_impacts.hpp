@@ -72,6 +72,10 @@ class InstantImpacts {
   [[nodiscard]] Passed in_order(const Instant& now, std::span<const std::size_t> met) const;
   [[nodiscard]] bool still_comes(const Instant& now, std::size_t impact, const std::vector<double>& y) const;
   void compare_orders(const Instant& now, std::vector<std::size_t> met, Passed& passed) const;
+  struct Approach {
+    Ball distance, rate;
+  };
+  [[nodiscard]] static Approach approach(const Rule& rule, double t, const std::vector<double>& y);
   [[nodiscard]] std::optional<double> follows(std::size_t impact, const Instant& now,
                                               const std::vector<double>& y) const;
   void apply(std::size_t impact, double t, Passed& passed) const;

@@ -93,7 +93,9 @@ class PolesOfEvents(Service):
         for options in ({}, {"precision": "extended"}, {"precision": "extended", "max_error": 1e-20}):
             with self.subTest(**options):
                 answer = self.ask("simulate", {"system": scene, "t_end": 2.5, "samples": 2, **options})
-                if answer["status"] != "stopped":
+                if answer["status"] == "stopped":
+                    self.assertAlmostEqual(answer["stop"]["t"], 2 * math.asin(1 / 1.8), delta=1e-5)
+                else:
                     self.assertFalse(answer["accuracy"]["bounded"])
                     self.assertIn("bound", answer["accuracy"]["reason"])
                     self.assertFalse(answer["accuracy"].get("meets_request", False))
