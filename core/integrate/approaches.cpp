@@ -11,6 +11,7 @@ constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
 constexpr double first_part = 0x1p-40;  ///< of a way along which something is looked for
+constexpr double much_larger = 16;      ///< than g has been: bounds that are tell nothing
 constexpr double part_beside = 0.125;   ///< of a piece: what is a minimum over that counts
 
 double sum_at(double s, std::span<const double> c) {
@@ -118,6 +119,11 @@ bool ApproachSearch::is_near(std::size_t event, double lower, double upper) {
   return is_near;
 }
 
+bool ApproachSearch::may_come_near(std::size_t event, double lower, double upper) const {
+  const double near = near_zero * of_events_[event].reach;
+  return !(lower > near) && !(upper < -near);
+}
+
 /// In a step in which g comes into its domain nothing is known of it as a whole.
 void ApproachSearch::widen_reach(const Along& g) {
   double& reach = of_events_[g.event].reach;
@@ -205,28 +211,28 @@ void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step) {
 /// `s`: in the unit of the piece; `value`: of |g|, below zero by rounding at most.
 void ApproachSearch::note(const Along& g, StepPolynomial& step, double s, double value,
                           std::optional<double> met) {
-  const double reach = of_events_[g.event].reach;
-  if (!(std::abs(value) <= near_zero * reach) || value < -unseen * g.off) return;
+  if (value < -unseen * g.off) return;
   const double t = step.whole().t + g.from + s * g.length;
   Approach approach{.event = g.event, .t = t, .met = met, .sign = g.sign, .distance = std::abs(value)};
-  if (!g.is_told && !request_.events[g.event].terminal) {
+  if (!g.is_told) {
     set_rows(approach, step);
-    if (!takes_own_sign(approach, part_beside * g.length, s == 1)) return;
+    if (!takes_own_value(approach, part_beside * g.length, s == 1)) return;
   }
-  add(std::move(approach), step);
+  if (approach.distance <= near_zero * of_events_[g.event].reach) add(std::move(approach), step);
 }
 
-/// Where coefficients do not tell, as beside a pole or the end of a root's domain, values do: false where g
-/// has none, or is nearer to zero beside that place.
-bool ApproachSearch::takes_own_sign(Approach& approach, double beside, bool is_end) const {
-  const auto value_at = [&](double s) {
-    return request_.events[approach.event].value(approach.t + s, approach.state_at(s));
-  };
-  const double value = value_at(0), before = value_at(-beside), after = is_end ? value : value_at(beside);
-  if (!std::isfinite(value)) return false;
+/// Where coefficients do not tell, as beside a pole, the end of a root's domain or a step of tanh, values do.
+/// False where an event that is reported only has none, or is nearer to zero beside that place.
+bool ApproachSearch::takes_own_value(Approach& approach, double beside, bool is_end) const {
+  const EventFunction& event = request_.events[approach.event];
+  const auto value_at = [&](double s) { return event.value(approach.t + s, approach.state_at(s)); };
+  const double value = value_at(0);
+  if (!std::isfinite(value)) return event.terminal;
+  approach.distance = std::abs(value);
+  if (event.terminal) return true;
+  const double before = value_at(-beside), after = is_end ? value : value_at(beside);
   const auto is_nearer = [&](double other) { return other * value > 0 && std::abs(other) < std::abs(value); };
   if (is_nearer(before) || is_nearer(after)) return false;
-  approach.distance = std::abs(value);
   if (value != 0) approach.sign = value > 0 ? 1 : -1;
   return true;
 }

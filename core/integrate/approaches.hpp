@@ -34,6 +34,9 @@ class ApproachSearch {
   /// in it, or becomes larger than before. Nothing is, where nobody asks.
   [[nodiscard]] bool is_near(std::size_t event, double lower, double upper);
 
+  /// Whether an event's function may come near to zero where it lies between these, as far as they tell.
+  [[nodiscard]] bool may_come_near(std::size_t event, double lower, double upper) const;
+
   /// g along a piece of a step, in the unit of the piece.
   struct Along {
     std::size_t event{};
@@ -78,7 +81,7 @@ class ApproachSearch {
   void pass_slowly(const Along& g, StepPolynomial& step);
   void add(Approach approach, StepPolynomial& step);
   static void set_rows(Approach& approach, StepPolynomial& step);
-  [[nodiscard]] bool takes_own_sign(Approach& approach, double beside, bool is_end) const;
+  [[nodiscard]] bool takes_own_value(Approach& approach, double beside, bool is_end) const;
   void note(const Along& g, StepPolynomial& step, double s, double value, std::optional<double> met);
 
   const RunRequest& request_;

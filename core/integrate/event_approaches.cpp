@@ -10,6 +10,9 @@ namespace {
 
 constexpr double well_known = 1e-9;  ///< of g: what it is off there does not move the places where it turns
 constexpr double shortest_piece = 0x1p-6;   ///< of what is looked at in pieces
+constexpr double shortest_sharp = 0x1p-36;  ///< the same where g is a step
+constexpr double much_of_change = 0.05;
+constexpr std::size_t most_looks_nearby = 256;
 constexpr double shortest_slope = 0x1p-20;  ///< of a piece
 constexpr double hidden_share = 0.25;       ///< of a piece, in which slopes have no sign
 
@@ -33,25 +36,41 @@ void EventSearch::look_for_approaches(const Stepper& stepper, const Found& found
   }
 }
 
-/// In pieces that its coefficients tell of.
 void EventSearch::look_along(std::size_t event, double until, bool is_last, bool is_met) {
   const int sign = sign_before(event, is_met);
-  const bool is_terminal = request_.events[event].terminal;
-  if (is_terminal && sign == 0) return;
-  for (double from = 0, left = until;; left = until - from) {
-    const auto [series, length] = told_series(event, from, left, until * shortest_piece);
-    const bool is_end = !(length < left);
-    const bool nearly_ends = is_last && is_end && !is_met;
-    const ApproachSearch::Along g = along(event, from, length, sign, series);
-    if (series.is_nowhere)
-      approaches_.leave(event);
-    else if (is_terminal)
-      approaches_.look(g, polynomial_, nearly_ends);
-    else
-      approaches_.look_at_both_sides(g, polynomial_, nearly_ends);
-    if (is_end) return;
-    from += length;
+  if (request_.events[event].terminal && sign == 0) return;
+  looks_ = 0;
+  look_in_pieces({event, sign, until, is_last && !is_met}, 0, until);
+}
+
+/// In halves until coefficients tell where g turns.
+void EventSearch::look_in_pieces(const Way& way, double from, double length) {
+  const UnitSeries series = finite_series(way.event, polynomial_.piece(from, length));
+  if (is_worth_halving(way, length, series)) {
+    look_in_pieces(way, from, length / 2);
+    return look_in_pieces(way, from + length / 2, length / 2);
   }
+  const bool nearly_ends = way.nearly_ends && from + length == way.until;
+  const ApproachSearch::Along g = along(way.event, from, length, way.sign, series);
+  if (series.is_nowhere)
+    approaches_.leave(way.event);
+  else if (request_.events[way.event].terminal)
+    approaches_.look(g, polynomial_, nearly_ends);
+  else
+    approaches_.look_at_both_sides(g, polynomial_, nearly_ends);
+}
+
+/// Where g may come near to zero and is not seen it may be a step such as tanh has, however short.
+bool EventSearch::is_worth_halving(const Way& way, double length, const UnitSeries& series) {
+  if (is_told(series) || !(length > way.until * shortest_sharp)) return false;
+  if (length > way.until * shortest_piece) return true;
+  double lower = series.c[0] - series.off, upper = series.c[0] + series.off;
+  for (std::size_t k = 1; k < series.end; ++k) {
+    lower += std::min(0.0, series.c[k]);
+    upper += std::max(0.0, series.c[k]);
+  }
+  const bool is_seen = series.off <= much_of_change * (upper - lower);
+  return !is_seen && approaches_.may_come_near(way.event, lower, upper) && ++looks_ <= most_looks_nearby;
 }
 
 /// g from there on, in the unit of a length that is halved until coefficients tell where g turns.

@@ -128,6 +128,14 @@ class EventSearch {
   std::optional<double> locate(Stepper& stepper, const Crossed& crossed, Found& found);
   void look_for_approaches(const Stepper& stepper, const Found& found);
   void look_along(std::size_t event, double until, bool is_last, bool is_met);
+  struct Way {  ///< along a step
+    std::size_t event{};
+    int sign{};
+    double until{};
+    bool nearly_ends{};  ///< the run, and not by this event
+  };
+  void look_in_pieces(const Way& way, double from, double length);
+  [[nodiscard]] bool is_worth_halving(const Way& way, double length, const UnitSeries& series);
   [[nodiscard]] std::pair<UnitSeries, double> told_series(std::size_t event, double from, double length,
                                                           double shortest);
   [[nodiscard]] static bool is_told(const UnitSeries& series);

@@ -50,6 +50,19 @@ class HiddenEvents(Service):
                     else:
                         self.assertLessEqual(abs(answer["stop"]["t"] - end), answer["stop"]["error"])
 
+    def test_a_sharp_step_that_is_just_reached_is_in_doubt(self):
+        """A throw from 0 that comes above the place by less than doubles tell, for a hundred millionth of a second."""
+        for rate, fall, function in (("1.15", "0.78", "exp(2.84e6*(x-0.8477564102564102442555169))-1"),
+                                     ("0.73", "0.52", "1/(1+exp(-1.33e9*(x-0.5124038461538461459764754)))-1/2"),
+                                     ("2.36", "1.02", "exp(4.66e9*(x-2.73019607843137245112053))-1"),
+                                     ("2.67", "1.72", "tanh(733*(x-2.072354651162790675823133))"),
+                                     ("0.7", "9.56", "tanh(6.39e5*(x-0.02562761506276150561601523))")):
+            with self.subTest(function):
+                system = scene(f"x_dot^2/2 - {fall}*x", "0", rate, events=[{"name": "e", "expression": function}])
+                answer = self.simulate(system, 3, events=["e"])
+                if len(answer["events"]) != 2:
+                    self.assertIn("'e' as its error", answer["accuracy"]["reason"])
+
     def test_the_depth_of_a_graze_is_sought_where_it_is(self):
         rate = mp.sqrt(mpf("3.62"))
         root = "-1.78116366224010109444143167869"  # 1.5e-12 above the least x + 0.57 x_dot

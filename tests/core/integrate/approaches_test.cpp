@@ -101,6 +101,7 @@ TEST(Approaches, AreToWhatDecidesWhetherAnEventCounts) {
 TEST(Approaches, AreTakenTogetherWhereTheyAreMany) {
   // 1.02 + cos(t/4000) / 100 is nearest to 1 half-way, after 2000 periods.
   EventFunction event = level_of(1.02);
+  event.value = [](double t, auto y) { return y[0] + 1.02 + 0.01 * std::cos(t / 4000); };
   event.series = [](const MotionPiece& piece, unsigned order, std::span<double> c) {
     for (unsigned k = 0; k <= order; ++k) c[k] = k <= piece.order ? piece.rows[k] : 0;
     c[0] += 1.02 + 0.01 * std::cos(piece.t / 4000);
