@@ -9,6 +9,10 @@
 
 namespace qdot {
 
+/// Of that impact, which has one.
+[[nodiscard]] double restitution_of(const ParsedImpact& impact, const ParsedScene& scene,
+                                    std::span<const double> parameters);
+
 /// Throws Error(invalid_parameters) where one is not between 0 and 1.
 void refuse_wrong_restitutions(const ParsedScene& scene, std::span<const double> parameters);
 

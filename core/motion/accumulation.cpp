@@ -146,11 +146,13 @@ std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch, std::span<const 
   return RestOfImpacts{0, flights.back().t - flights.front().t, false};
 }
 
-double duration_of_hidden(const Watch& watch, std::span<const SectionRecord> sections) {
+const SectionRecord& last_seen(const Watch& watch, std::span<const SectionRecord> sections) {
   std::size_t first = sections.size() - 1;
-  while (first > 0 && is_hidden_since(watch, sections[first - 1], sections[first].t, sections[first].before))
-    --first;
-  return sections.back().t - sections[first].t;
+  const auto is_unseen = [&](const SectionRecord& flight, const SectionRecord& since) {
+    return vanishes(flight) || is_hidden_since(watch, since, flight.t, flight.before);
+  };
+  while (first > 0 && is_unseen(sections[first], sections[first - 1])) --first;
+  return sections[first];
 }
 
 double lowest_flight(const Watch& watch, const SectionRecord& longest, std::span<const double> slopes,

@@ -39,8 +39,8 @@ struct RestOfImpacts {
 [[nodiscard]] std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch,
                                                           std::span<const SectionRecord> sections);
 
-/// How long the last flights that were all so took, one after the other.
-[[nodiscard]] double duration_of_hidden(const Watch& watch, std::span<const SectionRecord> sections);
+/// The impact before the last flights that were all so, or took no time; the last one where there are none.
+[[nodiscard]] const SectionRecord& last_seen(const Watch& watch, std::span<const SectionRecord> sections);
 
 /// The duration of a flight that is as high as the distance is rounded where the last section ended. Heights
 /// go with d^2: that of the longest is v d/4, with the speed that `slopes`, y' at its end, tell.

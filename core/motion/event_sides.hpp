@@ -53,12 +53,13 @@ class EventSides {
   [[nodiscard]] bool are_same_surface(const Watch& one, const Watch& other, double t,
                                       const std::vector<double>& y) const;
 
- private:
   /// How fast the function of a watch changes along a straight way, so long before and after.
   struct Rate {
     double value{}, tau{};
   };
   [[nodiscard]] Rate rate(const Watch& watch, double t, const std::vector<double>& y) const;
+
+ private:
   [[nodiscard]] std::vector<double> ahead(double t, const std::vector<double>& y, double time) const;
   [[nodiscard]] double rate_over(const Watch& watch, double t, const std::vector<double>& y,
                                  double tau) const;

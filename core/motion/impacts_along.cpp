@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/unseen_flights.hpp"
+
 namespace qdot {
 namespace {
 
@@ -11,17 +13,6 @@ constexpr double moment_of_flight = 1e-6;  ///< in which a speed is measured
 constexpr double of_twice = 0.1;           ///< where rounding is larger than a way, its double is another
 constexpr double no_speed = 1e-5;          ///< of that before an impact
 constexpr double longest_of_looks = 0.5;   ///< of the motion's span
-constexpr double next_of_looks = 4, roundings_of_look = 64;
-
-/// After that time with these accelerations.
-std::vector<double> moved(std::vector<double> y, std::span<const double> accelerations, double time) {
-  const std::size_t n = y.size() / 2;
-  for (std::size_t i = 0; i < n; ++i) {
-    y[i] += time * (y[n + i] + time / 2 * accelerations[i]);
-    y[n + i] += time * accelerations[i];
-  }
-  return y;
-}
 
 }  // namespace
 
@@ -45,41 +36,55 @@ InstantImpacts::Passed ImpactsAlong::pass(double t, const std::vector<double>& y
 std::optional<RestOfImpacts> ImpactsAlong::rest(std::span<const SectionRecord> sections,
                                                 const InstantImpacts::Passed& passed,
                                                 const EventSides& sides) {
-  if (sections[longest_].duration < sections.back().duration) longest_ = sections.size() - 1;
-  if (passed.is_over && is_pressed_on(passed.all.back().impact, sections.back(), sides))
-    return RestOfImpacts{0, sections_.resolution(), true};
-  const double lowest = lowest_flight(passed.all.front().impact, sections);
+  const SectionRecord& last = sections.back();
+  if (sections[longest_].duration < last.duration) longest_ = sections.size() - 1;
+  if (passed.is_over && is_pressed_on(passed.all.back().impact, last, sides))
+    return RestOfImpacts{0, unseen_time(passed.all.back().impact, sections, sides), true};
+  const std::size_t first = passed.all.front().impact;
+  const double lowest = lowest_flight(first, sections);
   auto rest = passed.is_over ? rest_of_impacts(sections, request_.t_end - request_.t_start, lowest)
                              : RestOfImpacts{0, doubt_of_lost(sections, lowest), false};
-  if (!rest) rest = rest_of_hidden(watches()[passed.all.front().impact], sections);
+  if (!rest) rest = rest_of_hidden(watches()[first], sections);
   if (!rest) return rest;
-  if (passed.is_over && rest->time == 0 && leaves_contact(passed.all.front().impact, sections))
-    rest = RestOfImpacts{0, 0, true};
-  rest->doubt += sections_.resolution() + duration_of_hidden(watches()[passed.all.front().impact], sections);
+  const bool is_at_end = passed.is_over && rest->time == 0;
+  const double unseen = is_at_end ? unseen_time(first, sections, sides) : sections_.resolution();
+  rest->in_contact = is_at_end && leaves_contact(first, sections);
+  rest->doubt = rest->in_contact ? unseen : rest->doubt + unseen;
   return rest;
 }
 
-/// Whether the impact has left its distance no rate but for rounding, and the forces lead behind the surface:
-/// soon they have led there by more than rounding, those of then as well as those of now.
+/// Since the impact that was seen last, and in flights that rounding hides after it.
+double ImpactsAlong::unseen_time(std::size_t impact, std::span<const SectionRecord> sections,
+                                 const EventSides& sides) const {
+  const SectionRecord &seen = last_seen(watches()[impact], sections), &last = sections.back();
+  return sections_.resolution() + last.t - seen.t + unseen_flights(impact, seen, last, sides);
+}
+
+/// How long the flights take that rounding hides, after the impact that was seen last; for ever where they do
+/// not shrink, as the last impact tells.
+double ImpactsAlong::unseen_flights(std::size_t impact, const SectionRecord& seen, const SectionRecord& last,
+                                    const EventSides& sides) const {
+  const Watch& watch = watches()[impact];
+  const UnseenFlights flights(sections_, sides, longest_of_looks * (request_.t_end - request_.t_start));
+  const std::optional<double> e = impacts_->restitution(impact);
+  if (!e) {
+    UnseenFlights::Left left = flights.by_map(watch, seen);
+    if (left.rate > 0 && &seen != &last) left.ratio = flights.by_map(watch, last).ratio;
+    return flights.duration(watch, seen, left);
+  }
+  if (*e == 0) return flights.duration(watch, seen, {});
+  const std::optional<double> hidden = impacts_->hidden_rate(impact, seen.t, seen.after);
+  const double rate = hidden ? *hidden : std::abs(sides.rate(watch, seen.t, seen.after).value);
+  return flights.duration(watch, seen, {rate, hidden && *e == 1 ? 0 : *e});
+}
+
+/// Whether the impact has left its distance no rate but for rounding, and the forces lead behind the surface.
 bool ImpactsAlong::is_pressed_on(std::size_t impact, const SectionRecord& last,
                                  const EventSides& sides) const {
   const Watch& watch = watches()[impact];
-  const std::optional<double> rate = impacts_->hidden_rate(impact, last.t, last.after);
-  if (!rate || watch.direction == Crossing::either || !sides.is_sharp(watch, last)) return false;
-  const double longest = longest_of_looks * (request_.t_end - request_.t_start);
-  const std::vector<double> now = sections_.slopes(last.t, last.after);
-  const std::size_t n = now.size() / 2;
-  for (double tau = sections_.resolution(); tau < longest; tau *= next_of_looks) {
-    const std::vector<double> y = moved(last.after, std::span(now).last(n), tau);
-    const double g = watch.value(last.t + tau, y);
-    const double hidden = roundings_of_look * watch.own_rounding(last.t + tau, y) + 2 * *rate * tau;
-    if (!(std::abs(g) > hidden)) continue;
-    const std::vector<double> then = sections_.slopes(last.t + tau, y);
-    const double by_then = watch.value(last.t + tau, moved(last.after, std::span(then).last(n), tau));
-    const double inside = watch.direction == Crossing::falling ? -1 : 1;
-    return inside * g > 0 && inside * by_then > 0;
-  }
-  return false;
+  if (watch.direction == Crossing::either || !impacts_->hidden_rate(impact, last.t, last.after)) return false;
+  const UnseenFlights flights(sections_, sides, longest_of_looks * (request_.t_end - request_.t_start));
+  return sides.is_sharp(watch, last) && flights.pressing(watch, last) > 0;
 }
 
 /// Whether the last impact after a flight took all speed from the distance, as far as rounding lets that be

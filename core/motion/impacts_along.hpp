@@ -43,6 +43,10 @@ class ImpactsAlong {
  private:
   [[nodiscard]] bool is_pressed_on(std::size_t impact, const SectionRecord& last,
                                    const EventSides& sides) const;
+  [[nodiscard]] double unseen_time(std::size_t impact, std::span<const SectionRecord> sections,
+                                   const EventSides& sides) const;
+  [[nodiscard]] double unseen_flights(std::size_t impact, const SectionRecord& seen,
+                                      const SectionRecord& last, const EventSides& sides) const;
   [[nodiscard]] bool leaves_contact(std::size_t impact, std::span<const SectionRecord> sections) const;
   [[nodiscard]] double lowest_flight(std::size_t impact, std::span<const SectionRecord> sections) const;
 

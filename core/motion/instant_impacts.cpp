@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/mechanics/restitution.hpp"
 
 namespace qdot {
 namespace {
@@ -54,6 +55,7 @@ InstantImpacts::InstantImpacts(const Dynamics& dynamics, std::span<const double>
     rule.after = dynamics.columns(rule.map.components);
     if (!impact.has_restitution()) continue;
     rule.event = impact.event;
+    rule.restitution = restitution_of(impact, dynamics.model().parsed, parameters);
     rule.enclosed_after = std::make_unique<TapeEvaluator<Ball>>(*rule.after, exact(parameters));
     rule.approach =
         dynamics.columns({{"distance", "", impact.contact->distance}, {"rate", "", impact.contact->rate}});

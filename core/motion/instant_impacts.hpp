@@ -50,6 +50,11 @@ class InstantImpacts {
   [[nodiscard]] std::optional<double> hidden_rate(std::size_t impact, double t,
                                                   const std::vector<double>& y) const;
 
+  /// Of what it takes from the distance; none where its map is no restitution.
+  [[nodiscard]] std::optional<double> restitution(std::size_t impact) const {
+    return rules_[impact].restitution;
+  }
+
   /// What the same impacts, one after the other, do to another state.
   [[nodiscard]] std::vector<double> repeat(double t, std::vector<double> y,
                                            std::span<const Happened> impacts) const;
@@ -60,6 +65,7 @@ class InstantImpacts {
     std::shared_ptr<const CompiledFunction> after;
     std::shared_ptr<const CompiledFunction> approach;  ///< distance and its rate; null without restitution
     std::unique_ptr<TapeEvaluator<Ball>> enclosed_approach, enclosed_after;
+    std::optional<double> restitution;
     std::string event;
   };
   /// The instant, and the motion that comes to it.

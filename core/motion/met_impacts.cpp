@@ -1,6 +1,7 @@
 #include "core/motion/met_impacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.hpp"
@@ -17,6 +18,14 @@ constexpr const char* accumulation =
 constexpr const char* contact =
     "After this impact the bodies stay in contact, pressed together. The scene says nothing of motions in contact, so "
     "this one ends here.";
+
+constexpr const char* hidden =
+    "The impacts follow each other here in flights that are lower than the distance is rounded. Whether they come to an "
+    "end is not known.";
+
+const char* in_words(const RestOfImpacts& rest) {
+  return std::isinf(rest.doubt) ? hidden : rest.in_contact ? contact : accumulation;
+}
 
 }  // namespace
 
@@ -112,7 +121,7 @@ bool MetImpacts::is_over(const InstantImpacts::Passed& passed) {
   if (!rest) return false;
   if (rest->in_contact) result.y = passed.after;
   result.t += rest->time;
-  result.stop = Stop{impacts_accumulate, result.t, rest->in_contact ? contact : accumulation, rest->doubt};
+  result.stop = Stop{impacts_accumulate, result.t, in_words(*rest), rest->doubt};
   return true;
 }
 

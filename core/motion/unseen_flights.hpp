@@ -1,0 +1,44 @@
+#pragma once
+// Flights after an impact that are lower than the distance g is rounded: how long they last.
+//
+// An impact leaves g a rate u away from the surface, and the forces press back with a = -g'': the flight
+// lasts 2u/a. The next impact leaves q u, and all flights together last
+//
+//   2u/(a (1 - q)),
+//
+// for ever where q = 1, or where nothing presses. After restitution 0 there is none.
+
+#include "core/dynamics/watch.hpp"
+#include "core/motion/event_sides.hpp"
+#include "core/motion/motion_sections.hpp"
+#include "core/motion/section_record.hpp"
+
+namespace qdot {
+
+class UnseenFlights {
+ public:
+  /// `longest`: in which a force is looked for. Keeps the references.
+  UnseenFlights(const MotionSections& sections, const EventSides& sides, double longest)
+      : sections_(sections), sides_(sides), longest_(longest) {}
+
+  /// The acceleration towards the surface of a falling or rising distance after that impact, the smaller one
+  /// by the forces of then and of soon; below zero where they lift, 0 where none is seen.
+  [[nodiscard]] double pressing(const Watch& watch, const SectionRecord& impact) const;
+
+  struct Left {
+    double rate{};   ///< u
+    double ratio{};  ///< q
+  };
+  /// What a map that is no restitution leaves; no rate where that is the rounding of velocities.
+  [[nodiscard]] Left by_map(const Watch& watch, const SectionRecord& impact) const;
+
+  /// Of all flights after that impact; infinite where they do not end.
+  [[nodiscard]] double duration(const Watch& watch, const SectionRecord& impact, const Left& left) const;
+
+ private:
+  const MotionSections& sections_;
+  const EventSides& sides_;
+  double longest_;
+};
+
+}  // namespace qdot
