@@ -133,6 +133,10 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     signs_[event] = sign_at_start_;
     definite_[event] = begin;
   }
+  if (takes_sign_at_start(event)) {
+    signs_[event] = request_.events[event].sign_after_start;
+    return crossed.push_back({event, begin, begin});
+  }
   if (is_coming_back(event, pieces)) {
     if (past_start(event) <= 0) return;
     starts_at_zero_ = true;
@@ -229,6 +233,14 @@ bool EventSearch::is_pole_between(std::size_t event, double from, double to) {
   const double before = begin + from, after = begin + to;
   const SignChange place{before, g(before), after, g(after)};
   return !is_bounded_around(event, place) && grows_towards(g, place, begin, begin + h);
+}
+
+/// g leaves zero at t_start in its direction, where that counts.
+bool EventSearch::takes_sign_at_start(std::size_t event) const {
+  const EventFunction& function = request_.events[event];
+  if (polynomial_.whole().t != request_.t_start || signs_[event] != 0 || !function.counts_at_start)
+    return false;
+  return function.sign_after_start == (function.direction == Crossing::rising ? 1 : -1);
 }
 
 /// g was zero at t_start, but its number past that, and has not been on the side before it since then.

@@ -91,6 +91,7 @@ class EventSearch {
   [[nodiscard]] bool is_beside_start(std::size_t event, double from);
   [[nodiscard]] bool keeps_sign(std::size_t event, double from, double to, int sign);
   [[nodiscard]] bool is_pole_between(std::size_t event, double from, double to);
+  [[nodiscard]] bool takes_sign_at_start(std::size_t event) const;
   [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
   [[nodiscard]] double past_start(std::size_t event) const;
   [[nodiscard]] std::size_t changes_of_sign(std::span<const Piece> pieces);

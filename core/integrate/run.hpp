@@ -98,6 +98,7 @@ struct EventFunction {
   std::function<double()> rounding_at_start{};
   bool ends_where_hidden{false};  ///< the run ends behind a time in which the sign of g is hidden, too
   bool must_have_value{false};    ///< where g has none for a while, the run ends before it
+  int sign_after_start{0};        ///< that g takes as it leaves zero at t_start, for however short a time
   bool is_zero_at_start{false};   ///< g is zero at t_start, however far from it the error of y leaves it
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/compile/tape_evaluator.hpp"
 #include "core/motion/typed_start.hpp"
 
 namespace qdot {
@@ -74,6 +75,20 @@ bool EventSides::begins_on(const Watch& watch) const {
   return changes_sign_around(watch, parameters, t, y, unseen_by_doubles);
 }
 
+/// That of the distance's rate, however small it was typed.
+int EventSides::sign_after_start(std::size_t watch) const {
+  const std::vector<ParsedImpact>& all = dynamics_.model().parsed.impacts;
+  const ParsedImpact& impact = all[watch - (sections_.watches().size() - all.size())];
+  if (!impact.has_restitution()) return 0;
+  const auto& [parameters, t, y] = typed_start(request_);
+  TapeEvaluator<Ball> evaluate(*dynamics_.columns({{"rate", "", impact.contact->rate}}),
+                               parameters.as<Ball>());
+  evaluate.set_time(Ball::literal(t));
+  Ball rate;
+  evaluate(y.as<Ball>(), {&rate, 1});
+  return sign_of(rate);
+}
+
 bool EventSides::is_behind_start(const Watch& watch, double t) const {
   if (t - request_.t_start > sections_.resolution() || watch.direction == Crossing::either) return false;
   return at_start(watch) == (watch.direction == Crossing::rising ? 1 : -1);
@@ -132,7 +147,10 @@ void EventSides::mark(double t, std::span<const double> y, const SectionRecord* 
   for (std::size_t i = 0; i < watches.size(); ++i) {
     if (sides_.empty()) {
       events[i].sign_at_start = at_start(watches[i]);
-      events[i].is_zero_at_start = events[i].is_zero_at_start || begins_on(watches[i]);
+      if (begins_on(watches[i])) {
+        events[i].is_zero_at_start = true;
+        events[i].sign_after_start = sign_after_start(i);
+      }
     } else if (sides_[i] != 0 && (sides_[i] * watches[i].value(t, y) > 0 || is_near_zero(watches[i], t, y))) {
       events[i].sign_at_start = sides_[i];
     }

@@ -69,6 +69,7 @@ class EventSides {
   [[nodiscard]] std::optional<Ball> rounded_at_start(const Watch& watch) const;
   [[nodiscard]] bool is_turned_by_restitution(std::size_t watch, const SectionRecord& impact) const;
   [[nodiscard]] bool begins_on(const Watch& watch) const;
+  [[nodiscard]] int sign_after_start(std::size_t watch) const;
   [[nodiscard]] bool leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const;
   void mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const;
   void look_sharply(const Watch& watch, double begin, EventFunction& event) const;

@@ -73,6 +73,18 @@ class ContactWithMovingWalls(Service):
     def test_what_begins_in_contact_stays_there(self):
         self.each("on it", 150, 2)
 
+    def test_what_begins_on_a_wall_and_moves_onto_it_hits_it_however_slowly(self):
+        for place, wall in (("x - 0.222 {}", "x - 0.222"), ("x - 0.521 {}", "x - 0.521"), ("x - 0.15136 {}; y - 0.172 0", "x - 0.88*y")):
+            for rate in ("-2e-18", "-3e-24", "-1e-9", "0", "2e-18"):
+                scene = lagrangian("body", "", place.format(rate), "x_dot^2/2" + (" + y_dot^2/2" if "y" in place else ""),
+                                   forces=[{"name": "f", "value": "1.2", "along": "x"}],
+                                   events=[{"name": "w", "expression": wall, "direction": "falling"}],
+                                   impacts=[{"event": "w", "restitution": "0.5"}])
+                del scene["parameters"]
+                with self.subTest(rate=rate, wall=wall):
+                    answer = self.ask("simulate", {"system": scene, "t_end": 1, "samples": 2, "events": ["w"]})
+                    self.assertEqual([event["t"] for event in answer["events"]], [0] if rate.startswith("-") else [])
+
     def test_a_wall_that_kicks_by_less_than_is_seen_is_no_place_of_rest(self):
         for kick in ("1e-8", "3e-9", "2e-11", "1e-13"):
             for wall, least in (("x", "0"), ("x - 0.2*t", "0.2")):
