@@ -27,6 +27,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   result.off = request_.events[event].series(piece, order, c);
   result.is_nowhere = std::isnan(result.off);
   if (result.is_nowhere) return result;
+  c[0] -= left_at_start_[event];
   double power = 1, size = 0;
   for (double& coefficient : c) {
     coefficient *= power;
@@ -37,10 +38,11 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   result.off += rounding + rounding_[event];
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
-  if (piece.t == request_.t_start && std::abs(c[0]) <= result.off + of_time) {
+  const bool is_zero = is_zero_at_start(event);
+  if (piece.t == request_.t_start && (is_zero || std::abs(c[0]) <= result.off + of_time)) {
     const double value = value_at_start(event, c[0]);
-    result.is_divided = !request_.events[event].is_beside_zero &&
-                        std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time;
+    result.is_divided = is_zero || (!request_.events[event].is_beside_zero &&
+                                    std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time);
     const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
     if (is_known) result.sign_at_start = sign_of_value(value);
   }

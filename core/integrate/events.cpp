@@ -47,10 +47,16 @@ EventSearch::EventSearch(const RunRequest& request)
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
       pieces_(request.events.size()),
+      left_at_start_(request.events.size()),
       rounding_(request.events.size()),
       rounding_is_wide_(request.events.size()),
       y_(request.y_start.size()) {
-  for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = request.events[i].sign_at_start;
+  for (std::size_t i = 0; i < signs_.size(); ++i) {
+    const EventFunction& event = request.events[i];
+    signs_[i] = event.sign_at_start;
+    const double left = is_zero_at_start(i) ? event.value(request.t_start, request.y_start) : 0;
+    left_at_start_[i] = std::isfinite(left) ? left : 0;
+  }
   signs_of_begin_ = signs_;
 }
 
@@ -64,6 +70,7 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   signs_of_begin_ = signs_;
   for (auto& pieces : pieces_) pieces.clear();
   for (std::size_t i = 0; i < signs_.size() && !found.failure; ++i) {
+    forget_start(i);
     if (!is_quiet(i)) open.push_back(i);
   }
   if (!(open.empty() && near_.empty()) && !polynomial_.is_exact()) {
@@ -136,10 +143,6 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   if (takes_sign_at_start(event)) {
     signs_[event] = request_.events[event].sign_after_start;
     return crossed.push_back({event, begin, begin});
-  }
-  if (is_coming_back(event, pieces)) {
-    if (past_start(event) <= 0) return;
-    starts_at_zero_ = true;
   }
   for (const Piece& piece : pieces) {
     if (piece.is_nowhere) signs_[event] = 0, starts_at_zero_ = false;
@@ -243,25 +246,6 @@ bool EventSearch::takes_sign_at_start(std::size_t event) const {
   return function.sign_after_start == (function.direction == Crossing::rising ? 1 : -1);
 }
 
-/// g was zero at t_start, but its number past that, and has not been on the side before it since then.
-bool EventSearch::is_coming_back(std::size_t event, std::span<const Piece> pieces) const {
-  const EventFunction& function = request_.events[event];
-  if (!function.is_zero_at_start || signs_[event] != 0) return false;
-  const int past = function.direction == Crossing::rising ? 1 : -1;
-  return std::ranges::any_of(pieces, [=](const Piece& piece) { return piece.sign == past; }) &&
-         std::ranges::none_of(pieces, [=](const Piece& piece) { return piece.sign == -past; });
-}
-
-/// How far g is past zero at the step's end, beyond what it was at t_start.
-double EventSearch::past_start(std::size_t event) const {
-  const EventFunction& function = request_.events[event];
-  const UnitSeries series = finite_series(event, polynomial_.whole());
-  double end = 0;
-  for (std::size_t k = series.end; k-- > 0;) end += series.c[k];
-  const double moved = end - function.value(request_.t_start, request_.y_start);
-  return function.direction == Crossing::rising ? moved : -moved;
-}
-
 /// Of pieces that are told, as far as they have been looked at.
 std::size_t EventSearch::changes_of_sign(std::span<const Piece> pieces) {
   for (; counted_ < pieces.size(); ++counted_) {
@@ -319,21 +303,40 @@ bool EventSearch::can_look_sharply(std::size_t event) {
   return sharp_looks_ <= most_sharp_looks;
 }
 
-/// Where the step begins; where g has no value, that is for others to see.
+/// Where g has no value, that is for others to see.
 double EventSearch::rounding_of_values(std::size_t event) {
   const EventFunction& function = request_.events[event];
   if (!function.rounding || rounding_is_wide_[event]) return 0;
+  const double rounding = function.rounding(polynomial_.whole().t, state_at_begin());
+  return std::isfinite(rounding) ? rounding : 0;
+}
+
+/// Of the step.
+const std::vector<double>& EventSearch::state_at_begin() {
   const MotionPiece& step = polynomial_.whole();
   for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = step.rows[i * (step.order + 1)];
-  const double rounding = function.rounding(step.t, y_);
-  return std::isfinite(rounding) ? rounding : 0;
+  return y_;
+}
+
+/// And has no sign that is known to be another.
+bool EventSearch::is_zero_at_start(std::size_t event) const {
+  return request_.events[event].is_zero_at_start && request_.events[event].sign_at_start == 0;
+}
+
+/// Once the motion is clear of it.
+void EventSearch::forget_start(std::size_t event) {
+  double& left = left_at_start_[event];
+  if (left == 0) return;
+  const double now = request_.events[event].value(polynomial_.whole().t, state_at_begin());
+  if (std::abs(now) >= 2 * std::abs(left)) left = 0;
 }
 
 std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& crossed, Found& found) {
   const EventFunction& event = request_.events[crossed.event];
   const auto g = [&](double t) {
     if (!found.failure) found.failure = stepper.interpolate(t, y_);
-    return found.failure ? std::numeric_limits<double>::quiet_NaN() : event.value(t, y_);
+    if (found.failure) return std::numeric_limits<double>::quiet_NaN();
+    return event.value(t, y_) - left_at_start_[crossed.event];
   };
   SignChange bracket{crossed.before, g(crossed.before), std::min(crossed.after, stepper.t()), 0};
   bracket.value_after = g(bracket.after);

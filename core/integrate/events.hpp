@@ -15,8 +15,8 @@
 //
 // A zero at t_start counts only where that is asked for: there a motion goes on after the same event has
 // ended an earlier one. There g(s) = s (c_1 + c_2 s + ...), and later zeros are those of the bracket, however
-// soon they come. Where g is known to be zero there, and its number is not, it crosses zero when it comes
-// farther past zero than it was there, unless it has been back before.
+// soon they come. Where g is known to be zero there, and its number is not, that number is taken from it
+// until it is twice as large.
 //
 // Where a method's dense output is no polynomial, it is looked at through nine places of each step.
 
@@ -91,9 +91,10 @@ class EventSearch {
   [[nodiscard]] bool is_beside_start(std::size_t event, double from);
   [[nodiscard]] bool keeps_sign(std::size_t event, double from, double to, int sign);
   [[nodiscard]] bool is_pole_between(std::size_t event, double from, double to);
+  [[nodiscard]] const std::vector<double>& state_at_begin();
+  [[nodiscard]] bool is_zero_at_start(std::size_t event) const;
+  void forget_start(std::size_t event);
   [[nodiscard]] bool takes_sign_at_start(std::size_t event) const;
-  [[nodiscard]] bool is_coming_back(std::size_t event, std::span<const Piece> pieces) const;
-  [[nodiscard]] double past_start(std::size_t event) const;
   [[nodiscard]] std::size_t changes_of_sign(std::span<const Piece> pieces);
   void explore(std::size_t event, double from, double to, std::vector<Piece>& pieces);
   /// g over a piece, in the unit of its length.
@@ -153,6 +154,7 @@ class EventSearch {
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
   std::vector<std::vector<Piece>> pieces_;
+  std::vector<double> left_at_start_;   ///< the number of what is zero there
   std::vector<double> rounding_;        ///< of its values in the step
   std::vector<bool> rounding_is_wide_;  ///< no bound of it is of use
   std::vector<double> y_;               ///< scratch

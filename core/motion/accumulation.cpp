@@ -23,13 +23,9 @@ constexpr double part_of_flight = 1e-4;     ///< in which a speed is measured
 constexpr double safety_of_unseen = 16;
 constexpr double largest_ratio = 0.99;
 
-constexpr double roundings = 64;  ///< of the distance: what the search for events may not see
+constexpr double roundings = 64;     ///< of the distance: what the search for events may not see
+constexpr double poorly_seen = 1e4;  ///< of them: so low a flight has no duration that is told
 constexpr std::size_t hidden_in_a_row = 16;
-
-/// Whether the distance is zero but for its rounding.
-bool is_hidden(const Watch& watch, double t, const std::vector<double>& y) {
-  return std::abs(watch.value(t, y)) <= roundings * watch.own_rounding(t, y);
-}
 
 /// On the cubic from y with velocities y' to the later state, half-way.
 std::vector<double> halfway(const std::vector<double>& from, const std::vector<double>& to, double duration) {
@@ -40,6 +36,17 @@ std::vector<double> halfway(const std::vector<double>& from, const std::vector<d
     y[n + i] = 0.5 * (from[n + i] + to[n + i]);
   }
   return y;
+}
+
+/// Whether since that impact the distance has changed by so many of its roundings at most.
+bool is_as_low_since(const Watch& watch, const SectionRecord& impact, double t, const std::vector<double>& y,
+                     double times) {
+  const double since = t - impact.t, at_impact = watch.value(impact.t, impact.after);
+  const auto is_low = [&](double then, const std::vector<double>& there) {
+    const double apart = std::abs(watch.value(then, there) - at_impact);
+    return apart <= times * watch.own_rounding(then, there);
+  };
+  return is_low(t, y) && is_low(impact.t + since / 2, halfway(impact.after, y, since));
 }
 
 bool vanishes(const SectionRecord& section) {
@@ -133,8 +140,7 @@ double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flig
 
 bool is_hidden_since(const Watch& watch, const SectionRecord& impact, double t,
                      const std::vector<double>& y) {
-  const double since = t - impact.t;
-  return is_hidden(watch, t, y) && is_hidden(watch, impact.t + since / 2, halfway(impact.after, y, since));
+  return is_as_low_since(watch, impact, t, y, roundings);
 }
 
 std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch, std::span<const SectionRecord> sections) {
@@ -149,7 +155,7 @@ std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch, std::span<const 
 const SectionRecord& last_seen(const Watch& watch, std::span<const SectionRecord> sections) {
   std::size_t first = sections.size() - 1;
   const auto is_unseen = [&](const SectionRecord& flight, const SectionRecord& since) {
-    return vanishes(flight) || is_hidden_since(watch, since, flight.t, flight.before);
+    return vanishes(flight) || is_as_low_since(watch, since, flight.t, flight.before, poorly_seen);
   };
   while (first > 0 && is_unseen(sections[first], sections[first - 1])) --first;
   return sections[first];

@@ -30,7 +30,7 @@ struct RestOfImpacts {
 /// the longest one's height.
 [[nodiscard]] double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flight);
 
-/// Whether the distance is zero but for its rounding at (t, y), and half-way to there since that impact.
+/// Whether the distance is what it was at that impact but for its rounding, at (t, y) and half-way to there.
 [[nodiscard]] bool is_hidden_since(const Watch& watch, const SectionRecord& impact, double t,
                                    const std::vector<double>& y);
 
@@ -39,7 +39,8 @@ struct RestOfImpacts {
 [[nodiscard]] std::optional<RestOfImpacts> rest_of_hidden(const Watch& watch,
                                                           std::span<const SectionRecord> sections);
 
-/// The impact before the last flights that were all so, or took no time; the last one where there are none.
+/// The impact before the last flights that were all nearly as low, or took no time; the last one where there
+/// are none.
 [[nodiscard]] const SectionRecord& last_seen(const Watch& watch, std::span<const SectionRecord> sections);
 
 /// The duration of a flight that is as high as the distance is rounded where the last section ended. Heights

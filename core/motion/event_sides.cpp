@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/compile/tape_evaluator.hpp"
+#include "core/motion/pressing.hpp"
 #include "core/motion/typed_start.hpp"
 
 namespace qdot {
@@ -185,13 +186,14 @@ void EventSides::mark_impacts(const SectionRecord& last, std::vector<EventFuncti
     const bool is_turned = turns || !goes_through(watch, last.t, last.before, last.after);
     if (is_turned && event.direction == Crossing::either && sides_[first + impact] != 0)
       event.direction = sides_[first + impact] > 0 ? Crossing::falling : Crossing::rising;
-    if (is_turned && leaves_unseen(watch, last, sides_[first + impact])) {
+    const bool is_off = is_turned && is_unpressed(watch, last);
+    if (is_turned && !is_off && leaves_unseen(watch, last, sides_[first + impact])) {
       event.sign_at_start = sides_[first + impact];
       event.is_beside_zero = true;
       continue;
     }
     event.is_zero_at_start = event.direction != Crossing::either && is_turned;
-    event.counts_at_start = event.is_zero_at_start;
+    event.counts_at_start = event.is_zero_at_start && !is_off;
     if (event.is_zero_at_start) event.sign_at_start = 0, event.is_beside_zero = false;
   }
 }
@@ -202,6 +204,13 @@ bool EventSides::leaves_unseen(const Watch& watch, const SectionRecord& impact, 
   const double now = rate(watch, impact.t, impact.after).value;
   const double told = slope(watch, impact.t, impact.after);
   return side * now > 0 && std::abs(now - told) > told_by_half * std::max(std::abs(now), std::abs(told));
+}
+
+/// Whether the impact has left no rate that is more than rounding, and no forces are seen to lead back.
+bool EventSides::is_unpressed(const Watch& watch, const SectionRecord& impact) const {
+  const double now = std::abs(rate(watch, impact.t, impact.after).value);
+  return now <= rounding_of_rate(watch, impact) &&
+         pressing(watch, impact, sections_, request_.t_end - request_.t_start) <= 0;
 }
 
 /// By as much as the motion may be off there, or goes on in an instant.

@@ -71,6 +71,7 @@ class EventSides {
   [[nodiscard]] bool begins_on(const Watch& watch) const;
   [[nodiscard]] int sign_after_start(std::size_t watch) const;
   [[nodiscard]] bool leaves_unseen(const Watch& watch, const SectionRecord& impact, int side) const;
+  [[nodiscard]] bool is_unpressed(const Watch& watch, const SectionRecord& impact) const;
   void mark_impacts(const SectionRecord& last, std::vector<EventFunction>& events) const;
   void look_sharply(const Watch& watch, double begin, EventFunction& event) const;
   [[nodiscard]] bool is_near_zero(const Watch& watch, double t, std::span<const double> y) const;

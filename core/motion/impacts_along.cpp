@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/pressing.hpp"
 #include "core/motion/unseen_flights.hpp"
 
 namespace qdot {
@@ -12,7 +13,6 @@ constexpr double short_flight = 1e-2;      ///< of the longest
 constexpr double moment_of_flight = 1e-6;  ///< in which a speed is measured
 constexpr double of_twice = 0.1;           ///< where rounding is larger than a way, its double is another
 constexpr double no_speed = 1e-5;          ///< of that before an impact
-constexpr double longest_of_looks = 0.5;   ///< of the motion's span
 
 }  // namespace
 
@@ -65,7 +65,7 @@ double ImpactsAlong::unseen_time(std::size_t impact, std::span<const SectionReco
 double ImpactsAlong::unseen_flights(std::size_t impact, const SectionRecord& seen, const SectionRecord& last,
                                     const EventSides& sides) const {
   const Watch& watch = watches()[impact];
-  const UnseenFlights flights(sections_, sides, longest_of_looks * (request_.t_end - request_.t_start));
+  const UnseenFlights flights(sections_, sides, request_.t_end - request_.t_start);
   const std::optional<double> e = impacts_->restitution(impact);
   if (!e) {
     UnseenFlights::Left left = flights.by_map(watch, seen);
@@ -83,8 +83,8 @@ bool ImpactsAlong::is_pressed_on(std::size_t impact, const SectionRecord& last,
                                  const EventSides& sides) const {
   const Watch& watch = watches()[impact];
   if (watch.direction == Crossing::either || !impacts_->hidden_rate(impact, last.t, last.after)) return false;
-  const UnseenFlights flights(sections_, sides, longest_of_looks * (request_.t_end - request_.t_start));
-  return sides.is_sharp(watch, last) && flights.pressing(watch, last) > 0;
+  return sides.is_sharp(watch, last) &&
+         pressing(watch, last, sections_, request_.t_end - request_.t_start) > 0;
 }
 
 /// Whether the last impact after a flight took all speed from the distance, as far as rounding lets that be

@@ -17,13 +17,9 @@ namespace qdot {
 
 class UnseenFlights {
  public:
-  /// `longest`: in which a force is looked for. Keeps the references.
-  UnseenFlights(const MotionSections& sections, const EventSides& sides, double longest)
-      : sections_(sections), sides_(sides), longest_(longest) {}
-
-  /// The acceleration towards the surface of a falling or rising distance after that impact, the smaller one
-  /// by the forces of then and of soon; below zero where they lift, 0 where none is seen.
-  [[nodiscard]] double pressing(const Watch& watch, const SectionRecord& impact) const;
+  /// `span`: of the motion. Keeps the references.
+  UnseenFlights(const MotionSections& sections, const EventSides& sides, double span)
+      : sections_(sections), sides_(sides), span_(span) {}
 
   struct Left {
     double rate{};   ///< u
@@ -38,7 +34,7 @@ class UnseenFlights {
  private:
   const MotionSections& sections_;
   const EventSides& sides_;
-  double longest_;
+  double span_;
 };
 
 }  // namespace qdot

@@ -1,0 +1,65 @@
+#include "core/motion/pressing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace qdot {
+namespace {
+
+constexpr double next_of_looks = 4, roundings_of_look = 64;
+constexpr double rounding_of_rates = 64 * std::numeric_limits<double>::epsilon();
+constexpr double longest_of_looks = 0.5;  ///< of the motion's span
+constexpr double step_of_slopes = 1e-7;   ///< relative
+
+/// After that time, which may be below zero, with these accelerations.
+std::vector<double> moved(std::vector<double> y, std::span<const double> accelerations, double time) {
+  const std::size_t n = y.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    y[i] += time * (y[n + i] + time / 2 * accelerations[i]);
+    y[n + i] += time * accelerations[i];
+  }
+  return y;
+}
+
+}  // namespace
+
+double pressing(const Watch& watch, const SectionRecord& impact, const MotionSections& sections,
+                double span) {
+  const std::vector<double>& y = impact.after;
+  const std::size_t n = y.size() / 2;
+  const std::vector<double> now = sections.slopes(impact.t, y);
+  const double inside = watch.direction == Crossing::falling ? -1 : 1, g = watch.value(impact.t, y);
+  for (double tau = sections.resolution(); tau < longest_of_looks * span; tau *= next_of_looks) {
+    const auto change_by = [&](std::span<const double> slopes) {
+      const std::span<const double> accelerations = slopes.last(n);
+      return watch.value(impact.t + tau, moved(y, accelerations, tau)) +
+             watch.value(impact.t - tau, moved(y, accelerations, -tau)) - 2 * g;
+    };
+    const double change = change_by(now);
+    if (!(std::abs(change) > roundings_of_look * watch.own_rounding(impact.t, y))) continue;
+    const std::vector<double> soon = sections.slopes(impact.t + tau, moved(y, std::span(now).last(n), tau));
+    const double press = inside * change, press_soon = inside * change_by(soon);
+    if (press * press_soon <= 0) return 0;
+    return (std::abs(press) < std::abs(press_soon) ? press : press_soon) / (tau * tau);
+  }
+  return 0;
+}
+
+double rounding_of_rate(const Watch& watch, const SectionRecord& impact) {
+  std::vector<double> y = impact.after;
+  const std::size_t n = y.size() / 2;
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double place = y[i], step = step_of_slopes * std::max(1.0, std::abs(place));
+    y[i] = place + step;
+    const double above = watch.value(impact.t, y);
+    y[i] = place - step;
+    const double slope = (above - watch.value(impact.t, y)) / (2 * step);
+    y[i] = place;
+    sum += std::abs(slope) * std::max(std::abs(impact.before[n + i]), std::abs(impact.after[n + i]));
+  }
+  return rounding_of_rates * sum;
+}
+
+}  // namespace qdot
