@@ -13,6 +13,8 @@ inline constexpr const char* out_of_reach =
 inline constexpr const char* may_not_stop =
     "By its error, or as its condition is rounded, the motion may stop at another time or go on: that time has no "
     "error.";
+inline constexpr const char* may_reach_end =
+    "By the error of the time at which it stops, the motion may come to its end before it.";
 inline constexpr const char* may_go_otherwise =
     ": it may go on otherwise from there, and the errors stated are of both ways.";
 inline constexpr const char* may_go_anywhere =

@@ -226,10 +226,16 @@ void Measurement::state(const std::vector<Simulation>& others) {
   note_impacts_at_end();
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
     result_.reason = accuracy_reasons::may_not_stop;
+  if (result_.reason.empty() && may_reach_end()) result_.reason = accuracy_reasons::may_reach_end;
   if (result_.reason.empty() && std::ranges::max(result_.max_abs_error) > without_bound)
     result_.reason = accuracy_reasons::forces_are_rounding;
   contradicts_ = !comparison.changed.empty();
   if (contradicts_) result_.reason = accuracy_reasons::contradiction(comparison.changed);
+}
+
+bool Measurement::may_reach_end() const {
+  const std::optional<Stop>& stop = result_.simulation.stop;
+  return stop && result_.stop_error && stop->t + result_.stop_error->time >= request_.t_end;
 }
 
 RowComparison Measurement::with_other_ways(const RowComparison& without, std::vector<Simulation> others,

@@ -51,6 +51,7 @@ class Measurement {
   [[nodiscard]] bool can_give_up() const;
   bool can_be_checked_by(const Simulation& other);
   void state(const std::vector<Simulation>& others);
+  [[nodiscard]] bool may_reach_end() const;
   void note_impacts_at_end();
   [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
                                               OtherWays ways);

@@ -120,8 +120,9 @@ bool MetImpacts::is_over(const InstantImpacts::Passed& passed) {
   const auto rest = impacts_.rest(result.sections, passed, motion_.sides);
   if (!rest) return false;
   if (rest->in_contact) result.y = passed.after;
-  result.t += rest->time;
-  result.stop = Stop{impacts_accumulate, result.t, in_words(*rest), rest->doubt};
+  const double accumulate_at = result.t + rest->time;
+  result.t = std::min(accumulate_at, motion_.request.t_end);
+  result.stop = Stop{impacts_accumulate, result.t, in_words(*rest), rest->doubt + accumulate_at - result.t};
   return true;
 }
 

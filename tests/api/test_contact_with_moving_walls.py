@@ -128,6 +128,16 @@ class ContactWithMovingWalls(Service):
         answer = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 3, "accuracy": "accurate"})
         self.assertEqual((answer["status"], answer["stop"]["reason"]), ("stopped", "impacts_accumulate"))
 
+    def test_an_end_just_before_impacts_accumulate_may_be_reached(self):
+        scene = lagrangian("body", "", "x - 0.256 -0.866", "x_dot^2/2", forces=[{"name": "f", "value": "-5.097", "along": "x"}],
+                           events=[{"name": "w", "expression": "x", "direction": "falling"}], impacts=[{"event": "w", "restitution": "0.5"}])
+        del scene["parameters"]
+        for end, told in ((0.9089228688315784, True), (0.908922869, True), (1.2, False)):
+            with self.subTest(end=end):
+                answer = self.ask("simulate", {"system": scene, "t_end": end, "samples": 2})
+                self.assertLessEqual(answer["t_reached"], end)
+                self.assertEqual("may come to its end" in answer["accuracy"].get("reason", ""), told)
+
     def test_an_impact_where_the_motion_ends_is_in_doubt(self):
         for place, rate, end in (("0.21", "-0.7", 0.3), ("0.5", "-1", 0.5), ("0.42", "-0.6", 0.7)):
             scene = lagrangian("body", "", f"x - {place} {rate}", "x_dot^2/2",
