@@ -11,7 +11,6 @@ constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
 constexpr double first_part = 0x1p-40;  ///< of a way along which something is looked for
-constexpr double much_larger = 16;      ///< than g has been: bounds that are tell nothing
 constexpr double part_beside = 0.125;   ///< of a piece: what is a minimum over that counts
 
 double sum_at(double s, std::span<const double> c) {
