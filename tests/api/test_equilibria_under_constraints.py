@@ -9,6 +9,7 @@ import sys
 import unittest
 
 import mpmath as mp
+import numpy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import constrained_scenes as scenes  # noqa: E402
@@ -41,7 +42,19 @@ def slope(terms, i):
 
 
 def total(terms, place):
-    return mp.fsum(c * mp.fprod(x**e for x, e in zip(place, powers)) for powers, c in terms.items())
+    """In the arithmetic of its numbers."""
+    return sum(c * math.prod(x**e for x, e in zip(place, powers)) for powers, c in terms.items())
+
+
+def rounded(derivatives):
+    """The same polynomials in doubles."""
+    if isinstance(derivatives, dict):
+        return {powers: float(c) for powers, c in derivatives.items()}
+    return [rounded(part) for part in derivatives]
+
+
+def lu_solve(jacobian, residual):
+    return mp.lu_solve(mp.matrix(jacobian), mp.matrix(residual))
 
 
 class Problem:
@@ -79,38 +92,45 @@ class Problem:
         second = [[[slope(row[i], k) for k in range(self.n)] for i in range(self.n)] for row in first]
         return exact, first, second
 
-    def equilibria(self):
-        """All (q, lambda) that Newton's iteration finds from a hundred places."""
-        found = []
-        exact, first, second = self.derivatives()
+    def residual_and_jacobian(self, z, derivatives):
+        exact, first, second = derivatives
         m = len(self.constraints)
+        q, lambdas = z[:self.n], z[self.n:]
+        slopes = [[total(e, q) for e in row] for row in first]
+        force = [slopes[0][i] - sum(lambdas[j] * slopes[1 + j][i] for j in range(m)) for i in range(self.n)]
+        jacobian = [[0] * (self.n + m) for _ in range(self.n + m)]
+        for i in range(self.n):
+            for k in range(self.n):
+                curvature = [total(second[s][i][k], q) for s in range(1 + m)]
+                jacobian[i][k] = curvature[0] - sum(lambdas[j] * curvature[1 + j] for j in range(m))
+            for j in range(m):
+                jacobian[i][self.n + j], jacobian[self.n + j][i] = -slopes[1 + j][i], slopes[1 + j][i]
+        return force + [total(exact[1 + j], q) for j in range(m)], jacobian
 
-        def at(z):
-            q, lambdas = z[:self.n], z[self.n:]
-            slopes = [[total(e, q) for e in row] for row in first]
-            force = [slopes[0][i] - mp.fsum(lambdas[j] * slopes[1 + j][i] for j in range(m)) for i in range(self.n)]
-            jacobian = mp.matrix(self.n + m)
-            for i in range(self.n):
-                for k in range(self.n):
-                    curvature = [total(second[s][i][k], q) for s in range(1 + m)]
-                    jacobian[i, k] = curvature[0] - mp.fsum(lambdas[j] * curvature[1 + j] for j in range(m))
-                for j in range(m):
-                    jacobian[i, self.n + j], jacobian[self.n + j, i] = -slopes[1 + j][i], slopes[1 + j][i]
-            return mp.matrix(force + [total(exact[1 + j], q) for j in range(m)]), jacobian
+    def newton(self, z, derivatives, solve, within):
+        """Where the iteration comes to rest; None where it does not in forty steps."""
+        for _ in range(40):
+            residual, jacobian = self.residual_and_jacobian(z, derivatives)
+            try:
+                step = solve(jacobian, residual)
+            except (ZeroDivisionError, numpy.linalg.LinAlgError):
+                return None
+            z = [a - b for a, b in zip(z, step)]
+            if max(map(abs, step)) < within * (1 + max(map(abs, z))):
+                return z
+        return None
 
+    def equilibria(self):
+        """All (q, lambda) that Newton's iteration finds from a hundred places: in doubles first, which tell where it leads."""
+        found = []
+        exact = self.derivatives()
+        doubles = rounded(exact)
         for _ in range(100):
-            z = [mp.mpf(self.random.uniform(-3, 3)) for _ in range(self.n + m)]
-            for _ in range(40):
-                residual, jacobian = at(z)
-                try:
-                    step = mp.lu_solve(jacobian, residual)
-                except ZeroDivisionError:
-                    break
-                z = [a - b for a, b in zip(z, step)]
-                if mp.norm(step) < mp.mpf(10) ** -35 * (1 + mp.norm(mp.matrix(z))):
-                    if all(mp.norm(mp.matrix(z) - mp.matrix(o)) > mp.mpf(10) ** -20 for o in found):
-                        found.append(z)
-                    break
+            z = [self.random.uniform(-3, 3) for _ in range(self.n + len(self.constraints))]
+            near = self.newton(z, doubles, numpy.linalg.solve, 1e-8)
+            z = near and self.newton([mp.mpf(float(x)) for x in near], exact, lu_solve, mp.mpf(10) ** -35)
+            if z and all(mp.norm(mp.matrix(z) - mp.matrix(o)) > mp.mpf(10) ** -20 for o in found):
+                found.append(z)
         return found
 
 
