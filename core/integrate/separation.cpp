@@ -85,23 +85,29 @@ void Separation::release_what_is_pushed() {
   }
 }
 
-/// What a whole step has made has no time to grow in it. In a part it may have been made where that begins.
+/// What a whole step has made has no time to grow in it, but for some. In a part it may have been made where
+/// that begins.
 void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const Part& part) {
-  const bool is_whole = part.from == 0 && part.to == 1, is_tried = is_whole && are_together();
-  if (!is_whole) {
+  const bool is_whole = part.from == 0 && part.to == 1;
+  before_ = e_;
+  added_before_ = added_;
+  if (is_whole) {
+    take_some(piece.order);
+  } else {
     for (std::size_t i = 0; i < e_.size(); ++i) y_[i] = piece.rows[i * (piece.order + 1)];
     project(piece.t);
     is_known_ = false;
+    add_part(piece.order, part);
   }
-  if (is_tried) try_part(piece.order);
   const bool is_told = take_rise(piece, terms);
   if (is_whole) note_growth(piece.order);
-  if (is_tried) std::ranges::fill(e_, 0.0);
   const double length = part.to - part.from;
-  if (length > (is_told ? made_.longest_part : smallest_part)) return advance_by_halves(piece, part);
+  if (length > (is_told ? made_.longest_part : smallest_part)) {
+    e_ = before_;
+    added_ = added_before_;
+    return advance_by_halves(piece, part);
+  }
   shortest_part_ = std::min(shortest_part_, length);
-  if (!is_whole) add_part(piece.order, part);
-  if (!is_whole || is_tried) (void)take_rise(piece, terms);
   for (std::size_t i = 0; i < e_.size(); i += 2)
     move_to(i, pair_at(&e_[i]) + pair_at(&rise_[i]) / PairOfDoubles{factor_, factor_});
   if (is_whole) add_part(piece.order, part);
@@ -126,11 +132,14 @@ void Separation::note_growth(unsigned order) {
   late_growth_ = 1 / (1 - std::min(exponent / order, most_late));
 }
 
-/// Where nothing is apart yet, some of what the step has made tells whether series are long enough.
-void Separation::try_part(unsigned order) {
+/// Some of what the step has made has all of it to grow in: where no more than that was there before it tells
+/// whether series are long enough.
+void Separation::take_some(unsigned order) {
   const double share = whole_power(some, order);
-  for (std::size_t i = 0; i < made_.sizes.size(); ++i)
-    e_[i] = std::copysign(share * std::min(made_.sizes[i], most_of_all), made_.sides[i]);
+  for (std::size_t i = 0; i < made_.sizes.size(); ++i) {
+    const double least = share * std::min(made_.sizes[i], most_of_all);
+    if (std::abs(e_[i]) < least) e_[i] = std::copysign(least, made_.sides[i]);
+  }
 }
 
 bool Separation::are_together() const {

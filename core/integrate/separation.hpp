@@ -84,7 +84,7 @@ class Separation {
   void advance(const MotionPiece& piece, const StepTerms& terms, const Part& part);
   void advance_by_halves(const MotionPiece& piece, const Part& part);
   void add_part(unsigned order, const Part& part);
-  void try_part(unsigned order);
+  void take_some(unsigned order);
   [[nodiscard]] double growth() const;
   void note_growth(unsigned order);
   void release_what_is_pushed();
@@ -106,10 +106,11 @@ class Separation {
   double shortest_part_{1};
   double late_growth_{1};  ///< of what this step has made, in it
   std::vector<double> e_, largest_;
-  std::vector<double> y_, size_;           ///< of the reference where the step begins; |y| up to there
-  std::vector<double> added_;              ///< by steps, and where that alone takes coordinates
-  std::vector<double> most_;               ///< that e_ may be where it has been pushed farther than y went
-  std::vector<double> beside_, c_, rise_;  ///< scratch
+  std::vector<double> y_, size_;  ///< of the reference where the step begins; |y| up to there
+  std::vector<double> added_;     ///< by steps, and where that alone takes coordinates
+  std::vector<double> most_;      ///< that e_ may be where it has been pushed farther than y went
+  std::vector<double> before_, added_before_;  ///< a part of a step is tried
+  std::vector<double> beside_, c_, rise_;      ///< scratch
 };
 
 }  // namespace qdot

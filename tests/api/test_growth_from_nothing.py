@@ -1,4 +1,4 @@
-"""x'' = k x + pulse(t), from 1e-32 to 1e-18 or from rest: what lies far below every tolerance grows with the motion, and
+"""x'' = k x + push(t), from 1e-90 to 1e-18 or from rest: what lies far below every tolerance grows with the motion, and
 the error stated with it. Against cosh and sinh, and the integral over the pulse."""
 
 import json
@@ -65,6 +65,21 @@ class GrowthFromNothing(Service):
             options = draw.choice(({}, {"max_error": 1e-9}, {"precision": "extended"}))
             measured += self.check(scene, end, options, x * grown + v / rate * rising, x * rate * rising + v * grown) or 0
         self.assertGreater(measured, 250)
+
+    def test_a_push_far_above_the_start(self):
+        draw, measured = random.Random(20261202), 0
+        for _ in range(120):
+            k = mpf(draw.randint(100, 6000)) / 100
+            rate = mp.sqrt(k)
+            start = draw.randint(1, 9) * mpf(10) ** draw.randint(-90, -30)
+            push = draw.randint(1, 9) * mpf(10) ** draw.randint(-30, -14)
+            end = mpf(mp.nstr(draw.uniform(25, 65) / rate, 4))
+            force = {"name": "f", "value": f"{mp.nstr(k, 6)}*x + {mp.nstr(push, 30)}", "along": "x"}
+            scene = lagrangian("top", "", f"x - {mp.nstr(start, 30)} 0", "x_dot^2/2", forces=[force])
+            options = draw.choice(({}, {}, {"rtol": 1e-2}, {"rtol": 1e-4}))
+            grown, rising = mp.cosh(rate * end), mp.sinh(rate * end)
+            measured += self.check(scene, end, options, (start + push / k) * grown - push / k, (start + push / k) * rate * rising)
+        self.assertEqual(measured, 120)
 
     def test_a_push_far_below_the_tolerance(self):
         draw, measured = random.Random(20261130), 0

@@ -1,5 +1,5 @@
 #pragma once
-// x'' = k x by its series, and references that take steps of it.
+// x'' = k x + push by its series, and references that take steps of it.
 
 #include <gtest/gtest.h>
 
@@ -11,17 +11,17 @@ namespace qdot::integrate_test {
 
 inline constexpr unsigned order = 22;
 
-/// Series of y = (x, x') for x'' = k x.
-inline RightHandSide pulled_by(double k) {
+/// Series of y = (x, x') for x'' = k x + push.
+inline RightHandSide pulled_by(double k, double push = 0) {
   RightHandSide system;
   system.dimension = 2;
-  system.expansion = [k](double, std::span<const double> y, unsigned highest, std::span<double> c) {
+  system.expansion = [k, push](double, std::span<const double> y, unsigned highest, std::span<double> c) {
     const auto x = c.first(highest + 1), v = c.subspan(highest + 1);
     x[0] = y[0];
     v[0] = y[1];
     for (unsigned i = 0; i < highest; ++i) {
       x[i + 1] = v[i] / (i + 1);
-      v[i + 1] = k * x[i] / (i + 1);
+      v[i + 1] = (i == 0 ? k * x[0] + push : k * x[i]) / (i + 1);
     }
     return Evaluation::ok;
   };

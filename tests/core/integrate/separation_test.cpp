@@ -77,6 +77,29 @@ TEST(Separation, ErrorsOfStepsAddUpAlongWhatGrows) {
   EXPECT_LE(apart[0], 1.5 * sum);
 }
 
+/// A long step of x'' = x + 1 from rest, which makes errors as s^order. What was apart before is below the
+/// last digits of the push, beside which it tells nothing.
+TEST(Separation, ErrorsOfALongStepGrowInItWhateverWasApartBefore) {
+  constexpr double h = 14, made = 1e-3;
+  const RightHandSide pushed = pulled_by(1, 1);
+  const auto apart = [&](const std::vector<double>& before) {
+    Separation separation(pushed, before);
+    const std::vector<double> sizes{made, made};
+    take_steps(pushed, {0, 0}, h, 1, {}, [&](const MotionPiece& step) {
+      StepTerms terms(2);
+      terms.take(step);
+      separation.follow(step, terms, {.sizes = sizes, .sides = sizes, .of_series = sizes});
+    });
+    return separation.in_last_step()[0];
+  };
+  double grown = 0, term = made;  // of what comes as s^order
+  for (unsigned k = 1; term > 1e-9 * made; term *= h / (order + k++)) grown += term;
+  const double from_nothing = apart({0, 0});
+  EXPECT_GT(from_nothing, grown);
+  for (const double before : {1e-80, 1e-30})
+    EXPECT_NEAR(apart({before, 0}), from_nothing, 1e-3 * from_nothing) << before;
+}
+
 TEST(Separation, ComesFromParametersThatAreMoved) {
   const double k = 1 + 1e-9;
   const auto apart = Steps{.k = 1, .k_of_reference = k}.apart({0, 0}, 8);
