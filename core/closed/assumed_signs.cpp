@@ -51,6 +51,7 @@ AssumedSigns::AssumedSigns(const ExactValues& values, const Relations& relations
       angles_(angles_among(values.symbols())) {
   const auto take = [&](const Expression& symbol) {
     const double value = values.value(symbol).value;
+    usual_[symbol.id()] = value;
     known_[symbol.id()] = value > 0 ? 1 : value < 0 ? -1 : 0;
   };
   std::ranges::for_each(values.symbols(), take);
@@ -126,9 +127,7 @@ std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tr
 }
 
 bool AssumedSigns::is_broken(const Expression& positive, const FarPlace& place) {
-  std::vector<Assignment> doubles;
-  for (const auto& [symbol, value] : place) doubles.emplace_back(symbol, value.value);
-  return !(evaluate(positive, doubles) > 0);
+  return !(rough_value(positive, place) > 0);
 }
 
 bool AssumedSigns::are_there() {
@@ -229,7 +228,7 @@ FarPlace AssumedSigns::place_near(FarPlace place, double reach, std::minstd_rand
 /// Where signs are let go: of any size, of that of the value, and near it. Angles go beyond a turn, too.
 double AssumedSigns::far_number(const Expression& symbol, const Domain& domain, int number,
                                 std::minstd_rand& random) const {
-  const double value = values_.value(symbol).value;
+  const double value = usual_.at(symbol.id());
   const int kind = also_ ? number % 3 : 0;
   const bool is_angle = std::ranges::find(angles_, symbol) != angles_.end();
   const double x = is_angle && kind < 2 && random() % 2 == 0 ? far_angle(value, domain, random)

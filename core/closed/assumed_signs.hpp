@@ -87,7 +87,8 @@ class AssumedSigns {
   bool given_has_signs_{true};
   std::vector<Expression> let_go_;
   OtherPlace also_;
-  std::map<NodeId, int> known_;  ///< signs; 0 where it is open
+  std::map<NodeId, double> usual_;  ///< where the symbols have their values
+  std::map<NodeId, int> known_;     ///< signs; 0 where it is open
   std::vector<Replacement> formulas_;
   std::size_t asked_{};  ///< so many were looked at
   std::set<std::pair<NodeId, int>> seen_;

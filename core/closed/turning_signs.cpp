@@ -113,11 +113,15 @@ class FarStart {
   }
 
  private:
+  /// Not by chance.
+  static bool is_near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(a); }
+
   [[nodiscard]] bool is_that_of_start(const FarPlace& place) const {
     if (!equation_.energy) return false;
     const auto has = [&](const Expression& symbol, const Expression& value) {
       const auto given = std::ranges::find(place, symbol, &RealAssignment::first);
-      return given != place.end() && given->second.value == evaluate_exactly(value, place).value;
+      return given != place.end() && (is_near(given->second.value, rough_value(value, place)) ||
+                                      given->second.value == evaluate_exactly(value, place).value);
     };
     const auto is_momentum = [&](const Replacement& p) { return has(p.first, p.second); };
     return has(equation_.energy_symbol, *equation_.energy) &&
@@ -195,7 +199,23 @@ Needed with_force_at_start(const TurningEquation& equation, const QuadratureProb
 /// Nothing is answered where the inertia is not positive.
 bool is_heavy(const QuadratureProblem& problem, double x, FarPlace far) {
   far.emplace_back(problem.x, Real(x));
-  return evaluate_exactly(problem.inertia, far).value > 0;
+  return rough_value(problem.inertia, far) > 0;
+}
+
+/// Whether anything in e that depends on x may grow without bound at a place: a quotient, a tangent or a
+/// logarithm, but not what is divided by exp or cosh.
+bool may_have_poles(const Expression& e, const Expression& x) {
+  const Graph& graph = e.graph();
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(graph, {&root, 1}), [&](NodeId id) {
+    if (!depends_on(Expression(e.graph(), id), x)) return false;
+    if (const auto* call = std::get_if<Call>(&graph.node(id)))
+      return call->function == Function::tan || call->function == Function::log;
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    if (power == nullptr || !power->exponent.is_negative()) return false;
+    const auto* call = std::get_if<Call>(&graph.node(power->base));
+    return call == nullptr || (call->function != Function::exp && call->function != Function::cosh);
+  });
 }
 
 /// v^2 with numbers in place of all but x.
@@ -206,22 +226,27 @@ class SpeedAt {
     for (const auto& [symbol, value] : like) symbols.push_back(symbol);
     Graph& graph = problem.x.graph();
     TapeBuilder tape(graph, symbols, graph.symbol("t"), {&problem.x, 1});
-    tape.output(Number(2) * (problem.energy - problem.potential) / problem.inertia);
+    const Expression squared_speed = Number(2) * (problem.energy - problem.potential) / problem.inertia;
+    tape.output(squared_speed);
+    may_have_poles_ = may_have_poles(squared_speed, problem.x);
     function_ = tape.finish();
   }
 
   [[nodiscard]] SquaredSpeed at(const FarPlace& place) const {
     std::vector<double> numbers;
     for (const auto& [symbol, value] : place) numbers.push_back(value.value);
-    return {.at = [this, workspace = function_.bind(numbers)](double x) mutable {
-      double e = 0;
-      const bool is_known = function_.evaluate(0, {&x, 1}, workspace, {&e, 1}) == Evaluation::ok;
-      return is_known ? e : std::numeric_limits<double>::quiet_NaN();
-    }};
+    return {.at =
+                [this, workspace = function_.bind(numbers)](double x) mutable {
+                  double e = 0;
+                  const bool is_known = function_.evaluate(0, {&x, 1}, workspace, {&e, 1}) == Evaluation::ok;
+                  return is_known ? e : std::numeric_limits<double>::quiet_NaN();
+                },
+            .may_have_poles = may_have_poles_};
   }
 
  private:
   CompiledFunction function_;
+  bool may_have_poles_{};
 };
 
 }  // namespace
@@ -289,8 +314,8 @@ class End {
     if (is_other_side(*x0, end.value)) return Claim{};
     if (!speed_) speed_.emplace(problem_, far);
     const SquaredSpeed e = speed_->at(far);
-    const Rooms rooms = rooms_between(e, *x0, end.value);
-    return Claim{may_come(e, *x0, end.value), {rooms.on_the_way, rooms.in_the_middle}};
+    const std::optional<Rooms> rooms = room_to_come(e, *x0, end.value);
+    return rooms ? Claim{true, {rooms->on_the_way, rooms->in_the_middle}} : Claim{};
   }
 
   [[nodiscard]] bool is_other_side(double x0, double end) const {
