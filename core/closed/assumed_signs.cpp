@@ -68,6 +68,19 @@ void AssumedSigns::ask(const Expression& e) {
   const bool may_vanish = std::abs(value.value) <= value.error;  // h - V(c) at rest at c
   if (may_vanish || !value.is_finite() || sign_of(e) != 0 || !is_of_parameters(e)) return;
   if (const auto positive = positive_of(e, value.value > 0 ? 1 : -1)) take(*positive);
+  if (also_) ask_parts(e);
+}
+
+/// Of a fraction both parts: their product has its sign where both have the other one, too.
+void AssumedSigns::ask_parts(const Expression& e) {
+  const RationalFunction f = rational_function(e);
+  if (sign_of(f.above) != 0 || sign_of(f.below) != 0) return;
+  for (const Polynomial* part : {&f.above, &f.below}) {
+    const Expression own = to_expression(*values_.graph(), *part);
+    const Real value = values_.value(own);
+    if (!(std::abs(value.value) > value.error) || !is_of_parameters(own)) continue;
+    if (const auto positive = positive_of(own, value.value > 0 ? 1 : -1)) take(*positive);
+  }
 }
 
 void AssumedSigns::let_signs_go() {

@@ -61,6 +61,7 @@ class AssumedSigns {
   };
 
   void take_asked();
+  void ask_parts(const Expression& e);
   void take(const Expression& positive);
   void find_far_places();
   [[nodiscard]] FarPlace far_place(int number, std::minstd_rand& random) const;
@@ -70,6 +71,11 @@ class AssumedSigns {
   [[nodiscard]] Chosen that_tell(const Tries& all) const;
   bool is_refuted(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
                   std::minstd_rand& random);
+  [[nodiscard]] bool hold_at(const std::vector<std::size_t>& chosen, const FarPlace& place) const;
+  bool is_refuted_inside(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
+                         std::minstd_rand& random);
+  /// As the relations say, and with what the motion makes of it where such places are tried.
+  [[nodiscard]] std::optional<FarPlace> other_place(FarPlace place, bool by_others) const;
   std::optional<bool> claimed_at(const FarPlace& made_of, Tries& all, const std::vector<std::size_t>& chosen,
                                  bool by_others) const;
   [[nodiscard]] static bool is_broken(const Expression& positive, const FarPlace& place);

@@ -174,10 +174,19 @@ void ask_turn_of_start(const QuadratureProblem& problem, const Expression& start
   }
 }
 
+bool has_logarithm_of(const Expression& e, const Expression& x) {
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
+    const auto* call = std::get_if<Call>(&e.graph().node(id));
+    return call != nullptr && call->function == Function::log && call->argument == x.id();
+  });
+}
+
 void ask_about(const TurningEquation& equation, const QuadratureProblem& problem, AssumedSigns& signs) {
   ask_between(problem, equation.graph->number(0), signs);
   const bool is_angle = equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad";
   if (is_angle) ask_between(problem, equation.graph->symbol("pi"), signs);
+  if (has_logarithm_of(problem.potential, equation.x)) ask_between(problem, equation.graph->number(1), signs);
   if (const auto start = equation.start()) ask_turn_of_start(problem, *start, signs);
 }
 
