@@ -248,6 +248,19 @@ class ClosedForms(Service):
         self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "log(D*a/F)/a")
         self.assert_same(found["modes"][0]["exact"], "a*F/m")
 
+    def test_places_where_a_distance_is_one_of_its_coordinates(self):
+        """Hill's points beside a planet, a mass that hangs beside the line of others, and two others on a turning line."""
+        for text, parameters, expected in (
+                ("(x_dot^2 + y_dot^2)/2 + n*(x*y_dot - y*x_dot) + 3*n^2*x^2/2 + mu/sqrt(x^2 + y^2)", "n - 1; mu - 1",
+                 [("x", "-(mu/(3*n^2))^(1/3)"), ("x", "(mu/(3*n^2))^(1/3)")]),
+                ("(x_dot^2 + y_dot^2)/2 + 3*n^2*x^2/2 + mu/abs(x) - y^2", "n - 1; mu - 1",
+                 [("x", "-(mu/(3*n^2))^(1/3)"), ("x", "(mu/(3*n^2))^(1/3)")]),
+                ("(x_dot^2 + y_dot^2)/2 - k*x^2/2 - k*y^2/2 - y^2 - q/sqrt(x^2 + y^2 + d^2)", "k - 1; q - 1; d - 0.1",
+                 [("x", "-sqrt(q^(2/3)/k^(2/3) - d^2)"), ("x", "sqrt(q^(2/3)/k^(2/3) - d^2)")])):
+            answer = self.ask("equilibria", {"system": lagrangian("place", parameters, "x - 0.6; y - 0.1", text)})
+            found = [(q, form["text"]) for one in answer["equilibria"] for q, form in one.get("exact", {}).items() if q == "x"]
+            self.assertEqual(found, expected, text)
+
     def test_angles_of_critical_points_lie_within_a_turn(self):
         """The search is given up at the singularity above; what it has seen elsewhere is the same point, turns away."""
         between = [["0", "R"], ["R*sin(theta)", "-R*cos(theta)"]]
