@@ -261,6 +261,16 @@ class ClosedForms(Service):
             found = [(q, form["text"]) for one in answer["equilibria"] for q, form in one.get("exact", {}).items() if q == "x"]
             self.assertEqual(found, expected, text)
 
+    def test_unknowns_that_are_equal_or_opposite_are_written_so(self):
+        for text, parameters, start, expected in (
+                ("(x_dot^2 + y_dot^2)/2 - k*(x^2 + y^2)/2 + q*log(x) + q*log(y) - w*x*y", "k - 1; q - 1; w - 0.2", "x - 0.6; y - 0.1",
+                 {"x": "sqrt(q/(k + w))", "y": "sqrt(q/(k + w))"}),
+                ("m*(x_dot^2 + y_dot^2)/2 - m*w^2*(x^2 + y^2)/2 - q^2/abs(x - y)", "m - 1; q - 1; w - 0.7", "x - 0.6; y - -0.1",
+                 {"x": "(q^2/(4*m*w^2))^(1/3)", "y": "-(q^2/(4*m*w^2))^(1/3)"})):
+            answer = self.ask("equilibria", {"system": lagrangian("pair", parameters, start, text)})
+            found = [{q: form["text"] for q, form in one["exact"].items() if q != "rate2"} for one in answer["equilibria"]]
+            self.assertIn(expected, found)
+
     def test_angles_of_critical_points_lie_within_a_turn(self):
         """The search is given up at the singularity above; what it has seen elsewhere is the same point, turns away."""
         between = [["0", "R"], ["R*sin(theta)", "-R*cos(theta)"]]
