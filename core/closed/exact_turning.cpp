@@ -203,7 +203,8 @@ class TurningForms {
     const Expression quotient =
         to_expression(*equation_.graph, scaled(terms, inverse(common), Number(1) / size(*largest)));
     const Expression simple = simplify(quotient);
-    return written_length(simple) < written_length(quotient) ? simple : quotient;
+    const Expression& best = written_length(simple) < written_length(quotient) ? simple : quotient;
+    return split_coefficient(best).rest;  // zero as well
   }
 
   TurningEquation equation_;
