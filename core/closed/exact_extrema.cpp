@@ -45,7 +45,7 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
 void ExactExtrema::consider_start(const Expression& left, const Relations& relations) {
   const std::optional<Expression> start = equation_.start();
   if (!start) return;
-  for (const Expression& place : {*start, -*start}) {
+  for (const Expression& place : {*start, -*start, equation_.graph->symbol("pi") - *start}) {
     for (const End end : {End::maximum, End::minimum}) {
       if (number_of(end).value) keep(end, number(place, number_of(end), relations), left, relations);
     }
