@@ -271,6 +271,16 @@ class ClosedForms(Service):
             found = [{q: form["text"] for q, form in one["exact"].items() if q != "rate2"} for one in answer["equilibria"]]
             self.assertIn(expected, found)
 
+    def test_places_in_a_lattice_are_told_by_its_phase(self):
+        for text, parameters, start, place, square in (
+                ("m*x_dot^2/2 - V*cos(q*x)", "m - 1; V - 2; q - 3", "x - 1", "pi/q", "V*q**2/m"),
+                ("m*x_dot^2/2 - V*sin(2*pi*x/L)", "m - 1; V - 2; L - 3", "x - 2.1", "3*L/4", "4*pi**2*V/(m*L**2)"),
+                ("m*x_dot^2/2 - V*sin(2*pi*x/L)", "m - 1; V - 2; L - 3", "x - 8.1", "11*L/4", "4*pi**2*V/(m*L**2)"),
+                ("m*x_dot^2/2 - V*(1 - cos(q*x)) + F*x", "m - 1; V - 2; q - 3; F - 1", "x - 0.1", "asin(F/(V*q))/q", "q*sqrt(V**2*q**2 - F**2)/m")):
+            found = self.modes(lagrangian("lattice", parameters, start, text))
+            self.assert_same(found["equilibrium"]["exact"]["x"], place)
+            self.assert_same(found["modes"][0]["exact"], square)
+
     def test_angles_of_critical_points_lie_within_a_turn(self):
         """The search is given up at the singularity above; what it has seen elsewhere is the same point, turns away."""
         between = [["0", "R"], ["R*sin(theta)", "-R*cos(theta)"]]
