@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "core/base/error.hpp"
 #include "core/closed/assumed_signs.hpp"
-#include "core/closed/rough_period.hpp"
+#include "core/closed/speed_at.hpp"
 #include "core/closed/trial.hpp"
-#include "core/compile/tape_builder.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/print/print.hpp"
@@ -204,63 +202,6 @@ Needed with_force_at_start(const TurningEquation& equation, const QuadratureProb
     with->push_back(print(equation.x, Form::text) + "(0) = " + print(*start, Form::text));
   return with;
 }
-
-/// Nothing is answered where the inertia is not positive.
-bool is_heavy(const QuadratureProblem& problem, double x, FarPlace far) {
-  far.emplace_back(problem.x, Real(x));
-  return rough_value(problem.inertia, far) > 0;
-}
-
-/// Whether anything in e that depends on x may grow without bound at a place: a quotient, a tangent or a
-/// logarithm, but not what is divided by exp or cosh.
-bool may_have_poles(const Expression& e, const Expression& x) {
-  const Graph& graph = e.graph();
-  const NodeId root = e.id();
-  return std::ranges::any_of(reachable(graph, {&root, 1}), [&](NodeId id) {
-    if (!depends_on(Expression(e.graph(), id), x)) return false;
-    if (const auto* call = std::get_if<Call>(&graph.node(id)))
-      return call->function == Function::tan || call->function == Function::log;
-    const auto* power = std::get_if<Power>(&graph.node(id));
-    if (power == nullptr || !power->exponent.is_negative()) return false;
-    const auto* call = std::get_if<Call>(&graph.node(power->base));
-    return call == nullptr || (call->function != Function::exp && call->function != Function::cosh);
-  });
-}
-
-/// v^2 with numbers in place of all but x.
-class SpeedAt {
- public:
-  SpeedAt(const QuadratureProblem& problem, const FarPlace& like) {
-    std::vector<Expression> symbols;
-    for (const auto& [symbol, value] : like) symbols.push_back(symbol);
-    Graph& graph = problem.x.graph();
-    TapeBuilder tape(graph, symbols, graph.symbol("t"), {&problem.x, 1});
-    const Expression squared_speed = Number(2) * (problem.energy - problem.potential) / problem.inertia;
-    tape.output(squared_speed);
-    may_have_poles_ = may_have_poles(squared_speed, problem.x);
-    function_ = tape.finish();
-  }
-
-  [[nodiscard]] SquaredSpeed at(const FarPlace& place) const {
-    std::vector<double> numbers;
-    for (const auto& [symbol, value] : place) numbers.push_back(value.value);
-    return {.at =
-                [this, workspace = function_.bind(numbers)](double x) mutable {
-                  double e = 0;
-                  const bool is_known = function_.evaluate(0, {&x, 1}, workspace, {&e, 1}) == Evaluation::ok;
-                  return is_known ? e : std::numeric_limits<double>::quiet_NaN();
-                },
-            .may_have_poles = may_have_poles_};
-  }
-
- private:
-  CompiledFunction function_;
-  bool may_have_poles_{};
-};
-
-}  // namespace
-
-namespace {
 
 /// A formula of an end of the motion.
 class End {
