@@ -68,7 +68,7 @@ class AssumedSigns {
   [[nodiscard]] FarPlace place_near(FarPlace place, double reach, std::minstd_rand& random) const;
   void relate(FarPlace& place) const;
   using Chosen = std::optional<std::vector<std::size_t>>;  ///< numbers of what is open
-  [[nodiscard]] Chosen that_tell(const Tries& all) const;
+  [[nodiscard]] Chosen that_tell(Tries& all) const;
   bool is_refuted(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
                   std::minstd_rand& random);
   [[nodiscard]] bool hold_at(const std::vector<std::size_t>& chosen, const FarPlace& place) const;

@@ -8,13 +8,14 @@
 
 namespace qdot {
 
-AssumedSigns::Chosen AssumedSigns::that_tell(const Tries& all) const {
+AssumedSigns::Chosen AssumedSigns::that_tell(Tries& all) const {
   if (std::ranges::find(all.holds, false) == all.holds.end()) return Chosen{std::in_place};
-  std::vector<std::vector<bool>> broken(open_.size());
+  all.broken.resize(open_.size());
   for (std::size_t i = 0; i < open_.size(); ++i) {
-    for (const FarPlace& place : all.places) broken[i].push_back(is_broken(open_[i].e, place));
+    for (std::size_t place = all.broken[i].size(); place < all.places.size(); ++place)
+      all.broken[i].push_back(is_broken(open_[i].e, all.places[place]));
   }
-  return qdot::separating(broken, all.holds);
+  return qdot::separating(all.broken, all.holds);
 }
 
 namespace {

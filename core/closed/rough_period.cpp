@@ -105,9 +105,13 @@ template <class GoesOn>
 Way looked_along(const SquaredSpeed& e, double from, double to, GoesOn goes_on) {
   Way way{from, (to - from) / pieces, {}};
   way.seen.reserve(pieces);
-  do {
-    way.seen.push_back(e.at(way.place(way.seen.size())));
-  } while (way.seen.size() + 1 < pieces && goes_on(way.seen.back()));
+  for (std::size_t i = 0; i + 1 < pieces; i += 2) {
+    for (const double each : e.at_both(way.place(i), way.place(i + 1))) {
+      if (way.seen.size() + 1 == pieces) break;
+      way.seen.push_back(each);
+      if (!goes_on(each)) return way;
+    }
+  }
   return way;
 }
 
@@ -119,7 +123,7 @@ double extreme_near(const SquaredSpeed& e, double x, double step, double sign) {
   double low = x - step, high = x + step;
   for (int i = 0; i < halvings; ++i) {
     const double third = (high - low) / 3;
-    const double left = e.at(low + third), right = e.at(high - third);
+    const auto [left, right] = e.at_both(low + third, high - third);
     const double least = flat * std::abs(left);
     if (std::abs(left - right) <= least && std::abs(e.at((low + high) / 2) - left) <= least) break;
     if (sign * left < sign * right)

@@ -6,6 +6,7 @@
 //
 // whose integrand is smooth where the ends are simple zeros of e, or walls.
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -14,7 +15,9 @@
 namespace qdot {
 
 struct SquaredSpeed {
-  std::function<double(double)> at;          ///< e(x); not a number where there is none
+  std::function<double(double)> at;  ///< e(x); not a number where there is none
+  /// At two places, which takes little longer than at one.
+  std::function<std::array<double, 2>(double, double)> at_both;
   double below{-infinity}, above{infinity};  ///< walls
   std::optional<double> start{};             ///< where the motion is, if it is known
   bool may_have_poles{true};                 ///< e may grow without bound at a place

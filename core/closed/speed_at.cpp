@@ -1,6 +1,7 @@
 #include "core/closed/speed_at.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/compile/tape_builder.hpp"
@@ -43,15 +44,26 @@ SpeedAt::SpeedAt(const QuadratureProblem& problem, const FarPlace& like) {
 }
 
 SquaredSpeed SpeedAt::at(const FarPlace& place) const {
+  const auto known = [](double e) { return std::isfinite(e) ? e : std::numeric_limits<double>::quiet_NaN(); };
   std::vector<double> numbers;
   for (const auto& [symbol, value] : place) numbers.push_back(value.value);
-  return {.at =
-              [this, workspace = function_.bind(numbers)](double x) mutable {
-                double e = 0;
-                const bool is_known = function_.evaluate(0, {&x, 1}, workspace, {&e, 1}) == Evaluation::ok;
-                return is_known ? e : std::numeric_limits<double>::quiet_NaN();
-              },
-          .may_have_poles = may_have_poles_};
+  const Workspace bound = function_.bind(numbers);
+  SquaredSpeed speed;
+  speed.may_have_poles = may_have_poles_;
+  speed.at = [this, known, workspace = bound](double x) mutable {
+    double e = 0;
+    (void)function_.evaluate(0, {&x, 1}, workspace, {&e, 1});
+    return known(e);
+  };
+  PairWorkspace pairs;
+  for (const double number : bound) pairs.push_back(PairOfDoubles{number, number});
+  speed.at_both = [this, known, workspace = std::move(pairs)](double x, double y) mutable {
+    const PairOfDoubles places{x, y};
+    PairOfDoubles e{};
+    (void)function_.evaluate(0, {&places, 1}, workspace, {&e, 1});
+    return std::array{known(e[0]), known(e[1])};
+  };
+  return speed;
 }
 
 }  // namespace qdot

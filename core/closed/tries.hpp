@@ -66,6 +66,7 @@ class Tries {
 
   std::vector<FarPlace> places;
   std::vector<bool> holds;
+  std::vector<std::vector<bool>> broken;  ///< of each condition, at the places that were looked at until now
 
  private:
   const Tried& tried_;
