@@ -93,13 +93,22 @@ bool stands_outside(const Expression& e, const Expression& u) {
   return depends_on(substitute(e, calls), u);
 }
 
+/// What is said of places in a domain speaks of coordinates, not of phases.
+bool is_anywhere(const LinearMotions& motions, const ExactValues& values, std::size_t k) {
+  const auto& coordinates = values.model().scene.coordinates;
+  if (k >= motions.moving.size() || motions.moving[k] >= coordinates.size()) return false;
+  const Domain& domain = coordinates[motions.moving[k]].domain;
+  return std::isinf(domain.lower) && std::isinf(domain.upper);
+}
+
 }  // namespace
 
 std::optional<ByPhases> by_phases(const LinearMotions& motions, const ExactValues& values,
                                   std::span<const Interval> near) {
   ByPhases result{motions, {near.begin(), near.end()}, {}, motions.x};
   for (std::size_t k = 0; k < motions.x.size(); ++k) {
-    const auto phase = motions.units[k] == "rad" ? std::nullopt : PhaseSearch(result.motions, k).found();
+    if (motions.units[k] == "rad" || !is_anywhere(motions, values, k)) continue;
+    const auto phase = PhaseSearch(result.motions, k).found();
     if (!phase) continue;
     const Replacement by_phase{motions.x[k], (phase->u - phase->offset) / phase->slope};
     LinearMotions changed = result.motions;
