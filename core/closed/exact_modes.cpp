@@ -15,6 +15,7 @@
 #include "core/closed/place_search.hpp"
 #include "core/closed/rolling_forms.hpp"
 #include "core/closed/steady_modes.hpp"
+#include "core/expr/simplify.hpp"
 #include "core/steady/surface_statics.hpp"
 
 namespace qdot {
