@@ -51,6 +51,7 @@ AssumedSigns::AssumedSigns(const ExactValues& values, const Relations& relations
       angles_(angles_among(values.symbols())) {
   const auto take = [&](const Expression& symbol) {
     const double value = values.value(symbol).value;
+    usual_[symbol.id()] = value;
     known_[symbol.id()] = value > 0 ? 1 : value < 0 ? -1 : 0;
   };
   std::ranges::for_each(values.symbols(), take);
@@ -67,6 +68,19 @@ void AssumedSigns::ask(const Expression& e) {
   const bool may_vanish = std::abs(value.value) <= value.error;  // h - V(c) at rest at c
   if (may_vanish || !value.is_finite() || sign_of(e) != 0 || !is_of_parameters(e)) return;
   if (const auto positive = positive_of(e, value.value > 0 ? 1 : -1)) take(*positive);
+  if (also_) ask_parts(e);
+}
+
+/// Of a fraction both parts: their product has its sign where both have the other one, too.
+void AssumedSigns::ask_parts(const Expression& e) {
+  const RationalFunction f = rational_function(e);
+  if (sign_of(f.above) != 0 || sign_of(f.below) != 0) return;
+  for (const Polynomial* part : {&f.above, &f.below}) {
+    const Expression own = to_expression(*values_.graph(), *part);
+    const Real value = values_.value(own);
+    if (!(std::abs(value.value) > value.error) || !is_of_parameters(own)) continue;
+    if (const auto positive = positive_of(own, value.value > 0 ? 1 : -1)) take(*positive);
+  }
 }
 
 void AssumedSigns::let_signs_go() {
@@ -126,9 +140,7 @@ std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tr
 }
 
 bool AssumedSigns::is_broken(const Expression& positive, const FarPlace& place) {
-  std::vector<Assignment> doubles;
-  for (const auto& [symbol, value] : place) doubles.emplace_back(symbol, value.value);
-  return !(evaluate(positive, doubles) > 0);
+  return !(rough_value(positive, place) > 0);
 }
 
 bool AssumedSigns::are_there() {
@@ -229,7 +241,7 @@ FarPlace AssumedSigns::place_near(FarPlace place, double reach, std::minstd_rand
 /// Where signs are let go: of any size, of that of the value, and near it. Angles go beyond a turn, too.
 double AssumedSigns::far_number(const Expression& symbol, const Domain& domain, int number,
                                 std::minstd_rand& random) const {
-  const double value = values_.value(symbol).value;
+  const double value = usual_.at(symbol.id());
   const int kind = also_ ? number % 3 : 0;
   const bool is_angle = std::ranges::find(angles_, symbol) != angles_.end();
   const double x = is_angle && kind < 2 && random() % 2 == 0 ? far_angle(value, domain, random)

@@ -61,15 +61,21 @@ class AssumedSigns {
   };
 
   void take_asked();
+  void ask_parts(const Expression& e);
   void take(const Expression& positive);
   void find_far_places();
   [[nodiscard]] FarPlace far_place(int number, std::minstd_rand& random) const;
   [[nodiscard]] FarPlace place_near(FarPlace place, double reach, std::minstd_rand& random) const;
   void relate(FarPlace& place) const;
   using Chosen = std::optional<std::vector<std::size_t>>;  ///< numbers of what is open
-  [[nodiscard]] Chosen that_tell(const Tries& all) const;
+  [[nodiscard]] Chosen that_tell(Tries& all) const;
   bool is_refuted(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
                   std::minstd_rand& random);
+  [[nodiscard]] bool hold_at(const std::vector<std::size_t>& chosen, const FarPlace& place) const;
+  bool is_refuted_inside(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
+                         std::minstd_rand& random);
+  /// As the relations say, and with what the motion makes of it where such places are tried.
+  [[nodiscard]] std::optional<FarPlace> other_place(FarPlace place, bool by_others) const;
   std::optional<bool> claimed_at(const FarPlace& made_of, Tries& all, const std::vector<std::size_t>& chosen,
                                  bool by_others) const;
   [[nodiscard]] static bool is_broken(const Expression& positive, const FarPlace& place);
@@ -87,7 +93,8 @@ class AssumedSigns {
   bool given_has_signs_{true};
   std::vector<Expression> let_go_;
   OtherPlace also_;
-  std::map<NodeId, int> known_;  ///< signs; 0 where it is open
+  std::map<NodeId, double> usual_;  ///< where the symbols have their values
+  std::map<NodeId, int> known_;     ///< signs; 0 where it is open
   std::vector<Replacement> formulas_;
   std::size_t asked_{};  ///< so many were looked at
   std::set<std::pair<NodeId, int>> seen_;

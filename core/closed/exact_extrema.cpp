@@ -12,6 +12,16 @@
 
 namespace qdot {
 
+namespace {
+
+/// The numerator of e without the factor x - x0: a cubic equation of which one end is known is quadratic.
+std::optional<Expression> without_root(const Expression& e, const Expression& x, const Expression& x0) {
+  const auto rest = exact_quotient(rational_function(e).above, rational_function(x - x0).above);
+  return rest ? std::optional(to_expression(x.graph(), *rest)) : std::nullopt;
+}
+
+}  // namespace
+
 void ExactExtrema::consider(const Expression& left, const Relations& relations) {
   for (const Function function : {Function::cos, Function::sin}) {
     const Expression unknown = is_angle_ ? equation_.graph->call(function, equation_.x) : equation_.x;
@@ -21,6 +31,12 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
     if (!is_angle_) break;
   }
   if (is_angle_) return;
+  const std::optional<Expression> start = equation_.start();
+  if (const auto rest = start ? without_root(left, equation_.x, *start) : std::nullopt) {
+    for (const Expression& root : roots_in(equation_.x, *rest)) {
+      for (const End end : {End::maximum, End::minimum}) consider(end, Function::cos, root, left, relations);
+    }
+  }
   for (const Expression& root : inverted_roots(left, equation_.x, equation_.values)) {
     for (const End end : {End::maximum, End::minimum}) consider(end, Function::cos, root, left, relations);
   }
@@ -29,7 +45,7 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
 void ExactExtrema::consider_start(const Expression& left, const Relations& relations) {
   const std::optional<Expression> start = equation_.start();
   if (!start) return;
-  for (const Expression& place : {*start, -*start}) {
+  for (const Expression& place : {*start, -*start, equation_.graph->symbol("pi") - *start}) {
     for (const End end : {End::maximum, End::minimum}) {
       if (number_of(end).value) keep(end, number(place, number_of(end), relations), left, relations);
     }

@@ -29,7 +29,7 @@ class ExactExtrema {
 
   /// The extrema that are roots of `left`, where their formulas are shorter.
   void consider(const Expression& left, const Relations& relations);
-  /// Those at the place where the motion begins, or at its mirror image.
+  /// Those at the place where the motion begins, or at its mirror image in 0 or pi/2.
   void consider_start(const Expression& left, const Relations& relations);
 
   /// Takes the shortest that hold wherever the signs do that they assume; after all was considered.

@@ -11,9 +11,11 @@
 #include "core/closed/assumed_signs.hpp"
 #include "core/closed/decided_coordinates.hpp"
 #include "core/closed/mode_options.hpp"
+#include "core/closed/phases.hpp"
 #include "core/closed/place_search.hpp"
 #include "core/closed/rolling_forms.hpp"
 #include "core/closed/steady_modes.hpp"
+#include "core/expr/simplify.hpp"
 #include "core/steady/surface_statics.hpp"
 
 namespace qdot {
@@ -42,7 +44,8 @@ struct Prepared {
   std::vector<Expression> x, momenta, place;
   std::vector<ModeForms> options;
   std::vector<std::optional<ClosedForm>> state;
-  ExactValues::Signs signs;  ///< of what the forms assume
+  ExactValues::Signs signs;           ///< of what the forms assume
+  std::vector<Replacement> phases{};  ///< of which the signs speak as well
 };
 
 /// Where the system rests, or moves steadily with these momenta.
@@ -73,9 +76,9 @@ void consider_by_place(const LinearMotions& motions, const ExactValues& values, 
 
 enum class Wanted { place, modes };
 
-/// Derives the options from a place that has formulas.
-void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues& values, Wanted wanted,
-            Prepared& result) {
+/// Derives the options from a place that has formulas; `x`: the coordinates there.
+void derive(const LinearMotions& all, const ExactPlace& place, const std::vector<Expression>& x,
+            const ExactValues& values, Wanted wanted, Prepared& result) {
   const std::vector<std::string> conditions = assumed_at(all, place, values);
   if (wanted == Wanted::modes) {
     const std::optional<LinearMotions> motions =
@@ -83,14 +86,30 @@ void derive(const LinearMotions& all, const ExactPlace& place, const ExactValues
     if (!motions) return;
     result.options = mode_options(*motions, place, values);
   }
-  result.place = place.x();
+  result.place = x;
   for (std::size_t k = 0; k < all.moving.size(); ++k) {
     auto& state = result.state[all.moving[k]];
-    state = closed_form(values, place.x()[k], {}, all.momenta);
+    state = closed_form(values, x[k], {}, all.momenta);
     if (!state) continue;
-    assume_signs(*state, values, place.x()[k], all.momenta);
+    assume_signs(*state, values, x[k], all.momenta);
     state->assumes.insert(state->assumes.end(), conditions.begin(), conditions.end());
   }
+}
+
+/// Where the place has formulas by phases.
+void derive_by_phases(const LinearMotions& all, std::span<const Interval> near, ExactValues& values,
+                      Wanted wanted, Prepared& result) {
+  const auto by = by_phases(all, values, near);
+  if (!by) return;
+  const PlaceProblem problem = place_problem(by->motions, values, by->near);
+  const auto place = exact_place(problem);
+  if (!place) return;
+  std::vector<Replacement> there;
+  for (std::size_t k = 0; k < all.x.size(); ++k) there.emplace_back(by->motions.x[k], place->x()[k]);
+  std::vector<Expression> x;
+  for (const Expression& e : by->x) x.push_back(simplify(substitute(e, there)));
+  result.phases = by->phases;
+  derive(by->motions, *place, x, values, wanted, result);
 }
 
 Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlace& near,
@@ -105,7 +124,10 @@ Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlac
     if (decided.empty()) decided = decided_coordinates(all, values);
     return decided[k];
   };
-  if (const auto place = exact_place(problem)) derive(all, *place, values, wanted, result);
+  if (const auto place = exact_place(problem))
+    derive(all, *place, place->x(), values, wanted, result);
+  else
+    derive_by_phases(all, near.x, values, wanted, result);
   if (wanted == Wanted::modes) consider_by_place(all, values, result);
   result.signs = values.asked();
   return result;
@@ -146,6 +168,7 @@ ExactValues values_near(const Prepared& forms, const SteadyPlace& near, ExactVal
   for (std::size_t k = 0; k < forms.x.size(); ++k)
     values.set(forms.x[k], Real(near.x[k].middle(), 0, near.x[k].width()));
   set_momenta(values, forms.momenta, near);
+  for (const auto& [phase, by_place] : forms.phases) values.set(phase, values.value(by_place));
   return values;
 }
 

@@ -109,9 +109,13 @@ Polynomial ExactPlace::with_angles_taken(const Polynomial& e, const Solved& angl
 
 Expression ExactPlace::at(const Expression& e) const {
   Expression known = e;
-  for (const BracketPower& bracket : brackets_) known = with_bracket_taken(known, bracket, problem_->sign);
+  for (const KnownBracket& bracket : brackets_) {
+    const std::span before(replacements_.data(), bracket.settled);
+    known = with_bracket_taken(substitute(known, before), bracket.power, problem_->sign);
+  }
   const Expression there = with_logarithms_taken(with_special_angles(substitute(known, replacements_)));
-  Expression result = with_roots_taken(with_powers_taken(there), problem_->sign);
+  const Expression signed_there = with_roots_taken(with_sizes_taken(there, problem_->sign), problem_->sign);
+  Expression result = with_roots_taken(with_powers_taken(signed_there), problem_->sign);
   if (solved_.empty()) return result;
   Graph& graph = e.graph();
   Polynomial opened = with_single_angles(graph, multiplied_out(with_tangents_written(result)));

@@ -61,7 +61,7 @@ class ExactPlace {
   void settle(std::size_t k, const Expression& value, Powered power);
   void settle(std::size_t k, const Expression& value, Solved angle);
   /// A bracket is known by its power. The last one can be forgotten.
-  void take(BracketPower bracket) { brackets_.push_back(std::move(bracket)); }
+  void take(BracketPower bracket) { brackets_.push_back({std::move(bracket), replacements_.size()}); }
   void forget_bracket() { brackets_.pop_back(); }
 
   [[nodiscard]] bool is_known(std::size_t k) const { return x_[k] != problem_->x[k]; }
@@ -83,7 +83,12 @@ class ExactPlace {
   std::vector<Replacement> replacements_;
   std::vector<Solved> solved_;
   std::vector<Powered> powers_;
-  std::vector<BracketPower> brackets_;
+  /// In which so many unknowns were replaced.
+  struct KnownBracket {
+    BracketPower power;
+    std::size_t settled;
+  };
+  std::vector<KnownBracket> brackets_;
 };
 
 }  // namespace qdot

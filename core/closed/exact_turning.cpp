@@ -8,6 +8,7 @@
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/elastic_period.hpp"
 #include "core/closed/period_form.hpp"
+#include "core/closed/place_algebra.hpp"
 #include "core/closed/turning_equation.hpp"
 #include "core/closed/turning_signs.hpp"
 #include "core/expr/simplify.hpp"
@@ -183,15 +184,21 @@ class TurningForms {
     if (!agrees(equation_.values.value(e), value, error)) return std::nullopt;
     const Relations& relations = equation_.values.relations();
     const Expression general = to_expression(*equation_.graph, rational_function(e));
-    const Expression related = simplify(substitute(e, relations.replacements));
+    const Expression related = simplify(with_signs_taken(substitute(e, relations.replacements)));
     if (written_length(related) < written_length(general))
       return equation_.formula(related, relations, equation_.assumed);
     return equation_.formula(general, {}, equation_.assumed);
   }
 
+  /// sqrt(d^2) and |d| as d where d > 0.
+  [[nodiscard]] Expression with_signs_taken(const Expression& e) const {
+    const SignOf sign = equation_.values.sign_of();
+    return with_roots_taken(with_sizes_taken(e, sign), sign);
+  }
+
   /// Without the factors that all terms share, its largest number 1: 1/8 (1/2 + sin x)^-2 - cos x + 1/2.
   [[nodiscard]] Expression divided(const Expression& e) const {
-    Polynomial terms = multiplied_out(simplify(e));
+    Polynomial terms = multiplied_out(simplify(with_signs_taken(e)));
     if (terms.empty()) return equation_.graph->number(0);
     Monomial common = common_monomial(terms);
     std::erase_if(common, [&](const Atom& atom) {
@@ -203,7 +210,8 @@ class TurningForms {
     const Expression quotient =
         to_expression(*equation_.graph, scaled(terms, inverse(common), Number(1) / size(*largest)));
     const Expression simple = simplify(quotient);
-    return written_length(simple) < written_length(quotient) ? simple : quotient;
+    const Expression& best = written_length(simple) < written_length(quotient) ? simple : quotient;
+    return split_coefficient(best).rest;  // zero as well
   }
 
   TurningEquation equation_;

@@ -22,13 +22,26 @@ constexpr const char* elliptic_integral =
 constexpr const char* gamma_function =
     "gamma(z) is the integral of u^(z - 1)*exp(-u) over u from 0 to infinity";
 
-/// sqrt(4 x) as 2 sqrt(x).
+/// Of a square, or of the largest square that divides a small whole number.
+std::optional<Number> root_to_take(const Number& coefficient) {
+  constexpr std::int64_t most = 10'000;
+  if (auto whole = exact_root(coefficient)) return whole;
+  const auto small = coefficient.small();
+  if (!small || small->denominator != 1 || small->numerator > most) return std::nullopt;
+  std::int64_t largest = 1;
+  for (std::int64_t k = 2; k * k <= small->numerator; ++k)
+    if (small->numerator % (k * k) == 0) largest = k;
+  return Number(largest);
+}
+
+/// sqrt(4 x) as 2 sqrt(x), and sqrt(32 x) as 4 sqrt(2 x).
 Expression with_squares_out(const Expression& e) {
   return with_half_powers(e, [](const Expression& base, const Number& exponent) -> std::optional<Expression> {
     const auto [coefficient, rest] = split_coefficient(base);
-    const auto factor = coefficient.is_negative() ? std::nullopt : exact_root(coefficient);
+    const auto factor = coefficient.is_negative() ? std::nullopt : root_to_take(coefficient);
     if (!factor || *factor == Number(1)) return std::nullopt;
-    return pow(base.graph().number(*factor), exponent * Number(2)) * pow(rest, exponent);
+    return pow(base.graph().number(*factor), exponent * Number(2)) *
+           pow(coefficient / (*factor * *factor) * rest, exponent);
   });
 }
 

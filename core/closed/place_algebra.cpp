@@ -84,6 +84,22 @@ Expression with_roots_taken(const Expression& e, const SignOf& sign) {
   return taken.empty() ? e : substitute(e, taken);
 }
 
+Expression with_sizes_taken(const Expression& e, const SignOf& sign) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> taken;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (call == nullptr || (call->function != Function::abs && call->function != Function::sign)) continue;
+    const Expression u(graph, call->argument);
+    const bool is_size = call->function == Function::abs;
+    const RationalFunction f = rational_function(u);
+    const Number side(sign(f.above) * sign(f.below));
+    if (!side.is_zero()) taken.emplace_back(Expression(graph, id), is_size ? side * u : graph.number(side));
+  }
+  return taken.empty() ? e : substitute(e, taken);
+}
+
 namespace {
 
 /// What exp(argument) is by the u of n log(u) in it, and the rest of the argument.

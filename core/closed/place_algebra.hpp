@@ -33,6 +33,9 @@ struct LinearIn {
 /// With roots of squares taken, sqrt(h^2) = h where h > 0.
 [[nodiscard]] Expression with_roots_taken(const Expression& e, const SignOf& sign);
 
+/// With |u| = u and sign(u) = 1 where u > 0, and their opposites where u < 0.
+[[nodiscard]] Expression with_sizes_taken(const Expression& e, const SignOf& sign);
+
 /// With exp(n log(u)) = u^n and log(exp(u)) = u.
 [[nodiscard]] Expression with_logarithms_taken(const Expression& e);
 

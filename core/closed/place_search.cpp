@@ -290,17 +290,28 @@ class PlaceSearch {
 
 }  // namespace
 
+namespace {
+
+bool rests(const PlaceProblem& problem, const ExactPlace& place) {
+  return std::ranges::all_of(
+      problem.forces, [&](const Expression& force) { return rational_function(place.at(force)).is_zero(); });
+}
+
+}  // namespace
+
+/// Unknowns that are equal are written so before the forces are solved, where they are so for all parameters.
 std::optional<ExactPlace> exact_place(const PlaceProblem& problem) {
   for (const bool from_starts : {false, true}) {
-    PlaceSearch search(problem);
-    if (from_starts) search.take_starts();
-    search.take_special_values();
-    while (search.solve_one() || search.take_brackets() || search.take_mirror() || search.take_parameter()) {
+    for (const bool mirrored : {true, false}) {
+      PlaceSearch search(problem);
+      if (from_starts) search.take_starts();
+      search.take_special_values();
+      if (mirrored && !search.take_mirror()) continue;
+      while (search.solve_one() || search.take_brackets() || search.take_mirror() ||
+             search.take_parameter()) {
+      }
+      if (rests(problem, search.place())) return search.place();
     }
-    const bool rests = std::ranges::all_of(problem.forces, [&](const Expression& force) {
-      return rational_function(search.place().at(force)).is_zero();
-    });
-    if (rests) return search.place();
   }
   return std::nullopt;
 }

@@ -1,18 +1,82 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/closed/assumed_signs.hpp"
 #include "core/closed/separation.hpp"
+#include "core/numerics/function.hpp"
 
 namespace qdot {
 
-AssumedSigns::Chosen AssumedSigns::that_tell(const Tries& all) const {
+AssumedSigns::Chosen AssumedSigns::that_tell(Tries& all) const {
   if (std::ranges::find(all.holds, false) == all.holds.end()) return Chosen{std::in_place};
-  std::vector<std::vector<bool>> broken(open_.size());
+  all.broken.resize(open_.size());
   for (std::size_t i = 0; i < open_.size(); ++i) {
-    for (const FarPlace& place : all.places) broken[i].push_back(is_broken(open_[i].e, place));
+    for (std::size_t place = all.broken[i].size(); place < all.places.size(); ++place)
+      all.broken[i].push_back(is_broken(open_[i].e, all.places[place]));
   }
-  return qdot::separating(broken, all.holds);
+  return qdot::separating(all.broken, all.holds);
+}
+
+namespace {
+
+/// Some part of the way from a to b, by factors; what has another sign, or is zero, stays as at a.
+FarPlace place_between(FarPlace a, const FarPlace& b, double part) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double ratio = b[i].second.value / a[i].second.value;
+    if (ratio > 0 && ratio != 1 && std::isfinite(ratio)) a[i].second = a[i].second.value * power(ratio, part);
+  }
+  return a;
+}
+
+/// How far it holds at least on a way at whose end it does not.
+template <class Holds>
+double holding_part(const Holds& holds) {
+  constexpr int halvings = 12;
+  double holding = 0, broken = 1;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (holding + broken) / 2;
+    (holds(middle) ? holding : broken) = middle;
+  }
+  return holding;
+}
+
+}  // namespace
+
+bool AssumedSigns::hold_at(const std::vector<std::size_t>& chosen, const FarPlace& place) const {
+  return std::ranges::none_of(chosen, [&](std::size_t i) { return is_broken(open_[i].e, place); });
+}
+
+/// Just inside of where all that is chosen holds, on ways from places where it does, and others farther away,
+/// to some where it does not: what bars a motion rises there.
+bool AssumedSigns::is_refuted_inside(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
+                                     std::minstd_rand& random) {
+  constexpr int most_tries = 4000;
+  constexpr double farther = 30;
+  std::vector<FarPlace> inside, outside;
+  for (const FarPlace& place : all.places) (hold_at(chosen, place) ? inside : outside).push_back(place);
+  if (inside.empty() || outside.empty()) return false;
+  for (int number = 0, ways = 240; number < most_tries && ways > 0; ++number) {
+    FarPlace from = inside[random() % inside.size()], to = outside[random() % outside.size()];
+    if (number % 2 != 0) from = place_near(from, farther, random);
+    if (number % 4 > 1) to = place_near(to, farther, random);
+    const auto holds = [&](double part) {
+      const auto place = other_place(place_between(from, to, part), by_others);
+      return place && hold_at(chosen, *place);
+    };
+    if (!holds(0) || holds(1)) continue;
+    --ways;
+    const double most = holding_part(holds);
+    for (const double part : {most, 0.95 * most, 0.8 * most}) {
+      if (claimed_at(place_between(from, to, part), all, chosen, by_others) == false) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<FarPlace> AssumedSigns::other_place(FarPlace place, bool by_others) const {
+  relate(place);
+  return by_others ? also_(place) : std::optional(place);
 }
 
 /// Next to places where the claim fails, and of ends, which are tried fast, at many far ones of the signs
@@ -31,6 +95,7 @@ bool AssumedSigns::is_refuted(Tries& all, const std::vector<std::size_t>& chosen
     if (holds) --most;
     if (holds == false) return true;
   }
+  if (all.has_rooms() && is_refuted_inside(all, chosen, by_others, random)) return true;
   const std::vector<Expression> let_go = std::exchange(let_go_, {});
   bool is_refuted = false;
   for (std::size_t i = 0; all.has_rooms() && i < far && !is_refuted; ++i) {
@@ -44,9 +109,8 @@ bool AssumedSigns::is_refuted(Tries& all, const std::vector<std::size_t>& chosen
 /// Whether the claim holds; none where nothing is claimed, or something is broken that is chosen.
 std::optional<bool> AssumedSigns::claimed_at(const FarPlace& made_of, Tries& all,
                                              const std::vector<std::size_t>& chosen, bool by_others) const {
-  const auto place = by_others ? also_(made_of) : std::optional(made_of);
-  const auto is_chosen_broken = [&](std::size_t i) { return is_broken(open_[i].e, *place); };
-  if (!place || std::ranges::any_of(chosen, is_chosen_broken)) return std::nullopt;
+  const auto place = other_place(made_of, by_others);
+  if (!place || !hold_at(chosen, *place)) return std::nullopt;
   if (!all.add(*place, made_of)) return std::nullopt;
   return all.holds.back();
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -30,11 +30,10 @@ std::vector<double> places_to_look_at() {
   return places;
 }
 
-std::vector<double> looked_at(const SquaredSpeed& e) {
+std::span<const double> looked_at(const SquaredSpeed& e) {
   static const std::vector<double> all = places_to_look_at();
-  std::vector<double> places;
-  std::ranges::copy_if(all, std::back_inserter(places), [&](double x) { return x > e.below && x < e.above; });
-  return places;
+  const auto first = std::ranges::upper_bound(all, e.below);
+  return {first, std::max(first, std::ranges::lower_bound(all, e.above))};
 }
 
 bool moves(double squared_speed) { return squared_speed > 0 && std::isfinite(squared_speed); }
@@ -51,40 +50,103 @@ double end_between(const SquaredSpeed& e, double reached, double beyond, double 
   return std::abs(e.at(reached)) < rough * size ? reached : std::numeric_limits<double>::quiet_NaN();
 }
 
-double way_between(const SquaredSpeed& e, double from, double to, int parts) {
-  const double middle = (from + to) / 2, half = (to - from) / 2;
-  double sum = 0;
-  for (int i = 0; i < parts; ++i) {
-    const double u = pi * ((i + 0.5) / parts - 0.5);
-    sum += half * evaluate(Function::cos, u) / std::sqrt(e.at(middle + half * evaluate(Function::sin, u)));
+/// Sines and cosines of pi ((i + 1/2)/n - 1/2).
+struct Angles {
+  explicit Angles(std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double u = pi * ((static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5);
+      sines.push_back(evaluate(Function::sin, u));
+      cosines.push_back(evaluate(Function::cos, u));
+    }
   }
-  return 2 * pi / parts * sum;
+  std::vector<double> sines, cosines;
+};
+
+/// The period by more and more places, each time three times as many: those there were are among them.
+class WayBetween {
+ public:
+  WayBetween(const SquaredSpeed& e, double from, double to)
+      : e_(e), middle_((from + to) / 2), half_((to - from) / 2) {
+    for (std::size_t i = 0; i < parts_; ++i) add(i);
+  }
+
+  void refine() {
+    parts_ *= 3;
+    for (std::size_t i = 0; i < parts_; ++i)
+      if (i % 3 != 1) add(i);
+  }
+  [[nodiscard]] std::size_t parts() const { return parts_; }
+  [[nodiscard]] double value() const { return 2 * pi / static_cast<double>(parts_) * sum_; }
+
+  static constexpr std::size_t most = 729;
+
+ private:
+  void add(std::size_t i) {
+    static const Angles angles(most);
+    const std::size_t each = most / parts_, k = i * each + each / 2;
+    sum_ += half_ * angles.cosines[k] / std::sqrt(e_.at(middle_ + half_ * angles.sines[k]));
+  }
+
+  const SquaredSpeed& e_;
+  double middle_, half_, sum_{};
+  std::size_t parts_{27};
+};
+
+/// e at the places that part a way into equal pieces.
+struct Way {
+  double from{}, step{};
+  std::vector<double> seen;
+
+  [[nodiscard]] double place(std::size_t i) const { return from + static_cast<double>(i + 1) * step; }
+};
+
+/// To the first place where `goes_on` does not hold of e.
+template <class GoesOn>
+Way looked_along(const SquaredSpeed& e, double from, double to, GoesOn goes_on) {
+  Way way{from, (to - from) / pieces, {}};
+  way.seen.reserve(pieces);
+  for (std::size_t i = 0; i + 1 < pieces; i += 2) {
+    for (const double each : e.at_both(way.place(i), way.place(i + 1))) {
+      if (way.seen.size() + 1 == pieces) break;
+      way.seen.push_back(each);
+      if (!goes_on(each)) return way;
+    }
+  }
+  return way;
 }
 
-/// Where e is largest (sign 1) or smallest (-1) within a step of x.
+/// e where it is largest (sign 1) or smallest (-1) within a step of x, to some digits: around a pole, or
+/// where it falls below zero, it is flat nowhere.
 double extreme_near(const SquaredSpeed& e, double x, double step, double sign) {
   constexpr int halvings = 60;
+  constexpr double flat = 1e-5;
   double low = x - step, high = x + step;
   for (int i = 0; i < halvings; ++i) {
     const double third = (high - low) / 3;
-    if (sign * e.at(low + third) < sign * e.at(high - third))
+    const auto [left, right] = e.at_both(low + third, high - third);
+    const double least = flat * std::abs(left);
+    if (std::abs(left - right) <= least && std::abs(e.at((low + high) / 2) - left) <= least) break;
+    if (sign * left < sign * right)
       low += third;
     else
       high -= third;
   }
-  return (low + high) / 2;
+  return e.at((low + high) / 2);
 }
 
 /// Whether e grows without bound where it is largest: no motion passes a pole.
-bool has_pole(const SquaredSpeed& e, double from, double to) {
+bool has_pole(const SquaredSpeed& e, const Way& way) {
   constexpr double without_bound = 1e6;
-  const double step = (to - from) / pieces;
-  double place = from + step, largest = 0;
-  for (int i = 1; i < pieces; ++i) {
-    const double x = from + i * step;
-    if (!(e.at(x) <= largest)) std::tie(place, largest) = std::pair(x, e.at(x));
+  if (!e.may_have_poles) return false;
+  double place = way.place(0), largest = 0;
+  for (std::size_t i = 0; i < way.seen.size(); ++i) {
+    if (!(way.seen[i] <= largest)) std::tie(place, largest) = std::pair(way.place(i), way.seen[i]);
   }
-  return !(e.at(extreme_near(e, place, step, 1)) < without_bound * largest);
+  return !(extreme_near(e, place, way.step, 1) < without_bound * largest);
+}
+
+bool has_pole(const SquaredSpeed& e, double from, double to) {
+  return e.may_have_poles && has_pole(e, looked_along(e, from, to, [](double) { return true; }));
 }
 
 double turn(const SquaredSpeed& e, int parts) {
@@ -95,16 +157,28 @@ double turn(const SquaredSpeed& e, int parts) {
 
 enum class Likeness { same, other, unknown };
 
+bool settles(double first, double finer, double slack) {
+  return std::abs(first - finer) <= slack * std::abs(finer);
+}
+
 /// Unknown where the integral does not settle, or between the ends something hides at which nothing moves.
 Likeness compared(double first, double finer, double period) {
-  if (!(std::abs(first - finer) <= 0.1 * rough * std::abs(finer))) return Likeness::unknown;
+  if (!settles(first, finer, 0.1 * rough)) return Likeness::unknown;
   return std::abs(finer - period) <= rough * std::abs(finer) ? Likeness::same : Likeness::other;
 }
 
+/// With fewer places where they tell more digits than are asked for.
 Likeness compared(const SquaredSpeed& e, double from, double to, double period) {
+  constexpr double sharp = 1e-8;
   if (!std::isfinite(from) || !std::isfinite(to) || has_pole(e, from, to)) return Likeness::other;
-  const int parts = e.start ? pieces : 2 * pieces;  // of all motions, few are looked at
-  return compared(way_between(e, from, to, parts), way_between(e, from, to, 2 * parts), period);
+  const std::size_t most = WayBetween::most / (e.start ? 3 : 1);  // of all motions, few are looked at
+  WayBetween way(e, from, to);
+  double first = 0;
+  do {
+    first = way.value();
+    way.refine();
+  } while (way.parts() < most && !settles(first, way.value(), sharp));
+  return compared(first, way.value(), period);
 }
 
 /// Or at an end.
@@ -118,7 +192,7 @@ bool is_between(double x, double low, double high) {
 namespace {
 
 /// Of the motion that has e > 0 at the places from `first` to before `next`.
-Likeness compared_within(const SquaredSpeed& e, const std::vector<double>& places, std::size_t first,
+Likeness compared_within(const SquaredSpeed& e, std::span<const double> places, std::size_t first,
                          std::size_t next, double period) {
   double size = 0;
   for (std::size_t i = first; i < next; ++i) size = std::max(size, e.at(places[i]));
@@ -130,7 +204,7 @@ Likeness compared_within(const SquaredSpeed& e, const std::vector<double>& place
   return compared(e, from, to, period);
 }
 
-bool may_swing_from_start(const SquaredSpeed& e, const std::vector<double>& places, double period) {
+bool may_swing_from_start(const SquaredSpeed& e, std::span<const double> places, double period) {
   const auto start = std::ranges::lower_bound(places, *e.start);
   auto first = static_cast<std::size_t>(start - places.begin()), next = first;
   while (first > 0 && moves(e.at(places[first - 1]))) --first;
@@ -141,7 +215,7 @@ bool may_swing_from_start(const SquaredSpeed& e, const std::vector<double>& plac
 }  // namespace
 
 bool may_swing_with(const SquaredSpeed& e, double period) {
-  const std::vector<double> places = looked_at(e);
+  const std::span<const double> places = looked_at(e);
   if (e.start) return may_swing_from_start(e, places, period);
   bool is_another = false;
   for (std::size_t first = 0; first < places.size(); ++first) {
@@ -163,34 +237,37 @@ bool may_turn_with(const SquaredSpeed& e, double period) {
   return compared(turn(e, pieces), turn(e, 2 * pieces), period) != Likeness::other;
 }
 
-bool may_come(const SquaredSpeed& e, double from, double to) {
-  constexpr double near = 1e-9;
-  if (std::abs(to - from) <= near * std::abs(from)) return true;
-  const double step = (to - from) / pieces;
-  std::vector<double> seen;
-  for (int i = 1; i < pieces; ++i) {
-    seen.push_back(e.at(from + i * step));
-    if (!moves(seen.back())) return false;
+namespace {
+
+bool stops_between(const SquaredSpeed& e, const Way& way) {
+  for (std::size_t i = 1; i + 1 < way.seen.size(); ++i) {
+    const bool is_low = way.seen[i] < way.seen[i - 1] && way.seen[i] <= way.seen[i + 1];
+    if (is_low && !moves(extreme_near(e, way.place(i), way.step, -1))) return true;
   }
-  for (std::size_t i = 1; i + 1 < seen.size(); ++i) {
-    const bool is_low = seen[i] < seen[i - 1] && seen[i] <= seen[i + 1];
-    const double x = from + static_cast<double>(i + 1) * step;
-    if (is_low && !moves(e.at(extreme_near(e, x, step, -1)))) return false;
-  }
-  return !has_pole(e, from, to);
+  return false;
 }
 
-Rooms rooms_between(const SquaredSpeed& e, double from, double to) {
+Rooms rooms_of(const Way& way) {
   constexpr double margin = 0.2;
   Rooms least;
   double largest = 0;
-  for (int i = 1; i < pieces; ++i) {
-    const double u = static_cast<double>(i) / pieces, room = e.at(from + u * (to - from)) / (u * (1 - u));
+  for (std::size_t i = 0; i < way.seen.size(); ++i) {
+    const double u = static_cast<double>(i + 1) / pieces, room = way.seen[i] / (u * (1 - u));
     least.on_the_way = std::min(least.on_the_way, room);
     if (u > margin && u < 1 - margin) least.in_the_middle = std::min(least.in_the_middle, room);
     largest = std::max(largest, room);
   }
-  return largest > 0 ? Rooms{least.on_the_way / largest, least.in_the_middle / largest} : Rooms{};
+  return {least.on_the_way / largest, least.in_the_middle / largest};
+}
+
+}  // namespace
+
+std::optional<Rooms> room_to_come(const SquaredSpeed& e, double from, double to) {
+  constexpr double near = 1e-9;
+  if (std::abs(to - from) <= near * std::abs(from)) return Rooms{};
+  const Way way = looked_along(e, from, to, moves);
+  if (!moves(way.seen.back()) || stops_between(e, way) || has_pole(e, way)) return std::nullopt;
+  return rooms_of(way);
 }
 
 }  // namespace qdot

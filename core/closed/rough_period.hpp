@@ -6,6 +6,7 @@
 //
 // whose integrand is smooth where the ends are simple zeros of e, or walls.
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -14,9 +15,12 @@
 namespace qdot {
 
 struct SquaredSpeed {
-  std::function<double(double)> at;          ///< e(x); not a number where there is none
+  std::function<double(double)> at;  ///< e(x); not a number where there is none
+  /// At two places, which takes little longer than at one.
+  std::function<std::array<double, 2>(double, double)> at_both;
   double below{-infinity}, above{infinity};  ///< walls
   std::optional<double> start{};             ///< where the motion is, if it is known
+  bool may_have_poles{true};                 ///< e may grow without bound at a place
 };
 
 /// Whether one of the motions to and fro that are found, or the one from the start, has this period, or none
@@ -26,14 +30,13 @@ struct SquaredSpeed {
 /// Whether a turn of 2 pi takes this time, or there is a place that stops it.
 [[nodiscard]] bool may_turn_with(const SquaredSpeed& e, double period);
 
-/// Whether a motion that is at `from` has e > 0 all the way to just before `to`, and passes no pole.
-[[nodiscard]] bool may_come(const SquaredSpeed& e, double from, double to);
-
-/// The least of e on that way, and on the middle of it, next to what a parabola between its ends would have,
-/// and to the largest.
+/// The least of e on a way, and on the middle of it, next to what a parabola between its ends would have, and
+/// to the largest.
 struct Rooms {
   double on_the_way{infinity}, in_the_middle{infinity};
 };
-[[nodiscard]] Rooms rooms_between(const SquaredSpeed& e, double from, double to);
+
+/// Of a motion that is at `from`, if e > 0 all the way to just before `to`, and it passes no pole.
+[[nodiscard]] std::optional<Rooms> room_to_come(const SquaredSpeed& e, double from, double to);
 
 }  // namespace qdot

@@ -16,6 +16,14 @@ namespace qdot {
 /// Values of all symbols that a formula may speak of.
 using FarPlace = std::vector<RealAssignment>;
 
+/// With the rounding of doubles.
+[[nodiscard]] inline double rough_value(const Expression& e, const FarPlace& place) {
+  std::vector<Assignment> doubles;
+  doubles.reserve(place.size());
+  for (const auto& [symbol, value] : place) doubles.emplace_back(symbol, value.value);
+  return evaluate(e, doubles);
+}
+
 /// Whether a formula holds somewhere, and by several measures how much is left until it does not.
 struct Claim {
   bool holds{};
@@ -58,6 +66,7 @@ class Tries {
 
   std::vector<FarPlace> places;
   std::vector<bool> holds;
+  std::vector<std::vector<bool>> broken;  ///< of each condition, at the places that were looked at until now
 
  private:
   const Tried& tried_;

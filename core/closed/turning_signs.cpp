@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "core/base/error.hpp"
 #include "core/closed/assumed_signs.hpp"
-#include "core/closed/rough_period.hpp"
+#include "core/closed/speed_at.hpp"
 #include "core/closed/trial.hpp"
-#include "core/compile/tape_builder.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/print/print.hpp"
@@ -113,11 +111,15 @@ class FarStart {
   }
 
  private:
+  /// Not by chance.
+  static bool is_near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(a); }
+
   [[nodiscard]] bool is_that_of_start(const FarPlace& place) const {
     if (!equation_.energy) return false;
     const auto has = [&](const Expression& symbol, const Expression& value) {
       const auto given = std::ranges::find(place, symbol, &RealAssignment::first);
-      return given != place.end() && given->second.value == evaluate_exactly(value, place).value;
+      return given != place.end() && (is_near(given->second.value, rough_value(value, place)) ||
+                                      given->second.value == evaluate_exactly(value, place).value);
     };
     const auto is_momentum = [&](const Replacement& p) { return has(p.first, p.second); };
     return has(equation_.energy_symbol, *equation_.energy) &&
@@ -170,10 +172,19 @@ void ask_turn_of_start(const QuadratureProblem& problem, const Expression& start
   }
 }
 
+bool has_logarithm_of(const Expression& e, const Expression& x) {
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
+    const auto* call = std::get_if<Call>(&e.graph().node(id));
+    return call != nullptr && call->function == Function::log && call->argument == x.id();
+  });
+}
+
 void ask_about(const TurningEquation& equation, const QuadratureProblem& problem, AssumedSigns& signs) {
   ask_between(problem, equation.graph->number(0), signs);
   const bool is_angle = equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad";
   if (is_angle) ask_between(problem, equation.graph->symbol("pi"), signs);
+  if (has_logarithm_of(problem.potential, equation.x)) ask_between(problem, equation.graph->number(1), signs);
   if (const auto start = equation.start()) ask_turn_of_start(problem, *start, signs);
 }
 
@@ -191,42 +202,6 @@ Needed with_force_at_start(const TurningEquation& equation, const QuadratureProb
     with->push_back(print(equation.x, Form::text) + "(0) = " + print(*start, Form::text));
   return with;
 }
-
-/// Nothing is answered where the inertia is not positive.
-bool is_heavy(const QuadratureProblem& problem, double x, FarPlace far) {
-  far.emplace_back(problem.x, Real(x));
-  return evaluate_exactly(problem.inertia, far).value > 0;
-}
-
-/// v^2 with numbers in place of all but x.
-class SpeedAt {
- public:
-  SpeedAt(const QuadratureProblem& problem, const FarPlace& like) {
-    std::vector<Expression> symbols;
-    for (const auto& [symbol, value] : like) symbols.push_back(symbol);
-    Graph& graph = problem.x.graph();
-    TapeBuilder tape(graph, symbols, graph.symbol("t"), {&problem.x, 1});
-    tape.output(Number(2) * (problem.energy - problem.potential) / problem.inertia);
-    function_ = tape.finish();
-  }
-
-  [[nodiscard]] SquaredSpeed at(const FarPlace& place) const {
-    std::vector<double> numbers;
-    for (const auto& [symbol, value] : place) numbers.push_back(value.value);
-    return {.at = [this, workspace = function_.bind(numbers)](double x) mutable {
-      double e = 0;
-      const bool is_known = function_.evaluate(0, {&x, 1}, workspace, {&e, 1}) == Evaluation::ok;
-      return is_known ? e : std::numeric_limits<double>::quiet_NaN();
-    }};
-  }
-
- private:
-  CompiledFunction function_;
-};
-
-}  // namespace
-
-namespace {
 
 /// A formula of an end of the motion.
 class End {
@@ -289,8 +264,8 @@ class End {
     if (is_other_side(*x0, end.value)) return Claim{};
     if (!speed_) speed_.emplace(problem_, far);
     const SquaredSpeed e = speed_->at(far);
-    const Rooms rooms = rooms_between(e, *x0, end.value);
-    return Claim{may_come(e, *x0, end.value), {rooms.on_the_way, rooms.in_the_middle}};
+    const std::optional<Rooms> rooms = room_to_come(e, *x0, end.value);
+    return rooms ? Claim{true, {rooms->on_the_way, rooms->in_the_middle}} : Claim{};
   }
 
   [[nodiscard]] bool is_other_side(double x0, double end) const {

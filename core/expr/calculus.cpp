@@ -1,5 +1,6 @@
 #include "core/expr/calculus.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -159,47 +160,52 @@ namespace {
 double literal(double, const Real& x) { return x.value; }
 Ball literal(const Ball&, const Real& x) { return Ball::literal(x); }
 
-/// In doubles or in balls: bottom-up over the nodes, `done` has the symbols' values.
-template <class T>
-T evaluated(const Expression& e, std::map<NodeId, T> done, const T& unknown) {
+/// In doubles or in balls: bottom-up over the nodes. `values`: of symbols, of which the last counts.
+template <class T, class Value>
+T evaluated(const Expression& e, std::span<const std::pair<Expression, Value>> values, const T& unknown) {
   const Graph& graph = e.graph();
   const NodeId root[]{e.id()};
+  const std::vector<NodeId> nodes = reachable(graph, root);  // by their numbers
+  std::vector<T> done;
+  done.reserve(nodes.size());
+  const auto at = [&](NodeId id) -> const T& {
+    return done[static_cast<std::size_t>(std::ranges::lower_bound(nodes, id) - nodes.begin())];
+  };
   const auto number = [](const Number& x) { return literal(T{}, x.rounded()); };
   const auto value_of =
       overloaded{[&](const Literal& x) { return number(x.value); },
                  [&](const Symbol& x) { return x.name == "pi" ? literal(T{}, exact_pi) : unknown; },
                  [&](const Sum& x) {
-                   T sum = done.at(x.terms[0]);
-                   for (std::size_t i = 1; i < x.terms.size(); ++i) sum = sum + done.at(x.terms[i]);
+                   T sum = at(x.terms[0]);
+                   for (std::size_t i = 1; i < x.terms.size(); ++i) sum = sum + at(x.terms[i]);
                    return sum;
                  },
                  [&](const Product& x) {
                    T product = number(x.coefficient);
-                   for (const NodeId id : x.factors) product = product * done.at(id);
+                   for (const NodeId id : x.factors) product = product * at(id);
                    return product;
                  },
-                 [&](const Power& x) { return qdot::power(done.at(x.base), number(x.exponent)); },
-                 [&](const Call& x) { return qdot::evaluate(x.function, done.at(x.argument)); }};
-  for (const NodeId id : reachable(graph, root)) {
-    if (!done.contains(id)) done[id] = std::visit(value_of, graph.node(id));
+                 [&](const Power& x) { return qdot::power(at(x.base), number(x.exponent)); },
+                 [&](const Call& x) { return qdot::evaluate(x.function, at(x.argument)); }};
+  for (const NodeId id : nodes) {
+    const auto given = std::find_if(values.rbegin(), values.rend(),
+                                    [&](const auto& value) { return value.first.id() == id; });
+    done.push_back(given != values.rend() ? literal(T{}, given->second)
+                                          : std::visit(value_of, graph.node(id)));
   }
-  return done.at(e.id());
+  return done.back();
 }
 
 }  // namespace
 
 double evaluate(const Expression& e, std::span<const Assignment> values) {
-  std::map<NodeId, double> known;
-  for (const auto& [symbol, value] : values) known[symbol.id()] = value;
-  return evaluated(e, std::move(known), std::numeric_limits<double>::quiet_NaN());
+  return evaluated(e, values, std::numeric_limits<double>::quiet_NaN());
 }
 
 namespace {
 
 Ball enclosed(const Expression& e, std::span<const RealAssignment> values) {
-  std::map<NodeId, Ball> known;
-  for (const auto& [symbol, value] : values) known[symbol.id()] = Ball::literal(value);
-  return evaluated(e, std::move(known), Ball({}, infinity));
+  return evaluated(e, values, Ball({}, infinity));
 }
 
 }  // namespace
@@ -208,9 +214,7 @@ Real evaluate_exactly(const Expression& e, std::span<const RealAssignment> value
   if (const Number* number = e.number()) return number->rounded();
   const Ball result = enclosed(e, values);
   if (result.is_finite()) return result.real();
-  std::vector<Assignment> doubles;
-  for (const auto& [symbol, value] : values) doubles.emplace_back(symbol, value.value);
-  return evaluate(e, doubles);
+  return evaluated(e, values, std::numeric_limits<double>::quiet_NaN());
 }
 
 bool is_bounded(const Expression& e, std::span<const RealAssignment> values) {

@@ -1,5 +1,6 @@
 #include "core/numerics/krawczyk.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/numerics/dense_matrix.hpp"
@@ -49,6 +50,26 @@ Box krawczyk(const SquareSystem& system, const Box& box) {
     }
   }
   return result;
+}
+
+bool may_hold_zero(const SquareSystem& system, Box box) {
+  constexpr int sweeps = 3;
+  const std::size_t n = box.size();
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    Box jacobian(n * n);
+    system.jacobian(box, jacobian);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Interval& slope = jacobian[i * n + i];
+      if (slope.contains(0.0) || !slope.is_finite()) continue;
+      Box cut = box;
+      cut[i] = Interval(box[i].middle());
+      const Interval value = values_over(system, cut)[i];
+      if (!value.is_finite()) continue;
+      box[i] = intersection(box[i], cut[i] - value / slope);
+      if (is_empty(box[i])) return false;
+    }
+  }
+  return std::ranges::all_of(values_over(system, box), [](const Interval& v) { return v.contains(0.0); });
 }
 
 std::optional<Box> newton(const SquareSystem& system, Box c) {

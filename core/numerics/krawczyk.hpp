@@ -27,6 +27,11 @@ struct SquareSystem {
 /// K(X); the box itself where the middle's Jacobian has no inverse.
 [[nodiscard]] Box krawczyk(const SquareSystem& system, const Box& box);
 
+/// Whether a zero is left once each equation was solved for its own unknown, one after another, where it has
+/// a slope: beside a multiple zero K(X) contracts nothing, but most unknowns are functions of the others
+/// there. Source: Neumaier (1990), 4.3 (Gauss-Seidel iteration).
+[[nodiscard]] bool may_hold_zero(const SquareSystem& system, Box box);
+
 /// Where Newton's iteration comes from c in six steps, a box without width; none where a Jacobian has no
 /// inverse.
 [[nodiscard]] std::optional<Box> newton(const SquareSystem& system, Box c);

@@ -209,7 +209,7 @@ class Isolator {
       return true;
     }
     if (!hidden && units_.width(box) > least_box) return false;
-    unresolved_.push_back(box);
+    if (may_hold_zero(system_, box)) unresolved_.push_back(box);
     return true;
   }
 

@@ -59,10 +59,12 @@ struct Words {
 
 class Wording {
  public:
-  Wording(const Model& model, const SymmetrySearch& search, std::span<const Replacement> replacements)
+  Wording(const Model& model, const SymmetrySearch& search, const Lagrangian& given,
+          std::span<const Replacement> replacements)
       : scene_(model.scene),
         search_(search),
         lagrangian_(search.lagrangian),
+        given_(lagrangian_.graph->adopt(given.lagrangian)),
         notation_(notation_of(model.scene)),
         places_(places_of_bodies(model.parsed, lagrangian_, replacements)),
         bodies_(names_of(model.parsed)),
@@ -80,12 +82,29 @@ class Wording {
     const Words words = motion ? in_space(*motion) : in_coordinates(symmetry, change);
     const auto [kind, spread] = kind_of(search_, symmetry);
     const bool turns_bodies = motion && kind != KindOfChange::in_time && kind != KindOfChange::linear;
+    change.gauge = gauge_of_given(change);
     return Kept{{words.name, unit(value), value, sentence(words, change)},
                 turns_bodies ? KindOfChange::in_space : kind,
                 spread};
   }
 
  private:
+  /// F for the L that was given, whose p and h the sentences speak of: what the search dropped of it, the
+  /// total derivative a.q' + b, changes by the time derivative of a.xi + b tau.
+  [[nodiscard]] Expression gauge_of_given(const PointChange& change) const {
+    const Expression dropped = simplify(given_ - lagrangian_.lagrangian);
+    if (dropped.is_zero()) return change.gauge;
+    std::vector<Expression> terms{change.gauge};
+    std::vector<Replacement> stopped;
+    for (std::size_t i = 0; i < change.shift.size(); ++i) {
+      const Expression& rate = lagrangian_.symbols.coordinates.rate[i];
+      terms.push_back(differentiate(dropped, rate) * change.shift[i]);
+      stopped.emplace_back(rate, lagrangian_.graph->number(0));
+    }
+    terms.push_back(substitute(dropped, stopped) * change.time);
+    return simplify_by_degree(lagrangian_.graph->sum(terms), lagrangian_.symbols);
+  }
+
   [[nodiscard]] static bool changes_nothing(const PointChange& change) {
     return change.time.is_zero() && std::ranges::all_of(change.shift, &Expression::is_zero);
   }
@@ -162,7 +181,7 @@ class Wording {
   /// An integral over the time divides by rates: A cos(w t)/w is none where w is zero.
   [[nodiscard]] std::string condition(const Expression& gauge) const {
     std::vector<Expression> own = lagrangian_.generalized_forces;
-    own.push_back(lagrangian_.lagrangian);
+    own.push_back(given_);
     const std::vector<Expression> known = divisors(own);
     std::vector<std::string> rates;
     for (const Expression& e : divisors({gauge})) {
@@ -282,6 +301,7 @@ class Wording {
   const Scene& scene_;
   const SymmetrySearch& search_;
   const Lagrangian& lagrangian_;
+  Expression given_;  ///< L with its total derivatives
   Notation notation_;
   std::vector<Vector> places_;
   std::vector<std::string> bodies_;  ///< names
@@ -306,7 +326,7 @@ FoundQuantities found_quantities(const Model& model, const Lagrangian& lagrangia
   });
   FoundQuantities result{search.lagrangian.graph, {}, search.is_complete};
   if (search.found.empty()) return result;
-  const Wording wording(model, search, replacements);
+  const Wording wording(model, search, lagrangian, replacements);
   std::vector<Kept> all;
   for (const Symmetry& symmetry : search.found) {
     if (auto kept = wording.quantity(symmetry)) all.push_back(*std::move(kept));

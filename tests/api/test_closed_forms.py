@@ -248,6 +248,39 @@ class ClosedForms(Service):
         self.assertEqual(found["equilibrium"]["exact"]["x"]["text"], "log(D*a/F)/a")
         self.assert_same(found["modes"][0]["exact"], "a*F/m")
 
+    def test_places_where_a_distance_is_one_of_its_coordinates(self):
+        """Hill's points beside a planet, a mass that hangs beside the line of others, and two others on a turning line."""
+        for text, parameters, expected in (
+                ("(x_dot^2 + y_dot^2)/2 + n*(x*y_dot - y*x_dot) + 3*n^2*x^2/2 + mu/sqrt(x^2 + y^2)", "n - 1; mu - 1",
+                 [("x", "-(mu/(3*n^2))^(1/3)"), ("x", "(mu/(3*n^2))^(1/3)")]),
+                ("(x_dot^2 + y_dot^2)/2 + 3*n^2*x^2/2 + mu/abs(x) - y^2", "n - 1; mu - 1",
+                 [("x", "-(mu/(3*n^2))^(1/3)"), ("x", "(mu/(3*n^2))^(1/3)")]),
+                ("(x_dot^2 + y_dot^2)/2 - k*x^2/2 - k*y^2/2 - y^2 - q/sqrt(x^2 + y^2 + d^2)", "k - 1; q - 1; d - 0.1",
+                 [("x", "-sqrt(q^(2/3)/k^(2/3) - d^2)"), ("x", "sqrt(q^(2/3)/k^(2/3) - d^2)")])):
+            answer = self.ask("equilibria", {"system": lagrangian("place", parameters, "x - 0.6; y - 0.1", text)})
+            found = [(q, form["text"]) for one in answer["equilibria"] for q, form in one.get("exact", {}).items() if q == "x"]
+            self.assertEqual(found, expected, text)
+
+    def test_unknowns_that_are_equal_or_opposite_are_written_so(self):
+        for text, parameters, start, expected in (
+                ("(x_dot^2 + y_dot^2)/2 - k*(x^2 + y^2)/2 + q*log(x) + q*log(y) - w*x*y", "k - 1; q - 1; w - 0.2", "x - 0.6; y - 0.1",
+                 {"x": "sqrt(q/(k + w))", "y": "sqrt(q/(k + w))"}),
+                ("m*(x_dot^2 + y_dot^2)/2 - m*w^2*(x^2 + y^2)/2 - q^2/abs(x - y)", "m - 1; q - 1; w - 0.7", "x - 0.6; y - -0.1",
+                 {"x": "(q^2/(4*m*w^2))^(1/3)", "y": "-(q^2/(4*m*w^2))^(1/3)"})):
+            answer = self.ask("equilibria", {"system": lagrangian("pair", parameters, start, text)})
+            found = [{q: form["text"] for q, form in one["exact"].items() if q != "rate2"} for one in answer["equilibria"]]
+            self.assertIn(expected, found)
+
+    def test_places_in_a_lattice_are_told_by_its_phase(self):
+        for text, parameters, start, place, square in (
+                ("m*x_dot^2/2 - V*cos(q*x)", "m - 1; V - 2; q - 3", "x - 1", "pi/q", "V*q**2/m"),
+                ("m*x_dot^2/2 - V*sin(2*pi*x/L)", "m - 1; V - 2; L - 3", "x - 2.1", "3*L/4", "4*pi**2*V/(m*L**2)"),
+                ("m*x_dot^2/2 - V*sin(2*pi*x/L)", "m - 1; V - 2; L - 3", "x - 8.1", "11*L/4", "4*pi**2*V/(m*L**2)"),
+                ("m*x_dot^2/2 - V*(1 - cos(q*x)) + F*x", "m - 1; V - 2; q - 3; F - 1", "x - 0.1", "asin(F/(V*q))/q", "q*sqrt(V**2*q**2 - F**2)/m")):
+            found = self.modes(lagrangian("lattice", parameters, start, text))
+            self.assert_same(found["equilibrium"]["exact"]["x"], place)
+            self.assert_same(found["modes"][0]["exact"], square)
+
     def test_angles_of_critical_points_lie_within_a_turn(self):
         """The search is given up at the singularity above; what it has seen elsewhere is the same point, turns away."""
         between = [["0", "R"], ["R*sin(theta)", "-R*cos(theta)"]]

@@ -132,6 +132,14 @@ class Equilibria(Answers):
         state, = self.ask("equilibria", {"system": system})["equilibria"]
         self.assertIn("where the second is zero, unstable", state["nonlinear"])
 
+    def test_a_multiple_zero_is_listed_once(self):
+        system = lagrangian("quartic", "m - 1", "x - 0.1; y - 0.1; z - 0.1",
+                            "m*(x_dot^2 + y_dot^2 + z_dot^2)/2 - 10*x^4 - 300*x^2*z - 80*y^4 + 2*y^2/25 - 3000*z^4 + 3*z^2")
+        answer = self.ask("equilibria", {"system": system})
+        self.assertTrue(answer["complete"])
+        self.assertEqual(len(answer["equilibria"]), 15)
+        self.assertEqual(sum("note" in one for one in answer["equilibria"]), 3)
+
     def test_momenta_of_a_steady_motion_are_told(self):
         found = self.ask("equilibria", {"system": "free_spin_pendulum"})
         self.assertEqual(list(found["momenta"]), ["p_psi"])

@@ -135,6 +135,15 @@ class ExactPeriods(Service):
         self.assertEqual(form["text"], "pi*sqrt(-2*m/E)/a")
         self.assertIn("E < 0", form["assumes"])
 
+    def test_squares_and_numbers_stand_before_the_rest(self):
+        cycloid = lagrangian("cycloid", "m - 1; R - 1; g - 9.81", "x - 0.5", "4*m*R^2*cos(x/2)^2*x_dot^2 - m*g*R*(1 - cos(x))")
+        cycloid["coordinates"][0]["unit"] = "rad"
+        self.assertEqual(self.ask("turning_points", {"system": cycloid})["exact"]["period"]["text"], "4*pi*sqrt(2*R/g)")
+        for text, start, equation in (("m*x_dot^2/2 + 2*D*x", "x - 0", "x = 0"),
+                                      ("m*x_dot^2/2 - D*(1 - exp(-x))^2", "x - 0 0.5", "8*D*(exp(-x) - 1)^2 - m = 0")):
+            system = lagrangian("plain", "m - 1; D - 2", start, text)
+            self.assertEqual(self.ask("turning_points", {"system": system})["exact"]["equation"]["text"], equation)
+
     def test_a_start_in_decimals_leaves_formulas_by_the_constants(self):
         found = self.ask("turning_points", {"system": "kepler"})
         numbers = found["request"]["parameters"] | found["constants"]

@@ -59,6 +59,29 @@ class InvertedRoots(Service):
             asked = lagrangian(name, "m - 1; V - 3; s - 2", "x - 0.7 -0.5", f"m*x_dot^2/2 - ({POTENTIALS[name]})")
             self.assertEqual(self.ask("turning_points", {"system": asked})["exact"][place]["text"], text)
 
+    def test_the_other_end_of_a_motion_from_rest(self):
+        """Cubic equations of which one root is the start, at random parameters: V of both ends is the same."""
+        draw = random.Random(5)
+        for text, start, end in (("k*x^2/2 - q*x^3/3", 0.5, "x_min"), ("k*x^2/2 - q*x^3/3", -0.5, "x_max"),
+                                 ("k/(2*x^2) + q*x", 0.6, "x_max"), ("k/(2*x^2) + q*x", 3, "x_min")):
+            system = lagrangian("cubic", f"m - 1; k - 2; q - 0.3; c - {start}", "x - c", f"m*x_dot^2/2 - ({text})")
+            for _ in range(6):
+                numbers = {"m": 1, "k": round(draw.uniform(1, 3), 3), "q": round(draw.uniform(0.2, 0.5), 3)}
+                answer = self.ask("turning_points", {"system": system, "parameters": numbers})
+                known = {name: mpmath.mpf(repr(one)) for name, one in numbers.items()} | {"c": mpmath.mpf(repr(start))}
+                x = value(answer["exact"][end]["text"], known)
+                self.assertLess(abs(x - answer[end]), 1e-12)
+                self.assertLess(abs(value(text, known | {"x": x}) - value(text, known | {"x": known["c"]})), 1e-20, (text, answer["exact"][end]))
+
+    def test_sizes_are_written_by_what_has_a_sign(self):
+        for text, parameters, start, expected in (
+                ("m*x_dot^2/2 - F*abs(x)", "m - 1; F - 2; c - 0.4", "x - c", {"equation": "abs(x) - c = 0", "h": "F*c", "x_min": "-c"}),
+                ("m*x_dot^2/2 - F*abs(x)", "m - 1; F - 2; c - -0.4", "x - c", {"equation": "c + abs(x) = 0", "h": "-F*c", "x_max": "-c"}),
+                ("m*x_dot^2/2 + 2*k/sqrt(x^2 + d^2)", "m - 1; k - 2; d - 1; u - 0.7", "x - 0 u", {"equation": "k/d - k/sqrt(x^2 + d^2) - 1/4*m*u^2 = 0"}),
+                ("m*x_dot^2/2 - V/tan(x)^2", "m - 1; V - 2; c - 1.4", "x - c", {"x_max": "pi - c"})):
+            exact = self.ask("turning_points", {"system": lagrangian("sizes", parameters, start, text)})["exact"]
+            self.assertEqual({name: exact[name]["text"] for name in expected}, expected)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -52,6 +52,10 @@ BESIDE = [
     ("m*x_dot^2/2 - a*(1 - cos(x)) - b*(1 - cos(2*x))", "m - 1; a - 1; b - 1", "x - 0.3", "x_min", ["a + b > a*cos(0.3) + b*cos(3/5)"]),
     # The sign of an angle does not tell that of its sine.
     ("3*m/4*x_dot^2 - m*g*x*sin(al)", "e - 1; m - 1; g - 9.81; al - 0.3; u - 1", "x - 0 u", "x_max", ["g > 0", "al > 0", "u > 0", "sin(al) > 0"]),
+    # Nor does that of a product tell those of its factors.
+    ("m*x_dot^2/2 - m*g*x*sin(al)", "m - 1; g - 9.81; al - 0.4; c - 1; u - 2", "x - c u", "x_max", ["g > 0", "al > 0", "c > 0", "u > 0", "sin(al) > 0"]),
+    # At 1 the logarithm is 0.
+    ("m*x_dot^2/2 - k*log(x)^2 + q*log(x)^4", "m - 1; k - 5; q - 0.5; c - 1.4", "x - c", "x_min", ["c > 0", "log(c) > 0", "k > q*log(c)^2"]),
     # Beyond the top nothing comes back.
     ("m*x_dot^2/2 - (a - b)*x^2/2 - (c - d)*x^4/4", "m - 1; a - 3; b - 1; c - 1; d - 3", "x - 0.3 0.1", "x_min",
      ["a > 0", "b > 0", "c > 0", "d > 0", "h > 0", "100*a + 9*c > 100*b + 9*d"]),
@@ -173,6 +177,13 @@ class SignsOfTurning(Service):
         answer = self.ask("turning_points", {"system": system, "parameters": barred})
         self.assertAlmostEqual(answer["x_max"], barred["c"])
         self.assertAlmostEqual(answer["x_min"], 1.7446410654699616)
+
+    def test_no_end_is_given_where_a_hump_rises_next_to_what_would_be_assumed(self):
+        """V(c) > V(0) is not enough: below a*x^8 - b*x^4 + k*x^2 a hump bars the way at a = 0.0993, b = 0.7896, k = 0.9828 and c = 1.3036."""
+        for text, parameters, start in (("m*x_dot^2/2 - a*x^8 + b*x^4 - k*x^2", "m - 1; a - 0.1; b - 0.5; k - 1; c - 0.4", "x - c"),
+                                        ("m*x_dot^2/2 - a*x^2/2 + b*x^4/4 - q*x^6/6", "m - 1; a - 1; b - 1; q - 0.1", "x - 0.4"),
+                                        ("m*x_dot^2/2 - (a - b)*x^2/2 + d*x^4/4 - q*x^6/6", "m - 1; a - 2; b - 1; d - 1; q - 0.1; c - 0.4", "x - c")):
+            self.assertNotIn("x_min", self.ask("turning_points", {"system": lagrangian("hump", parameters, start, text)})["exact"], text)
 
     def test_nothing_is_assumed_that_is_an_equality_at_rest(self):
         for text, parameters, start in (("m*x_dot^2/2 - D*(1 - exp(-a*(x - b)))^2", "m - 1; D - 1; a - 1.2; b - 0.4; c - 0.7", "x - c"),

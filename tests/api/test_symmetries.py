@@ -57,6 +57,33 @@ def value(text, names):
     return eval(text.replace("^", "**"), {"__builtins__": {}}, FUNCTIONS | names)  # noqa: S307  (our own answer)
 
 
+class Said(unittest.TestCase):
+    """What `why` says is constant is the quantity itself, with the momenta of the same answer."""
+
+    LAGRANGIANS = {
+        "a*x_dot*x^2 - a*y^2": "xy", "a*(x*y_dot + y*x_dot) - y^2": "xy", "k*x_dot*cos(w*t) + a*x_dot*x^2": "xy",
+        "a*x_dot*y_dot*0 + k*(x*y_dot - y*x_dot) - y^2": "xy", "a*x_dot*exp(x) - k*(x - y)^2": "xy",
+        "a*(x_dot*y + x*y_dot)*cos(x*y) - k*(x^2 + y^2)": "xy", "a*x*x_dot*t + a*x^2/2 - k*x": "x",
+    }
+
+    def test_it_is_the_momentum_of_all_of_the_lagrangian_less_what_total_derivatives_leave(self):
+        said = 0
+        for part, names in self.LAGRANGIANS.items():
+            kinetic = " + ".join(f"m*{q}_dot^2/2" for q in names)
+            (line,) = asked([{"equations": {"system": bare(f"{kinetic} + {part}", list(names), m=1.5, a=0.7, k=1.3, w=2.1)}}])
+            self.assertEqual(line["status"], 200, line)
+            at = {"m": 1.5, "a": 0.7, "k": 1.3, "w": 2.1, "t": 0.37, "x": 0.4, "x_dot": 0.2, "y": -0.6, "y_dot": 1.1}
+            at |= {p: value(one, at) for p, one in line["answer"]["momenta"].items()}
+            for one in line["answer"]["conserved"]:
+                if "is constant" not in one["why"] or "ignorable" in one["why"] or "h = sum" in one["why"]:
+                    continue
+                formula = one["why"].split(", so ")[1].split(" is constant")[0].split(", ")[-1].rstrip(",")
+                at["h"] = value("m*x_dot^2/2 + m*y_dot^2/2", at)
+                self.assertAlmostEqual(value(formula, at), value(one["value"], at), 12, (part, one))
+                said += 1
+        self.assertGreater(said, 8)
+
+
 class Named(unittest.TestCase):
     def check(self, scene, expected):
         found = conserved(scene)
