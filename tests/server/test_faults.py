@@ -24,6 +24,8 @@ from running_qdot import ENVIRONMENT, QDOT, SANITIZED, RunningQdot, answer
 
 GOOD = hostile_inputs.post(hostile_inputs.GOOD_BODY)
 SOAK = int(os.environ.get("QDOT_SOAK", "100000"))  # requests
+# What a sanitizer looks for shows in a few of each kind, and how much is left behind is not for it to measure.
+KINDS_TIMES, KILLS = (8, 5) if SANITIZED else (40, 20)
 
 
 def resident(server):
@@ -39,12 +41,12 @@ def threads(server):
     return len(os.listdir(f"/proc/{server.process.pid}/task"))
 
 
-def two_hundred_requests():
+def requests_of_all_kinds():
     """Of every kind, seeded: the same list in every run."""
     systems = ["spring_pendulum", "cart_pendulum", "rod_pendulum", "whirling_pendulum", "orbiting_pendulum",
                "free_spin_pendulum", "rotating_l_bar", "compass_walker", "rod_spring_pendulum"]
     dice = random.Random(5)
-    for number in range(200):
+    for number in range(5 * KINDS_TIMES):
         system = dice.choice(systems)
         kind = number % 5
         if kind == 0:
@@ -70,7 +72,7 @@ class Faults(unittest.TestCase):
         self.assertEqual(wire.exchange(server.port, GOOD).status, 200)
 
     def test_digests_are_the_same_over_threads_restarts_and_hostile_traffic(self):
-        questions = list(two_hundred_requests())
+        questions = list(requests_of_all_kinds())
 
         def digests(server, order, workers):
             local = threading.local()
@@ -95,7 +97,7 @@ class Faults(unittest.TestCase):
         forward = list(range(len(questions)))
         with RunningQdot("--threads", "1") as server:
             expected = digests(server, forward, 1)
-        self.assertGreater(sum(status == 200 for status, _ in expected.values()), 150)
+        self.assertGreater(sum(status == 200 for status, _ in expected.values()), 3.75 * KINDS_TIMES)
         shuffled = random.Random(7).sample(forward, len(forward))
         with RunningQdot("--threads", "8") as server:
             bad = [data for _, data, _ in hostile_inputs.numbers()] + [data for _, data, _ in hostile_inputs.encodings()]
@@ -124,8 +126,8 @@ class Faults(unittest.TestCase):
                  hostile_inputs.get(b"/v1/systems/cart_pendulum", b"Accept-Encoding: gzip\r\n"),
                  hostile_inputs.get(b"/v1/turning_points?system=free_spin_pendulum"),
                  hostile_inputs.simulate(kk=1)]  # one in ten is wrong
-        costly = kinds[8]  # as much as all the others together: a share of it would be most of the work
-        rounds = [b"".join(kinds)] + [b"".join(kinds).replace(costly, kinds[0])] * 4
+        costly = kinds[8]  # seventy times another: once in 25 rounds it is a quarter of the work
+        rounds = [b"".join(kinds)] + [b"".join(kinds).replace(costly, kinds[0])] * 24
 
         def work(count):
             """On one connection, ten requests at a time."""
@@ -143,7 +145,7 @@ class Faults(unittest.TestCase):
                             statuses[int(head[9:12])] = statuses.get(int(head[9:12]), 0) + 1
                             pending, done = rest[length:], done + 1
 
-        total = SOAK // 20 if SANITIZED else SOAK
+        total = SOAK // 50 if SANITIZED else SOAK
         statuses = {}
         with RunningQdot("--threads", "2") as server:
             with concurrent.futures.ThreadPoolExecutor(2) as pool:
@@ -183,7 +185,7 @@ class Faults(unittest.TestCase):
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
         took = []
-        for _ in range(20):
+        for _ in range(KILLS):
             started = time.monotonic()
             process = subprocess.Popen([QDOT, "serve", "--port", str(port)], stdout=subprocess.PIPE,
                                        stderr=subprocess.DEVNULL, env=ENVIRONMENT)

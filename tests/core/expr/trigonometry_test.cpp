@@ -39,7 +39,7 @@ TEST(Rewriting, KeepsTheValue) {
     const Polynomial p = multiplied_out(test::random_polynomial(random, graph, 6));
     for (const Rewriting& rewriting : rewritings) {
       const Expression before = to_expression(graph, p), after = to_expression(graph, rewriting.of(graph, p));
-      for (int k = 0; k < 20; ++k) {
+      for (int k = 0; k < 4; ++k) {  // a wrong identity agrees at no random place
         const std::vector<Assignment> values = test::random_values(random, graph);
         const double size = 1 + test::largest_part(before, values) + test::largest_part(after, values);
         EXPECT_NEAR(evaluate(after, values), evaluate(before, values), 1e-13 * size)
