@@ -78,7 +78,8 @@ class GrowthFromNothing(Service):
             scene = lagrangian("top", "", f"x - {mp.nstr(start, 30)} 0", "x_dot^2/2", forces=[force])
             options = draw.choice(({}, {}, {"rtol": 1e-2}, {"rtol": 1e-4}))
             grown, rising = mp.cosh(rate * end), mp.sinh(rate * end)
-            measured += self.check(scene, end, options, (start + push / k) * grown - push / k, (start + push / k) * rate * rising)
+            off = start + push / k
+            measured += self.check(scene, end, options, off * grown - push / k, off * rate * rising) or 0
         self.assertEqual(measured, 120)
 
     def test_a_push_far_below_the_tolerance(self):
