@@ -22,6 +22,7 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
       by_rounding_(originals.rounded, start.by_rounding),
       rises_(originals),
       random_(std::bit_cast<std::uint64_t>(t)),
+      rounding_is_in_both_(start.rounding_is_in_both),
       terms_(start.by_truncation.size()),
       sizes_(start.by_truncation.size()),
       signs_(sizes_.size()),
@@ -32,8 +33,34 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
   always_.insert(always_.end(), always_.begin(), always_.end());
 }
 
+bool OwnErrors::is_rounding_large() const {
+  const std::vector<double>&e = by_rounding_.now(), &size = by_rounding_.reached();
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    if (std::abs(e[i]) > small_part * size[i] && size[i] > 0) return true;
+  }
+  return false;
+}
+
+/// To the side where both add up along what has grown.
+void OwnErrors::hand_over_rounding() {
+  const std::vector<double>&e = by_rounding_.now(), &other = by_truncation_.now();
+  double along = 0;
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    const double size = by_rounding_.reached()[i];
+    if (size > 0) along += (e[i] / size) * (other[i] / size);
+  }
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    sizes_[i] = std::abs(e[i]) / enlarged;
+    signs_[i] = along < 0 ? -e[i] : e[i];
+  }
+  by_truncation_.add(sizes_, signs_);
+  by_rounding_.begin_anew();
+  rounding_is_in_both_ = true;
+}
+
 void OwnErrors::follow(const MotionPiece& step) {
   terms_.take(step);
+  if (is_rounding_large()) hand_over_rounding();
   rises_.find(step, terms_, by_truncation_, by_rounding_);
   by_rounding_.follow(step, terms_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {

@@ -9,7 +9,9 @@
 // coordinate. By rounding, from a motion whose numbers differ by `enlarged` times as much as rounding makes:
 // of whole last places two or three often cancel to nothing. Each step adds about half a last place of its
 // largest term, enlarged as much, by random numbers. It adds the rounding of accelerations as well, always to
-// the same side: in a short motion what goes to and fro with the other sample may cancel.
+// the same side: in a short motion what goes to and fro with the other sample may cancel. Once it is large it
+// would soon be as large as the motion and grow no more: what it stands for goes on with the other sample,
+// and it begins anew.
 
 #include "core/integrate/paired_rises.hpp"
 #include "core/numerics/random_bits.hpp"
@@ -27,22 +29,25 @@ class OwnErrors {
   void follow(const MotionPiece& step);
 
   [[nodiscard]] Apart now() const {
-    return {by_truncation_.now(), by_rounding_.now(), by_truncation_.reached()};
+    return {by_truncation_.now(), by_rounding_.now(), by_truncation_.reached(), rounding_is_in_both_};
   }
   /// The larger one at the two ends of the last step, of each component: of both together, and of rounding.
   [[nodiscard]] double in_last_step(std::size_t i) const {
-    return by_truncation_.in_last_step()[i] + rounding_in_last_step(i);
+    return by_truncation_.in_last_step()[i] + by_rounding_.in_last_step()[i] / enlarged;
   }
   [[nodiscard]] double rounding_in_last_step(std::size_t i) const {
-    return by_rounding_.in_last_step()[i] / enlarged;
+    return rounding_is_in_both_ ? in_last_step(i) : by_rounding_.in_last_step()[i] / enlarged;
   }
 
  private:
+  [[nodiscard]] bool is_rounding_large() const;
+  void hand_over_rounding();
   void take_forces(const MotionPiece& step);
 
   Separation by_truncation_, by_rounding_;
   PairedRises rises_;
   RandomBits random_;
+  bool rounding_is_in_both_;
   std::vector<double> always_;  ///< sides
   StepTerms terms_;
   std::vector<double> sizes_, signs_, of_forces_, of_series_, hidden_;  ///< scratch

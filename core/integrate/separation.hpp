@@ -67,6 +67,9 @@ class Separation {
   /// anything.
   void add(std::span<const double> sizes, std::span<const double> sides);
 
+  /// From the next step on nothing is apart.
+  void begin_anew() { e_.assign(e_.size(), 0.0); }
+
   /// By which e was followed through the last step.
   [[nodiscard]] double shortest_part() const { return shortest_part_; }
   [[nodiscard]] const std::vector<double>& now() const { return e_; }

@@ -189,7 +189,7 @@ void ApartAlong::add(const Run& done) {
   for (std::size_t i = rows_.all.size(); i < end; ++i) {
     const double rounding = std::abs(now_.by_rounding[i % width]) / OwnErrors::enlarged;
     rows_.all.push_back(std::abs(now_.by_truncation[i % width]) + rounding);
-    rows_.by_rounding.push_back(rounding);
+    rows_.by_rounding.push_back(now_.rounding_is_in_both ? rows_.all.back() : rounding);
   }
   for (std::size_t i = 0; i < width; ++i) reached_[i] = std::max(reached_[i], std::abs(done.y[i]));
   if (done.apart_at_end.reached.empty()) return;

@@ -48,6 +48,22 @@ TEST(OwnErrors, SayWhatTheSecondSampleShowsWithoutItsEnlargement) {
   EXPECT_NEAR(off[0], e * std::cosh(length * steps), 1e-3 * off[0]);
 }
 
+/// Beside a motion that decays, and comes back by its own rounding, what is apart becomes as large as it is.
+TEST(OwnErrors, OfRoundingAreAsLargeAsALostMotion) {
+  const Originals originals{pulled_by(1), pulled_by(1), {}};
+  OwnErrors errors(originals, {{0, 0}, {0x1p-53 * OwnErrors::enlarged, 0}}, 0);
+  double largest = 0;
+  take_steps(pulled_by(1), {1, -1 + 0x1p-50}, length, 2 * steps + 20, std::vector<double>{},
+             [&](const MotionPiece& step) {
+               errors.follow(step);
+               largest = std::max(largest, std::abs(step.rows[0]));
+             });
+  EXPECT_GT(largest, 1e3);
+  EXPECT_GT(errors.in_last_step(0), 0x1p-4 * largest);
+  EXPECT_LT(errors.in_last_step(0), 4 * largest);
+  EXPECT_EQ(errors.rounding_in_last_step(0), errors.in_last_step(0));
+}
+
 /// As motions of one tape are, and how often that is asked.
 Originals side_by_side(Originals originals, int& asked) {
   originals.both = [first = originals.asked.expansion, second = originals.rounded.expansion, &asked](
