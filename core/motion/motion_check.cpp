@@ -15,6 +15,7 @@
 #include "core/motion/hidden_impacts.hpp"
 #include "core/motion/rounded_forces.hpp"
 #include "core/motion/typed_start.hpp"
+#include "core/numerics/pairs.hpp"
 #include "core/numerics/random_bits.hpp"
 
 namespace qdot {
@@ -206,13 +207,14 @@ SimulationRequest check_of(const ComputedMotion& motion, double direction) {
 std::vector<double> largest_differences(const ComputedMotion& motion, const Simulation& check) {
   const std::size_t width = motion.width();
   const std::size_t count = std::min(motion.simulation.states.size(), check.states.size());
+  const double *own = motion.simulation.states.data(), *other = check.states.data();
   std::vector<double> differences(width);
-  for (std::size_t k = 0; k < width; ++k) {
-    const double *own = motion.simulation.states.data(), *other = check.states.data();
-    double difference = 0;
-    for (std::size_t i = k; i < count; i += width)
-      difference = std::max(difference, std::abs(own[i] - other[i]));
-    differences[k] = difference;
+  double* const most = differences.data();
+  for (const double* const end = own + count; own != end; own += width, other += width) {
+    for (std::size_t k = 0; k < width; k += 2) {
+      const PairOfDoubles difference = magnitudes(pair_at(own + k) - pair_at(other + k));
+      put_pair(most + k, larger_or(difference, pair_at(most + k)));
+    }
   }
   return differences;
 }

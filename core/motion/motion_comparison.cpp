@@ -11,6 +11,7 @@
 #include "core/motion/row_errors.hpp"
 #include "core/motion/rows_at_impacts.hpp"
 #include "core/motion/winding.hpp"
+#include "core/numerics/pairs.hpp"
 #include "core/numerics/root.hpp"
 
 namespace qdot {
@@ -26,7 +27,9 @@ void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::ve
   for (const Simulation& other : others) {
     if (other.unseen.empty() || row >= other.rows) continue;
     const double* of_row = other.unseen.data() + row * unseen.size();
-    for (std::size_t k = 0; k < unseen.size(); ++k) unseen[k] = std::max(unseen[k], of_row[k]);
+    double* const most = unseen.data();
+    for (std::size_t k = 0; k < unseen.size(); k += 2)
+      put_pair(most + k, larger_or(pair_at(of_row + k), pair_at(most + k)));
   }
 }
 
@@ -72,10 +75,8 @@ class Comparing {
       add(i);
       const std::span<double> error = std::span(stated).subspan(i * width_, width_);
       for (std::size_t k = 0; k < width_; ++k) error[k] = errors_.so_far()[k] + doubt * largest_[k];
-      if (!motion_.grid.wanted[i]) continue;
-      if (!result.horizon && !is_useful(error)) result.horizon = motion_.grid.t[i];
-      std::ranges::copy(error, result.max_abs_error.begin());
     }
+    note_rows_asked_for(rows, stated, result);
     result.changed = changed(stated);
     add_event_errors(stated, doubt, result);
     add_rows_at_impacts(rows, result);
@@ -157,8 +158,11 @@ class Comparing {
     const double to_next = row + 1 < t.size() ? t[row + 1] - t[row] : row > 0 ? t[row] - t[row - 1] : 0;
     std::ranges::fill(difference_, 0.0);
     for (const auto& other : same_row_) {
-      for (std::size_t k = 0; k < 2 * n; ++k)
-        difference_[k] = std::max(difference_[k], std::abs(y[k] - other.row[k]));
+      double* const most = difference_.data();
+      for (std::size_t k = 0; k < 2 * n; k += 2) {
+        const PairOfDoubles difference = magnitudes(pair_at(&y[k]) - pair_at(&other.row[k]));
+        put_pair(most + k, larger_or(difference, pair_at(most + k)));
+      }
     }
     for (std::size_t i = 0; i < n; ++i) {
       const double tau = tau_[i];
@@ -167,6 +171,19 @@ class Comparing {
       missed_[i] += away * difference_[n + i];
       missed_[n + i] += away / tau * (difference_[i] / tau);
     }
+  }
+
+  /// Errors grow: those of the last row are the largest.
+  void note_rows_asked_for(std::size_t rows, std::span<const double> stated, RowComparison& result) const {
+    const auto error = [&](std::size_t row) { return stated.subspan(row * width_, width_); };
+    std::size_t end = rows;
+    while (end > 0 && !motion_.grid.wanted[end - 1]) --end;
+    if (end == 0) return;
+    std::ranges::copy(error(end - 1), result.max_abs_error.begin());
+    if (is_useful(error(end - 1))) return;
+    std::size_t first = 0;
+    while (!motion_.grid.wanted[first] || is_useful(error(first))) ++first;
+    result.horizon = motion_.grid.t[first];
   }
 
   [[nodiscard]] bool is_useful(std::span<const double> error) const {
@@ -234,7 +251,8 @@ std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which)
     if (which == Rows::wanted && !motion.grid.wanted[row]) continue;
     const double* y = motion.simulation.states.data() + row * width;
     double* const most = largest.data();
-    for (std::size_t k = 0; k < width; ++k) most[k] = std::max(most[k], std::abs(y[k]));
+    for (std::size_t k = 0; k < width; k += 2)
+      put_pair(most + k, larger_or(magnitudes(pair_at(y + k)), pair_at(most + k)));
   }
   return largest;
 }

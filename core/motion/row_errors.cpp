@@ -1,9 +1,10 @@
 #include "core/motion/row_errors.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
+
+#include "core/numerics/pairs.hpp"
 
 namespace qdot {
 namespace {
@@ -13,29 +14,36 @@ constexpr double too_much = 0.5;         ///< of a column
 constexpr double safety_of_samples = 2;  ///< of what another is off by: one sample of its signs
 constexpr double of_lost = 4;  ///< times the range: the true motion may go farther than those computed
 
-/// In one column of a row.
+/// In two columns of a row, side by side: there is an even number of them.
 struct Largest {
-  double difference{}, apart{};  ///< of the others from it, and from what they stand for
+  PairOfDoubles difference{}, apart{};  ///< of the others from it, and from what they stand for
 
-  [[nodiscard]] double error(double value, double unseen) const {
-    return difference + std::max(difference, safety_of_samples * apart) + storing * std::abs(value) + unseen;
+  [[nodiscard]] PairOfDoubles error(PairOfDoubles value, PairOfDoubles unseen) const {
+    return difference + larger_or(safety_of_samples * apart, difference) + storing * magnitudes(value) +
+           unseen;
   }
 };
 
-inline Largest largest_of(std::size_t k, double value, std::span<const OtherRow> others) {
+inline Largest largest_of(std::size_t k, PairOfDoubles value, std::span<const OtherRow> others) {
   Largest largest;
   for (const OtherRow& other : others) {
-    largest.difference = std::max(largest.difference, std::abs(value - other.row[k]));
-    if (!other.apart.empty()) largest.apart = std::max(largest.apart, other.apart[k]);
+    largest.difference = larger_or(magnitudes(value - pair_at(&other.row[k])), largest.difference);
+    if (!other.apart.empty()) largest.apart = larger_or(pair_at(&other.apart[k]), largest.apart);
   }
   return largest;
+}
+
+inline PairOfDoubles pair_or_zeros(std::span<const double> x, std::size_t k) {
+  return x.empty() ? PairOfDoubles{} : pair_at(&x[k]);
 }
 
 }  // namespace
 
 double error_of_row(std::size_t k, std::span<const double> row, std::span<const OtherRow> others,
                     std::span<const double> unseen) {
-  return largest_of(k, row[k], others).error(row[k], unseen.empty() ? 0 : unseen[k]);
+  const std::size_t first = k - k % 2;
+  const PairOfDoubles value = pair_at(&row[first]);
+  return largest_of(first, value, others).error(value, pair_or_zeros(unseen, first))[k % 2];
 }
 
 RowErrors::RowErrors(std::vector<double> scale, Winding winding)
@@ -53,13 +61,14 @@ void RowErrors::add(double t, std::span<const double> row, std::span<const Other
   const double* const before = lost_ ? error_.data() : error_before_.data();
   double* const error = error_.data();
   const double* const scale = scale_.data();
-  bool is_lost = lost_ || lost_from_next_;
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    const Largest largest = largest_of(k, row[k], others);
-    error[k] = std::max(before[k], largest.error(row[k], unseen.empty() ? 0 : unseen[k]));
-    is_lost = is_lost | (safety_of_differences * largest.difference > too_much * scale[k]);
+  auto is_lost = PairOfDoubles{} > PairOfDoubles{};
+  for (std::size_t k = 0; k < row.size(); k += 2) {
+    const PairOfDoubles value = pair_at(&row[k]);
+    const Largest largest = largest_of(k, value, others);
+    put_pair(error + k, larger_or(largest.error(value, pair_or_zeros(unseen, k)), pair_at(before + k)));
+    is_lost |= safety_of_differences * largest.difference > too_much * pair_at(scale + k);
   }
-  lost_ = is_lost;
+  lost_ = lost_ || lost_from_next_ || is_lost[0] != 0 || is_lost[1] != 0;
   widen(row);
   for (const OtherRow& other : others) widen(other.row);
   if (!lost_ || is_first) t_before_ = t;
@@ -79,9 +88,10 @@ void RowErrors::widen_lost(double t) {
 
 void RowErrors::widen(std::span<const double> row) {
   double *const lowest = lowest_.data(), *const highest = highest_.data();
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    lowest[k] = std::min(lowest[k], row[k]);
-    highest[k] = std::max(highest[k], row[k]);
+  for (std::size_t k = 0; k < row.size(); k += 2) {
+    const PairOfDoubles y = pair_at(&row[k]), least = pair_at(lowest + k);
+    put_pair(lowest + k, y < least ? y : least);
+    put_pair(highest + k, larger_or(y, pair_at(highest + k)));
   }
 }
 

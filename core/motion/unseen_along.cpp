@@ -31,8 +31,11 @@ void UnseenAlong::add(const Run& done) {
   if (unseen_.empty() && done.unseen_at_end.empty()) return;
   unseen_.resize(width);
   rows_.resize(before);
-  for (std::size_t i = 0; i < done.rows; ++i) rows_.insert(rows_.end(), unseen_.begin(), unseen_.end());
-  for (std::size_t i = 0; i < done.unseen.size(); ++i) rows_[before + i] += done.unseen[i];
+  rows_.resize(count_ * width);
+  double* row = rows_.data() + before;
+  for (std::size_t i = 0; i < done.rows; ++i, row += width) std::ranges::copy(unseen_, row);
+  row = rows_.data() + before;
+  for (const double in_run : done.unseen) *row++ += in_run;
   for (std::size_t k = 0; k < done.unseen_at_end.size(); ++k) unseen_[k] += done.unseen_at_end[k];
 }
 
