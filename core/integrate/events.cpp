@@ -331,25 +331,37 @@ void EventSearch::forget_start(std::size_t event) {
   if (std::abs(now) >= 2 * std::abs(left)) left = 0;
 }
 
+/// What is left at t_start is taken from g where g alone has no bracket: else flight upon flight would end
+/// where the one before has begun, and never at zero.
 std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& crossed, Found& found) {
   const EventFunction& event = request_.events[crossed.event];
+  double left = 0;
   const auto g = [&](double t) {
     if (!found.failure) found.failure = stepper.interpolate(t, y_);
-    if (found.failure) return std::numeric_limits<double>::quiet_NaN();
-    return event.value(t, y_) - left_at_start_[crossed.event];
+    return found.failure ? std::numeric_limits<double>::quiet_NaN() : event.value(t, y_) - left;
   };
-  SignChange bracket{crossed.before, g(crossed.before), std::min(crossed.after, stepper.t()), 0};
-  bracket.value_after = g(bracket.after);
+  SignChange bracket;
   // At t_start g may be zero or have passed it by a rounding error, and at a step's beginning too, or not yet
   // have passed it at the end. Where it has no value, it has its old sign.
   const auto is_bracket = [&] {
     return std::isnan(bracket.value_before) ||
            sign_of(bracket.value_before) * sign_of(bracket.value_after) < 0;
   };
-  const double length = bracket.after - bracket.before, at_begin = std::abs(bracket.value_before);
-  for (int k = 1; k <= halvings && !is_bracket() && !found.failure; ++k) {
-    bracket.before = crossed.before + std::ldexp(length, -k);
-    bracket.value_before = g(bracket.before);
+  double at_begin = 0;
+  const auto look = [&] {
+    const double end = std::min(crossed.after, stepper.t()), length = end - crossed.before;
+    bracket = {crossed.before, g(crossed.before), end, 0};
+    bracket.value_after = g(end);
+    at_begin = std::abs(bracket.value_before);
+    for (int k = 1; k <= halvings && !is_bracket() && !found.failure; ++k) {
+      bracket.before = crossed.before + std::ldexp(length, -k);
+      bracket.value_before = g(bracket.before);
+    }
+  };
+  look();
+  if (left_at_start_[crossed.event] != 0 && !is_bracket()) {
+    left = left_at_start_[crossed.event];
+    look();
   }
   if (found.failure) return std::nullopt;
   const bool is_after = event.sign_at_start != 0 || std::abs(bracket.value_after) < at_begin;

@@ -144,5 +144,19 @@ class ManyImpacts(Service):
         self.assertGreater(judged, 3 * CASES)
 
 
+class OneBall(Service):
+    def test_bounces_where_it_did_a_thousand_times_before(self):
+        """With nothing lost, and so low that the rounding of one bounce is a part of the next."""
+        for rate, fall, end in (("0.1", "9.81", 20), ("0.02", "9", 2), ("2", "900", 2), ("2e-6", "9e-4", 2)):
+            with self.subTest(rate=rate, fall=fall):
+                ball = {"name": "ball", "units": "none", "coordinates": [{"name": "x", "initial": "0", "initial_rate": f"-{rate}"}],
+                        "lagrangian": f"x_dot^2/2 - {fall}*x", "events": [{"name": "floor", "expression": "x", "direction": "falling"}],
+                        "impacts": [{"event": "floor", "restitution": "1"}]}
+                answer = self.ask("simulate", {"system": ball, "t_end": end, "samples": 4, "events": ["floor"]})
+                self.assertGreater(len(answer["events"]), 400)
+                for k, event in enumerate(answer["events"]):
+                    self.assertLessEqual(abs(event["t"] - 2 * k * mpf(rate) / mpf(fall)), event["error"])
+
+
 if __name__ == "__main__":
     unittest.main()
