@@ -293,6 +293,25 @@ class RegionSearch {
   Equilibria result_;
 };
 
+/// Where the mass matrix has no inverse, as at r = 0 of polar coordinates, no acceleration follows from
+/// forces that vanish: that nothing moves there is not proven.
+void leave_out_without_inertia(const Scene& scene, StabilityAnalysis& analysis, Equilibria& result) {
+  std::erase_if(result.states, [&](const SteadyState& state) {
+    const bool is_told = state.enclosure.size() == 1;  // as what its stability leaves open
+    if (is_told || analysis.has_inertia(state.enclosure)) return false;
+    Box place;
+    for (const std::size_t j : result.problem.forces->unknowns) place.push_back(state.enclosure[j]);
+    const std::string where = place_named(scene, result.problem, place);
+    result.complete = false;
+    result.reason +=
+        (result.reason.empty() ? "" : " ") + where + (where.empty() ? "There " : ", ") +
+        "the mass matrix has no inverse to within rounding, as where a coordinate fails: no "
+        "acceleration follows from the equations, and they do not tell whether anything can rest "
+        "there.";
+    return true;
+  });
+}
+
 }  // namespace
 
 Equilibria steady_places(const Dynamics& dynamics, const SteadyProblem& problem, std::span<const double> y,
@@ -304,6 +323,7 @@ Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, st
                       SearchEffort effort) {
   Equilibria result = steady_places(dynamics, problem, y, effort);
   StabilityAnalysis analysis(dynamics, result.problem);
+  leave_out_without_inertia(dynamics.model().scene, analysis, result);
   for (SteadyState& state : result.states) {
     if (!state.at_kink) {
       state.stability = analysis.at(state.enclosure);

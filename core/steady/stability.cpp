@@ -14,16 +14,23 @@ StabilityAnalysis::StabilityAnalysis(const Dynamics& dynamics, const SteadyProbl
       damping_(problem_.statics->damping, problem_.constants),
       stiffness_(problem_.forces->stiffness, problem_.constants) {}
 
+std::vector<Interval> StabilityAnalysis::matrix(TapeEvaluator<Interval>& function,
+                                                std::span<const Interval> x) const {
+  std::vector<Interval> result(n_ * n_);
+  function(x, result);
+  return result;
+}
+
+bool StabilityAnalysis::has_inertia(std::span<const Interval> x) {
+  const Inertia inertia = inertia_of(matrix(inertia_, x), n_);
+  return inertia.undecided == 0 || inertia.negative > 0;
+}
+
 LinearizedForces StabilityAnalysis::linearized(std::span<const Interval> x) {
-  const auto values = [&](TapeEvaluator<Interval>& function) {
-    std::vector<Interval> result(n_ * n_);
-    function(x, result);
-    return result;
-  };
   return {n_,
-          values(inertia_),
-          values(damping_),
-          values(stiffness_),
+          matrix(inertia_, x),
+          matrix(damping_, x),
+          matrix(stiffness_, x),
           problem_.forces->symmetric,
           problem_.forces->has_potential,
           problem_.forces->free};

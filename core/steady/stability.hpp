@@ -25,6 +25,9 @@ class StabilityAnalysis {
   /// `x` encloses the place.
   [[nodiscard]] SteadyStability at(std::span<const Interval> x);
 
+  /// False where a mass matrix without negative directions may have no inverse at some place in x.
+  [[nodiscard]] bool has_inertia(std::span<const Interval> x);
+
   /// The energy decides what is stable near x: M is positive definite, and nothing but a potential,
   /// gyroscopic terms and damping acts. Gyroscopic terms: D is not zero.
   struct Energy {
@@ -33,6 +36,8 @@ class StabilityAnalysis {
   [[nodiscard]] Energy energy(std::span<const Interval> x);
 
  private:
+  [[nodiscard]] std::vector<Interval> matrix(TapeEvaluator<Interval>& function,
+                                             std::span<const Interval> x) const;
   [[nodiscard]] LinearizedForces linearized(std::span<const Interval> x);
   [[nodiscard]] std::string next_terms(std::span<const Interval> x);
 

@@ -52,6 +52,17 @@ class Equilibria(Answers):
             notes = self.ask("modes", {"system": system, "initial": {rate: 1}})["notes"]
             self.assertIn(f"where {rate[0]} rests: {why} its rate is left out.", notes[0])
 
+    def test_forces_that_vanish_where_the_mass_matrix_has_no_inverse_prove_no_rest(self):
+        system = lagrangian("spring", "m - 1; g - 9.81; k - 3; l - 0.5", "r - 1; th - 0.1",
+                            "m/2*(r_dot^2 + r^2*th_dot^2) + m*g*r*cos(th) - k*(r - l)^2/2")
+        across = {"r": 0, "th": math.acos(-3*0.5/9.81)}  # there m*g pulls the mass sideways out of the axis
+        self.refused("energy", {"system": system, "initial": across})
+        found = self.ask("equilibria", {"system": system})
+        self.assertEqual([round(one["state"]["r"], 9) for one in found["equilibria"]], [-2.77, 3.77])
+        self.assertFalse(found["complete"])
+        self.assertIn("Near r = 0 and th = 1.72", found["reason"])
+        self.assertIn("the mass matrix has no inverse", found["reason"])
+
     def test_reference_cases(self):
         count = 0
         for case in reference_cases("equilibria"):
