@@ -52,6 +52,25 @@ SymbolDimensions dimensions(const Scene& scene, const Symbols& symbols) {
   return result;
 }
 
+/// Of each constraint that has one in a product with a number or parameters alone, such a coordinate by the
+/// others; to be put in one after the other.
+std::vector<Replacement> solved_positions(const Lagrangian& lagrangian) {
+  const std::vector<Expression>& q = lagrangian.symbols.coordinates.value;
+  std::vector<Replacement> solved;
+  for (const ConstraintEquation& constraint : lagrangian.constraints) {
+    if (!constraint.position) continue;
+    Expression position = *constraint.position;
+    for (const Replacement& known : solved) position = substitute(position, {&known, 1});
+    for (const Expression& x : q) {
+      const Expression slope = simplify(differentiate(position, x));
+      if (slope.is_zero() || depends_on(slope, q) || depends_on(slope, lagrangian.symbols.t)) continue;
+      solved.emplace_back(x, simplify(x - position / slope));
+      break;
+    }
+  }
+  return solved;
+}
+
 /// A change in words: its name, what is done, and what then is constant.
 struct Words {
   std::string name, doing, kept;
@@ -68,7 +87,8 @@ class Wording {
         notation_(notation_of(model.scene)),
         places_(places_of_bodies(model.parsed, lagrangian_, replacements)),
         bodies_(names_of(model.parsed)),
-        dimensions_(dimensions(model.scene, lagrangian_.symbols)) {}
+        dimensions_(dimensions(model.scene, lagrangian_.symbols)),
+        on_surface_(solved_positions(lagrangian_)) {}
 
   /// What the symmetry keeps; none where it says nothing about the motion.
   std::optional<Kept> quantity(const Symmetry& symmetry) const {
@@ -77,8 +97,7 @@ class Wording {
     const auto motion = motion_in_space(places_, lagrangian_.symbols, change, leading(symmetry));
     if (motion && motion->reversed) change = opposite(change);
     const Expression value = on_constraints(noether_quantity(lagrangian_, change));
-    const Symbols::Varying& q = lagrangian_.symbols.coordinates;
-    if (!depends_on(value, q.rate) && !depends_on(value, q.value)) return std::nullopt;
+    if (!moves(value) || !moves(put_on_surface(value))) return std::nullopt;
     const Words words = motion ? in_space(*motion) : in_coordinates(symmetry, change);
     const auto [kind, spread] = kind_of(search_, symmetry);
     const bool turns_bodies = motion && kind != KindOfChange::in_time && kind != KindOfChange::linear;
@@ -107,6 +126,19 @@ class Wording {
 
   [[nodiscard]] static bool changes_nothing(const PointChange& change) {
     return change.time.is_zero() && std::ranges::all_of(change.shift, &Expression::is_zero);
+  }
+
+  [[nodiscard]] bool moves(const Expression& value) const {
+    const Symbols::Varying& q = lagrangian_.symbols.coordinates;
+    return depends_on(value, q.rate) || depends_on(value, q.value);
+  }
+
+  /// What the constraints leave of it: nothing that moves, where they alone say what it is.
+  [[nodiscard]] Expression put_on_surface(const Expression& value) const {
+    if (on_surface_.empty()) return value;
+    Expression left = substitute(value, search_.on_constraints);
+    for (const Replacement& coordinate : on_surface_) left = substitute(left, {&coordinate, 1});
+    return simplify_by_degree(left, lagrangian_.symbols);
   }
 
   /// Whether it has no value at some places.
@@ -306,6 +338,7 @@ class Wording {
   std::vector<Vector> places_;
   std::vector<std::string> bodies_;  ///< names
   SymbolDimensions dimensions_;
+  std::vector<Replacement> on_surface_;  ///< to be put in one after the other
 };
 
 void make_names_differ(std::vector<ConservedQuantity>& quantities) {

@@ -36,6 +36,23 @@ TEST(ConstrainedMomenta, AKnifeKeepsItsSpeedAlongItsEdge) {
   EXPECT_TRUE(found_in(edge("k*cos(phi)")).contains("momentum_x_y"));
 }
 
+std::string bead(const std::string& constraint) {
+  return R"json({"name": "bead", "units": "none", "parameters": [{"name": "k", "default": "2"}, {"name": "g", "default": "9.81"}],
+    "coordinates": [{"name": "x", "initial": "1"}, {"name": "y", "initial": "2"}],
+    "lagrangian": "(x_dot^2 + y_dot^2)/2 - g*y",
+    "constraints": [{"name": "wire", "expression": ")json" +
+         constraint + R"json("}]})json";
+}
+
+TEST(ConstrainedMomenta, WhatAConstraintMakesZeroIsNoQuantityOfTheMotion) {
+  for (const char* wire : {"y - k*x", "x - y/k", "3*(k*x - y)"}) {
+    const auto found = found_in(bead(wire));
+    EXPECT_TRUE(found.contains("momentum_x_y")) << wire;
+    EXPECT_TRUE(found.contains("boost_x_y")) << wire;
+    EXPECT_FALSE(found.contains("symmetry_x_y")) << wire;
+  }
+}
+
 /// A ball of radius 1 and moments I1, I2, I3 that rolls on a plane, turned by X, Y and Z.
 std::string ball(const std::string& moments) {
   return R"json({"name": "ball", "units": "none", "parameters": [{"name": "m", "default": "1"}],
