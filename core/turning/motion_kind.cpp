@@ -40,6 +40,10 @@ Finding extremum_at(const MotionBound& bound, const std::string& name) {
     case MotionBound::Kind::no_value:
       return none(name + " does not turn before " + where +
                   ", where the potential ends or has no value that could be enclosed.");
+    case MotionBound::Kind::no_inertia:
+      return none(name + " does not turn before " + where +
+                  ", where its inertia is zero to within rounding: towards it the speed grows without bound, "
+                  "and no equation tells how a motion goes on.");
     case MotionBound::Kind::unresolved:
       break;
   }

@@ -99,8 +99,12 @@ MotionBound TurningSearch::run() {
     if (p_ == limit()) {
       return {range_.period ? MotionBound::Kind::full_turn : MotionBound::Kind::domain_end, p_};
     }
-    if (!std::isfinite(limit()) && is_free_from_here()) return {MotionBound::Kind::unbounded, p_};
-    if (std::abs(p_) > farthest) break;
+    if (!std::isfinite(limit()) && has_inertia_from_here() && is_free_from_here())
+      return {MotionBound::Kind::unbounded, p_};
+    if (std::abs(p_) > farthest) {
+      if (is_free_from_here()) return {MotionBound::Kind::unbounded, p_};
+      break;
+    }
     width *= 2;
   }
   return {MotionBound::Kind::unresolved, p_};
@@ -118,6 +122,8 @@ MotionBound TurningSearch::look_beyond_resolution() {
       return {is_pole ? MotionBound::Kind::fall : MotionBound::Kind::no_value, around_what_is_singular(next)};
     }
     if (remaining_at(next.q).upper < 0) return {MotionBound::Kind::turning, next.x};
+    if (!(energy_.inertia(next.x).lower > 0))
+      return {MotionBound::Kind::no_inertia, around_what_has_no_inertia(next)};
     if (next.q == limit() && !range_.period) return {MotionBound::Kind::near_end, next.q};
   }
   return {MotionBound::Kind::unresolved, p_};
@@ -135,6 +141,14 @@ Interval TurningSearch::around_what_is_singular(const Piece& from) {
   return from.x;
 }
 
+/// Next to 0 the inertia underflows on this side already.
+Interval TurningSearch::around_what_has_no_inertia(const Piece& from) {
+  constexpr double least = 1e-300;
+  const Interval up_to_zero = hull(p_, 0.0);
+  const Interval inertia = energy_.inertia(up_to_zero);
+  return inertia.contains(0.0) && inertia.upper < least ? up_to_zero : from.x;
+}
+
 /// Whether F rises towards the piece, in equal factors of the distance by ever more: so does the logarithm.
 bool TurningSearch::grows_towards(const Piece& piece) {
   constexpr double equal = 0.9;
@@ -148,6 +162,7 @@ bool TurningSearch::grows_towards(const Piece& piece) {
 }
 
 TurningSearch::Verdict TurningSearch::look(Piece piece) {
+  if (!(energy_.inertia(piece.x).lower > 0)) return Verdict::undecided;
   if (is_positive(piece)) return Verdict::nothing;
   if (piece.stiffness.upper < 0 && !rises(piece.slope) && !falls(piece.slope)) return look_at_crest(piece);
   if (rises(piece.slope)) return Verdict::nothing;
@@ -189,8 +204,12 @@ Interval TurningSearch::remaining_at_crest(const Interval& c) {
                       intersection(energy_.remaining(m), energy_.remaining_sharply(m)) - change);
 }
 
+Interval TurningSearch::rest() const { return sign_ > 0 ? Interval(p_, infinity) : Interval(-infinity, p_); }
+
+bool TurningSearch::has_inertia_from_here() { return energy_.inertia(rest()).lower > 0; }
+
 bool TurningSearch::is_free_from_here() {
-  const Interval rest = sign_ > 0 ? Interval(p_, infinity) : Interval(-infinity, p_);
+  const Interval rest = this->rest();
   return energy_.remaining(rest).lower > 0 || rises(energy_.potential_rate(rest));
 }
 

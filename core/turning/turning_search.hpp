@@ -3,6 +3,7 @@
 // coordinate at a time, so that none is missed, however nearly F touches zero.
 //
 // On a piece [p, q] with F(p) > 0, enclosures (energy_balance.hpp) decide:
+//   A is not proven to be positive                      -> a shorter piece
 //   F > 0 on all of it, or F rises                      -> nothing here, go on with a longer piece
 //   F falls, or is concave (U'' > 0), and F(q) > 0      -> nothing here
 //   F falls, or is concave, and F(q) < 0                -> one zero: interval Newton
@@ -28,6 +29,7 @@ struct MotionBound {
     domain_end,  ///< F > 0 up to the end of the coordinate's domain
     fall,        ///< F > 0 up to a pole of U, towards which F grows as far as numbers tell
     no_value,    ///< F > 0 up to where U has no value that could be enclosed
+    no_inertia,  ///< F > 0 up to where A may vanish: the speed has no bound there
     near_end,    ///< F > 0 up to next to the end of the domain, where rounding does not tell whether it turns
     unresolved   ///< the search came no further than `place`
   };
@@ -78,7 +80,10 @@ class TurningSearch {
   [[nodiscard]] Verdict look_at_end(const Piece& piece);
   [[nodiscard]] MotionBound look_beyond_resolution();
   [[nodiscard]] Interval around_what_is_singular(const Piece& from);
+  [[nodiscard]] Interval around_what_has_no_inertia(const Piece& from);
   [[nodiscard]] bool grows_towards(const Piece& piece);
+  [[nodiscard]] Interval rest() const;  ///< all beyond p_
+  [[nodiscard]] bool has_inertia_from_here();
   [[nodiscard]] bool is_free_from_here();
   [[nodiscard]] Interval narrowed(double from, double to);
   [[nodiscard]] Interval critical_point(Interval x);

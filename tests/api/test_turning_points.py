@@ -18,6 +18,20 @@ class TurningPoints(Service):
         self.assertLessEqual(abs(answer[name] - expected), answer["error"][name] + 2e-16*abs(expected), name)
         self.assertLessEqual(answer["error"][name], relative*abs(expected), name)
 
+    def test_no_motion_passes_a_place_without_inertia(self):
+        for text, start, where in (("m*x^2*x_dot^2/2 - k*x^2/2", "x - 0.5", "x = 0"), ("m*x^2*x_dot^2/2 - k*x^4/4", "x - 0.5", "x = 0"),
+                                   ("m*cos(x)^2*x_dot^2/2 - k*sin(x)^2/2", "x - 0 5", "1.570796"), ("m*(x - 2)^2*x_dot^2/2 + k*x", "x - 0.5", "2")):
+            with self.subTest(text):
+                answer = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", start, text)})
+                self.assertIsNone(answer["motion"])
+                self.assertNotIn("period", {name for name, value in answer.items() if value is not None})
+                self.assertIn("its inertia is zero to within rounding", str(answer))
+                self.assertIn(where.replace("x = ", ""), str(answer))
+        free = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 0.5", "m/(1 + x^2)*x_dot^2/2 + k*x")})
+        self.assertEqual(free["motion"], "unbounded")
+        swings = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 1.5", "m*x^2*x_dot^2/2 - k*(x - 1)^2/2")})
+        self.assertEqual(swings["motion"], "libration")
+
     def test_reference_cases(self):
         count = 0
         for case in reference_cases("turning_points"):
