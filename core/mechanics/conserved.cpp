@@ -99,9 +99,10 @@ std::vector<ConservedQuantity> conserved_quantities(const Lagrangian& lagrangian
   for (const std::size_t i : ignorable_coordinates(lagrangian)) {
     if (momenta[i].is_zero()) continue;  // a massless foot has none to keep
     const std::string q = name_of(lagrangian.symbols.coordinates.value[i]);
-    found.push_back(
-        {momentum_names(lagrangian.symbols)[i], momentum_unit(scene, i), momenta[i],
-         q + " does not appear in the Lagrangian (it is ignorable), so its momentum is constant" + until});
+    found.push_back({momentum_names(lagrangian.symbols)[i], momentum_unit(scene, i), momenta[i],
+                     q + " does not appear in the Lagrangian (it is ignorable)" +
+                         (has_any ? " and no force beside it acts along " + q : "") +
+                         ", so its momentum is constant" + until});
   }
   return found;
 }

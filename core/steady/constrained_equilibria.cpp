@@ -10,6 +10,10 @@
 namespace qdot {
 namespace {
 
+constexpr const char* no_place_holds =
+    "In the region that was searched there is no place where the constraints hold and the forces along them "
+    "vanish.";
+
 class ConstrainedSearch {
  public:
   explicit ConstrainedSearch(const SurfaceProblem& problem)
@@ -17,6 +21,7 @@ class ConstrainedSearch {
 
   ConstrainedEquilibria run() {
     ConstrainedEquilibria result{steady_places(*problem_.whole.dynamics, problem_.steady, problem_.y), {}};
+    if (result.found.states.empty() && result.found.complete) result.found.reason = no_place_holds;
     std::erase_if(result.found.free, [&](std::size_t i) { return i >= total_; });
     for (SteadyState& state : result.found.states) {
       leave_coordinates(state.y);

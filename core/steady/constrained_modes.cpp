@@ -8,6 +8,7 @@
 #include "core/steady/rolling_modes.hpp"
 #include "core/steady/steady_forces.hpp"
 #include "core/steady/steady_rolling.hpp"
+#include "core/steady/surface_descent.hpp"
 
 namespace qdot {
 namespace {
@@ -154,6 +155,22 @@ std::vector<double> guess_on_surface(const SurfaceStatics& whole, const Dynamics
   return guess;
 }
 
+/// Of the first equilibrium that Newton's iteration finds from the way downhill and that is stable.
+std::optional<Modes> stable_downhill(const SurfaceStatics& whole, const std::vector<Ball>& constants,
+                                     const std::vector<double>& y, const std::vector<double>& start) {
+  std::vector<double> numbers;
+  for (const Ball& c : constants) numbers.push_back(c.value());
+  for (const std::vector<double>& place : places_downhill(whole, numbers, start)) {
+    try {
+      Modes found = SurfaceAnalysis(whole, constants, y).near(place).modes;
+      if (found.stability == Stability::stable) return found;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::not_applicable) throw;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 SurfaceModes surface_modes_at(const SurfaceStatics& whole, const std::vector<Ball>& constants,
@@ -169,7 +186,14 @@ Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const
   std::vector<double> y(initial.begin(), initial.end());
   if (guess) std::ranges::copy(*guess, y.begin());
   const std::vector<Ball> constants = constants_on_surface(whole, dynamics, parameters, initial);
-  return SurfaceAnalysis(whole, constants, y).near(guess_on_surface(whole, dynamics, parameters, y)).modes;
+  const std::vector<double> start = guess_on_surface(whole, dynamics, parameters, y);
+  try {
+    return SurfaceAnalysis(whole, constants, y).near(start).modes;
+  } catch (const Error& error) {
+    if (guess || error.code() != ErrorCode::not_applicable) throw;
+    if (auto found = stable_downhill(whole, constants, y, start)) return *std::move(found);
+    throw;
+  }
 }
 
 }  // namespace qdot

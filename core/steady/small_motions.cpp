@@ -27,8 +27,10 @@ bool is_symmetric(const SquareMatrix<Ball>& a, int sign) {
 /// M^-1 K.
 LongMatrix divided_by_mass(const LongMatrix& k, const LongMatrix& m) {
   if (auto result = quotient(k, m)) return *std::move(result);
-  throw Error(ErrorCode::not_applicable,
-              "The mass matrix has no inverse at the equilibrium: not every coordinate moves a mass there.");
+  throw Error(
+      ErrorCode::not_applicable,
+      "The mass matrix has no inverse at the equilibrium: some motion of the coordinates moves no mass "
+      "there.");
 }
 
 /// Of symmetric matrices, in units that make the masses ones; no columns where M is not positive definite.

@@ -34,7 +34,41 @@ def free_particle(place, speed, force):
             "coordinates": [{"name": "x", "initial": place, "initial_rate": speed}]}
 
 
+def on_curve(curve, x, y):
+    return {"name": "curve", "units": "none", "lagrangian": "m/2*(x_dot^2 + y_dot^2) - m*g*y",
+            "parameters": [{"name": "m", "default": "1"}, {"name": "g", "default": "9.81"}],
+            "coordinates": [{"name": "x", "initial": x}, {"name": "y", "initial": y}],
+            "constraints": [{"name": "w", "expression": curve}]}
+
+
 class TrueReasons(Service):
+    def test_where_nothing_obeys_a_constraint_no_forces_are_spoken_of_alone(self):
+        found = self.ask("equilibria", {"system": on_curve("x^2 + y^2 + 1", "1", "0")})
+        self.assertEqual((found["equilibria"], found["complete"]), ([], True))
+        self.assertIn("there is no place where the constraints hold", found["reason"])
+
+    def test_two_coordinates_that_move_a_mass_in_the_same_way(self):
+        slider = {"name": "slider", "units": "none", "coordinates": [{"name": "x"}, {"name": "th"}],
+                  "lagrangian": "(x_dot^2 + 2*x_dot*th_dot*cos(th) + th_dot^2)/2 + 9.81*cos(th) - 3*x^2/2"}
+        self.assertIn("some motion of the coordinates moves no mass", self.refused("modes", {"system": slider})["detail"])
+
+    def test_modes_are_about_the_stable_place_downhill_on_a_curve_that_starts_upright(self):
+        for curve, x, y, lowest in (("x^2 + y^2 - 1", "1", "0", -1), ("x^2 + y^2 - 1", "-1", "0", -1),
+                                    ("x^2 + y^2 - 1e-6", "1e-3", "0", -1e-3), ("x^2/4 + y^2/9 - 1", "2", "0", -3)):
+            with self.subTest(curve=curve, x=x):
+                found = self.ask("modes", {"system": on_curve(curve, x, y)})
+                place = found["equilibrium"]
+                self.assertEqual(place["stability"], "stable")
+                self.assertAlmostEqual(place["state"]["y"], lowest, delta=1e-12)
+
+    def test_a_momentum_is_constant_where_no_constraint_acts_along_it_either(self):
+        system = {"name": "rolling", "units": "none", "lagrangian": "(x_dot^2 + y_dot^2 + z_dot^2)/2",
+                  "coordinates": [{"name": name, "initial": "1"} for name in "xyz"],
+                  "constraints": [{"name": "w", "expression": "z_dot - y*x_dot"}]}
+        whys = {one["name"]: one["why"] for one in self.ask("equations", {"system": system})["conserved"]}
+        self.assertIn("and no force beside it acts along y, so its momentum is constant", whys["p_y"])
+        self.assertFalse({"p_x", "p_z"} & set(whys), whys)
+
     def test_a_force_across_the_velocity_does_no_work(self):
         answer = self.ask("equations", {"system": charge(["B*y_dot", "-B*x_dot"])})
         self.assertNotIn("energy_not_conserved", answer.get("reasons", {}))
