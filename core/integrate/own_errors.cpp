@@ -22,7 +22,7 @@ OwnErrors::OwnErrors(const Originals& originals, const Apart& start, double t)
       by_rounding_(originals.rounded, start.by_rounding),
       rises_(originals),
       random_(std::bit_cast<std::uint64_t>(t)),
-      rounding_is_in_both_(start.rounding_is_in_both),
+      share_of_rounding_(start.share_of_rounding),
       terms_(start.by_truncation.size()),
       sizes_(start.by_truncation.size()),
       signs_(sizes_.size()),
@@ -44,10 +44,13 @@ bool OwnErrors::is_rounding_large() const {
 /// To the side where both add up along what has grown.
 void OwnErrors::hand_over_rounding() {
   const std::vector<double>&e = by_rounding_.now(), &other = by_truncation_.now();
-  double along = 0;
+  double along = 0, by_rounding = 0, by_truncation = 0;
   for (std::size_t i = 0; i < e.size(); ++i) {
     const double size = by_rounding_.reached()[i];
-    if (size > 0) along += (e[i] / size) * (other[i] / size);
+    if (!(size > 0)) continue;
+    along += (e[i] / size) * (other[i] / size);
+    by_rounding += std::abs(e[i]) / enlarged / size;
+    by_truncation += std::abs(other[i]) / size;
   }
   for (std::size_t i = 0; i < e.size(); ++i) {
     sizes_[i] = std::abs(e[i]) / enlarged;
@@ -55,7 +58,7 @@ void OwnErrors::hand_over_rounding() {
   }
   by_truncation_.add(sizes_, signs_);
   by_rounding_.begin_anew();
-  rounding_is_in_both_ = true;
+  share_of_rounding_ += (1 - share_of_rounding_) * by_rounding / (by_rounding + by_truncation);
 }
 
 void OwnErrors::follow(const MotionPiece& step) {

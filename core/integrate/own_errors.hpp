@@ -29,14 +29,14 @@ class OwnErrors {
   void follow(const MotionPiece& step);
 
   [[nodiscard]] Apart now() const {
-    return {by_truncation_.now(), by_rounding_.now(), by_truncation_.reached(), rounding_is_in_both_};
+    return {by_truncation_.now(), by_rounding_.now(), by_truncation_.reached(), share_of_rounding_};
   }
   /// The larger one at the two ends of the last step, of each component: of both together, and of rounding.
   [[nodiscard]] double in_last_step(std::size_t i) const {
     return by_truncation_.in_last_step()[i] + by_rounding_.in_last_step()[i] / enlarged;
   }
   [[nodiscard]] double rounding_in_last_step(std::size_t i) const {
-    return rounding_is_in_both_ ? in_last_step(i) : by_rounding_.in_last_step()[i] / enlarged;
+    return by_rounding_.in_last_step()[i] / enlarged + share_of_rounding_ * by_truncation_.in_last_step()[i];
   }
 
  private:
@@ -47,7 +47,7 @@ class OwnErrors {
   Separation by_truncation_, by_rounding_;
   PairedRises rises_;
   RandomBits random_;
-  bool rounding_is_in_both_;
+  double share_of_rounding_;    ///< in by_truncation_
   std::vector<double> always_;  ///< sides
   StepTerms terms_;
   std::vector<double> sizes_, signs_, of_forces_, of_series_, hidden_;  ///< scratch

@@ -122,8 +122,8 @@ struct Limits {
 /// rounded otherwise.
 struct Apart {
   std::vector<double> by_truncation{}, by_rounding{};
-  std::vector<double> reached{};    ///< the largest |y_i|, of the end of a run
-  bool rounding_is_in_both{false};  ///< it was no longer small once, and went on with the other one
+  std::vector<double> reached{};  ///< the largest |y_i|, of the end of a run
+  double share_of_rounding{};     ///< in the first one, since it was no longer small
 };
 struct Originals {
   RightHandSide asked{}, rounded{};

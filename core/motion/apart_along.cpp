@@ -188,8 +188,9 @@ void ApartAlong::add(const Run& done) {
                            done.apart_by_rounding.end());
   for (std::size_t i = rows_.all.size(); i < end; ++i) {
     const double rounding = std::abs(now_.by_rounding[i % width]) / OwnErrors::enlarged;
-    rows_.all.push_back(std::abs(now_.by_truncation[i % width]) + rounding);
-    rows_.by_rounding.push_back(now_.rounding_is_in_both ? rows_.all.back() : rounding);
+    const double truncation = std::abs(now_.by_truncation[i % width]);
+    rows_.all.push_back(truncation + rounding);
+    rows_.by_rounding.push_back(rounding + now_.share_of_rounding * truncation);
   }
   for (std::size_t i = 0; i < width; ++i) reached_[i] = std::max(reached_[i], std::abs(done.y[i]));
   if (done.apart_at_end.reached.empty()) return;

@@ -61,7 +61,7 @@ TEST(OwnErrors, OfRoundingAreAsLargeAsALostMotion) {
   EXPECT_GT(largest, 1e3);
   EXPECT_GT(errors.in_last_step(0), 0x1p-4 * largest);
   EXPECT_LT(errors.in_last_step(0), 4 * largest);
-  EXPECT_EQ(errors.rounding_in_last_step(0), errors.in_last_step(0));
+  EXPECT_NEAR(errors.rounding_in_last_step(0), errors.in_last_step(0), 1e-2 * largest);
 }
 
 /// As motions of one tape are, and how often that is asked.
