@@ -27,6 +27,39 @@ bool speaks_only_of(const Expression& e, std::span<const Expression> symbols,
   return true;
 }
 
+/// Whether a root of an even order, abs or sign takes something of the symbol: sqrt(d^2), abs(d).
+bool is_under_a_size(const Expression& e, const Expression& symbol) {
+  Graph& graph = e.graph();
+  const NodeId root = e.id();
+  const auto takes = [&](NodeId id) {
+    if (const auto* call = std::get_if<Call>(&graph.node(id)))
+      return (call->function == Function::abs || call->function == Function::sign) &&
+             depends_on(Expression(graph, call->argument), symbol);
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    return power != nullptr && (power->exponent.denominator() / Number(2)).is_integer() &&
+           depends_on(Expression(graph, power->base), symbol);
+  };
+  return std::ranges::any_of(reachable(graph, {&root, 1}), takes);
+}
+
+/// Whether the formula, which does not speak of it, was made with the parameter's sign: sqrt(d^2) = d.
+bool has_used_sign_of(const ExactValues& values, std::size_t parameter) {
+  const double value = values.parameters()[parameter];
+  if (!values.model().scene.parameters[parameter].domain.contains(-value)) return false;
+  const Lagrangian& own = values.model().lagrangian;
+  const auto takes = [&](const Expression& e) {
+    return is_under_a_size(e, own.symbols.parameters[parameter]);
+  };
+  if (!takes(own.lagrangian) && std::ranges::none_of(own.generalized_forces, takes)) return false;
+  const Expression& p = values.symbols()[parameter];
+  return std::ranges::any_of(values.asked(), [&](const auto& asked) {
+    const auto& [e, sign] = asked;
+    if (sign == 0 || !depends_on(e, p)) return false;
+    const Replacement turned{p, -p};
+    return values.value(substitute(e, {&turned, 1})).value * sign < 0;
+  });
+}
+
 std::vector<std::string> assumptions(const ExactValues& values, const Expression& e,
                                      const Relations& relations) {
   const Notation notation = notation_of(values.model().scene);
@@ -39,7 +72,7 @@ std::vector<std::string> assumptions(const ExactValues& values, const Expression
       found.push_back(name + " = " + print(e.graph().number(exponent->second), Form::text));
     } else if (values.is_zero(i)) {
       found.push_back(name + " = 0");
-    } else if (depends_on(e, p)) {
+    } else if (depends_on(e, p) || has_used_sign_of(values, i)) {
       found.push_back(name + (values.parameters()[i] > 0 ? " > 0" : " < 0"));
     }
   }

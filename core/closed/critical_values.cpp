@@ -36,9 +36,9 @@ class CriticalForm {
 
   std::optional<ClosedForm> form() {
     std::optional<ClosedForm> found = found_form();
-    const std::string itself = std::get<Symbol>(p_.node()).name + " = 0";
     if (!found) return found;
-    std::erase(found->assumes, itself);
+    const std::string itself = std::get<Symbol>(p_.node()).name;
+    for (const char* sign : {" = 0", " > 0", " < 0"}) std::erase(found->assumes, itself + sign);
     found->assumes.insert(found->assumes.end(), needed_.begin(), needed_.end());
     return found;
   }

@@ -93,6 +93,23 @@ class AssumedSigns(Service):
             (rest,) = self.ask("equilibria", {"system": system})["equilibria"]
             self.assertEqual(rest["exact"]["x"]["assumes"], free["exact"]["x"]["assumes"] + [needed])
 
+    def test_the_sign_that_a_root_or_a_size_took_is_assumed_where_its_parameter_cancels(self):
+        for parameters, potential, cancelled in (
+                ("m - 1; k - 3; q - 2; d - 0.5", "k/2*(sqrt(x^2 + d^2) - d)^2 + q*x^2/2", "d > 0"),
+                ("m - 1; k - 3; q - 2; d - -0.5", "k/2*(sqrt(x^2 + d^2) + d)^2 + q*x^2/2", "d < 0"),
+                ("m - 1; k - 3; l - 0.5", "k*x^2*sqrt(l^2)/l", "l > 0"), ("m - 1; k - 3; l - 0.5", "k*x^2*abs(l)/l", "l > 0"),
+                ("m - 1; k - 3; q - 2; l - 0.5", "k*x^2*sign(l) + q*x^2", "l > 0")):
+            with self.subTest(potential, parameters=parameters):
+                system = lagrangian("well", parameters, "x - 0.1", f"m*x_dot^2/2 - ({potential})")
+                (mode,), (rest,) = self.ask("modes", {"system": system})["modes"], self.ask("equilibria", {"system": system})["equilibria"]
+                for form in (mode["exact"], rest["exact_rate2"]):
+                    self.assertIn(cancelled, form["assumes"])
+        (_, other) = self.rests("k*(x^2*a - x^3*abs(a))", "m - 1; k - 3; a - 0.5", 0.1)
+        self.assertEqual(other["exact"]["x"], other["exact"]["x"] | {"text": "2/3", "assumes": ["a > 0"]})
+        system = lagrangian("well", "m - 1; k - 3; q - 2; d - 0.5", "x - 0.1", "m*x_dot^2/2 - k/2*(sqrt(x^2 + d^2) - d)^2 - q*x^2/2")
+        system["parameters"][3]["domain"] = "> 0"
+        self.assertEqual(self.ask("modes", {"system": system})["modes"][0]["exact"]["assumes"], ["m > 0", "q > 0"])
+
     def test_what_the_parameters_decide_is_not_assumed(self):
         system = lagrangian("carts", "m - 1; M - 2; k - 3; g - 9.81; l - 0.5", "x - 0; th - 0",
                             "M*x_dot^2/2 + m*(x_dot^2 + 2*l*x_dot*th_dot*cos(th) + l^2*th_dot^2)/2 + m*g*l*cos(th) - k*x^2/2")
