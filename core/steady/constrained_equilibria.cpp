@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/steady/constrained_modes.hpp"
 #include "core/steady/mode_search.hpp"
+#include "core/steady/region_sentences.hpp"
 
 namespace qdot {
 namespace {
@@ -23,6 +24,8 @@ class ConstrainedSearch {
     ConstrainedEquilibria result{steady_places(*problem_.whole.dynamics, problem_.steady, problem_.y), {}};
     if (result.found.states.empty() && result.found.complete) result.found.reason = no_place_holds;
     std::erase_if(result.found.free, [&](std::size_t i) { return i >= total_; });
+    std::erase_if(result.found.states,
+                  [&](const SteadyState& state) { return leave_out(state, result.found); });
     for (SteadyState& state : result.found.states) {
       leave_coordinates(state.y);
       leave_coordinates(state.errors);
@@ -33,6 +36,19 @@ class ConstrainedSearch {
   }
 
  private:
+  /// As equilibria() does: what rests where the mass matrix has no inverse is not known.
+  bool leave_out(const SteadyState& state, Equilibria& found) const try {
+    const auto q = std::span(state.enclosure).first(problem_.whole.coordinates);
+    if (has_inertia_on_surface(problem_.whole, problem_.constants, q, state.y)) return false;
+    const Scene& scene = problem_.whole.dynamics->model().scene;
+    found.complete = false;
+    found.reason +=
+        (found.reason.empty() ? "" : " ") + without_inertia(scene, problem_.steady, state.enclosure);
+    return true;
+  } catch (const Error&) {  // the constraints depend on each other there, which its stability tells
+    return false;
+  }
+
   /// Of (q, lambda) and its rates those of q.
   void leave_coordinates(std::vector<double>& y) const {
     const auto from = [&](std::size_t i) { return y.begin() + static_cast<std::ptrdiff_t>(i); };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/steady/inertia.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/rolling_modes.hpp"
@@ -28,10 +29,17 @@ class SurfaceAnalysis {
     return about_place(solved_slopes(slopes(), n_));
   }
 
+  /// Whether what the constraints leave of the mass matrix has an inverse.
+  bool has_inertia(std::span<const Interval> q) {
+    put(q);
+    z_ = solved_slopes(slopes(), n_).allowed;
+    const SquareMatrix<Ball> mass = restricted(matrix(whole_.statics->inertia));
+    const Inertia inertia = inertia_of(intervals(mass), mass.size());
+    return inertia.undecided == 0 || inertia.negative > 0;
+  }
+
   SurfaceModes at(std::span<const Interval> q) {
-    place_.isolated = true;
-    for (const Interval& x : q) place_.x.push_back(Ball::of(x));
-    place_.x.resize(n_ + m_, Ball(0));
+    put(q);
     const std::vector<Ball> g = of(whole_.statics->forces);
     SolvedSlopes a = solved_slopes(slopes(), n_);
     for (std::size_t j = 0; j < m_; ++j) {
@@ -61,6 +69,22 @@ class SurfaceAnalysis {
       for (std::size_t i = 0; i < n_; ++i) result[j].push_back(k[(n_ + j) * (n_ + m_) + i]);
     }
     return result;
+  }
+
+  /// Without multipliers, on which neither slopes nor masses depend.
+  void put(std::span<const Interval> q) {
+    place_ = {};
+    place_.isolated = true;
+    for (const Interval& x : q) place_.x.push_back(Ball::of(x));
+    place_.x.resize(n_ + m_, Ball(0));
+  }
+
+  [[nodiscard]] static std::vector<Interval> intervals(const SquareMatrix<Ball>& a) {
+    std::vector<Interval> entries;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < a.size(); ++j) entries.push_back(a(i, j).interval());
+    }
+    return entries;
   }
 
   SurfaceModes about_place(SolvedSlopes a) {
@@ -119,13 +143,6 @@ class SurfaceAnalysis {
   }
 
   [[nodiscard]] SteadyStability stability_of(const SmallMotions& motions) const {
-    const auto intervals = [&](const SquareMatrix<Ball>& a) {
-      std::vector<Interval> entries;
-      for (std::size_t i = 0; i < a.size(); ++i) {
-        for (std::size_t j = 0; j < a.size(); ++j) entries.push_back(a(i, j).interval());
-      }
-      return entries;
-    };
     const Model& model = whole_.dynamics->model();
     SteadyStability result = linear_stability(
         {motions.size(), intervals(motions.mass), intervals(motions.rates), intervals(motions.stiffness),
@@ -172,6 +189,11 @@ std::optional<Modes> stable_downhill(const SurfaceStatics& whole, const std::vec
 }
 
 }  // namespace
+
+bool has_inertia_on_surface(const SurfaceStatics& whole, const std::vector<Ball>& constants,
+                            std::span<const Interval> x, const std::vector<double>& y) {
+  return SurfaceAnalysis(whole, constants, y).has_inertia(x);
+}
 
 SurfaceModes surface_modes_at(const SurfaceStatics& whole, const std::vector<Ball>& constants,
                               std::span<const Interval> x, const std::vector<double>& y) {

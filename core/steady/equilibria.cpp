@@ -299,15 +299,9 @@ void leave_out_without_inertia(const Scene& scene, StabilityAnalysis& analysis, 
   std::erase_if(result.states, [&](const SteadyState& state) {
     const bool is_told = state.enclosure.size() == 1;  // as what its stability leaves open
     if (is_told || analysis.has_inertia(state.enclosure)) return false;
-    Box place;
-    for (const std::size_t j : result.problem.forces->unknowns) place.push_back(state.enclosure[j]);
-    const std::string where = place_named(scene, result.problem, place);
     result.complete = false;
     result.reason +=
-        (result.reason.empty() ? "" : " ") + where + (where.empty() ? "There " : ", ") +
-        "the mass matrix has no inverse to within rounding, as where a coordinate fails: no "
-        "acceleration follows from the equations, and they do not tell whether anything can rest "
-        "there.";
+        (result.reason.empty() ? "" : " ") + without_inertia(scene, result.problem, state.enclosure);
     return true;
   });
 }

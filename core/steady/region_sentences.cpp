@@ -19,6 +19,15 @@ std::string place_named(const Scene& scene, const SteadyProblem& problem, const 
   return where;
 }
 
+std::string without_inertia(const Scene& scene, const SteadyProblem& problem, const Box& kept) {
+  Box place;
+  for (const std::size_t j : problem.forces->unknowns) place.push_back(kept[j]);
+  const std::string where = place_named(scene, problem, place);
+  return (where.empty() ? "There " : where + ", ") +
+         "the mass matrix has no inverse to within rounding, as where a coordinate fails: no acceleration "
+         "follows from the equations, and they do not tell whether anything can rest there.";
+}
+
 std::string undecided(const Scene& scene, const SteadyProblem& problem, const Box& box) {
   std::string where;
   for (std::size_t k = 0; k < problem.forces->unknowns.size(); ++k) {

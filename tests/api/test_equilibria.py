@@ -63,6 +63,15 @@ class Equilibria(Answers):
         self.assertIn("Near r = 0 and th = 1.72", found["reason"])
         self.assertIn("the mass matrix has no inverse", found["reason"])
 
+    def test_nor_do_they_on_the_surface_of_a_constraint(self):
+        system = lagrangian("spring", "m - 1; g - 9.81; k - 3; l - 0.5", "r - 1; th - 0.1; z - 2",
+                            "m/2*(r_dot^2 + r^2*th_dot^2 + z_dot^2) + m*g*r*cos(th) - k*(r - l)^2/2",
+                            constraints=[{"name": "w", "expression": "z - 2*r"}])
+        found = self.ask("equilibria", {"system": system})
+        self.assertEqual([round(one["state"]["r"], 9) for one in found["equilibria"]], [-2.77, 3.77])
+        self.assertFalse(found["complete"])
+        self.assertIn("the mass matrix has no inverse", found["reason"])
+
     def test_reference_cases(self):
         count = 0
         for case in reference_cases("equilibria"):
