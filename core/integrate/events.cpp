@@ -14,30 +14,12 @@ constexpr std::size_t most_looks = 4000;
 constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
 constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
 constexpr std::size_t looks_of_change = 256;    ///< more for each change of sign: as many as a pole takes
-constexpr int halvings = 60;
-constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
-constexpr double growth_at_pole = 3;
-constexpr double widened = 256;  ///< times what a place is known to
+constexpr double shortest_of_step = 0x1p-50;    ///< where rounding of states hides g, or a pole's place
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
-int sign_of(double value) { return (value > 0) - (value < 0); }
-
 // Zeros as near as this were found apart by round-off only.
 bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
-
-// At a pole values grow towards the place on both sides: at a jump they may be large, too, but no more so the
-// nearer it is. [from, to] is the step.
-template <class Function>
-bool grows_towards(const Function& g, const SignChange& place, double from, double to) {
-  const double shortest = std::max(place.after - place.before, time_round_off(place.after));
-  const auto grows = [&](double value, double t, double distance) {
-    const double beside = t + std::copysign(std::sqrt(shortest * std::abs(distance)), distance);
-    return std::abs(distance) <= widened * shortest || std::abs(value) > growth_at_pole * std::abs(g(beside));
-  };
-  return to - from > shortest && grows(place.value_before, place.before, from - place.before) &&
-         grows(place.value_after, place.after, to - place.after);
-}
 
 }  // namespace
 
@@ -224,20 +206,6 @@ bool EventSearch::keeps_sign(std::size_t event, double from, double to, int sign
   return std::ranges::all_of(pieces, [=](const Piece& piece) { return piece.sign == sign; });
 }
 
-/// Of an event that is reported only.
-bool EventSearch::is_pole_between(std::size_t event, double from, double to) {
-  if (request_.events[event].terminal) return false;
-  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
-  const auto g = [&](double t) {
-    const MotionPiece there = polynomial_.piece(t - begin, h);
-    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = there.rows[i * (there.order + 1)];
-    return request_.events[event].value(t, y_);
-  };
-  const double before = begin + from, after = begin + to;
-  const SignChange place{before, g(before), after, g(after)};
-  return !is_bounded_around(event, place) && grows_towards(g, place, begin, begin + h);
-}
-
 /// g leaves zero at t_start in its direction, where that counts.
 bool EventSearch::takes_sign_at_start(std::size_t event) const {
   const EventFunction& function = request_.events[event];
@@ -329,64 +297,6 @@ void EventSearch::forget_start(std::size_t event) {
   if (left == 0) return;
   const double now = request_.events[event].value(polynomial_.whole().t, state_at_begin());
   if (std::abs(now) >= 2 * std::abs(left)) left = 0;
-}
-
-/// What is left at t_start is taken from g where g alone has no bracket: else flight upon flight would end
-/// where the one before has begun, and never at zero.
-std::optional<double> EventSearch::locate(Stepper& stepper, const Crossed& crossed, Found& found) {
-  const EventFunction& event = request_.events[crossed.event];
-  double left = 0;
-  const auto g = [&](double t) {
-    if (!found.failure) found.failure = stepper.interpolate(t, y_);
-    return found.failure ? std::numeric_limits<double>::quiet_NaN() : event.value(t, y_) - left;
-  };
-  SignChange bracket;
-  // At t_start g may be zero or have passed it by a rounding error, and at a step's beginning too, or not yet
-  // have passed it at the end. Where it has no value, it has its old sign.
-  const auto is_bracket = [&] {
-    return std::isnan(bracket.value_before) ||
-           sign_of(bracket.value_before) * sign_of(bracket.value_after) < 0;
-  };
-  double at_begin = 0;
-  const auto look = [&] {
-    const double end = std::min(crossed.after, stepper.t()), length = end - crossed.before;
-    bracket = {crossed.before, g(crossed.before), end, 0};
-    bracket.value_after = g(end);
-    at_begin = std::abs(bracket.value_before);
-    for (int k = 1; k <= halvings && !is_bracket() && !found.failure; ++k) {
-      bracket.before = crossed.before + std::ldexp(length, -k);
-      bracket.value_before = g(bracket.before);
-    }
-  };
-  look();
-  if (left_at_start_[crossed.event] != 0 && !is_bracket()) {
-    left = left_at_start_[crossed.event];
-    look();
-  }
-  if (found.failure) return std::nullopt;
-  const bool is_after = event.sign_at_start != 0 || std::abs(bracket.value_after) < at_begin;
-  SignChange place = bracket;
-  if (is_bracket()) {
-    place = find_sign_change(g, bracket);
-  } else {
-    place.before = place.after = is_after ? bracket.after : crossed.before;
-    place.value_before = place.value_after = g(place.after);
-  }
-  const bool is_of_g = event.sign_at_start == 0 || event.is_beside_zero;
-  const double begin = polynomial_.whole().t;
-  const bool passes_poles = is_of_g && !event.must_have_value;
-  if (passes_poles && !is_bounded_around(crossed.event, place) && grows_towards(g, place, begin, stepper.t()))
-    return std::nullopt;
-  return place.after;
-}
-
-/// Whether g is bounded there, so that it crosses zero where its sign changes, however steeply.
-bool EventSearch::is_bounded_around(std::size_t event, const SignChange& place) {
-  const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
-  const double around = widened * std::max(place.after - place.before, time_round_off(place.after));
-  const double from = std::max(0.0, place.before - around - begin),
-               to = std::min(h, place.after + around - begin);
-  return to > from && finite_series(event, polynomial_.piece(from, to - from)).is_finite();
 }
 
 void EventSearch::report(Stepper& stepper, std::vector<Zero> zeros, Found& found) {
