@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "core/integrate/events.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
-
-constexpr double short_share = 1e-9;  ///< of a piece
 
 int sign_of_value(double value) { return (value > 0) - (value < 0); }
 
@@ -25,7 +24,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   result.end = order + 1;
   const std::span<double> c = std::span(result.c).first(result.end);
   result.off = request_.events[event].series(piece, order, c);
-  result.is_nowhere = std::isnan(result.off);
+  result.is_nowhere = std::isnan(result.off) && !has_value_at(event, piece, 0.5 * piece.h);
   if (result.is_nowhere) return result;
   c[0] -= left_at_start_[event];
   double power = 1, size = 0;
@@ -36,6 +35,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   }
   const double rounding = of_values * size;
   result.off += rounding + rounding_[event];
+  if (std::isnan(result.off)) result.off = infinity;  // where coefficients of what is steep overflow
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   const bool is_zero = is_zero_at_start(event);
@@ -50,17 +50,25 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   return result;
 }
 
+bool EventSearch::has_value_at(std::size_t event, const MotionPiece& piece, double later) const {
+  std::vector<double> y(request_.y_start.size());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    for (unsigned k = piece.order + 1; k-- > 0;) y[i] = piece.rows[i * (piece.order + 1) + k] + later * y[i];
+  }
+  return std::isfinite(request_.events[event].value(piece.t + later, y));
+}
+
 /// The state there has not been rounded by a series.
 double EventSearch::value_at_start(std::size_t event, double of_series) const {
   const double value = request_.events[event].value(request_.t_start, request_.y_start);
   return std::abs(value) < std::abs(of_series) ? value : of_series;
 }
 
-/// What g may be away from its first coefficient: the bound over a very short piece, and rounding, which the
-/// whole step may show far larger than it is there.
+/// What g may be away from its first coefficient: the bound at that instant, where no slope counts however
+/// steep, and rounding, which the whole step may show far larger than it is there.
 double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const {
   std::vector<double> c(low_order + 1);
-  piece.h *= short_share;
+  piece.h = 0;
   piece.defect = {};  // that of the whole step
   const EventFunction& function = request_.events[event];
   if (piece.t == request_.t_start && function.rounding_at_start)

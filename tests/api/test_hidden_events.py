@@ -63,6 +63,26 @@ class HiddenEvents(Service):
                 if len(answer["events"]) != 2:
                     self.assertIn("'e' as its error", answer["accuracy"]["reason"])
 
+    def test_steps_of_time_just_behind_the_start_are_met(self):
+        """Within the first rounding that times elsewhere have, and where their coefficients overflow."""
+        for function, known in (("tanh(1e16*t) - 0.5", [mp.atanh(0.5) * mpf("1e-16")]),
+                                ("exp(-1e20*t) - 0.5", [mp.log(2) * mpf("1e-20")]),
+                                ("tanh(1e130*t) - 0.5", [mp.atanh(0.5) * mpf("1e-130")]),
+                                ("t*exp(160*x) - 1", [mpf("2.591877726173834e-28"), mpf("0.7542699795806396")])):
+            with self.subTest(function):
+                system = scene("x_dot^2/2", "0.397", "-0.524", events=[{"name": "e", "expression": function}])
+                answer = self.simulate(system, 1.3, events=["e"])
+                self.assertEqual(len(answer["events"]), len(known))
+                for event, t in zip(answer["events"], known):
+                    self.assertLess(abs(event["t"] - t), 1e-14)
+
+    def test_a_wall_that_leaps_at_the_start_is_met_at_its_speed(self):
+        wall = {"name": "w", "expression": "x - 0.3 - 0.2*tanh(1e16*t)", "direction": "falling"}
+        system = scene("x_dot^2/2", "0.397", "-0.524", events=[wall], impacts=[{"event": "w", "restitution": 0.5}])
+        answer = self.simulate(system, 1.3, events=["w"])
+        speed = mpf("1.5") * mpf("2e15") * (1 - mpf("0.485") ** 2)
+        self.assertLess(abs(answer["trajectory"]["x_dot"][-1] / speed - 1), 1e-6)
+
     def test_the_depth_of_a_graze_is_sought_where_it_is(self):
         rate = mp.sqrt(mpf("3.62"))
         root = "-1.78116366224010109444143167869"  # 1.5e-12 above the least x + 0.57 x_dot
