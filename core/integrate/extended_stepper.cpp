@@ -56,7 +56,10 @@ ExtendedStepper::ExtendedStepper(const ExtendedSystem& system, const ExtendedRun
       allowed_(y_.size()),
       defect_(y_.size()),
       hidden_(y_.size()),
-      bounded_(static_cast<bool>(system.hidden)) {}
+      bounded_(static_cast<bool>(system.hidden)) {
+  if (system.in_doubles.expansion && system.first_in_doubles < order_)
+    rounded_series_.emplace(system.in_doubles, system.first_in_doubles);
+}
 
 std::optional<Ending> ExtendedStepper::step() {
   trouble_.reset();
@@ -74,7 +77,7 @@ std::optional<Ending> ExtendedStepper::step() {
     bounded_ = part > 0;
     if (part > 0) find_hidden(part);
     if (part > 0 && rounding_is_followed) {
-      part = exact_part(part);
+      part = told_part(exact_part(part));
       bounded_ = !system_.rounding || shows_forces();
     }
     if (part > 0 && part < whole) h = part;
@@ -131,6 +134,7 @@ std::span<const double> ExtendedStepper::rounded() {
     const auto [first, others] = largest_terms(c);
     const double share = others <= first ? others / std::max(first, std::numeric_limits<double>::min()) : 1;
     rounded_[i] = share * rounding_of_doubles * std::abs(c[0].high);
+    if (rounded_series_) rounded_[i] = std::max(rounded_[i], rounded_series_->off(i, last_step_));
     rounded_[n + i] = rounded_[i] * system_.first_in_doubles / last_step_;
     if (in_doubles_.empty()) continue;
     const double most_of_share =
@@ -325,6 +329,13 @@ double ExtendedStepper::exact_part(double h) {
     rounded = of_half;
   }
   return part;
+}
+
+/// Up to that, a length over which rounding to doubles makes little of the high terms.
+double ExtendedStepper::told_part(double h) {
+  if (!rounded_series_ || in_doubles_.empty()) return h;
+  rounded_series_->take(t_.high, next_.c, next_.order, in_doubles_, h);
+  return rounded_series_->told_part(h);
 }
 
 /// Of the step that is to be taken. Whether there is a bound.

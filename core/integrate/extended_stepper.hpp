@@ -8,9 +8,10 @@
 // with h' the step before, as core/integrate/taylor_stepper.hpp has it. A step whose polynomial does not obey
 // the equation at its end is taken again, half as long. Where the system can tell what a step hides, it is
 // no longer than what hides no more than is allowed. Where high coefficients are doubles, it is so short that
-// their terms are small beside the others. A series has fewer orders where its last coefficients are next to
-// the end of the range of doubles, as beside a pulse of 1e-10 s, or where it is not they that hold the step.
-// Source of the step: Jorba, Zou, Experimental Mathematics 14 (2005) 99, section 3.
+// their terms are small beside the others, and so are those of what is rounded (rounded_series.hpp). A series
+// has fewer orders where its last coefficients are next to the end of the range of doubles, as beside a pulse
+// of 1e-10 s, or where it is not they that hold the step. Source of the step: Jorba, Zou, Experimental
+// Mathematics 14 (2005) 99, section 3.
 
 #include <functional>
 #include <optional>
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "core/integrate/extended_sums.hpp"
+#include "core/integrate/rounded_series.hpp"
 #include "core/integrate/run.hpp"
 #include "core/numerics/double_double.hpp"
 
@@ -114,6 +116,7 @@ class ExtendedStepper {
   [[nodiscard]] double bounded_part(double h);
   void find_hidden(double h);
   [[nodiscard]] double exact_part(double h);
+  [[nodiscard]] double told_part(double h);
   bool bound_rounding();
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] bool try_step(const DoubleDouble& t);
@@ -141,6 +144,7 @@ class ExtendedStepper {
   std::vector<double> powers_ = std::vector<double>(order_ + 1);
   std::vector<double> rows_, truncated_, rounded_;      ///< of the last step
   std::vector<double> in_doubles_, in_double_doubles_;  ///< what rounding does in it to accelerations
+  std::optional<RoundedSeries> rounded_series_;         ///< of the next step
   bool bounded_;
 };
 

@@ -96,6 +96,27 @@ class GrowthFromNothing(Service):
             measured += self.check(scene, end, options, off * grown - push / k, off * rate * rising) or 0
         self.assertEqual(measured, 120)
 
+    def test_a_push_beside_a_balance(self):
+        """Of forces that doubles cannot tell from one: no term of a series in doubles shows any of what grows."""
+        draw, measured = random.Random(20261203), 0
+        for _ in range(120):
+            k, place = mpf(draw.randint(500, 60000)) / 1000, mpf(draw.randint(100, 1999)) / 1000
+            push = draw.choice((-1, 1)) * draw.randint(1, 9) * mpf(10) ** draw.randint(-28, -18)
+            rate, typed = mp.sqrt(k), mpf(0)
+            end = mpf(mp.nstr(draw.uniform(5, 40) / rate, 4))
+            if draw.random() < 0.5:
+                typed, push = push / 10, push / 10 * k  # of the place itself
+                force = f"{mp.nstr(k, 6)}*x - {mp.nstr(k * place, 12)}"
+            else:
+                force = f"{mp.nstr(k, 6)}*x - {mp.nstr(k * place, 12)} + ({mp.nstr(push, 3)})"
+            forces = [{"name": "f", "value": force, "along": "x"}]
+            scene = lagrangian("top", "", f"x - {mp.nstr(place + typed, 40)} 0", "x_dot^2/2", forces=forces)
+            grown, rising = mp.cosh(rate * end), mp.sinh(rate * end)
+            x = place + typed + push / k * (grown - 1)
+            options = draw.choice(({"max_error": 1e-6}, {"max_error": 1e-12}, {"accuracy": "fast"}, {"accuracy": "accurate"}, {}))
+            measured += self.check(scene, end, options, x, push / rate * rising)
+        self.assertGreater(measured, 110)
+
     def test_a_push_far_below_the_tolerance(self):
         draw, measured = random.Random(20261130), 0
         for _ in range(60):

@@ -44,7 +44,7 @@ class ExtendedExpansion {
   std::unique_ptr<ExtendedTranslation> translation_;
 };
 
-/// The same with the coefficients of order 8 and more in doubles. These are multiplied by the eighth power of
+/// The same with the coefficients of order 6 and more in doubles. These are multiplied by the sixth power of
 /// a step that is short beside the series' radius, so that their rounding is far below that of doubles: a
 /// motion takes twice to three times the work of one in doubles, and its round-off is that of
 /// double-doubles.
