@@ -203,7 +203,10 @@ void Separation::project(double t) {
 
 void Separation::place_beside() {
   if (scale_ == Scale::as_it_is) {
-    for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = beside(y_[i], e_[i]);
+    for (std::size_t i = 0; i < e_.size(); ++i) {
+      beside_[i] = beside(y_[i], e_[i]);
+      size_[i] = std::max(size_[i], std::abs(beside_[i]));
+    }
     return;
   }
   const double part = part_of_size();

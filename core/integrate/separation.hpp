@@ -8,9 +8,9 @@
 //
 // It is followed beside the steps: by the Taylor series from the place that is e away from the reference's
 // own, less the reference's, of as low an order as does; where none does, as beside what rests and would
-// fall, over parts of the step. Where e is as large as the motion it grows no more, unless the d_k alone are
-// as large, beside which the reference tells no size. Of the d_k only the sizes are known: whoever adds them
-// chooses signs. Each e_i is in the unit of y_i.
+// fall, over parts of the step. Where e is twice as large as either motion has been it grows no more, unless
+// the d_k alone are as large, beside which the reference tells no size. Of the d_k only the sizes are known:
+// whoever adds them chooses signs. Each e_i is in the unit of y_i.
 // Source of the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14
 // (differentiability with respect to initial values and parameters).
 
@@ -73,7 +73,7 @@ class Separation {
   /// By which e was followed through the last step.
   [[nodiscard]] double shortest_part() const { return shortest_part_; }
   [[nodiscard]] const std::vector<double>& now() const { return e_; }
-  /// The largest |y_i| of the reference.
+  /// The largest |y_i| of the reference, and where motions part as they are of the other.
   [[nodiscard]] const std::vector<double>& reached() const { return size_; }
   /// |e_i| at the two ends of the last step, the larger one.
   [[nodiscard]] const std::vector<double>& in_last_step() const { return largest_; }
@@ -109,9 +109,10 @@ class Separation {
   double shortest_part_{1};
   double late_growth_{1};  ///< of what this step has made, in it
   std::vector<double> e_, largest_;
-  std::vector<double> y_, size_;  ///< of the reference where the step begins; |y| up to there
-  std::vector<double> added_;     ///< by steps, and where that alone takes coordinates
-  std::vector<double> most_;      ///< that e_ may be where it has been pushed farther than y went
+  std::vector<double> y_;      ///< of the reference where the step begins
+  std::vector<double> size_;   ///< |y| up to there, of either motion
+  std::vector<double> added_;  ///< by steps, and where that alone takes coordinates
+  std::vector<double> most_;   ///< that e_ may be where it has been pushed farther than y went
   std::vector<double> before_, added_before_;  ///< a part of a step is tried
   std::vector<double> beside_, c_, rise_;      ///< scratch
 };
