@@ -40,6 +40,16 @@ class SeveralEventsInDoubt(Service):
             with self.subTest(function):
                 self.assertNotIn("reason", self.met(function, 0, 4)["accuracy"])
 
+    def test_steep_ones_are_not_in_doubt_however_they_are_written(self):
+        """With a coordinate twice in it, and where they jump."""
+        for function in ("2*x - 3*(x - 0.5)", "x - 2.117*(x + 0.472) + 3", "sin(x) - 2*(x - 0.6)", "tanh(1.113*(x - 1)) - x + 1.3",
+                         "sign(x - 1.7)*(x - 0.2)", "(x + 1)*sign(x^2 - 2)", "sin(3.265*sign(x - 1.7)*x) + 0.4"):
+            with self.subTest(function):
+                answer = self.met(function, 0, 4)
+                self.assertGreater(len(answer["events"]), 0)
+                self.assertNotIn("reason", answer["accuracy"])
+                self.assertLess(max(event["error"] for event in answer["events"]), 1e-13)
+
     def test_ordinary_events_of_the_time_are_not_in_doubt(self):
         for function in ("sin(t) - 0.3", "cos(2*t) + x/9", "exp(-t) - 0.4", "x - cos(3*t)", "t - 1 + x/9", "sin(50*t) + x - 0.2"):
             with self.subTest(function):
