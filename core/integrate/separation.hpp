@@ -94,6 +94,7 @@ class Separation {
   [[nodiscard]] bool are_together() const;
   void project(double t);
   void place_beside();
+  void note_lost();
   [[nodiscard]] double part_of_size() const;
   [[nodiscard]] bool take_rise(const MotionPiece& step, const StepTerms& terms);
   [[nodiscard]] unsigned rise(const MotionPiece& step, const StepTerms& terms, unsigned order);
