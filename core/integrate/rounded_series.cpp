@@ -30,7 +30,9 @@ void RoundedSeries::take(double t, std::span<const DoubleDouble> c, unsigned ord
   c_.resize(width * (order_ + 1));
   r_.assign(width * order_, 0.0);
   for (std::size_t i = 0; i < width; ++i) {
-    const double y = c[i * (order + 1)].high, pushed = i < n ? 0 : h * of_forces[i - n] / last_bit;
+    const auto size = [&](std::size_t k) { return std::abs(c[k * (order + 1)].high); };
+    const double y = c[i * (order + 1)].high;
+    const double pushed = i < n ? 0 : std::min(h * of_forces[i - n] / last_bit, size(i - n) / h);
     y_[i] = y + moved_by * aside(random) * (std::abs(y) + pushed);
   }
   if (order < order_ || in_doubles_.expansion(t, y_, order_, c_) != Evaluation::ok) return;

@@ -3,9 +3,10 @@
 //
 // The motion through y + d, with d as large as that rounding but enlarged, has other coefficients:
 //
-//   r_k = 2^-53 |c_k(y + d) - c_k(y)| / e,    |d_q| = e |q|,   |d_v| = e (|v| + h a_r / 2^-53),
+//   r_k = 2^-53 |c_k(y + d) - c_k(y)| / e,    |d_q| = e |q|,   |d_v| = e (|v| + min(h a_r / 2^-53, |q|/h)),
 //
-// with e = 2^-26, a_r what rounding to doubles does to each acceleration and h a step. Each component is
+// with e = 2^-26, a_r what rounding to doubles does to each acceleration and h a step. What is pushed farther
+// in a step than it is from zero is not followed: there doubles tell nothing of the forces. Each component is
 // moved to a side of its own, so that no direction in which motions part is left out but by chance: a sample,
 // and no bound. Terms of y itself need not show any of it: beside a balance of forces they are as small as
 // what is left of these, and rounding to doubles is all of it.

@@ -211,15 +211,16 @@ void Separation::place_beside() {
   for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = y_[i] - factor_ * e_[i];
 }
 
-/// Where e is as large as the largest of all coordinates, or velocities, it is the other motion that tells how
-/// far they go. Of one that only rests it is not.
+/// Where e is as large as the largest of all coordinates, or velocities, and steps alone have not made it so,
+/// it is the other motion that tells how far they go. Of one that only rests it is not.
 void Separation::note_lost() {
   const std::size_t n = e_.size() / 2;
   for (std::size_t begin = 0; begin < e_.size(); begin += n) {
     const auto sizes = std::span(size_).subspan(begin, n);
     const double largest = *std::ranges::max_element(sizes);
     for (std::size_t i = begin; i < begin + n; ++i) {
-      if (std::abs(e_[i]) >= largest) size_[i] = std::max(size_[i], std::abs(beside_[i]));
+      if (std::abs(e_[i]) >= std::max(largest, lost * added_[i]))
+        size_[i] = std::max(size_[i], std::abs(beside_[i]));
     }
   }
 }
