@@ -110,6 +110,15 @@ class AssumedSigns(Service):
         system["parameters"][3]["domain"] = "> 0"
         self.assertEqual(self.ask("modes", {"system": system})["modes"][0]["exact"]["assumes"], ["m > 0", "q > 0"])
 
+    def test_the_sign_that_a_root_of_a_constraint_took_is_assumed(self):
+        for curve in ("y - x^2*sqrt((a - b)^2)", "sqrt((a - b)^2)*y - (a - b)^2*x^2"):
+            with self.subTest(curve):
+                bowl = lagrangian("bowl", "m - 1; g - 9.81; a - 0.5; b - 0.2", "x - 0; y - 0", "m/2*(x_dot^2 + y_dot^2) - m*g*y",
+                                  constraints=[{"name": "w", "expression": curve}])
+                (rest,) = self.ask("equilibria", {"system": bowl})["equilibria"]
+                self.assertEqual(rest["exact_rate2"]["text"], "2*g*(a - b)")
+                self.assertIn("a > b", rest["exact_rate2"]["assumes"])
+
     def test_a_period_assumes_that_the_motion_comes_to_no_place_without_inertia(self):
         text = "m*cos(x)^2*x_dot^2/2 - (k*sin(x)^2/2 - n*sin(x))"
         asked = lagrangian("wire", "m - 1; k - 3; n - 0.2; c - 0.5", "x - c", text)
