@@ -12,6 +12,29 @@ namespace {
 
 using Rationals = std::vector<std::vector<RationalFunction>>;
 
+bool has_roots(const Expression& e) {
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
+    const auto* power = std::get_if<Power>(&e.graph().node(id));
+    return power != nullptr && !power->exponent.is_integer();
+  });
+}
+
+std::vector<Replacement> taken_at(const LinearMotions& motions, const ExactPlace& place) {
+  std::vector<Replacement> taken;
+  const auto take = [&](const Expression& e) {
+    if (has_roots(e)) taken.emplace_back(e, place.at(e));
+  };
+  for (const Expression& force : motions.forces) {
+    for (std::size_t j = motions.moving.size(); j < motions.x.size(); ++j)
+      take(differentiate(force, motions.x[j]));
+  }
+  for (const Matrix* matrix : {&motions.mass, &motions.stiffness, &motions.damping}) {
+    for (const auto& row : *matrix) std::ranges::for_each(row, take);
+  }
+  return taken;
+}
+
 /// A at the place, a row for each constraint: the forces are g - sum of lambda A.
 Rationals slopes(const LinearMotions& motions, const ExactPlace& place, std::size_t n, std::size_t m) {
   Rationals result(m);
@@ -115,6 +138,7 @@ std::optional<LinearMotions> allowed_motions(const LinearMotions& motions, const
   LinearMotions result = motions;
   result.moving = numbers.free;
   result.following = numbers.dependent;
+  result.taken = taken_at(motions, place);
   result.mass = within(motions.mass, z, place, graph);
   result.stiffness = within(motions.stiffness, z, place, graph);
   const std::vector<Expression> zeros(numbers.free.size(), graph.number(0));

@@ -24,6 +24,8 @@ struct LinearMotions {
   Matrix mass, stiffness, damping;     ///< D, with gyroscopic terms
   Matrix following_rates;              ///< dq_c'/du_j' at rest
   Matrix following_slopes;             ///< dq_c'/du_j
+  /// Of allowed motions, what has roots, and as it was written at the place: by the signs that were there.
+  std::vector<Replacement> taken{};
 };
 
 /// `vanishes`: whether its momentum is 0, for each ignored coordinate; those of all are where it is empty.

@@ -278,6 +278,7 @@ Trial ModeDerivation::claims(const LinearMode& mode) const {
   for (const auto* vanishing : {&motions_.forces, &motions_.surface}) {
     for (const Expression& e : *vanishing) trial.vanishes({e});
   }
+  for (const auto& [e, there] : motions_.taken) trial.vanishes({e, -there});
   const Expression lambda = plain_expression(graph_, mode.lambda);
   const std::size_t size = motions_.mass.size();
   if (mode.shape.empty() && mode.group.size() == 2) {

@@ -134,15 +134,29 @@ double extreme_near(const SquaredSpeed& e, double x, double step, double sign) {
   return e.at((low + high) / 2);
 }
 
-/// Whether e grows without bound where it is largest: no motion passes a pole.
+/// Whether e grows without bound where it is largest, next to what it is a step before or after: the largest
+/// may be seen at the pole itself.
 bool has_pole(const SquaredSpeed& e, const Way& way) {
   constexpr double without_bound = 1e6;
   if (!e.may_have_poles) return false;
-  double place = way.place(0), largest = 0;
+  std::size_t top = 0;
   for (std::size_t i = 0; i < way.seen.size(); ++i) {
-    if (!(way.seen[i] <= largest)) std::tie(place, largest) = std::pair(way.place(i), way.seen[i]);
+    if (!(way.seen[i] <= way.seen[top])) top = i;
   }
-  return !(extreme_near(e, place, way.step, 1) < without_bound * largest);
+  double usual = top > 0 ? way.seen[top - 1] : 0;
+  if (top + 1 < way.seen.size()) usual = std::max(usual, way.seen[top + 1]);
+  return !(extreme_near(e, way.place(top), way.step, 1) < without_bound * usual);
+}
+
+/// Whether one of the functions that `sides` tells of changes its sign.
+bool meets_barrier(const SquaredSpeed& e, double from, double to) {
+  if (!e.sides) return false;
+  const double step = (to - from) / pieces;
+  const std::vector<bool> first = e.sides(from + step / 2);
+  for (int i = 1; i < pieces; ++i) {
+    if (e.sides(from + (i + 0.5) * step) != first) return true;
+  }
+  return false;
 }
 
 bool has_pole(const SquaredSpeed& e, double from, double to) {
@@ -170,7 +184,8 @@ Likeness compared(double first, double finer, double period) {
 /// With fewer places where they tell more digits than are asked for.
 Likeness compared(const SquaredSpeed& e, double from, double to, double period) {
   constexpr double sharp = 1e-8;
-  if (!std::isfinite(from) || !std::isfinite(to) || has_pole(e, from, to)) return Likeness::other;
+  if (!std::isfinite(from) || !std::isfinite(to) || has_pole(e, from, to) || meets_barrier(e, from, to))
+    return Likeness::other;
   const std::size_t most = WayBetween::most / (e.start ? 3 : 1);  // of all motions, few are looked at
   WayBetween way(e, from, to);
   double first = 0;
@@ -266,7 +281,8 @@ std::optional<Rooms> room_to_come(const SquaredSpeed& e, double from, double to)
   constexpr double near = 1e-9;
   if (std::abs(to - from) <= near * std::abs(from)) return Rooms{};
   const Way way = looked_along(e, from, to, moves);
-  if (!moves(way.seen.back()) || stops_between(e, way) || has_pole(e, way)) return std::nullopt;
+  if (!moves(way.seen.back()) || stops_between(e, way) || has_pole(e, way) || meets_barrier(e, from, to))
+    return std::nullopt;
   return rooms_of(way);
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/numerics/constants.hpp"
 
@@ -21,6 +22,8 @@ struct SquaredSpeed {
   double below{-infinity}, above{infinity};  ///< walls
   std::optional<double> start{};             ///< where the motion is, if it is known
   bool may_have_poles{true};                 ///< e may grow without bound at a place
+  /// Of functions whose zeros no motion passes, which of them are positive at a place; empty: there are none.
+  std::function<std::vector<bool>(double)> sides{};
 };
 
 /// Whether one of the motions to and fro that are found, or the one from the start, has this period, or none

@@ -21,6 +21,7 @@ class SpeedAt {
 
  private:
   CompiledFunction function_;
+  std::optional<CompiledFunction> factors_;  ///< of the inertia
   bool may_have_poles_{};
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/closed/assumed_signs.hpp"
+#include "core/closed/barriers.hpp"
 #include "core/closed/speed_at.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/calculus.hpp"
@@ -185,6 +186,9 @@ void ask_about(const TurningEquation& equation, const QuadratureProblem& problem
   const bool is_angle = equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad";
   if (is_angle) ask_between(problem, equation.graph->symbol("pi"), signs);
   if (has_logarithm_of(problem.potential, equation.x)) ask_between(problem, equation.graph->number(1), signs);
+  for (const Expression& place :
+       places_of_barriers(factors_of_inertia(problem.inertia, problem.x), problem.x))
+    ask_between(problem, place, signs);
   if (const auto start = equation.start()) ask_turn_of_start(problem, *start, signs);
 }
 

@@ -44,6 +44,9 @@ Finding extremum_at(const MotionBound& bound, const std::string& name) {
       return none(name + " does not turn before " + where +
                   ", where its inertia is zero to within rounding: towards it the speed grows without bound, "
                   "and no equation tells how a motion goes on.");
+    case MotionBound::Kind::endless_inertia:
+      return none(name + " does not turn before " + where +
+                  ", where its inertia has no bound: no equation tells how a motion goes on.");
     case MotionBound::Kind::unresolved:
       break;
   }

@@ -75,7 +75,7 @@ std::optional<MotionKind> kind_of(const MotionBounds& bounds) {
   using Kind = MotionBound::Kind;
   const auto either = [&](Kind kind) { return bounds.down.kind == kind || bounds.up.kind == kind; };
   if (either(Kind::unresolved) || either(Kind::near_end) || either(Kind::fall) || either(Kind::no_value) ||
-      either(Kind::no_inertia))
+      either(Kind::no_inertia) || either(Kind::endless_inertia))
     return std::nullopt;
   if (either(Kind::asymptote)) return MotionKind::separatrix;
   if (either(Kind::domain_end)) return std::nullopt;
@@ -86,8 +86,8 @@ std::optional<MotionKind> kind_of(const MotionBounds& bounds) {
 /// What the bound says that leaves the kind of motion open.
 std::string why_kind_is_open(const MotionBounds& bounds, const TurningPoints& answer) {
   using Kind = MotionBound::Kind;
-  for (const auto kind :
-       {Kind::unresolved, Kind::near_end, Kind::fall, Kind::no_value, Kind::no_inertia, Kind::domain_end}) {
+  for (const auto kind : {Kind::unresolved, Kind::near_end, Kind::fall, Kind::no_value, Kind::no_inertia,
+                          Kind::endless_inertia, Kind::domain_end}) {
     if (bounds.down.kind == kind) return answer.minimum.reason;
     if (bounds.up.kind == kind) return answer.maximum.reason;
   }

@@ -122,8 +122,9 @@ MotionBound TurningSearch::look_beyond_resolution() {
       return {is_pole ? MotionBound::Kind::fall : MotionBound::Kind::no_value, around_what_is_singular(next)};
     }
     if (remaining_at(next.q).upper < 0) return {MotionBound::Kind::turning, next.x};
-    if (!(energy_.inertia(next.x).lower > 0))
-      return {MotionBound::Kind::no_inertia, around_what_has_no_inertia(next)};
+    if (const Interval inertia = energy_.inertia(next.x); !(inertia.lower > 0))
+      return {inertia.is_finite() ? MotionBound::Kind::no_inertia : MotionBound::Kind::endless_inertia,
+              around_what_has_no_inertia(next)};
     if (next.q == limit() && !range_.period) return {MotionBound::Kind::near_end, next.q};
   }
   return {MotionBound::Kind::unresolved, p_};

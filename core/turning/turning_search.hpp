@@ -30,8 +30,9 @@ struct MotionBound {
     fall,        ///< F > 0 up to a pole of U, towards which F grows as far as numbers tell
     no_value,    ///< F > 0 up to where U has no value that could be enclosed
     no_inertia,  ///< F > 0 up to where A may vanish: the speed has no bound there
-    near_end,    ///< F > 0 up to next to the end of the domain, where rounding does not tell whether it turns
-    unresolved   ///< the search came no further than `place`
+    endless_inertia,  ///< F > 0 up to where A has no bound, or no value that could be enclosed
+    near_end,   ///< F > 0 up to next to the end of the domain, where rounding does not tell whether it turns
+    unresolved  ///< the search came no further than `place`
   };
   Kind kind{Kind::unresolved};
   Interval place{};  ///< where; for an asymptote, all of where F may vanish near the maximum

@@ -110,6 +110,32 @@ class AssumedSigns(Service):
         system["parameters"][3]["domain"] = "> 0"
         self.assertEqual(self.ask("modes", {"system": system})["modes"][0]["exact"]["assumes"], ["m > 0", "q > 0"])
 
+    def test_the_sign_that_a_root_of_a_constraint_took_is_assumed(self):
+        for curve in ("y - x^2*sqrt((a - b)^2)", "sqrt((a - b)^2)*y - (a - b)^2*x^2"):
+            with self.subTest(curve):
+                bowl = lagrangian("bowl", "m - 1; g - 9.81; a - 0.5; b - 0.2", "x - 0; y - 0", "m/2*(x_dot^2 + y_dot^2) - m*g*y",
+                                  constraints=[{"name": "w", "expression": curve}])
+                (rest,) = self.ask("equilibria", {"system": bowl})["equilibria"]
+                self.assertEqual(rest["exact_rate2"]["text"], "2*g*(a - b)")
+                self.assertIn("a > b", rest["exact_rate2"]["assumes"])
+
+    def test_a_period_assumes_that_the_motion_comes_to_no_place_without_inertia(self):
+        text = "m*cos(x)^2*x_dot^2/2 - (k*sin(x)^2/2 - n*sin(x))"
+        asked = lagrangian("wire", "m - 1; k - 3; n - 0.2; c - 0.5", "x - c", text)
+        form = self.ask("turning_points", {"system": asked})["exact"]["period"]
+        self.assertEqual(form["text"], "2*pi*sqrt(m/k)")
+        numbers = {"m": 1.18, "k": 3.6, "n": 0.68, "c": -1.04}  # from c on the speed grows without bound towards pi/2
+        other = self.ask("turning_points", {"system": asked, "parameters": numbers})
+        self.assertIsNone(other["period"])
+        start = mpmath.sin(numbers["c"])
+        numbers["h"] = (numbers["k"]*start/2 - numbers["n"])*start
+        self.assertFalse(is_assumed({"assumes": [text for text in form["assumes"] if "(0)" not in text]}, numbers))
+
+    def test_an_end_assumes_that_no_place_without_inertia_lies_before_it(self):
+        wire = lagrangian("wire", "m - 1; k - 3", "x - 2 5", "m/x^2*x_dot^2/2 - k*(x - 2)^2/2")
+        wire["coordinates"] = [{"name": "x", "initial": "2", "initial_rate": "5"}]
+        self.assertIn("16*k > 25*m", self.ask("turning_points", {"system": wire})["exact"]["x_min"]["assumes"])
+
     def test_what_the_parameters_decide_is_not_assumed(self):
         system = lagrangian("carts", "m - 1; M - 2; k - 3; g - 9.81; l - 0.5", "x - 0; th - 0",
                             "M*x_dot^2/2 + m*(x_dot^2 + 2*l*x_dot*th_dot*cos(th) + l^2*th_dot^2)/2 + m*g*l*cos(th) - k*x^2/2")

@@ -27,6 +27,8 @@ class TurningPoints(Service):
                 self.assertNotIn("period", {name for name, value in answer.items() if value is not None})
                 self.assertIn("its inertia is zero to within rounding", str(answer))
                 self.assertIn(where.replace("x = ", ""), str(answer))
+        endless = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; n - 3", "x - 0.5", "m/cos(x)*x_dot^2/2 - n*x")})
+        self.assertIn("its inertia has no bound", endless["reason"]["x_min"])
         free = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 0.5", "m/(1 + x^2)*x_dot^2/2 + k*x")})
         self.assertEqual(free["motion"], "unbounded")
         swings = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 1.5", "m*x^2*x_dot^2/2 - k*(x - 1)^2/2")})
