@@ -35,6 +35,7 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
       largest_(e_.size()),
       y_(e_.size()),
       size_(e_.size()),
+      slow_(e_.size()),
       added_(e_.size()),
       most_(e_.size()),
       beside_(e_.size()),
@@ -60,7 +61,10 @@ void Separation::follow(const MotionPiece& step, const StepTerms& terms, const E
   if (!has_begun_) begin(step);
   has_begun_ = false;
   const std::size_t n = e_.size() / 2;
-  for (std::size_t i = 0; i < n; ++i) added_[i] += step.h * added_[n + i];
+  for (std::size_t i = 0; i < n; ++i) {
+    added_[i] += step.h * added_[n + i];
+    slow_[n + i] = size_[i] / step.h;
+  }
   made_ = made;
   release_what_is_pushed();
   if (!made.hidden.empty()) {
@@ -185,7 +189,8 @@ void Separation::add(std::span<const double> sizes, std::span<const double> side
 /// Of two components side by side: there is an even number of them. Each stays where it is while `e` is no
 /// number.
 void Separation::move_to(std::size_t i, PairOfDoubles e) {
-  const PairOfDoubles size = larger_or(pair_at(&added_[i]), pair_at(&size_[i]));  // of what stands still
+  const PairOfDoubles reached = larger_or(pair_at(&slow_[i]), pair_at(&size_[i]));
+  const PairOfDoubles size = larger_or(pair_at(&added_[i]), reached);  // of what stands still
   const PairOfDoubles most = larger_or(pair_at(&most_[i]), lost * size), before = pair_at(&e_[i]);
   const PairOfDoubles within = e < -most ? -most : (most < e ? most : e);
   const PairOfDoubles now = magnitudes(e) < infinity ? within : before;
@@ -202,9 +207,10 @@ void Separation::project(double t) {
 }
 
 void Separation::place_beside() {
+  note_lost();
   if (scale_ == Scale::as_it_is) {
     for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = beside(y_[i], e_[i]);
-    return note_lost();
+    return;
   }
   const double part = part_of_size();
   factor_ = part > 0 && std::isfinite(part) ? std::max(1.0, enlarged / part) : 1;
@@ -220,7 +226,7 @@ void Separation::note_lost() {
     const double largest = *std::ranges::max_element(sizes);
     for (std::size_t i = begin; i < begin + n; ++i) {
       if (std::abs(e_[i]) >= std::max(largest, lost * added_[i]))
-        size_[i] = std::max(size_[i], std::abs(beside_[i]));
+        size_[i] = std::max(size_[i], std::abs(y_[i] - e_[i]));
     }
   }
 }

@@ -112,6 +112,7 @@ class Separation {
   std::vector<double> e_, largest_;
   std::vector<double> y_;      ///< of the reference where the step begins
   std::vector<double> size_;   ///< |y| up to there, of either motion
+  std::vector<double> slow_;   ///< velocities that move a coordinate by no more than that in the step
   std::vector<double> added_;  ///< by steps, and where that alone takes coordinates
   std::vector<double> most_;   ///< that e_ may be where it has been pushed farther than y went
   std::vector<double> before_, added_before_;  ///< a part of a step is tried
