@@ -207,10 +207,9 @@ void Separation::project(double t) {
 }
 
 void Separation::place_beside() {
-  note_lost();
   if (scale_ == Scale::as_it_is) {
     for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = beside(y_[i], e_[i]);
-    return;
+    return note_lost();
   }
   const double part = part_of_size();
   factor_ = part > 0 && std::isfinite(part) ? std::max(1.0, enlarged / part) : 1;
@@ -226,7 +225,7 @@ void Separation::note_lost() {
     const double largest = *std::ranges::max_element(sizes);
     for (std::size_t i = begin; i < begin + n; ++i) {
       if (std::abs(e_[i]) >= std::max(largest, lost * added_[i]))
-        size_[i] = std::max(size_[i], std::abs(y_[i] - e_[i]));
+        size_[i] = std::max(size_[i], std::abs(beside_[i]));
     }
   }
 }
