@@ -229,6 +229,17 @@ class EventTimes(Service):
             elif stop.get("t") == 0:  # to within rounding it holds or is broken
                 self.assertNotEqual(stop.get("error"), 0)
 
+    def test_crossings_without_end_are_refused_and_poles_without_end_are_told(self):
+        def of(g):
+            scene = lagrangian("crossings", "", "x - -0.1 1", "x_dot^2/2", events=[{"name": "e", "expression": g}])
+            return {"system": scene, "t_end": 1, "samples": 2, "events": ["e"]}
+
+        for g in ("sin(1/x)", "x*sin(1/x) + 1e-30", "sin(exp(30*x)) - 0.5"):
+            problem = self.refused("simulate", of(g))
+            self.assertEqual(problem["type"], "/errors/limit-exceeded", g)
+        answer = self.ask("simulate", of("1/sin(1/x)"))
+        self.assertFalse(answer["accuracy"]["bounded"])
+
 
 if __name__ == "__main__":
     unittest.main()
