@@ -8,6 +8,7 @@
 #include "core/compile/tape_evaluator.hpp"
 #include "core/compile/taylor/composition.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/numerics/taylor_enclosure.hpp"
 
 namespace qdot {
 namespace {
@@ -92,10 +93,37 @@ decltype(Watch::sharp_signs) sharp_signs_of(const SharedFunction& function,
   };
 }
 
+/// One slope after the other, with all other variables anywhere in the box.
+decltype(Watch::change_over) change_over_of(const SharedFunction& function,
+                                            std::span<const double> parameters) {
+  const auto is_solve = [](const Instruction& i) { return i.operation == Operation::solve; };
+  if (std::ranges::any_of(function->instructions(), is_solve)) return nullptr;
+  std::vector<Curvature> values;
+  for (const double parameter : parameters) values.push_back(Curvature::constant(around(parameter)));
+  return [function, values, made = std::make_shared<std::unique_ptr<TapeEvaluator<Curvature>>>()](
+             double t, std::span<const Interval> y) {
+    if (!*made) *made = std::make_unique<TapeEvaluator<Curvature>>(*function, values);
+    (*made)->set_time(Curvature::constant(t));
+    std::vector<Curvature> box;
+    for (const Interval& x : y) box.push_back(Curvature::constant(x));
+    Interval change(0);
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      const Interval middle(y[k].middle());
+      box[k] = Curvature::variable(middle, y[k]);
+      Curvature value;
+      (**made)(box, {&value, 1});
+      if (value.terms > 1) change = change + value.over[1] * (y[k] - middle);
+      box[k] = Curvature::constant(y[k]);
+    }
+    return change;
+  };
+}
+
 void watch_function(Watch& watch, const Watched& watched, std::span<const double> parameters) {
   watch.value = quantity(watched.value, parameters);
   watch.series = series_of(watched, parameters);
   watch.enclosure = enclosure_of(watched.value, parameters);
+  watch.change_over = change_over_of(watched.value, parameters);
   watch.exact = exact_of(watched.value, parameters);
   watch.sharp_signs = sharp_signs_of(watched.value, parameters);
 }

@@ -37,6 +37,9 @@ struct Watch {
   decltype(EventFunction::condition) condition{};
   /// Its values over a box of states; the whole line where there may be none.
   std::function<Interval(double t, std::span<const Interval> y)> enclosure{};
+  /// The same by its slopes over the box: sum_k dg/dy_k (y_k - m_k) for all y in it and the middle m. Narrow
+  /// where one variable stands in several terms that cancel; the whole line where there may be no slopes.
+  std::function<Interval(double t, std::span<const Interval> y)> change_over{};
   /// The same of what is above zero where a zero counts.
   std::function<Interval(double t, std::span<const Interval> y)> when_enclosure{};
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/work.hpp"
 #include "core/numerics/constants.hpp"
 
 namespace qdot {
@@ -14,7 +15,9 @@ constexpr std::size_t most_looks = 4000;
 constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
 constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
 constexpr std::size_t looks_of_change = 256;    ///< more for each change of sign: as many as a pole takes
-constexpr double shortest_of_step = 0x1p-50;    ///< where rounding of states hides g, or a pole's place
+constexpr std::size_t most_looks_of_changes = 1'000'000;  ///< in a run
+constexpr std::size_t looks_between_questions = 64;       ///< whether the answer is still awaited
+constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
@@ -113,6 +116,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   const Crossing direction = request_.events[event].direction;
   std::vector<Piece>& pieces = pieces_[event];
   looks_ = counted_ = changes_ = 0;
+  most_changes_ = (direction == Crossing::either ? 1 : 2) * (most_occurrences + 1);
   last_sign_ = 0;
   starts_at_zero_ = false;
   explore(event, 0, h, pieces);
@@ -225,11 +229,21 @@ std::size_t EventSearch::changes_of_sign(std::span<const Piece> pieces) {
   return changes_;
 }
 
+/// How many looks a step is worth that has so many changes of sign already: none once there are more than one
+/// answer may hold.
+std::size_t EventSearch::most_looks_after(std::size_t changes) {
+  if (changes > most_changes_) return 0;
+  if (looks_ > most_looks) ++looks_of_changes_;
+  const std::size_t more = looks_of_changes_ <= most_looks_of_changes ? looks_of_change * changes : 0;
+  return (saw_everything_ ? most_looks : looks_in_doubt) + more;
+}
+
 /// The pieces of [from, to], in times since the step's beginning.
 void EventSearch::explore(std::size_t event, double from, double to, std::vector<Piece>& pieces) {
-  const std::size_t most =
-      (saw_everything_ ? most_looks : looks_in_doubt) + looks_of_change * changes_of_sign(pieces);
+  const std::size_t most = most_looks_after(changes_of_sign(pieces));
   if (++looks_ > most) saw_everything_ = false;
+  if (most == 0) return pieces.push_back({{from, to, 0}});
+  if (looks_ % looks_between_questions == 0) check_interruption();
   const MotionPiece whole = polynomial_.piece(from, to - from);
   const UnitSeries series = finite_series(event, whole);
   const double of_state = is_seen(series) ? 0 : shortest_of_step * polynomial_.whole().h;

@@ -96,6 +96,7 @@ class EventSearch {
   void forget_start(std::size_t event);
   [[nodiscard]] bool takes_sign_at_start(std::size_t event) const;
   [[nodiscard]] std::size_t changes_of_sign(std::span<const Piece> pieces);
+  [[nodiscard]] std::size_t most_looks_after(std::size_t changes);
   void explore(std::size_t event, double from, double to, std::vector<Piece>& pieces);
   /// g over a piece, in the unit of its length.
   struct UnitSeries {
@@ -161,7 +162,9 @@ class EventSearch {
   std::vector<double> y_;               ///< scratch
   std::size_t looks_{};                 ///< at one function in one step
   std::size_t sharp_looks_{};
+  std::size_t looks_of_changes_{};     ///< in the run, beyond what a step without any may take
   std::size_t counted_{}, changes_{};  ///< of its pieces, and how often they change their sign
+  std::size_t most_changes_{};
   int last_sign_{};
   bool starts_at_zero_{false};
   int sign_at_start_{};

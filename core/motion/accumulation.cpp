@@ -95,6 +95,20 @@ std::optional<RestOfImpacts> rest_of_series(const Rounds& rounds) {
   return RestOfImpacts{most * last, doubt_of_rest * last, false};
 }
 
+/// Whether from that one on there are only impacts that the last round before it has, too: others make
+/// another motion, of which that round tells nothing.
+bool go_on_alike(std::span<const SectionRecord> sections, std::size_t from, std::size_t length) {
+  const auto round = sections.subspan(from - length, length);
+  const auto is_in_round = [&](std::size_t impact) {
+    return std::ranges::any_of(round, [=](const SectionRecord& section) {
+      return std::ranges::find(section.impacts, impact) != section.impacts.end();
+    });
+  };
+  return std::ranges::all_of(sections.subspan(from), [&](const SectionRecord& section) {
+    return std::ranges::all_of(section.impacts, is_in_round);
+  });
+}
+
 /// What the last series before flights by chance has left, from the last of these on.
 std::optional<RestOfImpacts> rest_before_chance(std::span<const SectionRecord> sections, std::size_t length) {
   const double now = sections.back().t;
@@ -102,6 +116,7 @@ std::optional<RestOfImpacts> rest_before_chance(std::span<const SectionRecord> s
     const auto before = sections.first(sections.size() - i);
     const auto rest = rest_of_series(Rounds(before, length));
     if (!rest) continue;
+    if (!go_on_alike(sections, before.size(), length)) return std::nullopt;
     const double left = before.back().t + rest->time - now;
     return RestOfImpacts{std::max(0.0, left), rest->doubt + std::max(0.0, -left), false};
   }

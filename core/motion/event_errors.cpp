@@ -316,8 +316,19 @@ int EventErrors::sign_within(const Watch& watch, double t, std::span<const Inter
   Reals states;
   for (const Interval& y : box) states.push_back({y.middle(), 0, y.radius()});
   const Ball sharp = watch.exact(parameters_, t, states);
-  if (!sharp.is_finite() || sharp.contains_zero()) return 0;
-  return sharp.value() > 0 ? 1 : -1;
+  if (!sharp.is_finite()) return 0;
+  if (!sharp.contains_zero()) return sharp.value() > 0 ? 1 : -1;
+  return watch.change_over ? sign_by_slopes(watch, t, box) : 0;
+}
+
+/// Of the middle, where slopes over the box do not lead to zero.
+int EventErrors::sign_by_slopes(const Watch& watch, double t, std::span<const Interval> box) const {
+  Reals middle;
+  for (const Interval& y : box) middle.push_back(y.middle());
+  const Ball value = watch.exact(parameters_, t, middle);
+  const double change = watch.change_over(t, box).magnitude();
+  if (!value.is_finite() || !(std::abs(value.value()) > value.radius + change)) return 0;
+  return value.value() > 0 ? 1 : -1;
 }
 
 std::vector<double> EventErrors::accelerations(double t, std::span<const double> y) {

@@ -80,6 +80,7 @@ class EventErrors {
   [[nodiscard]] bool may_turn_before(double t, std::span<const double> y,
                                      std::span<const double> errors) const;
   [[nodiscard]] int sign_within(const Watch& watch, double t, std::span<const Interval> box) const;
+  [[nodiscard]] int sign_by_slopes(const Watch& watch, double t, std::span<const Interval> box) const;
   [[nodiscard]] std::optional<int> sign_after(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> accelerations(double t, std::span<const double> y);
 

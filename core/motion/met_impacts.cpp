@@ -13,7 +13,8 @@ namespace qdot {
 namespace {
 
 constexpr const char* accumulation =
-    "The impacts follow each other faster and faster, and accumulate at this time.";
+    "The impacts follow each other faster and faster, and accumulate at this time. The last ones before it are left out "
+    "of the events.";
 
 constexpr const char* contact =
     "After this impact the bodies stay in contact, pressed together. The scene says nothing of motions in contact, so "

@@ -229,6 +229,28 @@ class EventTimes(Service):
             elif stop.get("t") == 0:  # to within rounding it holds or is broken
                 self.assertNotEqual(stop.get("error"), 0)
 
+    def test_crossings_without_end_are_refused_and_poles_without_end_are_told(self):
+        def of(g):
+            scene = lagrangian("crossings", "", "x - -0.1 1", "x_dot^2/2", events=[{"name": "e", "expression": g}])
+            return {"system": scene, "t_end": 1, "samples": 2, "events": ["e"]}
+
+        for g in ("sin(1/x)", "x*sin(1/x) + 1e-30", "sin(exp(30*x)) - 0.5"):
+            problem = self.refused("simulate", of(g))
+            self.assertEqual(problem["type"], "/errors/limit-exceeded", g)
+        answer = self.ask("simulate", of("1/sin(1/x)"))
+        self.assertFalse(answer["accuracy"]["bounded"])
+
+    def test_what_is_steep_is_certain_though_its_terms_cancel(self):
+        t = (mpf("0.7") + mpmath.sqrt(mpf("0.49") + 2 * mpf("1.899") * mpf("0.877"))) / mpf("1.899")
+        for g in ("2*x - 3*(x + 0.1)", "3*(x + 0.1) - x + 0.3", "sin(x + 0.3) - 3*(x + 0.3)"):
+            scene = lagrangian("steep", "", "x - 0.577 0.7", "x_dot^2/2", events=[{"name": "e", "expression": g}],
+                               forces=[{"name": "f", "value": "-1.899", "along": "x"}])
+            answer = self.ask("simulate", {"system": scene, "t_end": 2.4, "samples": 2, "events": ["e"]})
+            self.assertNotIn("reason", answer["accuracy"], g)
+            event, = answer["events"]
+            self.assertLess(abs(mpf(event["t"]) - t), event["error"], g)
+            self.assertLess(event["error"], 2e-14, g)
+
 
 if __name__ == "__main__":
     unittest.main()

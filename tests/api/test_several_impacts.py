@@ -133,6 +133,29 @@ class SeveralImpacts(Service):
         rest = max(math.sqrt(2 * d / 10) for d in (0.5, 0.7)) * (1 + 2 * 0.5 / (1 - 0.5))
         self.assertLess(answer["stop"]["t"], rest * (1 + 1e-6))
 
+    def test_a_series_of_one_pair_does_not_end_what_the_other_pair_goes_on_with(self):
+        # the upper ball is pulled down on the lower one, which nothing pulls; the ends by 70 digits
+        def stacked(masses, places, speed, pull, restitutions):
+            scene = {"name": "stacked", "units": "none",
+                     "coordinates": [{"name": "x", "initial": places[0]},
+                                     {"name": "y", "initial": places[1], "initial_rate": speed}],
+                     "lagrangian": f"{masses[0]}*x_dot^2/2 + {masses[1]}*y_dot^2/2",
+                     "forces": [{"name": "f", "value": f"-{masses[1]}*{pull}", "along": "y"}]}
+            scene |= bounces(("floor", "x"), ("between", "y - x"))
+            for impact, e in zip(scene["impacts"], restitutions):
+                impact["restitution"] = e
+            return scene
+
+        for end, t_end, scene in (
+                (2.97819473131, 3, stacked(("1.115", "2.899"), ("0.245", "0.491"), "-0.041", "2.699", ("0.9", "0.8"))),
+                (7.28240419374, 12, stacked(("1.896", "1.337"), ("0.170", "0.438"), "0.697", "1.949", ("0.8", "0.9")))):
+            answer = self.ask("simulate", {"system": scene, "t_end": t_end, "samples": 4, "events": ["floor", "between"]})
+            self.assertEqual(answer["stop"]["reason"], "impacts_accumulate")
+            self.assertIn("left out", answer["stop"]["message"])
+            error = answer["stop"].get("error")
+            if error is not None:
+                self.assertLess(abs(answer["stop"]["t"] - end), error)
+
     def test_extrema_see_every_impact(self):
         answer = self.ask("turning_points", {"system": ROOM, "coordinate": "x", "t_end": 10})
         self.assertAlmostEqual(answer["x_max"], 2, 12)
