@@ -139,10 +139,11 @@ EventError EventErrors::with_state(double time, Place place) {
   return {time, std::move(changes)};
 }
 
-std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, const Place& place, double shortest,
+std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, Place& place, double shortest,
                                                       double own_time) {
   const double least = std::max({time_round_off(place.t), time_round_off(shortest), shortest_time});
   const Linear around = linear(watch, place);
+  place.cancels = cancels(watch, place, around.doubt);
   const double guess = tried_first * around.doubt / std::abs(around.slope),
                farthest = farthest_share * own_time, value = std::abs(watch.value(place.t, place.y));
   // At a pole no slope tells.
@@ -153,12 +154,12 @@ std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, const 
   bool has_one_sign = false;
   const bool is_jump = value > nearly_all * around.doubt;  // beside it slopes are as short as they are taken
   const double first = is_told && !is_jump ? std::max(least, guess) : least;
-  const double most = much_more * std::max(1.0, widened_by_intervals(watch, place, around.doubt)) * first;
   for (double tau = first; tau <= farthest; tau *= tried_next) {
     const std::optional<int> before = sign_after(-tau, watch, place);
     const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
     if (after && *before != *after) {
-      const bool is_steep = is_told && tau <= most && is_as_steep(tau, around.slope, watch, place);
+      const bool is_steep =
+          is_told && tau <= much_more * first && is_as_steep(tau, around.slope, watch, place);
       return Time{tau + least, is_steep || (is_jump && jumps_within(tau, watch, place))};
     }
     has_one_sign = has_one_sign || after;
@@ -178,13 +179,12 @@ bool EventErrors::jumps_within(double tau, const Watch& watch, const Place& plac
   });
 }
 
-/// How many times the doubt g is enclosed in, where what it depends on stands in it more than once.
-double EventErrors::widened_by_intervals(const Watch& watch, const Place& place, double doubt) {
+/// Whether an enclosure of g is wider than what slopes tell.
+bool EventErrors::cancels(const Watch& watch, const Place& place, double doubt) const {
   std::vector<Interval> box;
   for (std::size_t k = 0; k < place.y.size(); ++k)
     box.emplace_back(place.y[k] - place.errors[k], place.y[k] + place.errors[k]);
-  const double widened = watch.enclosure(place.t, box).radius() / doubt;
-  return std::isfinite(widened) ? widened : 1;
+  return !(watch.enclosure(place.t, box).radius() <= tried_first * doubt);
 }
 
 /// Whether g changes in some times tau about as its slope over larger distances says, or is rounded by as
@@ -304,12 +304,13 @@ std::optional<int> EventErrors::sign_after(double tau, const Watch& watch, const
     box[i] = within(q, place.errors[i] + tau * tau * std::abs(change) / 6);
     box[n + i] = within(v, place.errors[n + i] + std::abs(tau * change) / 2);
   }
-  const int sign = sign_within(watch, place.t + tau, box);
+  const int sign = sign_within(watch, place.t + tau, box, place.cancels);
   return sign != 0 ? std::optional(sign) : std::nullopt;
 }
 
 /// 0 where both occur. Where doubles round by as much, twice the digits may tell.
-int EventErrors::sign_within(const Watch& watch, double t, std::span<const Interval> box) const {
+int EventErrors::sign_within(const Watch& watch, double t, std::span<const Interval> box,
+                             bool cancels) const {
   const Interval values = watch.enclosure(t, box);
   if (!values.contains(0)) return values.lower > 0 ? 1 : -1;
   if (!watch.exact) return 0;
@@ -318,7 +319,7 @@ int EventErrors::sign_within(const Watch& watch, double t, std::span<const Inter
   const Ball sharp = watch.exact(parameters_, t, states);
   if (!sharp.is_finite()) return 0;
   if (!sharp.contains_zero()) return sharp.value() > 0 ? 1 : -1;
-  return watch.change_over ? sign_by_slopes(watch, t, box) : 0;
+  return cancels && watch.change_over ? sign_by_slopes(watch, t, box) : 0;
 }
 
 /// Of the middle, where slopes over the box do not lead to zero.

@@ -57,18 +57,18 @@ class EventErrors {
     std::span<const double> y;
     std::vector<double> accelerations, errors;
     double own_time{};  ///< in which the motion goes through one of its components
+    bool cancels{};     ///< the function that is looked at holds what its terms change by and it does not
   };
   struct Time {
     double error{};
     bool by_slope{};  ///< of g, which is the same all that time, up to curvature
   };
-  [[nodiscard]] std::optional<Time> time_of(const Watch& watch, const Place& place, double shortest,
+  [[nodiscard]] std::optional<Time> time_of(const Watch& watch, Place& place, double shortest,
                                             double own_time);
   [[nodiscard]] EventError with_state(double time, Place place);
   [[nodiscard]] std::optional<Time> by_slopes(const Watch& watch, const Place& place, double own_time,
                                               double doubt);
   [[nodiscard]] bool jumps_within(double tau, const Watch& watch, const Place& place);
-  [[nodiscard]] static double widened_by_intervals(const Watch& watch, const Place& place, double doubt);
   [[nodiscard]] bool is_as_steep(double tau, double slope, const Watch& watch, const Place& place);
   [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> state_after(double tau, const Place& place);
@@ -79,7 +79,9 @@ class EventErrors {
   [[nodiscard]] Linear linear(const Watch& watch, const Place& place) const;
   [[nodiscard]] bool may_turn_before(double t, std::span<const double> y,
                                      std::span<const double> errors) const;
-  [[nodiscard]] int sign_within(const Watch& watch, double t, std::span<const Interval> box) const;
+  [[nodiscard]] bool cancels(const Watch& watch, const Place& place, double doubt) const;
+  [[nodiscard]] int sign_within(const Watch& watch, double t, std::span<const Interval> box,
+                                bool cancels = false) const;
   [[nodiscard]] int sign_by_slopes(const Watch& watch, double t, std::span<const Interval> box) const;
   [[nodiscard]] std::optional<int> sign_after(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> accelerations(double t, std::span<const double> y);

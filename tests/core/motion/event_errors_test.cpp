@@ -16,14 +16,15 @@ constexpr double speed = 2, off = 1e-9;
 /// For an event of a mass that is at x = 0.7 at t = 0.3, `off` at most from there, and moves at 2 m/s under
 /// this force.
 std::optional<double> error_of(const std::string& event, double velocity = speed,
-                               const std::string& force = "0*F", double t = 0.3, double x_error = off) {
+                               const std::string& force = "0*F", double t = 0.3, double x_error = off,
+                               double x = 0.7) {
   const auto model = test::mass_under(force);
   const Dynamics dynamics(model);
   SimulationRequest request = test::request_for(*model, {}, {0, 1});
   request.events = {event};
   const std::vector<double> scale{1.4, speed}, errors{x_error, 0};
   EventErrors found(dynamics, request, scale);
-  const auto error = found.of(EventRecord{event, t, {0.7, velocity}}, errors, scale);
+  const auto error = found.of(EventRecord{event, t, {x, velocity}}, errors, scale);
   return error ? std::optional(error->time) : std::nullopt;
 }
 
@@ -38,19 +39,21 @@ TEST(EventErrors, AreThoseOfTheStateByItsSpeedWhateverTheSlopeOfTheEvent) {
   }
 }
 
-/// Written out they are small differences of large numbers, and rounded to zero near their roots.
+/// Written out they are small differences of large numbers, and rounded to zero near their roots: doubles
+/// find any place within the roots of their rounding, and twice the digits tell how far it is from the root.
 TEST(EventErrors, CountTheWidthOfMultipleRootsThatAreWrittenOut) {
-  constexpr double of_terms = 0x1p-53;  // x = 0.7 + 2 tau - 3 tau^2/2
-  const auto of_cube = error_of("x^3 - 2.1*L*x^2 + 1.47*L^2*x - 0.343*L^3 = 0", speed, "-3*F*x/L", 0.3, 0);
-  ASSERT_TRUE(of_cube);
-  EXPECT_GE(*of_cube * speed, std::cbrt(of_terms));
-  EXPECT_LE(*of_cube * speed, 20 * std::cbrt(of_terms));
-  const auto of_fifth =
-      error_of("x^5 - 3.5*L*x^4 + 4.9*L^2*x^3 - 3.43*L^3*x^2 + 1.2005*L^4*x - 0.16807*L^5 = 0", speed,
-               "-3*F*x/L", 0.3, 0);
-  ASSERT_TRUE(of_fifth);
-  EXPECT_GE(*of_fifth * speed, std::pow(of_terms, 0.2));
-  EXPECT_LE(*of_fifth * speed, 20 * std::pow(of_terms, 0.2));
+  const std::string cube = "x^3 - 2.1*L*x^2 + 1.47*L^2*x - 0.343*L^3 = 0";
+  const std::string fifth = "x^5 - 3.5*L*x^4 + 4.9*L^2*x^3 - 3.43*L^3*x^2 + 1.2005*L^4*x - 0.16807*L^5 = 0";
+  for (const auto& [event, width] :
+       {std::pair(cube, std::cbrt(0x1p-53)), std::pair(fifth, std::pow(0x1p-53, 0.2))}) {
+    for (const double beside : {0.0, 0.1 * width, -0.9 * width}) {
+      const auto error =
+          error_of(event, speed, "-3*F*x/L", 0.3, 0, 0.7 + beside);  // x = 0.7 + 2 tau - 3 tau^2/2
+      ASSERT_TRUE(error) << event;
+      EXPECT_GE(*error * speed, 0.99 * std::abs(beside)) << event;
+      EXPECT_LE(*error * speed, 20 * width) << event;
+    }
+  }
 }
 
 TEST(EventErrors, GrowWhereTheEventIsNearlyTouched) {
