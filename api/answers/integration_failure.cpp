@@ -1,12 +1,14 @@
 #include "api/answers/integration_failure.hpp"
 
+#include "api/answers/motion_fields.hpp"
+
 namespace qdot::api {
 namespace {
 
 /// The explanation of a run that failed.
 struct Failure {
   const char* reason;
-  const char* detail;
+  std::string detail;
 };
 
 constexpr const char* no_forces =
@@ -18,17 +20,16 @@ Failure failure_of(Ending ending) {
     case Ending::step_limit:
       return {"step-limit",
               "The motion needs more steps than a request may take; ask for a shorter one, for less "
-              "accuracy, or with method gauss for a longer h."};
+              "accuracy, or with method " +
+                  methods_of_fixed_step() + " for a longer h."};
     case Ending::nonfinite:
       return {"nonfinite",
               "The equations of motion, or a condition that has to hold, became infinite or undefined."};
     case Ending::singular_mass:
       return {"singular-mass", "The mass matrix lost its inverse, so the accelerations are undetermined."};
     case Ending::tolerance:
-      return {
-          "tolerance",
-          "The tolerances, or the step h of method gauss, ask for more than double precision holds; choose "
-          "larger ones."};
+      return {"tolerance", "The tolerances, or the step h of method " + methods_of_fixed_step() +
+                               ", ask for more than double precision holds; choose larger ones."};
     case Ending::blow_up:
       return {"blow-up", "The motion grew beyond all bounds, or met a singularity that no step can pass."};
     case Ending::undetermined:
@@ -38,8 +39,9 @@ Failure failure_of(Ending ending) {
               "frictions that may share the load in more than one way."};
     case Ending::no_convergence:
       return {"no-convergence",
-              "Method gauss found no solution for the equations of its next step: the step h is too long at "
-              "this place, or the motion has a singularity there. A shorter h may do, or method taylor."};
+              "Method " + methods_of_fixed_step() +
+                  " found no solution for the equations of its next step: the step h is too long at "
+                  "this place, or the motion has a singularity there. A shorter h may do, or method taylor."};
     case Ending::reached_end:
     case Ending::event:
     case Ending::given_up:

@@ -16,4 +16,12 @@ std::string methods_in_words() {
   return text;
 }
 
+std::string methods_of_fixed_step() {
+  std::string names;
+  for (const MethodRecord& method : methods()) {
+    if (method.has_fixed_step()) names += (names.empty() ? "" : " or ") + std::string(method.name);
+  }
+  return names;
+}
+
 }  // namespace qdot::api

@@ -47,6 +47,9 @@ void append_grid_fields(std::vector<RequestField<R>>& fields) {
 /// "taylor: Taylor series of order 16 or 20; erk: ...", for the description of a field.
 [[nodiscard]] std::string methods_in_words();
 
+/// "gauss": the methods whose step has a fixed length; the others choose theirs.
+[[nodiscard]] std::string methods_of_fixed_step();
+
 template <class R>
 RequestField<R> on_invalid_field(std::string description) {
   return choice("on_invalid", &R::on_invalid, {{"stop", OnInvalid::stop}, {"continue", OnInvalid::go_on}},

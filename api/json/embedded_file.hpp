@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace qdot::api {
@@ -11,11 +14,12 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
-/// The text of the file of this name, which must be there.
+/// The text of the file of this name. Throws std::logic_error where there is none: an endpoint was added
+/// without its JSON file, or under another name.
 [[nodiscard]] inline std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view name) {
-  std::size_t i = 0;
-  while (files[i].name != name) ++i;
-  return files[i].text;
+  const auto found = std::ranges::find(files, name, &EmbeddedFile::name);
+  if (found == files.end()) throw std::logic_error("no file \"" + std::string(name) + "\" is built in");
+  return found->text;
 }
 
 }  // namespace qdot::api

@@ -7,9 +7,14 @@
 
 namespace nlohmann {
 
-// What gives an object's or an array's memory back. The library's own takes memory for it, in a destructor,
-// where the want of it ends the process. This one recurses instead; no document of ours is deep
-// (limits::json_depth).
+// How an object or an array gives its memory back. The library's own destroy() first moves all values below
+// it to a vector, so that no depth of nesting overflows the stack: it allocates in a destructor, and where
+// that fails the process ends, while a request that memory fails for has to cost that request alone
+// (tests/faults/allocation_test.cpp). The library has no public place for another way: the vector's allocator
+// is fixed, and a container of ours, or an allocator of ours, is asked only after the vector was filled. This
+// one recurses; no document of ours is deep (limits::json_depth).
+static_assert(NLOHMANN_JSON_VERSION_MAJOR == 3 && NLOHMANN_JSON_VERSION_MINOR == 11,
+              "json_value::destroy is private to the library: read it again in this version");
 template <>
 inline void basic_json<ordered_map>::json_value::destroy(value_t type) {
   const auto give_back = [](auto* value) {

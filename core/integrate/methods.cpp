@@ -1,9 +1,9 @@
 #include "core/integrate/methods.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 
+#include "core/base/records.hpp"
 #include "core/integrate/gauss_stepper.hpp"
 #include "core/integrate/sundials_steppers.hpp"
 #include "core/integrate/taylor_stepper.hpp"
@@ -29,7 +29,7 @@ std::span<const MethodRecord> methods() {
 }
 
 const MethodRecord& record_of(Method method) {
-  return *std::ranges::find(methods(), method, &MethodRecord::method);
+  return record_with(methods(), method, &MethodRecord::method, "method");
 }
 
 std::unique_ptr<Stepper> make_stepper(const RightHandSide& system, const RunRequest& request) {

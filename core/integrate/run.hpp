@@ -152,8 +152,8 @@ struct RunRequest {
   /// how far it begins from them. Both need an expansion.
   const Originals* originals{};
   Apart apart{};
-  Tolerances tolerances{};  ///< not of gauss
-  double h{};               ///< step of gauss; where h does not divide the span, the last one is shorter
+  Tolerances tolerances{};  ///< not of a method with a fixed step
+  double h{};               ///< the fixed step; where h does not divide the span, the last one is shorter
   Limits limits{};
 };
 

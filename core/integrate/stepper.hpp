@@ -12,7 +12,7 @@
 
 namespace qdot {
 
-/// Starts at (t_start, y_start). Steps depend on the right-hand side, t_end and the tolerances (gauss: h)
+/// Starts at (t_start, y_start). Steps depend on the right-hand side, t_end and the tolerances (or h)
 /// only, never on interpolate(), so that looking at a solution does not change it.
 class Stepper {
  public:

@@ -18,7 +18,7 @@ constexpr double looked_at =
     1e-6;  ///< of the largest component: e is looked at so large, or as it is if larger
 constexpr double farthest_to_event = 0.1;  ///< as far as the other may go until it meets the event
 constexpr int looks = 3;                   ///< at where that is
-constexpr double longer = 10;              ///< times a time in which a rounded g tells no slope
+constexpr double times_longer = 10;        ///< times a time in which a rounded g tells no slope
 constexpr double beyond_rounding = 4;      ///< times what rounding of g moves an instant: g tells there
 constexpr double last_places = 16;         ///< of an instant, which rounding of the motion counts
 
@@ -131,7 +131,7 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
 double rounding_of_instant(const SectionEnd& end) {
   if (end.rounding == 0) return 0;
   const double shortest = short_time(end);
-  for (double tau = shortest; tau < longest_time(end); tau *= longer) {
+  for (double tau = shortest; tau < longest_time(end); tau *= times_longer) {
     const double off = tau * rounded_share(end, tau);
     if (off < tau) return off > last_places * time_round_off(end.t) ? off : 0;
   }

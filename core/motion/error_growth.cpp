@@ -12,7 +12,7 @@ namespace {
 constexpr double long_enough = 0.125;  ///< of the motion: what is seen before does not tell how it grows
 constexpr double late = 0.5;           ///< the rest is worth its cost
 constexpr double exponential = 3;      ///< p from which on it is that
-constexpr double most_doublings = 60;
+constexpr double most_growth_in_doublings = 60;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ double ErrorGrowth::expected() const {
   const double p = before > 0 ? std::max(1.0, rough_log2(now) - rough_log2(before)) : 1;
   const double doublings =
       p < exponential ? p * (rough_log2(t_end) - rough_log2(t)) : 2 * p * (t_end / t - 1);
-  return now * rough_exp2(std::min(doublings, most_doublings));
+  return now * rough_exp2(std::min(doublings, most_growth_in_doublings));
 }
 
 }  // namespace qdot

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/row_errors.hpp"
+#include "core/motion/useful_part.hpp"
 #include "core/motion/winding.hpp"
 
 namespace qdot {
@@ -20,7 +21,6 @@ constexpr double common_round_off = 0x1p-95;  ///< of a column: what they may ha
 /// Steps are as long as series in doubles can be bounded, which leaves higher orders nothing to gain.
 constexpr unsigned highest_bounded_order = 28;
 constexpr double least_nudge = 0x1p-105;  ///< relative
-constexpr double useful_part = 1e-3;      ///< horizon: of a column's largest magnitude
 constexpr int most_extended_rungs = 3;
 
 constexpr const char* error_not_reached =

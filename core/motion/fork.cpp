@@ -11,7 +11,7 @@ namespace {
 
 constexpr double rounding_of_numbers = 8 * std::numeric_limits<double>::epsilon();
 constexpr double seen = 64 * std::numeric_limits<double>::epsilon();  ///< of those that make up g
-constexpr double step_of_slopes = 1e-7;                               ///< relative
+constexpr double step_of_difference = 1e-7;                           ///< relative
 constexpr double small_beside_errors =
     0.1;                               ///< of the errors of velocities: what a jump of forces adds to them
 constexpr double still_turns = 0.5;    ///< as much as before the event
@@ -121,8 +121,8 @@ double Fork::pull(std::span<const double> here, std::span<const double> beyond) 
 void Fork::take_slopes() {
   std::vector<double> beside = y_;
   for (std::size_t k = 0; k < y_.size(); ++k) {
-    double step = std::max(errors_[k], step_of_slopes * std::abs(y_[k]));
-    if (step == 0) step = step_of_slopes;
+    double step = std::max(errors_[k], step_of_difference * std::abs(y_[k]));
+    if (step == 0) step = step_of_difference;
     beside[k] = y_[k] + step;
     const double above = value(t_, beside);
     beside[k] = y_[k] - step;

@@ -13,10 +13,10 @@ namespace {
 constexpr double hardly = 0.4;  ///< of the square of a slope: what curvature does to a crossing
 constexpr double several = 4;
 constexpr double small_bend = 1e-2;
-constexpr double short_part = 0.1;  ///< of a section
-constexpr int halvings = 40;        ///< of where it may be
-constexpr int most_doublings = 60;  ///< of the time in which the sign of an argument changes
-constexpr int refinements = 4;      ///< of where a kink was passed, each much closer than the one before
+constexpr double short_part = 0.1;          ///< of a section
+constexpr int halvings = 40;                ///< of where it may be
+constexpr int most_doublings_of_time = 60;  ///< of the time in which the sign of an argument changes
+constexpr int refinements = 4;  ///< of where a kink was passed, each much closer than the one before
 constexpr double margin = 32 * std::numeric_limits<double>::epsilon();  ///< as in kink_ends.cpp
 constexpr double rounding_of_size = 2 * std::numeric_limits<double>::epsilon();
 
@@ -151,7 +151,7 @@ class Passing {
     }
     if (!is_whole_ && !is_clear(-from, 1)) return std::nullopt;
     for (int i = 0; !is_clear(to, -1); ++i, to *= 2) {
-      if (i == most_doublings ||
+      if (i == most_doublings_of_time ||
           !(to <= farthest_ || (motions_.tells(sides, to) && motions_.tells(next, to))))
         return std::nullopt;
     }

@@ -12,13 +12,13 @@
 #include "core/motion/rounded_forces.hpp"
 #include "core/motion/row_errors.hpp"
 #include "core/motion/stiffness.hpp"
+#include "core/motion/useful_part.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
 constexpr double unmeasurable = 1e-200;  ///< is no error of a column that is 0 all along: room for underflow
-constexpr double useful_part = 1e-3;     ///< horizon: of a column's largest magnitude
 constexpr double without_bound = 1e299;  ///< are errors that follow from what has none
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 

@@ -27,8 +27,9 @@ class Measurement {
   void measure(GivesUp gives_up);
 
   [[nodiscard]] MeasuredSimulation& result() { return result_; }
-  /// The largest error in units of what is wanted; 1 is met.
+  /// Whether the columns without a digit are those of something at rest, off by rounding alone.
   [[nodiscard]] bool rests_within_rounding() const;
+  /// The largest error in units of what is wanted; 1 is met.
   [[nodiscard]] double excess() const { return excess(result_.max_abs_error); }
   [[nodiscard]] std::optional<double> expected_excess() const { return expected_excess_; }
   /// What is conserved has changed.

@@ -31,7 +31,7 @@ constexpr double drift_of_rounding = 1e-14;     ///< relative
 /// the error stated (row_errors.hpp) up to a third.
 constexpr double in_error_stated = 1.0 / 3;
 constexpr double farther_than_samples = 50;  ///< one sample of rounding in fifty is as small by chance
-constexpr double much_more = 10;             ///< than rounding of which a sample is known
+constexpr double many_roundings = 10;        ///< than rounding of which a sample is known
 constexpr double at_an_end = 1e-9;           ///< of the span: there an event may be a rounding away
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
@@ -226,14 +226,14 @@ bool tells_truncation(const ComputedMotion& motion, const Simulation& check) {
   if (varies.empty()) return false;
   const std::vector<double> in_common = rounding_of_a_step(motion);
   for (std::size_t i = 0; i < n; ++i) {
-    if (differences[n + i] <= much_more * in_common[i]) return false;
+    if (differences[n + i] <= many_roundings * in_common[i]) return false;
   }
   if (!keeps_better(motion.simulation, check)) return false;
   for (std::size_t k = 0; k < width; ++k) {
     if (!varies[k]) continue;
     const double difference = differences[k];
     for (std::size_t i = k; i < check.apart.size(); i += width) {
-      if (much_more * difference <= check.apart[i]) return false;
+      if (many_roundings * difference <= check.apart[i]) return false;
       if (difference <= farther_than_samples * check.apart_by_rounding[i]) return false;
     }
   }

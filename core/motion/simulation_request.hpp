@@ -46,8 +46,8 @@ struct SimulationRequest {
     Numbers asked, rounded;
   };
   std::optional<Originals> originals{};
-  Tolerances tolerances;  ///< not of gauss
-  double h{};             ///< step of gauss
+  Tolerances tolerances;  ///< not of a method with a fixed step
+  double h{};             ///< the fixed step
   Limits limits;
 };
 

@@ -20,7 +20,7 @@ constexpr std::array<double, 13> rtols{1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 
 /// Of fixed length, over the mean step of the reference.
 constexpr std::array<double, 8> fixed_steps{4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
 
-Tolerances with_rtol(double rtol) { return {rtol, rtol * atol_over_rtol}; }
+Tolerances in_proportion(double rtol) { return {rtol, rtol * atol_over_rtol}; }
 
 double tightest_rtol(Method method) {
   return record_of(method).expands() ? rtols.back() : rtols[rtols.size() - 2];
@@ -41,7 +41,7 @@ WorkPrecision::WorkPrecision(const Dynamics& dynamics, const SimulationRequest& 
   request_.events.clear();
   request_.taylor_order = 0;
   request_.method = Method::taylor;
-  request_.tolerances = with_rtol(tightest_rtol(request_.method));
+  request_.tolerances = in_proportion(tightest_rtol(request_.method));
   reference_ = simulate_with_error(dynamics_, request_, {});
 }
 
@@ -54,7 +54,7 @@ std::vector<Trial> WorkPrecision::trials(Method method) const {
     return result;
   }
   for (const double rtol : rtols) {
-    if (rtol >= tightest_rtol(method)) result.push_back({method, with_rtol(rtol), 0});
+    if (rtol >= tightest_rtol(method)) result.push_back({method, in_proportion(rtol), 0});
   }
   return result;
 }

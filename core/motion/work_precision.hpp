@@ -20,8 +20,8 @@ namespace qdot {
 /// One run to make.
 struct Trial {
   Method method{};
-  Tolerances tolerances{};  ///< not of gauss
-  double h{};               ///< s, of gauss only
+  Tolerances tolerances{};  ///< not of a method with a fixed step
+  double h{};               ///< s, of a method with a fixed step only
 };
 
 struct TrialResult {

@@ -6,7 +6,7 @@
 namespace qdot {
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double tie_rounding = 1e-12;
 
 /// The scene's start as expressions of `graph`; empty where y is another state.
 std::vector<Replacement> start_in(Graph& graph, const Model& model, const Start& start) {
@@ -21,7 +21,8 @@ std::vector<Replacement> start_in(Graph& graph, const Model& model, const Start&
     const bool is_rate = i >= n;
     const Expression value =
         graph.adopt(is_rate ? model.parsed.initial_rates[i - n] : model.parsed.initial[i]);
-    if (!(std::abs(evaluate(value, values) - y[i]) <= rounding * std::max(1.0, std::abs(y[i])))) return {};
+    if (!(std::abs(evaluate(value, values) - y[i]) <= tie_rounding * std::max(1.0, std::abs(y[i]))))
+      return {};
     result.emplace_back(graph.adopt((is_rate ? symbols.coordinates.rate : symbols.coordinates.value)[i % n]),
                         value);
   }

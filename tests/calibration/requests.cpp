@@ -97,7 +97,7 @@ std::string Asked::words() const {
       << " method=" << record_of(request.method).name;
   switch (goal.kind) {
     case AccuracyGoal::Kind::tolerances:
-      if (request.method == Method::gauss) {
+      if (record_of(request.method).has_fixed_step()) {
         out << " h=" << request.h;
         break;
       }

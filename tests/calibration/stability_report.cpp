@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "core/integrate/methods.hpp"
 #include "tests/calibration/extremes.hpp"
 
 namespace {
@@ -18,10 +19,7 @@ std::string number(double value) {
   return text;
 }
 
-const char* name_of(qdot::Method method) {
-  constexpr const char* names[]{"adams", "bdf", "erk", "taylor", "gauss"};
-  return names[static_cast<std::size_t>(method)];
-}
+std::string name_of(qdot::Method method) { return std::string(qdot::record_of(method).name); }
 
 std::string asked_in_words(const Asked& asked) {
   using Kind = qdot::AccuracyGoal::Kind;
@@ -55,7 +53,7 @@ void print_row(const Extreme& extreme) {
   const std::string stated = column != nullptr ? column->name + ": " + number(column->stated) : "";
   std::printf("| %s | %s | %s | %s (%s) | %s | %s | %s | %llu | %s |\n", extreme.group.c_str(),
               extreme.name.c_str(), asked_in_words(extreme.asked).c_str(), fate(outcome).c_str(),
-              outcome.status().c_str(), name_of(outcome.measured.simulation.method), stated.c_str(),
+              outcome.status().c_str(), name_of(outcome.measured.simulation.method).c_str(), stated.c_str(),
               column != nullptr ? number(column->true_error).c_str() : "",
               static_cast<unsigned long long>(outcome.measured.evaluations), remarks(outcome).c_str());
   std::fflush(stdout);

@@ -46,8 +46,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(again.expression.has_value(), "what is printed can be parsed");
     fuzz::require(*again.expression == *result.expression, "and is the same expression");
   });
-  for (const Form form : {Form::latex, Form::mathml, Form::sympy, Form::maxima, Form::c}) {
-    unless_refused([&] { fuzz::require(!print(*result.expression, form).empty(), "a form is not empty"); });
+  for (const PrintForm& form : print_forms()) {
+    unless_refused(
+        [&] { fuzz::require(!print(*result.expression, form.form).empty(), "a form is not empty"); });
   }
   return 0;
 }

@@ -25,15 +25,6 @@ void check_grid(SimulateRequest& request, Findings& findings) {
 constexpr int most_digits_of_doubles = 17;
 constexpr double least_extended_error = 1e-24;
 
-/// "method gauss": those whose step has a fixed length; the other methods choose theirs.
-std::string methods_of_fixed_step() {
-  std::string names;
-  for (const MethodRecord& method : methods()) {
-    if (method.has_fixed_step()) names += (names.empty() ? "method " : " or ") + std::string(method.name);
-  }
-  return names;
-}
-
 void check_step(const SimulateRequest& request, Findings& findings) {
   const MethodRecord& method = record_of(request.method);
   const bool is_fixed = method.has_fixed_step();
@@ -44,8 +35,9 @@ void check_step(const SimulateRequest& request, Findings& findings) {
   }
   if (!request.h) return;
   if (!is_fixed && !findings.has_error_at({"method"})) {
-    findings.report("h", "not_applicable",
-                    "'h' is the step of " + methods_of_fixed_step() + "; other methods choose their own.");
+    findings.report(
+        "h", "not_applicable",
+        "'h' is the step of method " + methods_of_fixed_step() + "; other methods choose their own.");
   }
   const auto most = static_cast<double>(limits_of_run().max_steps);
   if (is_fixed && request.t_end && (*request.t_end - request.t_start) / *request.h > most) {
@@ -180,7 +172,7 @@ RequestTable<SimulateRequest> make_simulate_table() {
       choice("method", &SimulateRequest::method, words_of_choice(), "the integrator; " + methods_in_words(),
              {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}}),
       number("h", &SimulateRequest::h, {"s", {.lower = 0, .lower_open = true}},
-             "step of " + methods_of_fixed_step() +
+             "step of method " + methods_of_fixed_step() +
                  ", in place of tolerances; the last one ends at t_end and may be shorter",
              {.aliases = {"fixed_step"}}),
       number("rtol", &SimulateRequest::rtol, {"1", {limits::least_rtol, limits::largest_rtol}},

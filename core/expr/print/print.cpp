@@ -1,8 +1,8 @@
 #include "core/expr/print/print.hpp"
 
-#include <algorithm>
 #include <array>
 
+#include "core/base/records.hpp"
 #include "core/expr/print/forms.hpp"
 
 namespace qdot {
@@ -20,7 +20,9 @@ std::string mathml_equation(const std::string& left, const std::string& right) {
   return left.substr(0, left.rfind(end)) + "<mo>=</mo>" + right.substr(right.find('>') + 1);
 }
 
-const PrintForm& record_of(Form form) { return *std::ranges::find(print_forms(), form, &PrintForm::form); }
+const PrintForm& record_of(Form form) {
+  return record_with(print_forms(), form, &PrintForm::form, "printed form");
+}
 
 }  // namespace
 

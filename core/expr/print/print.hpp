@@ -28,8 +28,8 @@ enum class Form {
   c        ///< C99 with <math.h>: 3.0/4.0*m*x*x; names as they are, C's keywords with a _ behind
 };
 
-/// A form is added by writing its printer (forms.hpp) and its record; requests and documents take its name
-/// from here.
+/// A form is added by its printer (forms.hpp; on one line: languages.cpp) and its record; requests and
+/// documents take its name from here.
 struct PrintForm {
   Form form{};
   std::string_view name;  ///< "sympy"

@@ -8,31 +8,26 @@
 #include <initializer_list>
 #include <numbers>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/integrate/integrate.hpp"
+#include "core/integrate/methods.hpp"
 #include "core/integrate/run.hpp"
 #include "core/numerics/constants.hpp"
 
 namespace qdot::integrate_test {
 
-inline constexpr std::array all_methods{Method::adams, Method::bdf, Method::erk};
-
-inline const char* name(Method method) {
-  switch (method) {
-    case Method::adams:
-      return "adams";
-    case Method::bdf:
-      return "bdf";
-    case Method::erk:
-      return "erk";
-    case Method::taylor:
-      return "taylor";
-    case Method::gauss:
-      return "gauss";
+/// Those that need no more than the systems here have, values and a Jacobian, and choose their steps.
+inline const std::vector<Method> all_methods = [] {
+  std::vector<Method> found;
+  for (const MethodRecord& record : methods()) {
+    if (!record.has_fixed_step() && !record.expands()) found.push_back(record.method);
   }
-  return "";
-}
+  return found;
+}();
+
+inline std::string_view name(Method method) { return record_of(method).name; }
 
 /// A right-hand side from two functions that always have values.
 template <class F, class J>

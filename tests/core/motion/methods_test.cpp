@@ -13,12 +13,7 @@ namespace {
 /// rtol.
 constexpr double run_over_step = 1e5;
 
-std::string name(Method method) {
-  return method == Method::adams ? "adams"
-         : method == Method::bdf ? "bdf"
-         : method == Method::erk ? "erk"
-                                 : "taylor";
-}
+std::string_view name(Method method) { return record_of(method).name; }
 
 class Methods : public test::SystemTest {
  protected:
