@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/closed/taken_squares.hpp"
 #include "core/dynamics/specialization.hpp"
 #include "core/expr/rational_function.hpp"
 #include "core/mechanics/friction.hpp"
@@ -11,14 +12,6 @@ namespace qdot {
 namespace {
 
 using Rationals = std::vector<std::vector<RationalFunction>>;
-
-bool has_roots(const Expression& e) {
-  const NodeId root = e.id();
-  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
-    const auto* power = std::get_if<Power>(&e.graph().node(id));
-    return power != nullptr && !power->exponent.is_integer();
-  });
-}
 
 std::vector<Replacement> taken_at(const LinearMotions& motions, const ExactPlace& place) {
   std::vector<Replacement> taken;

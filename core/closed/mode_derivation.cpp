@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/closed/exact_roots.hpp"
+#include "core/closed/taken_squares.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
@@ -22,14 +23,6 @@ bool has_calls(const Expression& e) {
   const NodeId root = e.id();
   return std::ranges::any_of(reachable(e.graph(), {&root, 1}),
                              [&](NodeId id) { return std::holds_alternative<Call>(e.graph().node(id)); });
-}
-
-bool has_roots(const Expression& e) {
-  const NodeId root = e.id();
-  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
-    const auto* power = std::get_if<Power>(&e.graph().node(id));
-    return power != nullptr && !power->exponent.is_integer();
-  });
 }
 
 /// The shape with 1 as its first component that is not 0.

@@ -6,17 +6,13 @@
 #include "core/expr/calculus.hpp"
 
 namespace qdot {
-namespace {
-
-bool still_has_roots(const Expression& e) {
+bool has_roots(const Expression& e) {
   const NodeId root = e.id();
   return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
     const auto* power = std::get_if<Power>(&e.graph().node(id));
     return power != nullptr && !power->exponent.is_integer();
   });
 }
-
-}  // namespace
 
 Expression with_half_powers(
     const Expression& e,
@@ -38,7 +34,7 @@ Expression with_squares_taken_out(const Expression& e, const SignOf& sign) {
   return with_half_powers(
       e, [&](const Expression& base, const Number& exponent) -> std::optional<Expression> {
         const Expression outside = positive_root(e.graph(), rational_function(base), sign);
-        if (still_has_roots(outside)) return std::nullopt;
+        if (has_roots(outside)) return std::nullopt;
         return pow(outside, exponent * Number(2));
       });
 }

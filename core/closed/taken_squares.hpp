@@ -8,6 +8,9 @@
 
 namespace qdot {
 
+/// Whether a power that is no whole one stands anywhere in it.
+[[nodiscard]] bool has_roots(const Expression& e);
+
 /// e with what `by` makes of base^exponent, the exponent half of an odd number, in its place; none: it stays.
 [[nodiscard]] Expression with_half_powers(
     const Expression& e,

@@ -33,12 +33,12 @@ Verdict judged(const std::vector<Expression>& terms, const std::vector<RealAssig
   return std::abs(sum.value) <= bound || std::abs(sum.value) <= sum.error ? Verdict::holds : Verdict::fails;
 }
 
-using Rows = std::vector<std::vector<DoubleDouble>>;
+using SystemRows = std::vector<std::vector<DoubleDouble>>;
 
 double size_of(const DoubleDouble& x) { return std::abs(x.value()); }
 
 /// Brings the largest entry from `k` on to the place k, k and clears the column below it.
-void eliminate(Rows& a, std::size_t k) {
+void eliminate(SystemRows& a, std::size_t k) {
   std::size_t row = k, column = k;
   for (std::size_t i = k; i < a.size(); ++i) {
     for (std::size_t j = k; j < a.size(); ++j) {
@@ -54,7 +54,7 @@ void eliminate(Rows& a, std::size_t k) {
 }
 
 Verdict judged(const Matrix& matrix, const std::vector<RealAssignment>& values) {
-  Rows a;
+  SystemRows a;
   for (const auto& row : matrix) {
     a.emplace_back();
     for (const Expression& e : row) {
