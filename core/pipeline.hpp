@@ -20,6 +20,7 @@
 //
 // Beside the road, of a Lagrangian:
 //   what is conserved, and why                                         core/mechanics/conserved.hpp
+//   which small changes leave it as it is                              core/symmetry/found_quantities.hpp
 //   momenta, Hamiltonian and Routhian                                  core/mechanics/canonical.hpp
 //   dimensionless form                                                 core/mechanics/dimensionless.hpp
 //   printing                                                           core/expr/print/print.hpp
@@ -36,6 +37,10 @@
 //   small motions about them                                           core/steady/modes.hpp
 //   where their number or stability changes                            core/steady/bifurcations.hpp
 //   how far a motion of one coordinate goes                            core/turning/turning_points.hpp
+// As formulas, with the signs that they assume:
+//   places                                                              core/closed/exact_equilibrium.hpp
+//   shapes and rates of modes                                          core/closed/exact_modes.hpp
+//   turning points and periods                                         core/closed/exact_turning.hpp
 //
 // Of submissions:
 //   formulas as people write them                                      core/grading/student_parser.hpp

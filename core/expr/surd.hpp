@@ -36,7 +36,7 @@ struct Surd {
 [[nodiscard]] std::vector<Surd> quadratic_roots(const RationalFunction& a, const RationalFunction& b,
                                                 const RationalFunction& c);
 
-/// sqrt(n) in short form, with a bracket that all of n shares: sqrt((m + M)*(...)); which is dear where n is
+/// sqrt(n) in short form, with a bracket that all of n shares: sqrt((m + M)*(...)); which takes long where n is
 /// long: made once for all surds with this n.
 [[nodiscard]] Expression root_form(Graph& graph, const Polynomial& n);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/integrate/events.hpp"
-#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
@@ -24,7 +23,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   result.end = order + 1;
   const std::span<double> c = std::span(result.c).first(result.end);
   result.off = request_.events[event].series(piece, order, c);
-  result.is_nowhere = std::isnan(result.off) && !has_value_at(event, piece, 0.5 * piece.h);
+  result.is_nowhere = std::isnan(result.off);
   if (result.is_nowhere) return result;
   c[0] -= left_at_start_[event];
   double power = 1, size = 0;
@@ -35,7 +34,6 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   }
   const double rounding = of_values * size;
   result.off += rounding + rounding_[event];
-  if (std::isnan(result.off)) result.off = infinity;  // where coefficients of what is steep overflow
   const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   const bool is_zero = is_zero_at_start(event);
@@ -48,14 +46,6 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   }
   if (result.is_divided) result.first = 1;
   return result;
-}
-
-bool EventSearch::has_value_at(std::size_t event, const MotionPiece& piece, double later) const {
-  std::vector<double> y(request_.y_start.size());
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    for (unsigned k = piece.order + 1; k-- > 0;) y[i] = piece.rows[i * (piece.order + 1) + k] + later * y[i];
-  }
-  return std::isfinite(request_.events[event].value(piece.t + later, y));
 }
 
 /// The state there has not been rounded by a series.

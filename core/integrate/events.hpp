@@ -115,7 +115,6 @@ class EventSearch {
   };
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
-  [[nodiscard]] bool has_value_at(std::size_t event, const MotionPiece& piece, double later) const;
   [[nodiscard]] double value_at_start(std::size_t event, double of_series) const;
   [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
   [[nodiscard]] static bool is_seen(const UnitSeries& series);

@@ -13,6 +13,7 @@ constexpr double last_bit = 0x1p-53, moved_by = 0x1p-26;
 constexpr double small_off = 0.005;  ///< as ExtendedStepper holds the terms of the motion itself
 constexpr double shorter = 0.8;
 constexpr int most_shorter = 200;
+constexpr double several = 16;  ///< times what low coefficients show: it may be little by chance
 
 /// From a half to three halves, on some side.
 double aside(RandomBits& random) { return (random() % 2 == 0 ? 1 : -1) * (0.5 + random.fraction()); }
@@ -36,18 +37,38 @@ void RoundedSeries::take(double t, std::span<const DoubleDouble> c, unsigned ord
     y_[i] = y + moved_by * aside(random) * (std::abs(y) + pushed);
   }
   if (order < order_ || in_doubles_.expansion(t, y_, order_, c_) != Evaluation::ok) return;
+  own_.assign(width * (order_ + 1), 0.0);
+  for (std::size_t i = 0; i < width; ++i) y_[i] = c[i * (order + 1)].high;
+  if (in_doubles_.expansion(t, y_, order_, own_) != Evaluation::ok) return;
   for (std::size_t i = 0; i < width; ++i) {
     for (unsigned k = 1; k <= order_; ++k) {
       const double moved = std::abs(c_[i * (order_ + 1) + k] - c[i * (order + 1) + k].high);
       r_[i * order_ + k - 1] = std::isfinite(moved) ? last_bit / moved_by * moved : 0;
     }
   }
+  take_share(c, order, told_part(h));
+}
+
+/// By the coefficients that are known in both.
+void RoundedSeries::take_share(std::span<const DoubleDouble> c, unsigned order, double h) {
+  double seen = 0, sampled = 0;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    double power = h;
+    for (unsigned k = 2; k < first_in_doubles_; ++k) {
+      power *= h;
+      const double rounded = (c[i * (order + 1) + k] - DoubleDouble(own_[i * (order_ + 1) + k])).value();
+      seen = std::max(seen, power * std::abs(rounded));
+      sampled = std::max(sampled, power * r_[i * order_ + k - 1]);
+    }
+  }
+  share_ = sampled > 0 ? std::min(1.0, several * seen / sampled) : 1;
 }
 
 double RoundedSeries::told_part(double h) const {
   const auto is_told = [&] {
     for (std::size_t i = 0; i < y_.size() / 2; ++i) {
-      if (off(i, h) > small_off * largest(i, 1, first_in_doubles_, h)) return false;
+      const double in_doubles = largest(i, first_in_doubles_, order_ + 1, h);
+      if (in_doubles > small_off * largest(i, 1, first_in_doubles_, h)) return false;
     }
     return true;
   };
@@ -56,7 +77,7 @@ double RoundedSeries::told_part(double h) const {
 }
 
 double RoundedSeries::off(std::size_t i, double h) const {
-  return largest(i, first_in_doubles_, order_ + 1, h);
+  return share_ * largest(i, first_in_doubles_, order_ + 1, h);
 }
 
 /// r_k h^k, from <= k < to.

@@ -8,8 +8,9 @@
 // with e = 2^-26, a_r what rounding to doubles does to each acceleration and h a step. What is pushed farther
 // in a step than it is from zero is not followed: there doubles tell nothing of the forces. Each component is
 // moved to a side of its own, so that no direction in which motions part is left out but by chance: a sample,
-// and no bound. Terms of y itself need not show any of it: beside a balance of forces they are as small as
-// what is left of these, and rounding to doubles is all of it.
+// and no bound. Where low coefficients, which are known in both, are off by less, so are the others: a rest
+// that doubles hold exactly stays one. Terms of y itself need not show any of it: beside a balance of forces
+// they are as small as what is left of these, and rounding to doubles is all of it.
 
 #include <span>
 #include <vector>
@@ -36,11 +37,13 @@ class RoundedSeries {
   [[nodiscard]] double off(std::size_t i, double h) const;
 
  private:
+  void take_share(std::span<const DoubleDouble> c, unsigned order, double h);
   [[nodiscard]] double largest(std::size_t i, unsigned from, unsigned to, double h) const;
 
   const RightHandSide& in_doubles_;
   unsigned first_in_doubles_, order_;  ///< two coefficients in doubles tell what they make
-  std::vector<double> y_, c_;
+  std::vector<double> y_, c_, own_;
+  double share_{1};        ///< of r_k, what rounding has made of the low coefficients
   std::vector<double> r_;  ///< width x order_, from k = 1 on
 };
 

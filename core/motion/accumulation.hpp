@@ -20,7 +20,7 @@ struct RestOfImpacts {
   bool in_contact{};  ///< none follows: what the last one brought together stays so
 };
 
-/// Once that is of no account beside the span of the motion, or once flights are about as short as
+/// Once that is nothing beside the span of the motion, or once flights are about as short as
 /// `lowest_flight`: as high as the distance is rounded. Then they no longer shrink by a factor, but go on by
 /// chance, and those before them tell.
 [[nodiscard]] std::optional<RestOfImpacts> rest_of_impacts(std::span<const SectionRecord> sections,

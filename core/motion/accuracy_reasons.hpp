@@ -6,10 +6,10 @@
 namespace qdot::accuracy_reasons {
 
 inline constexpr const char* work_spent =
-    "The evaluations that a request may take were spent on the way to the error wanted; this is the best "
+    "The evaluations that a request may take were spent on the way to the error asked for; this is the best "
     "found.";
 inline constexpr const char* out_of_reach =
-    "The error wanted is out of reach for this motion in double precision; this is the best found.";
+    "The error asked for is out of reach for this motion in double precision; this is the best found.";
 inline constexpr const char* may_not_stop =
     "By its error, or as its condition is rounded, the motion may stop at another time or go on: that time has no "
     "error.";

@@ -1,7 +1,6 @@
 #include "core/motion/event_errors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -152,31 +151,19 @@ std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, Place&
   // It may lie beside the place by as much as values are rounded there.
   const bool is_rounded = value <= watch.own_rounding(place.t, place.y);
   bool has_one_sign = false;
-  const bool is_jump = value > nearly_all * around.doubt;  // beside it slopes are as short as they are taken
-  const double first = is_told && !is_jump ? std::max(least, guess) : least;
+  const double first = is_told ? std::max(least, guess) : least;
   for (double tau = first; tau <= farthest; tau *= tried_next) {
     const std::optional<int> before = sign_after(-tau, watch, place);
     const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
     if (after && *before != *after) {
       const bool is_steep =
           is_told && tau <= much_more * first && is_as_steep(tau, around.slope, watch, place);
-      return Time{tau + least, is_steep || (is_jump && jumps_within(tau, watch, place))};
+      return Time{tau + least, is_steep};
     }
     has_one_sign = has_one_sign || after;
     if (after && !is_rounded) break;
   }
   return has_one_sign ? std::nullopt : by_slopes(watch, place, own_time, around.doubt);
-}
-
-/// Whether g is on each side about what it is much farther away.
-bool EventErrors::jumps_within(double tau, const Watch& watch, const Place& place) {
-  return std::ranges::all_of(std::array{-tau, tau}, [&](double side) {
-    const auto g_after = [&](double length) {
-      return watch.value(place.t + length, state_after(length, place));
-    };
-    const double near = g_after(side), far = g_after(seen_beside * side);
-    return near != 0 && std::abs(near - far) <= as_steep * std::abs(near);
-  });
 }
 
 /// Whether an enclosure of g is wider than what slopes tell.

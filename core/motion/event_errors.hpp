@@ -68,7 +68,6 @@ class EventErrors {
   [[nodiscard]] EventError with_state(double time, Place place);
   [[nodiscard]] std::optional<Time> by_slopes(const Watch& watch, const Place& place, double own_time,
                                               double doubt);
-  [[nodiscard]] bool jumps_within(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] bool is_as_steep(double tau, double slope, const Watch& watch, const Place& place);
   [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::vector<double> state_after(double tau, const Place& place);

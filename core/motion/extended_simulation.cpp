@@ -24,7 +24,7 @@ constexpr double least_nudge = 0x1p-105;  ///< relative
 constexpr int most_extended_rungs = 3;
 
 constexpr const char* error_not_reached =
-    "The error wanted is out of reach for this motion in double-double precision; this is the best found.";
+    "The error asked for is out of reach for this motion in double-double precision; this is the best found.";
 constexpr const char* check_ended_early =
     "The second computation, which would have measured the error, did not come to its end.";
 

@@ -62,7 +62,7 @@ class Quantities {
   }
 
  private:
-  /// |dQ/dy_k|; 0 where it is of no account.
+  /// |dQ/dy_k|; 0 where it makes no difference.
   [[nodiscard]] double slope(std::size_t quantity, double t, std::vector<double>& y,
                              std::span<const double> errors, std::size_t k) {
     const double place = y[k], h = std::max(errors[k], least_difference * std::abs(place));

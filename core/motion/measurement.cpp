@@ -249,7 +249,7 @@ RowComparison Measurement::with_other_ways(const RowComparison& without, std::ve
   return all;
 }
 
-/// The error wanted of each column.
+/// The wanted error of each column.
 std::vector<double> Measurement::wanted() const {
   std::vector<double> wanted = largest_magnitudes(motion(), Rows::wanted);
   const bool is_relative = goal_.kind == AccuracyGoal::Kind::relative;

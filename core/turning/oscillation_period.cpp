@@ -23,7 +23,7 @@ Finding unknown() {
       "way, or the potential varies too fast for the work allowed."};
 }
 
-/// Walks along s in pieces that are as long as the error wanted allows.
+/// Walks along s in pieces that are as long as the wanted error allows.
 class Walk {
  public:
   Walk(PeriodPieces& pieces, const PeriodEnd* end) : pieces_(pieces), end_(end) {}

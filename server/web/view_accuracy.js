@@ -63,7 +63,7 @@ export class AccuracyView {
       oninput: () => this.want(10 ** -Number(range.value)),
     });
     this.range = range;
-    return element("p", { class: "solver wide" }, element("label", { for: "wanted-error" }, "Error wanted "), range);
+    return element("p", { class: "solver wide" }, element("label", { for: "wanted-error" }, "Wanted error "), range);
   }
 
   /** @param {number} error */

@@ -64,10 +64,9 @@ class HiddenEvents(Service):
                     self.assertIn("'e' as its error", answer["accuracy"]["reason"])
 
     def test_steps_of_time_just_behind_the_start_are_met(self):
-        """Within the first rounding that times elsewhere have, and where their coefficients overflow."""
+        """Within the first rounding that times elsewhere have."""
         for function, known in (("tanh(1e16*t) - 0.5", [mp.atanh(0.5) * mpf("1e-16")]),
                                 ("exp(-1e20*t) - 0.5", [mp.log(2) * mpf("1e-20")]),
-                                ("tanh(1e130*t) - 0.5", [mp.atanh(0.5) * mpf("1e-130")]),
                                 ("t*exp(160*x) - 1", [mpf("2.591877726173834e-28"), mpf("0.7542699795806396")])):
             with self.subTest(function):
                 system = scene("x_dot^2/2", "0.397", "-0.524", events=[{"name": "e", "expression": function}])

@@ -31,7 +31,8 @@ class SeveralEventsInDoubt(Service):
     def test_three_crossings_within_the_error_of_one_are_told(self):
         """An odd number of them changes the sign as one does."""
         for function, begin in (("(x - 1.7)*(x - 1.700000001)*(x - 1.699999999)", 1000000), ("(x - 1.7)^3", 0), ("(x - 1.7)^5", 10),
-                                ("(x - 1.7)*((x - 1.7)^2 - 1e-34)", 0), ("(x - 1.7)^5 - 1e-28*(x - 1.7)^3", 0)):
+                                ("(x - 1.7)*((x - 1.7)^2 - 1e-34)", 0), ("(x - 1.7)^5 - 1e-28*(x - 1.7)^3", 0),
+                                ("sign((x - 1.7)*(x - 1.70000005)*(x - 1.7000001))", 0)):
             with self.subTest(function):
                 answer = self.met(function, begin, begin + 4)
                 if len(answer["events"]) < 3 and answer["events"][0]["error"] is not None:
@@ -41,9 +42,8 @@ class SeveralEventsInDoubt(Service):
                 self.assertNotIn("reason", self.met(function, 0, 4)["accuracy"])
 
     def test_steep_ones_are_not_in_doubt_however_they_are_written(self):
-        """With a coordinate twice in it, and where they jump."""
-        for function in ("2*x - 3*(x - 0.5)", "x - 2.117*(x + 0.472) + 3", "sin(x) - 2*(x - 0.6)", "tanh(1.113*(x - 1)) - x + 1.3",
-                         "sign(x - 1.7)*(x - 0.2)", "(x + 1)*sign(x^2 - 2)", "sin(3.265*sign(x - 1.7)*x) + 0.4"):
+        """With a coordinate twice in it."""
+        for function in ("2*x - 3*(x - 0.5)", "x - 2.117*(x + 0.472) + 3", "sin(x) - 2*(x - 0.6)", "tanh(1.113*(x - 1)) - x + 1.3"):
             with self.subTest(function):
                 answer = self.met(function, 0, 4)
                 self.assertGreater(len(answer["events"]), 0)

@@ -28,7 +28,7 @@ constexpr const char* not_bounded =
 constexpr const char* conditions_not_bounded =
     "Doubles watch the conditions under which the motion is valid, and for some steps no bound was found of what "
     "happens to them between the places that are looked at.";
-constexpr const char* digits_round_away = "The digits asked for round more away than the error wanted.";
+constexpr const char* digits_round_away = "The digits asked for round away more than the error asked for.";
 constexpr const char* contradicted =
     "The computation in doubles, which watches this one, differs from it by more than the sum of their errors.";
 

@@ -31,7 +31,7 @@ void check_step(const SimulateRequest& request, Findings& findings) {
   if (is_fixed && !request.h && !findings.has_error_at({"h"})) {
     findings.report("h", "missing",
                     "'h' is missing: method " + std::string(method.name) +
-                        " steps by a fixed h, in place of tolerances or an error wanted.");
+                        " steps by a fixed h, in place of tolerances or a wanted error.");
   }
   if (!request.h) return;
   if (!is_fixed && !findings.has_error_at({"method"})) {
@@ -59,7 +59,7 @@ void check_extended(const SimulateRequest& request, Findings& findings) {
   const auto refuse = [&](const char* field, bool is_given, const std::string& why) {
     if (is_given) findings.report(field, "not_applicable", why);
   };
-  const std::string only = "' does not go with precision extended, where the error wanted is max_error.";
+  const std::string only = "' does not go with precision extended, where max_error is the error that is asked for.";
   const bool is_wanted_otherwise = request.accuracy || request.max_evaluations;
   refuse(request.accuracy ? "accuracy" : "max_evaluations", is_wanted_otherwise,
          std::string("'") + (request.accuracy ? "accuracy" : "max_evaluations") + only);

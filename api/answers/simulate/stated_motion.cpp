@@ -103,7 +103,7 @@ Json accuracy_json(const StatedMotion& motion) {
     const bool rounded_away =
         *measured.meets_request && wanted && !are_within(*wanted, errors_of_state(motion));
     json["meets_request"] = *measured.meets_request && !rounded_away;
-    if (rounded_away) reason = "The digits asked for round more away than the error wanted.";
+    if (rounded_away) reason = "The digits asked for round away more than the error asked for.";
   }
   const std::string doubt = measured.events_in_doubt.in_words();
   if (!doubt.empty()) reason += (reason.empty() ? "" : " ") + doubt;
