@@ -9,6 +9,8 @@
 namespace qdot {
 namespace {
 
+constexpr double short_share = 1e-9;  ///< of a piece
+
 int sign_of_value(double value) { return (value > 0) - (value < 0); }
 
 }  // namespace
@@ -40,7 +42,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   if (piece.t == request_.t_start && (is_zero || std::abs(c[0]) <= result.off + of_time)) {
     const double value = value_at_start(event, c[0]);
     result.is_divided = is_zero || (!request_.events[event].is_beside_zero &&
-                                    std::abs(value) <= doubt_at_start(event, piece, rounding) + of_time);
+                                    std::abs(value) <= doubt_at_start(event, piece, 0, rounding) + of_time);
     const bool is_known = !result.is_divided && request_.events[event].rounding_at_start;
     if (is_known) result.sign_at_start = sign_of_value(value);
   }
@@ -54,11 +56,12 @@ double EventSearch::value_at_start(std::size_t event, double of_series) const {
   return std::abs(value) < std::abs(of_series) ? value : of_series;
 }
 
-/// What g may be away from its first coefficient: the bound at that instant, where no slope counts however
-/// steep, and rounding, which the whole step may show far larger than it is there.
-double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const {
+/// What g may be away from its first coefficient: the bound over that share of the piece, over none of which
+/// no slope counts however steep, and rounding, which the whole step may show far larger than it is there.
+double EventSearch::doubt_at_start(std::size_t event, MotionPiece piece, double share,
+                                   double rounding) const {
   std::vector<double> c(low_order + 1);
-  piece.h = 0;
+  piece.h *= share;
   piece.defect = {};  // that of the whole step
   const EventFunction& function = request_.events[event];
   if (piece.t == request_.t_start && function.rounding_at_start)
@@ -90,7 +93,7 @@ bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const
 bool EventSearch::is_rounding(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
   for (const double c : series.coefficients()) size += std::abs(c);
-  const double rounding = doubt_at_start(event, piece, of_values * size) + rounding_[event];
+  const double rounding = doubt_at_start(event, piece, short_share, of_values * size) + rounding_[event];
   return series.is_finite() && series.off <= 2 * rounding;
 }
 

@@ -116,7 +116,8 @@ class EventSearch {
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;
   [[nodiscard]] double value_at_start(std::size_t event, double of_series) const;
-  [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double rounding) const;
+  [[nodiscard]] double doubt_at_start(std::size_t event, MotionPiece piece, double share,
+                                      double rounding) const;
   [[nodiscard]] static bool is_seen(const UnitSeries& series);
   [[nodiscard]] bool is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const;
   void look_sharply(std::size_t event, double from, double to, std::vector<Piece>& pieces);

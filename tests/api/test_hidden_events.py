@@ -75,6 +75,12 @@ class HiddenEvents(Service):
                 for event, t in zip(answer["events"], known):
                     self.assertLess(abs(event["t"] - t), 1e-14)
 
+    def test_steps_far_steeper_than_doubles_tell_are_met_on_the_way(self):
+        for function, count in (("tanh(1e22*sin(3*x))", 3), ("tanh(1e40*sin(3*x))", 3), ("tanh(1e24*(x - 0.7))", 1)):
+            with self.subTest(function):
+                system = scene("x_dot^2/2 + 0.37*x", "0.5", "1", events=[{"name": "e", "expression": function}])
+                self.assertEqual(len(self.simulate(system, 2, events=["e"])["events"]), count)
+
     def test_a_wall_that_leaps_at_the_start_is_met_at_its_speed(self):
         wall = {"name": "w", "expression": "x - 0.3 - 0.2*tanh(1e16*t)", "direction": "falling"}
         system = scene("x_dot^2/2", "0.397", "-0.524", events=[wall], impacts=[{"event": "w", "restitution": 0.5}])
