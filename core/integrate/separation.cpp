@@ -238,7 +238,7 @@ double Separation::part_of_size() const {
     const auto sizes = std::span(size_).subspan(begin, n);
     const double largest = *std::ranges::max_element(sizes);
     for (std::size_t i = 0; i < n; ++i) {
-      const double size = scale_ == Scale::by_largest ? largest : sizes[i];
+      const double size = std::max(scale_ == Scale::by_largest ? largest : sizes[i], slow_[begin + i]);
       if (e_[begin + i] != 0) part = std::max(part, std::abs(e_[begin + i]) / size);
     }
   }
