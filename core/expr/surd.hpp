@@ -36,8 +36,8 @@ struct Surd {
 [[nodiscard]] std::vector<Surd> quadratic_roots(const RationalFunction& a, const RationalFunction& b,
                                                 const RationalFunction& c);
 
-/// sqrt(n) in short form, with a bracket that all of n shares: sqrt((m + M)*(...)); which takes long where n is
-/// long: made once for all surds with this n.
+/// sqrt(n) in short form, with a bracket that all of n shares: sqrt((m + M)*(...)); which takes long where n
+/// is long: made once for all surds with this n.
 [[nodiscard]] Expression root_form(Graph& graph, const Polynomial& n);
 
 /// In short form: (17 - sqrt(217))*g/(4*l). `root`: the form of sqrt(n).
