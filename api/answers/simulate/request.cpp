@@ -59,7 +59,8 @@ void check_extended(const SimulateRequest& request, Findings& findings) {
   const auto refuse = [&](const char* field, bool is_given, const std::string& why) {
     if (is_given) findings.report(field, "not_applicable", why);
   };
-  const std::string only = "' does not go with precision extended, where max_error is the error that is asked for.";
+  const std::string only =
+      "' does not go with precision extended, where max_error is the error that is asked for.";
   const bool is_wanted_otherwise = request.accuracy || request.max_evaluations;
   refuse(request.accuracy ? "accuracy" : "max_evaluations", is_wanted_otherwise,
          std::string("'") + (request.accuracy ? "accuracy" : "max_evaluations") + only);
