@@ -155,11 +155,9 @@ std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, Place&
   for (double tau = first; tau <= farthest; tau *= tried_next) {
     const std::optional<int> before = sign_after(-tau, watch, place);
     const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
-    if (after && *before != *after) {
-      const bool is_steep =
-          is_told && tau <= much_more * first && is_as_steep(tau, around.slope, watch, place);
-      return Time{tau + least, is_steep};
-    }
+    if (after && *before != *after)
+      return Time{tau + least,
+                  is_told && tau <= much_more * first && is_as_steep(tau, around.slope, watch, place)};
     has_one_sign = has_one_sign || after;
     if (after && !is_rounded) break;
   }

@@ -57,7 +57,7 @@ class EventErrors {
     std::span<const double> y;
     std::vector<double> accelerations, errors;
     double own_time{};  ///< in which the motion goes through one of its components
-    bool cancels{};     ///< the function that is looked at holds what its terms change by and it does not
+    bool cancels{};     ///< terms of the function change by more than it does
   };
   struct Time {
     double error{};
