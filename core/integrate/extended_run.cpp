@@ -3,65 +3,131 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/integrate/separation.hpp"
 #include "core/integrate/step_terms.hpp"
 #include "core/numerics/function.hpp"
 
 namespace qdot {
+namespace {
+
+constexpr int looks_in_step = 32;
+constexpr int halvings_of_a_step = 110;  ///< of an interval: down to the last digit
+
+/// Where in the last step the margin, negative at its end, is used up; none where it is nowhere positive.
+std::optional<DoubleDouble> end_of_margin(const ExtendedSystem& system, const ExtendedStepper& stepper) {
+  std::vector<DoubleDouble> y(system.dimension);
+  const auto is_left = [&](const DoubleDouble& t) {
+    stepper.interpolate(t, y);
+    return system.margin(t, y) >= 0;
+  };
+  const DoubleDouble length = stepper.t() - stepper.t_previous();
+  DoubleDouble last = stepper.t_previous(), beyond = stepper.t();
+  int looks = 0;
+  while (looks < looks_in_step && !is_left(last))
+    last = stepper.t_previous() + length * DoubleDouble(1.0 * ++looks / looks_in_step);
+  if (looks == looks_in_step) return std::nullopt;
+  for (int i = 0; i < halvings_of_a_step; ++i) {
+    const DoubleDouble middle = last + (beyond - last) * DoubleDouble(0.5);
+    (is_left(middle) ? last : beyond) = middle;
+  }
+  return beyond;
+}
+
+class ExtendedIntegration {
+ public:
+  /// Keeps references to its arguments.
+  ExtendedIntegration(const ExtendedSystem& system, const ExtendedRunRequest& request,
+                      std::span<const DoubleDouble> grid)
+      : system_(system),
+        request_(request),
+        grid_(grid),
+        stepper_(system, request),
+        passed_(system.dimension),
+        terms_(system.dimension) {
+    const bool is_full = system.first_in_doubles > request.order;
+    std::vector<double> apart = request.apart;
+    apart.resize(system.dimension);
+    if (system.in_doubles.expansion)
+      separation_.emplace(system.in_doubles, std::move(apart),
+                          is_full ? Separation::Scale::by_largest : Separation::Scale::enlarged);
+  }
+
+  ExtendedRun run() {
+    come_to(stepper_.t());
+    while (run_.ending == Ending::reached_end && is_before(stepper_.t(), request_.t_end)) go_on();
+    if (separation_) run_.apart_at_end = separation_->now();
+    run_.steps = stepper_.steps();
+    run_.bounded = stepper_.bounded();
+    run_.evaluations = stepper_.evaluations();
+    return std::move(run_);
+  }
+
+ private:
+  void go_on() {
+    if (const auto failed = stepper_.step()) {
+      run_.ending = *failed;
+      return;
+    }
+    if (separation_) follow_rounding();
+    if (!system_.margin || system_.margin(stepper_.t(), stepper_.y()) >= 0) return come_to(stepper_.t());
+    const auto end = end_of_margin(system_, stepper_);
+    run_.ending = end ? Ending::event : Ending::undetermined;
+    if (end) come_to(*end);
+  }
+
+  void follow_rounding() {
+    const MotionPiece step = stepper_.polynomials();
+    terms_.take(step);
+    const std::span<const double> truncated = stepper_.truncated();
+    separation_->follow(step, terms_,
+                        {.sizes = truncated,
+                         .sides = separation_->now(),
+                         .of_series = truncated,
+                         .hidden = stepper_.hidden()});
+    separation_->add(stepper_.rounded(), separation_->now());
+  }
+
+  /// With the rows up to there.
+  void come_to(const DoubleDouble& t) {
+    for (std::size_t k = 0; k < passed_.size(); ++k)
+      passed_[k] = std::max(passed_[k], std::abs(stepper_.y()[k].high));
+    for (; run_.rows < grid_.size() && !is_before(t, grid_[run_.rows]); ++run_.rows) {
+      run_.passed.insert(run_.passed.end(), passed_.begin(), passed_.end());
+      if (separation_) {
+        const std::span<const double> apart = separation_->in_last_step();
+        run_.apart.insert(run_.apart.end(), apart.begin(), apart.end());
+      }
+      const std::vector<DoubleDouble> row = state_at(grid_[run_.rows]);
+      run_.states.insert(run_.states.end(), row.begin(), row.end());
+    }
+    run_.t = t;
+    run_.y = state_at(t);
+  }
+
+  [[nodiscard]] std::vector<DoubleDouble> state_at(const DoubleDouble& t) const {
+    std::vector<DoubleDouble> y(stepper_.y().begin(), stepper_.y().end());
+    if (is_before(t, stepper_.t())) stepper_.interpolate(t, y);
+    return y;
+  }
+
+  const ExtendedSystem& system_;
+  const ExtendedRunRequest& request_;
+  std::span<const DoubleDouble> grid_;
+  ExtendedStepper stepper_;
+  std::vector<double> passed_;
+  StepTerms terms_;
+  std::optional<Separation> separation_;
+  ExtendedRun run_;
+};
+
+}  // namespace
 
 ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& request,
                       std::span<const DoubleDouble> grid) {
-  ExtendedStepper stepper(system, request);
-  ExtendedRun run;
-  const std::size_t n = request.y_start.size();
-  std::vector<double> passed(n);
-  StepTerms terms(n);
-  std::optional<Separation> separation;
-  const bool is_full = system.first_in_doubles > request.order;
-  if (system.in_doubles.expansion)
-    separation.emplace(system.in_doubles, std::vector<double>(n),
-                       is_full ? Separation::Scale::by_largest : Separation::Scale::enlarged);
-  const auto sample = [&] {
-    for (std::size_t k = 0; k < n; ++k) passed[k] = std::max(passed[k], std::abs(stepper.y()[k].high));
-    for (; run.rows < grid.size() && !is_before(stepper.t(), grid[run.rows]); ++run.rows) {
-      run.states.resize((run.rows + 1) * n);
-      run.passed.insert(run.passed.end(), passed.begin(), passed.end());
-      if (separation) {
-        const std::span<const double> apart = separation->in_last_step();
-        run.apart.insert(run.apart.end(), apart.begin(), apart.end());
-      }
-      const auto row = std::span(run.states).last(n);
-      if (stepper.steps() == 0) {
-        std::ranges::copy(stepper.y(), row.begin());
-      } else {
-        stepper.interpolate(grid[run.rows], row);
-      }
-    }
-  };
-  sample();
-  while (run.ending == Ending::reached_end && is_before(stepper.t(), request.t_end)) {
-    const auto failed = stepper.step();
-    if (failed) run.ending = *failed;
-    if (!failed && separation) {
-      const MotionPiece step = stepper.polynomials();
-      terms.take(step);
-      const std::span<const double> truncated = stepper.truncated();
-      separation->follow(step, terms,
-                         {.sizes = truncated,
-                          .sides = separation->now(),
-                          .of_series = truncated,
-                          .hidden = stepper.hidden()});
-      separation->add(stepper.rounded(), separation->now());
-    }
-    sample();
-  }
-  run.t = stepper.t();
-  run.y.assign(stepper.y().begin(), stepper.y().end());
-  run.steps = stepper.steps();
-  run.bounded = stepper.bounded();
-  run.evaluations = stepper.evaluations();
-  return run;
+  return ExtendedIntegration(system, request, grid).run();
 }
 
 unsigned extended_order(double rtol, unsigned highest) {

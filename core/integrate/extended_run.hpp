@@ -17,8 +17,9 @@ struct ExtendedRun {
   /// (separation.hpp; rows x dimension).
   std::vector<double> apart{};
   Ending ending{Ending::reached_end};
-  DoubleDouble t;                 ///< where the run ended: t_end, or the last good step
-  std::vector<DoubleDouble> y{};  ///< the state there
+  DoubleDouble t;  ///< where the run ended: t_end, the last good step, or where a margin is used up (`event`)
+  std::vector<DoubleDouble> y{};       ///< the state there
+  std::vector<double> apart_at_end{};  ///< as in `apart`, with signs
   std::uint64_t steps{}, evaluations{};
   bool bounded{};  ///< nothing lies hidden between the places that were looked at
 };

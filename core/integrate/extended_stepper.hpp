@@ -49,11 +49,14 @@ struct ExtendedSystem {
   unsigned highest_in_doubles{~0U};  ///< order of their series
   /// The defect of the equation at the end of a step that rounding explains, relative to y'.
   double round_off{1e-28};
+  /// The equations are those of the motion while it is not negative. Optional.
+  std::function<double(const DoubleDouble& t, std::span<const DoubleDouble> y)> margin{};
 };
 
 struct ExtendedRunRequest {
   DoubleDouble t_start;
   std::vector<DoubleDouble> y_start;
+  std::vector<double> apart{};  ///< what y_start is off by already; empty: nothing
   DoubleDouble t_end;
   unsigned order{};
   unsigned lower_order{};  ///< taken where it allows steps as long; 0: never

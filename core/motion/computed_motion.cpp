@@ -5,7 +5,8 @@
 namespace qdot {
 
 bool ComputedMotion::is_near_round_off() const {
-  return record_of(simulation.method).has_fixed_step() || tolerances.rtol <= near_round_off;
+  return record_of(simulation.method).has_fixed_step() || tolerances.rtol <= near_round_off ||
+         simulation.begins_beside_kink;
 }
 
 bool ComputedMotion::has_events_in_doubt() const {

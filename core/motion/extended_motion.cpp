@@ -136,6 +136,7 @@ ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRe
   const unsigned order = is_full ? extended_order(rtol, ExtendedExpansion::highest_order) : order_of_mixed;
   const ExtendedRunRequest run{.t_start = request.t_start,
                                .y_start = request.y_start,
+                               .apart = request.apart,
                                .t_end = request.grid.empty() ? request.t_start : request.grid.back(),
                                .order = request.taylor_order > 0 ? request.taylor_order : order,
                                .lower_order = is_full ? 0 : lower_order_of_mixed,

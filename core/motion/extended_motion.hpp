@@ -18,6 +18,7 @@ struct ExtendedMotionRequest {
   };
   std::vector<DoubleDouble> parameters;  ///< all of them, in order
   std::vector<DoubleDouble> y_start;     ///< q, then q'
+  std::vector<double> apart{};           ///< as in ExtendedRunRequest
   DoubleDouble t_start;
   std::vector<DoubleDouble> grid;  ///< increasing, from t_start on; the motion ends with it
   Form form{Form::mixed};

@@ -80,10 +80,6 @@ bool ExtendedPieces::go_to(const ExtendedSystem& system, const DoubleDouble& t) 
     piece_.grid.push_back(grid_[i]);
   piece_.grid.push_back(t);
   if (!go_on(system)) return false;
-  const std::size_t before = (run_.rows - 1) * piece_.y_start.size();
-  apart_at_end_.clear();
-  if (run_.apart.size() > before)
-    apart_at_end_.assign(run_.apart.begin() + static_cast<std::ptrdiff_t>(before), run_.apart.end());
   drop_last_row();
   return true;
 }
@@ -106,14 +102,16 @@ bool ExtendedPieces::go_on(const ExtendedSystem& system) {
   run_.evaluations += piece.evaluations;
   piece_.limits.max_evaluations -= std::min(piece_.limits.max_evaluations, piece.evaluations);
   run_.bounded = run_.bounded && piece.bounded;
-  if (piece.rows < piece_.grid.size()) return false;
+  has_left_ = piece.ending == Ending::event;
+  if (piece.rows < piece_.grid.size() && !has_left_) return false;
   run_.rows += piece.rows;
   run_.states.insert(run_.states.end(), piece.states.begin(), piece.states.end());
   run_.apart.insert(run_.apart.end(), piece.apart.begin(), piece.apart.end());
   pass_on(piece.passed);
-  piece_.t_start = piece_.grid.back();
+  piece_.t_start = piece.t;
   piece_.y_start = piece.y;
-  return true;
+  piece_.apart = piece.apart_at_end;
+  return !has_left_;
 }
 
 /// What earlier pieces have passed counts in later ones.
@@ -142,7 +140,7 @@ bool ExtendedPieces::turn_at_zero(const ExtendedSystem& system, const Function& 
   for (; run_.rows < grid_.size() && !is_before(zero, grid_[run_.rows]); ++run_.rows) {
     move(grid_[run_.rows] - known_);
     run_.states.insert(run_.states.end(), piece_.y_start.begin(), piece_.y_start.end());
-    run_.apart.insert(run_.apart.end(), apart_at_end_.begin(), apart_at_end_.end());
+    for (const double e : piece_.apart) run_.apart.push_back(std::abs(e));
     run_.passed.insert(run_.passed.end(), largest_.begin(), largest_.end());
   }
   move(*d);

@@ -39,9 +39,12 @@ class ExtendedPieces {
   /// At the beginning: t_start and y_start of the request.
   explicit ExtendedPieces(const ExtendedMotionRequest& request);
 
-  /// To t and the rows up to there, or to the end of the grid. False where the motion cannot be followed.
+  /// To t and the rows up to there, or to the end of the grid. False where the motion cannot be followed, or
+  /// where the system's margin is used up: it is there then (has_left).
   [[nodiscard]] bool go_to(const ExtendedSystem& system, const DoubleDouble& t);
   [[nodiscard]] bool finish(const ExtendedSystem& system);
+
+  [[nodiscard]] bool has_left() const { return has_left_; }
 
   using Function = std::function<DoubleDouble(const DoubleDouble& t, std::span<const DoubleDouble> y)>;
   /// To the zero of g beside the place, at most a small part of `duration` away. False where there is none,
@@ -67,8 +70,8 @@ class ExtendedPieces {
   ExtendedMotionRequest piece_;
   std::vector<DoubleDouble> grid_;
   ExtendedRun run_;
-  std::vector<double> largest_;  ///< that was passed, of each component
-  std::vector<double> apart_at_end_;
+  std::vector<double> largest_;       ///< that was passed, of each component
+  bool has_left_{false};              ///< in the last piece
   DoubleDouble known_;                ///< the place where a piece ended in doubles
   std::vector<DoubleDouble> beside_;  ///< the series around it
 };

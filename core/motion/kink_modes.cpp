@@ -65,6 +65,7 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
   const std::vector<double> places = motions_.geometry(sides, t, y);
   const std::size_t row = 2 + y.size();
   std::vector<double> sizes;
+  bool needs_digits = false;
   for (std::size_t k = 0; k < motions_.kinks(); ++k) {
     const std::span<const double> of_kink(places.data() + k * row, row);
     double size = std::abs(of_kink[1] * t);
@@ -72,12 +73,12 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
     sizes.push_back(size);
     if (typed) typed_sides_[k] = motions_.argument_sign(k, sides, *typed);
     if (typed_sides_[k] != 0) sides[k] = typed_sides_[k];
-    if (typed_sides_[k] != 0) continue;
     const double zero = met[k] ? std::max(far * size, far) : round_off * size;
     if (!(std::abs(of_kink[0]) <= zero) && motions_.is_told(sides, k, t, y)) continue;
-    active_.push_back(k);
+    if (typed_sides_[k] == 0) active_.push_back(k);
+    needs_digits = needs_digits || typed_sides_[k] != 0;
   }
-  Way way{sides, std::vector<unsigned>(sides.size()), sizes, {}};
+  Way way{sides, std::vector<unsigned>(sides.size()), sizes, {}, needs_digits};
   if (active_.empty()) return way;
   if (active_.size() > most_at_once) return std::nullopt;
   motions_.look_from(t, y);

@@ -27,9 +27,10 @@ class KinkModes {
   struct Way {
     Sides sides;
     /// For each kink at which the way begins, how many coefficients of u are 0 there; 0 for the others.
-    std::vector<unsigned> contact;
-    std::vector<double> size;         ///< of the numbers that make up u there
-    std::vector<std::size_t> begins;  ///< kinks on which it stays, or from which it goes without a speed
+    std::vector<unsigned> contact{};
+    std::vector<double> size{};         ///< of the numbers that make up u there
+    std::vector<std::size_t> begins{};  ///< kinks on which it stays, or from which it goes without a speed
+    bool needs_digits{false};           ///< a kink's side is known as it was typed, and not in doubles
   };
   /// The next way on is from there.
   void begin_at(SidedMotions::Typed place) { typed_ = std::move(place); }

@@ -109,7 +109,7 @@ void MotionSections::take_back(const Sides& before, double begun, double t, std:
 /// Kinks that follow each other again and again within one instant are met together: infinitely many turns
 /// end there. False where it is farther to them than rounding, and an instant, may have moved the motion.
 bool MotionSections::come_together(double t, std::vector<double>& y) {
-  KinkModes::Way together{.sides = way_.sides, .contact = {}, .size = {}, .begins = {}};
+  KinkModes::Way together{.sides = way_.sides};
   for (std::size_t k = 0; k < met_.size(); ++k) {
     if (met_[k]) together.begins.push_back(k);
   }

@@ -62,6 +62,9 @@ class MotionSections {
   /// at once; empty where nothing is in doubt.
   [[nodiscard]] const std::vector<double>& doubt_of_begin() const { return doubt_of_begin_; }
 
+  /// Whether it has begun beside a kink whose side only the typed digits tell.
+  [[nodiscard]] bool begins_beside_kink() const { return way_.needs_digits; }
+
   /// Whether it was one of several kinks between which the way is not known.
   [[nodiscard]] bool is_unclear() const { return is_unclear_; }
 

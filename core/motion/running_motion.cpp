@@ -15,6 +15,7 @@ RunningMotion::RunningMotion(const Dynamics& all, const SimulationRequest& asked
   result.method = request.method;
   is_determined = sections.begin(result.t, result.y);
   doubt_kinks(sections.doubt_of_begin());
+  result.begins_beside_kink = sections.begins_beside_kink();
   result.symplectic = sections.system().canonical.has_value();
 }
 

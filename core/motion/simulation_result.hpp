@@ -61,7 +61,8 @@ struct Simulation {
   std::optional<double> order_in_doubt;     ///< the first instant where it matters which impact is the first
   bool is_unclear_by_kinks{};
   std::size_t hidden_kinks{};
-  bool kinks_in_doubt{};  ///< the side of one is not told for a while: errors hold what that may move
+  bool kinks_in_doubt{};      ///< the side of one is not told for a while: errors hold what that may move
+  bool begins_beside_kink{};  ///< whose side doubles do not tell, but the digits that were typed
   std::optional<double> unclear_from;  ///< the first where there are more ways than two orders
   std::optional<Stop> stop;
   /// `event` when stopped; anything but that and reached_end is a failure.

@@ -148,6 +148,31 @@ class NearMisses(Service):
                 self.assertFalse(self.judge(answer, lambda t: {"x": inside(t)[0]}, (distance, goal)))
                 self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-4)
 
+    def test_from_a_balance_beside_a_kink_that_no_double_tells(self):
+        """Of x'' = a*(x - 1) + b*|x - k|: on to the kink with one rate, and away from it with the other."""
+        told = 0
+        for a, b, side in ((30, 16, 1), (30, 16, -1), (24, -11, 1), (24, -11, -1)):
+            for size in ("1e-17", "3e-19", "2e-22"):
+                distance, push = side*mpf(size), b*mpf(size)
+                before, after = mpmath.sqrt(a - b*side), mpmath.sqrt(a + b*side)
+                leaves = (push > 0) == (side > 0)
+                met = mpmath.acosh(1 + distance*before**2/push)/before if leaves else mpf(100)
+                rate = push/before*mpmath.sinh(before*met) if leaves else 0
+
+                def truth(t):
+                    if t <= met:
+                        return {"x": 1 + push/before**2*(mpmath.cosh(before*t) - 1)}
+                    centre, s = -a*distance/after**2, t - met
+                    return {"x": 1 + distance + centre - centre*mpmath.cosh(after*s) + rate/after*mpmath.sinh(after*s)}
+
+                kink = mpmath.nstr(1 + distance, 30)
+                scene = lagrangian("kinked", "", "x - 1 0", "x_dot^2/2", forces=[{"name": "f", "value": f"{a}*(x - 1) + {b}*abs(x - {kink})", "along": "x"}])
+                for goal in ({}, {"accuracy": "fast"}, {"max_error": 1e-6}, {"max_error": 1e-3}, {"method": "taylor", "rtol": 1e-6}):
+                    answer = self.motion(scene, t_end=4, **goal)
+                    self.judge(answer, truth, (a, b, distance, goal))
+                    told += answer["accuracy"]["horizon"] is None
+        self.assertGreater(told, 30)
+
     def test_rows_just_before_a_kink_and_just_after_it(self):
         square, start, jump = mpf("1.586"), mpf("0.499"), mpf("11272")
         level = mpf("0.0441405")

@@ -138,6 +138,53 @@ TEST(ExtendedRun, StopsAtAKinkThatNoCoefficientShows) {
   EXPECT_NEAR(run.t.high, 1, 1e-12);
 }
 
+/// sin(1/2) of a motion that is followed while it is below that.
+TEST(ExtendedRun, EndsWhereItsMarginIsUsedUp) {
+  const SineCosine exact = sine_cosine(0.5);
+  for (const double from : {0.0, 1e-31}) {  // rounding before the place where a piece begins
+    ExtendedSystem system = oscillator();
+    system.margin = [&](const DoubleDouble& t, std::span<const DoubleDouble> y) {
+      return t.high == 0 && from > 0 ? -from : (exact.sine - y[0]).value();
+    };
+    const std::vector<DoubleDouble> grid{0.1, 0.4, 0.6, 3.0};
+    const ExtendedRun run = integrate(system, request({0.0, 1.0}, 3.0), grid);
+    ASSERT_EQ(run.ending, Ending::event);
+    EXPECT_EQ(run.rows, 2U);
+    EXPECT_LE(std::abs((run.t - DoubleDouble(0.5)).value()), 1e-30);
+    EXPECT_LE(std::abs((run.y[1] - exact.cosine).value()), 1e-30);
+  }
+}
+
+TEST(ExtendedRun, IsUndeterminedWhereItNeverHadAMargin) {
+  ExtendedSystem system = oscillator();
+  system.margin = [](const DoubleDouble&, std::span<const DoubleDouble>) { return -1.0; };
+  const std::vector<DoubleDouble> grid{0.1, 3.0};
+  const ExtendedRun run = integrate(system, request({0.0, 1.0}, 3.0), grid);
+  EXPECT_EQ(run.ending, Ending::undetermined);
+  EXPECT_EQ(run.rows, 0U);
+}
+
+/// y'' = -y with an error of 1e-20 at the start, which the motion carries on.
+TEST(ExtendedRun, GoesOnWithWhatItsStartIsOffBy) {
+  ExtendedSystem system = oscillator();
+  system.in_doubles.expansion = [](double, std::span<const double> y, unsigned order, std::span<double> c) {
+    c[0] = y[0];
+    c[order + 1] = y[1];
+    for (unsigned k = 1; k <= order; ++k) {
+      c[k] = c[order + k] / k;
+      c[order + 1 + k] = -c[k - 1] / k;
+    }
+    return Evaluation::ok;
+  };
+  ExtendedRunRequest asked = request({0.0, 1.0}, 0.5);
+  asked.apart = {1e-20, 0};
+  const std::vector<DoubleDouble> grid{0.5};
+  const ExtendedRun run = integrate(system, asked, grid);
+  ASSERT_EQ(run.apart_at_end.size(), 2U);
+  EXPECT_NEAR(run.apart_at_end[0], 1e-20 * std::cos(0.5), 1e-23);
+  EXPECT_NEAR(run.apart_at_end[1], -1e-20 * std::sin(0.5), 1e-23);
+}
+
 TEST(ExtendedRun, SpendsNoMoreThanItMay) {
   const ExtendedSystem system = oscillator();
   ExtendedRunRequest limited = request({1.0, 0.0}, 1e6);
