@@ -168,6 +168,22 @@ class Kinks(Statics):
         at_ridge, = [e for e in self.equilibria(scene)["equilibria"] if e["state"]["x"] == 0]
         self.assertEqual(at_ridge["stability"], "unstable")
 
+    def test_at_a_corner_of_one_coordinate_the_others_keep_their_errors(self):
+        """3 y = 1 beside |x|: what rounds y is no part of the kink."""
+        draw = random.Random(5)
+        for _ in range(40):
+            stiffness, load, corner = (draw.choice((3, 0.7, 0.3, 7, 1.1)), draw.choice((1, 1234, 7, 0.1)), draw.choice((0, 0, 0.1)))
+            scene = {"name": "corner", "units": "none", "coordinates": [{"name": "x"}, {"name": "y"}],
+                     "lagrangian": f"(x_dot^2 + y_dot^2)/2 - abs(x - {corner}) - {stiffness}*y^2/2 + {load}*y"}
+            found = self.post("equilibria", {"system": scene}).json()["equilibria"]
+            self.assertEqual(len(found), 1, scene)
+            self.assertEqual(found[0]["state"]["x"], corner)
+            if corner == 0:
+                self.assertEqual(found[0]["error"]["x"], 0)
+            off = abs(number(found[0]["state"]["y"]) - number(load)/number(stiffness))
+            self.assertLessEqual(off, number(found[0]["error"]["y"]) + EXACT, scene)
+            self.assertLessEqual(found[0]["error"]["y"], 1e-14*load/stiffness, scene)
+
     def test_modes_have_no_frequency_there(self):
         for equilibrium in ({}, {"x": 0}):
             problem = self.refused("modes", {"system": particle("abs(x) + x^2/2"), "equilibrium": equilibrium})
