@@ -175,7 +175,7 @@ class Kinks(Statics):
             stiffness, load, corner = (draw.choice((3, 0.7, 0.3, 7, 1.1)), draw.choice((1, 1234, 7, 0.1)), draw.choice((0, 0, 0.1)))
             scene = {"name": "corner", "units": "none", "coordinates": [{"name": "x"}, {"name": "y"}],
                      "lagrangian": f"(x_dot^2 + y_dot^2)/2 - abs(x - {corner}) - {stiffness}*y^2/2 + {load}*y"}
-            found = self.post("equilibria", {"system": scene}).json()["equilibria"]
+            found = self.equilibria(scene)["equilibria"]
             self.assertEqual(len(found), 1, scene)
             self.assertEqual(found[0]["state"]["x"], corner)
             if corner == 0:
