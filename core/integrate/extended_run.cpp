@@ -86,8 +86,8 @@ class ExtendedIntegration {
                         {.sizes = truncated,
                          .sides = separation_->now(),
                          .of_series = truncated,
+                         .acting = stepper_.rounded(),
                          .hidden = stepper_.hidden()});
-    separation_->add(stepper_.rounded(), separation_->now());
   }
 
   /// With the rows up to there.

@@ -77,8 +77,11 @@ std::optional<Ending> ExtendedStepper::step() {
     bounded_ = part > 0;
     if (part > 0) find_hidden(part);
     if (part > 0 && rounding_is_followed) {
-      part = told_part(exact_part(part));
+      part = exact_part(part);
+      const double told = told_part(part);
       bounded_ = !system_.rounding || shows_forces();
+      if (rounded_series_ && bounded_ && !rounded_series_->tells(part)) return Ending::undetermined;
+      part = told;
     }
     if (part > 0 && part < whole) h = part;
   }

@@ -74,15 +74,13 @@ void OwnErrors::follow(const MotionPiece& step) {
   if (!step.rounding.empty()) take_forces(step);
   if (step.defect.empty()) return by_truncation_.follow(step, terms_);
   const bool hides = find_hidden(step.h, step.rows, step.order, step.defect, hidden_);
-  for (std::size_t i = 0; i < sizes_.size(); ++i) {
-    of_series_[i] = step.defect[i] * step.h / step.order;
-    sizes_[i] = of_series_[i] + (step.rounding.empty() ? 0 : of_forces_[i]);
-  }
+  for (std::size_t i = 0; i < sizes_.size(); ++i) of_series_[i] = step.defect[i] * step.h / step.order;
   // One sample may be so small that last digits alone tell how it grows.
   by_truncation_.follow(step, terms_,
-                        {.sizes = sizes_,
+                        {.sizes = of_series_,
                          .sides = by_rounding_.now(),
                          .of_series = of_series_,
+                         .acting = step.rounding.empty() ? std::span<const double>() : of_forces_,
                          .hidden = hides ? std::span<const double>(hidden_) : std::span<const double>(),
                          .longest_part = by_rounding_.shortest_part()});
 }

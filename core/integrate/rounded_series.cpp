@@ -9,7 +9,8 @@
 namespace qdot {
 namespace {
 
-constexpr double last_bit = 0x1p-53, moved_by = 0x1p-26;
+constexpr double last_bit = 0x1p-53, most_enlarged = 0x1p27;
+constexpr double least_enlarged = 16;
 constexpr double small_off = 0.005;  ///< as ExtendedStepper holds the terms of the motion itself
 constexpr double shorter = 0.8;
 constexpr int most_shorter = 200;
@@ -30,11 +31,10 @@ void RoundedSeries::take(double t, std::span<const DoubleDouble> c, unsigned ord
   y_.resize(width);
   c_.resize(width * (order_ + 1));
   r_.assign(width * order_, 0.0);
+  enlarge(c, order, of_forces, h);
   for (std::size_t i = 0; i < width; ++i) {
-    const auto size = [&](std::size_t k) { return std::abs(c[k * (order + 1)].high); };
-    const double y = c[i * (order + 1)].high;
-    const double pushed = i < n ? 0 : std::min(h * of_forces[i - n] / last_bit, size(i - n) / h);
-    y_[i] = y + moved_by * aside(random) * (std::abs(y) + pushed);
+    const double y = c[i * (order + 1)].high, pushed = i < n ? 0 : h * of_forces[i - n];
+    y_[i] = y + enlarged_ * aside(random) * (last_bit * std::abs(y) + pushed);
   }
   if (order < order_ || in_doubles_.expansion(t, y_, order_, c_) != Evaluation::ok) return;
   own_.assign(width * (order_ + 1), 0.0);
@@ -43,10 +43,23 @@ void RoundedSeries::take(double t, std::span<const DoubleDouble> c, unsigned ord
   for (std::size_t i = 0; i < width; ++i) {
     for (unsigned k = 1; k <= order_; ++k) {
       const double moved = std::abs(c_[i * (order_ + 1) + k] - c[i * (order + 1) + k].high);
-      r_[i * order_ + k - 1] = std::isfinite(moved) ? last_bit / moved_by * moved : 0;
+      r_[i * order_ + k - 1] = std::isfinite(moved) ? moved / enlarged_ : 0;
     }
   }
   take_share(c, order, told_part(h));
+}
+
+void RoundedSeries::enlarge(std::span<const DoubleDouble> c, unsigned order,
+                            std::span<const double> of_forces, double h) {
+  const std::size_t n = of_forces.size();
+  const auto size = [&](std::size_t i) { return std::abs(c[i * (order + 1)].high); };
+  enlarged_ = most_enlarged;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double pushed = h * of_forces[i], room = std::max(size(n + i), size(i) / h);
+    if (pushed * enlarged_ > room) enlarged_ = room / pushed;
+  }
+  is_pushed_ = enlarged_ < least_enlarged;
+  enlarged_ = std::max(enlarged_, least_enlarged);
 }
 
 /// By the coefficients that are known in both.

@@ -167,7 +167,7 @@ enum class Ending {
   blow_up,         ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
   no_convergence,  ///< gauss: no solution found for the equations of a step; h is too long at this place
   given_up,        ///< RunRequest::goes_on said no
-  undetermined     ///< at a kink the equations do not tell how a motion goes on (core/motion)
+  undetermined     ///< how the motion goes on is not told: at a kink, or by coefficients in doubles
 };
 
 /// As asked for, or at a terminal event.

@@ -38,7 +38,8 @@ class Separation {
   struct Errors {
     std::span<const double> sizes{}, sides{};
     std::span<const double> of_series{};  ///< of them by truncation, which goes with the length as s^order
-    std::span<const double> hidden{};     ///< beside them what may have acted from its beginning on
+    std::span<const double> acting{};     ///< beside them what comes all through it, as by a force
+    std::span<const double> hidden{};     ///< and what may have acted from its beginning on
     double longest_part{1};               ///< of the step, by which e is followed
   };
   /// The reference has taken this step, and has these terms. Where the original has no values e stays as it
@@ -89,6 +90,8 @@ class Separation {
   void add_part(unsigned order, const Part& part);
   void take_some(unsigned order);
   [[nodiscard]] double growth() const;
+  [[nodiscard]] double part_of_acting() const;
+  [[nodiscard]] bool begin_with_acting(const MotionPiece& step, const StepTerms& terms);
   void note_growth(unsigned order);
   void release_what_is_pushed();
   [[nodiscard]] bool are_together() const;
@@ -109,6 +112,7 @@ class Separation {
   Known known_;  ///< of this step
   double shortest_part_{1};
   double late_growth_{1};  ///< of what this step has made, in it
+  double acting_left_{1};  ///< of what acts all through it, for its end
   std::vector<double> e_, largest_;
   std::vector<double> y_;      ///< of the reference where the step begins
   std::vector<double> size_;   ///< |y| up to there, of either motion

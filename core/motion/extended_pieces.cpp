@@ -103,6 +103,7 @@ bool ExtendedPieces::go_on(const ExtendedSystem& system) {
   piece_.limits.max_evaluations -= std::min(piece_.limits.max_evaluations, piece.evaluations);
   run_.bounded = run_.bounded && piece.bounded;
   has_left_ = piece.ending == Ending::event;
+  run_.ending = piece.ending;
   if (piece.rows < piece_.grid.size() && !has_left_) return false;
   run_.rows += piece.rows;
   run_.states.insert(run_.states.end(), piece.states.begin(), piece.states.end());

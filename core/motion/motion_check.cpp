@@ -37,6 +37,7 @@ constexpr double at_an_end = 1e-9;           ///< of the span: there an event ma
 /// those of the motion. A component that is small again after a pulse has it still.
 constexpr double common_rounding = 0x1p-53;
 constexpr std::uint64_t cost_of_digits = 3;  ///< of an evaluation in double-doubles
+constexpr std::uint64_t cost_of_all_digits = 12;
 
 /// Every number by some units in the last place, up and down in turn and each of four in a row by another
 /// amount, so that the difference and the ratio of two that are near each other move as well: what rounding
@@ -289,10 +290,18 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
                        motion.request.t_start, instants);
   request.look_for_hidden = true;
   request.limits.max_evaluations = evaluations_left / cost_of_digits;
-  const std::optional<ExtendedRun> found = extended_states_of(first, motion.dynamics, request);
+  std::optional<ExtendedRun> found = extended_states_of(first, motion.dynamics, request);
   if (!found) return {};
+  SharperMotion result{.simulation = {}, .evaluations = cost_of_digits * found->evaluations};
+  if (found->ending == Ending::undetermined) {
+    request.form = ExtendedMotionRequest::Form::full;
+    request.follow_rounding = true;
+    request.limits.max_evaluations = evaluations_left / cost_of_all_digits;
+    found = extended_states_of(first, motion.dynamics, request);
+    if (!found) return result;
+    result.evaluations += cost_of_all_digits * found->evaluations;
+  }
   const ExtendedRun& run = *found;
-  SharperMotion result{.simulation = {}, .evaluations = cost_of_digits * run.evaluations};
   if (run.rows == 0 || !run.bounded) return result;
   Simulation& sharper = result.simulation.emplace();
   sharper.rows = run.rows;

@@ -140,6 +140,22 @@ class RoundingInForces(Service):
                     if stop.get("error") is not None:
                         self.assertLessEqual(abs(mpf(stop["t"]) - mpmath.acos(mpf(wall))), mpf(stop["error"]), request)
 
+    def test_growth_from_where_doubles_leave_nothing_of_the_force(self):
+        """x'' = c*x but for x^2, and a push p: x = (x0 + p/c)*cosh(sqrt(c)*t) - p/c up to 1e-5 or so."""
+        told = 0
+        for force, c in (("20*(exp(x) - 1)", 20), ("20*log(1 + x)", 20), ("20*(sqrt(1 + 2*x) - 1)", 20), ("20*(1 - exp(-x))", 20),
+                         ("18*x + 3*(abs(x - 0.5) - 0.5)", 15)):
+            for size, reach in (("1e-15", "2e-6"), ("1e-20", "1e-5"), ("1e-25", "3e-6"), ("1e-29", "1e-6")):
+                for push in (0, 1):
+                    start = mpf(size)/(c if push else 1)
+                    t_end = float(mpmath.nstr(mpmath.acosh(mpf(reach)/start)/mpmath.sqrt(c), 3))
+                    true = start*mpmath.cosh(mpmath.sqrt(c)*mpf(t_end)) - (start if push else 0)
+                    for goal in ({}, {"max_error": 1e-6}, {"accuracy": "fast"}, {"max_error": 1e-9}):
+                        answer = self.ask(force + f" + {size}"*push, "", "0" if push else size, t_end, goal)
+                        self.judge(answer, [true], allowed=true*true)
+                        told += answer["accuracy"].get("meets_request", True) is False
+        self.assertGreater(told, 40)
+
     def test_a_wanted_error_is_not_met_where_rounding_leaves_nothing_of_the_force(self):
         answer = self.ask(VANISHING[0], "a - 1e-20; b - 1e20", 1, 3, {"max_error": 1e-6})
         self.assertFalse(answer["accuracy"]["meets_request"])
