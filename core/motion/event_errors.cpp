@@ -22,6 +22,8 @@ constexpr double much_more = 2;  ///< than slopes say: they are not the same all
 constexpr double seen_beside = 16, some_roundings = 8, as_steep = 0.25;
 constexpr double several_instants = 64;  ///< round-offs of time: zeros as near have one instant
 constexpr double shortest_time = 1e-300;
+constexpr double short_beside = 1e-6;   ///< the time that has passed: errors do not grow in it
+constexpr double most_growth = 1;       ///< by the second order, of what is there by the first
 constexpr double share = 1e-4;          ///< of that time, for slopes along the motion
 constexpr double next_share = 10;       ///< times that, where values are rounded by as much as they change
 constexpr double farthest_share = 0.1;  ///< of the time in which the motion goes through a component
@@ -123,19 +125,21 @@ std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::spa
   const std::optional<Time> time = time_of(watch, place, shortest, own_time);
   if (!time) return std::nullopt;
   const double merged = time->by_slope ? 0 : several_instants * time_round_off(t);
-  EventError error = with_state(std::max(time->error, at_least) + merged, std::move(place));
-  error.is_single = time->by_slope;
+  auto error = with_state(std::max(time->error, at_least) + merged, std::move(place));
+  if (error) error->is_single = time->by_slope;
   return error;
 }
 
-EventError EventErrors::with_state(double time, Place place) {
+std::optional<EventError> EventErrors::with_state(double time, Place place) {
   std::vector<double> changes(place.y.size());
+  const auto errors = errors_after(time, place);
+  if (!errors) return std::nullopt;
   for (const double tau : {-time, time}) {
     const std::vector<double> y = state_after(tau, place);
     for (std::size_t k = 0; k < y.size(); ++k) changes[k] = std::max(changes[k], std::abs(y[k] - place.y[k]));
   }
-  for (std::size_t k = 0; k < changes.size(); ++k) changes[k] = tried_first * changes[k] + place.errors[k];
-  return {time, std::move(changes)};
+  for (std::size_t k = 0; k < changes.size(); ++k) changes[k] = tried_first * changes[k] + (*errors)[k];
+  return EventError{time, std::move(changes)};
 }
 
 std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, Place& place, double shortest,
@@ -223,13 +227,48 @@ bool EventErrors::is_clear_of_zero(double tau, const Watch& watch, const Place& 
   for (const double length : {-tau, tau}) {
     const std::vector<double> y = state_after(tried_first * length, place);
     const double t = place.t + tried_first * length, value = watch.value(t, y);
-    const Place there{t, y, accelerations(t, y), place.errors, place.own_time};
+    const auto errors = errors_after(length, place);
+    if (!errors) return false;
+    const Place there{t, y, accelerations(t, y), *errors, place.own_time};
     const double doubt = linear(watch, there).doubt - std::abs(value) + watch.own_rounding(t, y);
     if (!(std::abs(value) >= nearly_all * doubt)) return false;
     if (before != 0) return (before < 0) != (value < 0);
     before = value;
   }
   return false;
+}
+
+/// What each component may be off by then; none where that is told no longer.
+std::optional<std::vector<double>> EventErrors::errors_after(double tau, const Place& place) {
+  const std::size_t n = place.y.size() / 2;
+  std::vector<double> errors = place.errors;
+  const double length = std::abs(tau);
+  const bool is_short = length <= short_beside * (place.t - t_start_);
+  if (!is_short && place.apart.empty()) take_apart(place);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double moved = length * place.errors[n + i], apart = is_short ? 0 : length * place.apart[i];
+    if (!(length * apart <= most_growth * (place.errors[i] + moved))) return std::nullopt;
+    errors[i] += moved + length * apart / 2;
+    errors[n + i] += apart;
+  }
+  return errors;
+}
+
+void EventErrors::take_apart(const Place& place) {
+  std::vector<double> moved(place.y.begin(), place.y.end());
+  place.apart.resize(place.accelerations.size());
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    moved[k] = place.y[k] + place.errors[k];
+    const std::vector<double> beyond = accelerations(place.t, moved);
+    moved[k] = place.y[k] - place.errors[k];
+    const std::vector<double> before = accelerations(place.t, moved);
+    moved[k] = place.y[k];
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+      const double change = (beyond[i] - before[i]) / 2;
+      const bool is_damping = k == beyond.size() + i && change < 0;
+      if (!is_damping) place.apart[i] += std::abs(change);
+    }
+  }
 }
 
 /// By the midpoint rule: right up to tau^2.
@@ -280,14 +319,16 @@ std::optional<int> EventErrors::sign_after(double tau, const Watch& watch, const
     ahead[n + i] += tau * place.accelerations[i];
   }
   const std::vector<double> then = accelerations(place.t + tau, ahead);
+  const auto errors = errors_after(tau, place);
+  if (!errors) return std::nullopt;
   std::vector<Interval> box(2 * n);
   const auto within = [](double middle, double radius) { return Interval(middle - radius, middle + radius); };
   for (std::size_t i = 0; i < n; ++i) {
     const double change = then[i] - place.accelerations[i];
     const double q = ahead[i] + tau * tau * (place.accelerations[i] / 2 + change / 6);
     const double v = ahead[n + i] + tau * change / 2;
-    box[i] = within(q, place.errors[i] + tau * tau * std::abs(change) / 6);
-    box[n + i] = within(v, place.errors[n + i] + std::abs(tau * change) / 2);
+    box[i] = within(q, (*errors)[i] + tau * tau * std::abs(change) / 6);
+    box[n + i] = within(v, (*errors)[n + i] + std::abs(tau * change) / 2);
   }
   const int sign = sign_within(watch, place.t + tau, box, place.cancels);
   return sign != 0 ? std::optional(sign) : std::nullopt;

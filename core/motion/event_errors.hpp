@@ -10,7 +10,12 @@
 //   (|g| + sum_k |dg/dy_k| e_k)/|g'|,
 //
 // where the search for it begins; at a multiple root, or a level that is nearly touched, it may be any
-// larger. It is as good as the e_k are, which are estimates. Where intervals are too wide to tell, slopes and
+// larger. In tau the e_k grow as well:
+//
+//   e_q + tau e_v + tau^2/2 e_a,   e_v + tau e_a,   e_a,i = sum_k |da_i/dy_k| e_k,
+//
+// and where the second order is not small any more, as beside the top of a hill, nothing is told. It is as
+// good as the e_k are, which are estimates. Where intervals are too wide to tell, slopes and
 // curvatures do. Where no such tau exists, whether g changes sign
 // at all is no more certain than the motion itself.
 //
@@ -56,8 +61,9 @@ class EventErrors {
     double t{};
     std::span<const double> y;
     std::vector<double> accelerations, errors;
-    double own_time{};  ///< in which the motion goes through one of its components
-    bool cancels{};     ///< terms of the function change by more than it does
+    double own_time{};                    ///< in which the motion goes through one of its components
+    mutable std::vector<double> apart{};  ///< e_a, where it has been asked for
+    bool cancels{};                       ///< terms of the function change by more than it does
   };
   struct Time {
     double error{};
@@ -65,11 +71,13 @@ class EventErrors {
   };
   [[nodiscard]] std::optional<Time> time_of(const Watch& watch, Place& place, double shortest,
                                             double own_time);
-  [[nodiscard]] EventError with_state(double time, Place place);
+  [[nodiscard]] std::optional<EventError> with_state(double time, Place place);
   [[nodiscard]] std::optional<Time> by_slopes(const Watch& watch, const Place& place, double own_time,
                                               double doubt);
   [[nodiscard]] bool is_as_steep(double tau, double slope, const Watch& watch, const Place& place);
   [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);
+  [[nodiscard]] std::optional<std::vector<double>> errors_after(double tau, const Place& place);
+  void take_apart(const Place& place);
   [[nodiscard]] std::vector<double> state_after(double tau, const Place& place);
   struct Linear {
     double doubt{};  ///< |g| + sum_k |dg/dy_k| e_k

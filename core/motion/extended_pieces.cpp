@@ -130,6 +130,7 @@ bool ExtendedPieces::jump_at_zero(const ExtendedSystem& system, const Function& 
   const auto d = zero_beside(system, g, duration);
   if (!d || has_row_within(known_.high, 2 * std::abs(d->high))) return false;
   move(*d);
+  piece_.apart.clear();  // what the jump makes of it is not known
   return true;
 }
 

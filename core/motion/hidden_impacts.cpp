@@ -112,6 +112,23 @@ class HiddenImpacts {
   std::vector<Bounce> bounces_;
 };
 
+/// Of what is watched, where the motion ends within these errors.
+std::vector<EventDoubt> near_zero_at_end(const ComputedMotion& motion, std::span<const double> errors,
+                                         const std::vector<Watch>& watched) {
+  const Simulation& simulation = motion.simulation;
+  std::vector<Interval> box;
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    box.emplace_back(simulation.y[k] - errors[k], simulation.y[k] + errors[k]);
+  std::vector<EventDoubt> doubts;
+  for (const Watch& watch : watched) {
+    const Interval distance = watch.enclosure(simulation.t, box);
+    if (!distance.contains(0.0)) continue;
+    doubts.push_back({watch.name, "Where the motion ends it is as near to '" + watch.name +
+                                      "' as its error: whether it happens there cannot be told."});
+  }
+  return doubts;
+}
+
 }  // namespace
 
 void add_hidden_impacts(const ComputedMotion& motion, Simulation& check) {
@@ -144,17 +161,20 @@ std::vector<EventDoubt> impacts_at_end(const ComputedMotion& motion, std::span<c
   const bool has_just_passed = !simulation.sections.empty() && simulation.sections.back().t == simulation.t;
   const bool is_wanted = motion.request.impacts == Impacts::apply && !errors.empty();
   if (!is_wanted || simulation.stop || has_just_passed) return {};
-  std::vector<Interval> box;
-  for (std::size_t k = 0; k < errors.size(); ++k)
-    box.emplace_back(simulation.y[k] - errors[k], simulation.y[k] + errors[k]);
-  std::vector<EventDoubt> doubts;
-  for (const Watch& watch : watches_of_impacts(motion)) {
-    const Interval distance = watch.enclosure(simulation.t, box);
-    if (!distance.contains(0.0)) continue;
-    doubts.push_back({watch.name, "Where the motion ends it is as near to '" + watch.name +
-                                      "' as its error: whether it happens there cannot be told."});
-  }
-  return doubts;
+  return near_zero_at_end(motion, errors, watches_of_impacts(motion));
+}
+
+std::vector<EventDoubt> events_at_end(const ComputedMotion& motion, std::span<const double> errors) {
+  const Simulation& simulation = motion.simulation;
+  const std::size_t n = simulation.y.size() / 2;
+  const bool moves = std::ranges::any_of(std::span(simulation.y).last(n), [](double v) { return v != 0; });
+  if (motion.request.events.empty() || errors.empty() || simulation.stop || !moves) return {};
+  std::vector<Watch> reported = watches(motion.dynamics, {.parameters = motion.request.parameters,
+                                                          .events = motion.request.events,
+                                                          .on_invalid = OnInvalid::go_on,
+                                                          .impacts = Impacts::ignore});
+  std::erase_if(reported, [](const Watch& watch) { return watch.kind != Watch::Kind::event; });
+  return near_zero_at_end(motion, errors, reported);
 }
 
 }  // namespace qdot

@@ -18,6 +18,10 @@ void add_hidden_impacts(const ComputedMotion& motion, Simulation& check);
 [[nodiscard]] std::vector<EventDoubt> impacts_at_end(const ComputedMotion& motion,
                                                      std::span<const double> errors);
 
+/// The same of events, which are reported only.
+[[nodiscard]] std::vector<EventDoubt> events_at_end(const ComputedMotion& motion,
+                                                    std::span<const double> errors);
+
 /// Impacts of which there may be more between the last one and the end than were met.
 [[nodiscard]] std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion);
 

@@ -224,6 +224,7 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.horizon = comparison.horizon && rests_within_rounding() ? std::nullopt : comparison.horizon;
   result_.at_impacts = std::move(comparison.at_impacts);
   note_impacts_at_end();
+  result_.events_in_doubt.add(events_at_end(motion(), result_.max_abs_error));
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
     result_.reason = accuracy_reasons::may_not_stop;
   if (result_.reason.empty() && may_reach_end()) result_.reason = accuracy_reasons::may_reach_end;

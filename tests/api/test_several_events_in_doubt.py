@@ -57,6 +57,29 @@ class SeveralEventsInDoubt(Service):
                 self.assertNotIn("reason", answer["accuracy"])
                 self.assertLess(max(event["error"] for event in answer["events"]), 1e-13)
 
+    def test_beside_the_top_of_a_hill(self):
+        """Whether, and when, a motion goes over it its errors leave open; times are those of 70 digits."""
+        for text, start, t_end, goal, true in (
+                ("2.864*x_dot^2/2 + 6.013*x^2/2 - 0.504*x^4/4", "0.222 -0.321338748805958306497404", 20.91, {"rtol": 1e-13}, 19.2374),
+                ("x_dot^2/2 + 6.707*log(1 + x^2)/2", "0.836 -1.885355844466774", 7.55, {}, None),
+                ("2.277*x_dot^2/2 + 4.414*x^2/2 + 1.192*x*abs(x)/2", "0.339 -0.53191805217462681", 18.19, {}, None),
+                ("2.561*x_dot^2/2 + 2.763*x^2/2 + 0.784*x*abs(x)/2", "-1.365 1.19991576481001111507", 29.73, {"rtol": 1e-13}, 28.07771875)):
+            with self.subTest(text):
+                scene = lagrangian("hill", "", f"x - {start}", text, events=[{"name": "top", "expression": "x"}])
+                del scene["parameters"]
+                answer = self.ask("simulate", {"system": scene, "t_end": t_end, "samples": 2, "events": ["top"], **goal})
+                met = answer["events"]
+                is_right = bool(met) and true is not None and met[0]["error"] is not None and abs(met[0]["t"] - true) <= met[0]["error"]
+                self.assertTrue(is_right or "top" in answer["accuracy"].get("reason", ""), answer["accuracy"])
+
+    def test_one_whose_time_is_known_beyond_the_end_is_in_doubt(self):
+        """Free flight over x = 1 at t_end, to all digits that there are."""
+        for past in (0, 1e-17):
+            scene = lagrangian("flight", "", "x - 0.1 0.3", "x_dot^2/2", events=[{"name": "line", "expression": f"x - 1 - {past}"}])
+            del scene["parameters"]
+            answer = self.ask("simulate", {"system": scene, "t_end": 3, "samples": 2, "events": ["line"]})
+            self.assertIn("line", answer["accuracy"]["reason"])
+
     def met(self, function, begin, end):
         """By x = 0.5 + t - begin."""
         scene = lagrangian("free", "", "x - 0.5 1", "x_dot^2/2", events=[{"name": "e", "expression": function}])
