@@ -5,6 +5,7 @@
 #include "api/answers/equilibria/solution.hpp"
 #include "api/answers/equilibria/walls.hpp"
 #include "api/answers/exact_json.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
 #include "api/answers/units_of.hpp"
@@ -239,6 +240,8 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
     return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
   if (!request.solve_for)
     std::ranges::copy(notes_on_rates(dynamics, request.system, system.state), std::back_inserter(call.notes));
+  if (!system.model().has_constraints())
+    note_limits(system.scene(), dynamics.statics(system.state.parameters)->reduction.limits, call);
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
 
