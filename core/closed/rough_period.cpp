@@ -148,15 +148,8 @@ bool has_pole(const SquaredSpeed& e, const Way& way) {
   return !(extreme_near(e, way.place(top), way.step, 1) < without_bound * usual);
 }
 
-/// Whether one of the functions that `sides` tells of changes its sign.
 bool meets_barrier(const SquaredSpeed& e, double from, double to) {
-  if (!e.sides) return false;
-  const double step = (to - from) / pieces;
-  const std::vector<bool> first = e.sides(from + step / 2);
-  for (int i = 1; i < pieces; ++i) {
-    if (e.sides(from + (i + 0.5) * step) != first) return true;
-  }
-  return false;
+  return e.meets_barrier && e.meets_barrier(from, to, pieces);
 }
 
 bool has_pole(const SquaredSpeed& e, double from, double to) {
