@@ -12,16 +12,34 @@
 
 namespace qdot::api {
 
+namespace {
+
+bool is_valid(const Model& model, std::size_t parameter, const Reals& values) {
+  return std::isfinite(values[parameter]) &&
+         model.scene.parameters[parameter].domain.contains(values[parameter]);
+}
+
+/// A default that no value of the request stands in is the scene's own mistake.
+[[noreturn]] void refuse_default(const Model& model, std::size_t parameter) {
+  const std::string& name = model.scene.parameters[parameter].name;
+  const Reals by_default = parameter_values(model, {});
+  if (is_valid(model, parameter, by_default))
+    throw Error(ErrorCode::invalid_parameters,
+                "The default of " + name + " has no valid value here: give " + name + ".");
+  throw SceneError({{"/parameters/" + std::to_string(parameter) + "/default", "domain",
+                     "The default of " + name + " has no valid value: correct it, or give " + name +
+                         " with the request."}});
+}
+
+}  // namespace
+
 ResolvedState resolved_state(const Model& model, const SystemChoice& choice) {
   const RealValues parameters(choice.parameters.begin(), choice.parameters.end());
   const RealValues initial(choice.initial.begin(), choice.initial.end());
   ResolvedState state;
   state.parameters = parameter_values(model, parameters);
   for (std::size_t i = 0; i < state.parameters.size(); ++i) {
-    const Parameter& p = model.scene.parameters[i];
-    if (std::isfinite(state.parameters[i]) && p.domain.contains(state.parameters[i])) continue;
-    throw Error(ErrorCode::invalid_parameters,
-                "The default of " + p.name + " has no valid value here: give " + p.name + ".");
+    if (!is_valid(model, i, state.parameters)) refuse_default(model, i);
   }
   refuse_wrong_restitutions(model.parsed, state.parameters);
   refuse_impossible_moments(model.parsed, state.parameters);

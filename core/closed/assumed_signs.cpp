@@ -100,7 +100,9 @@ void AssumedSigns::let_go(const std::vector<Expression>& symbols, const OtherPla
     int& sign = known_[e.id()];
     const Expression positive = sign < 0 ? -e : e;
     const bool is_known = std::exchange(sign, 0) != 0;
-    if (is_known) take(positive);
+    if (!is_known) continue;
+    take(positive);
+    take(pow(e, Number(2)));
   }
 }
 
@@ -133,6 +135,7 @@ std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tr
     if (!is_refuted(all, *chosen, other_tries > 0, random)) break;
     chosen = that_tell(all);
   }
+  if (chosen && is_refuted_at_zeros(all, *chosen, other_tries > 0)) chosen = that_tell(all);
   if (!chosen) return std::nullopt;
   std::vector<std::string> needed;
   for (const std::size_t i : *chosen) needed.push_back(inequality(values_, open_[i].e));
@@ -308,7 +311,8 @@ int AssumedSigns::sign_of(const Expression& e) const {
   if (const auto* power = std::get_if<Power>(&node)) {
     const auto exponent = power->exponent.small();
     const bool is_odd = exponent && exponent->denominator % 2 != 0 && exponent->numerator % 2 != 0;
-    return is_odd ? of(power->base) : 1;
+    if (is_odd) return of(power->base);
+    return std::ranges::find(let_go_, power->base, &Expression::id) == let_go_.end() ? 1 : 0;
   }
   const Function function = std::get<Call>(node).function;
   return function == Function::exp || function == Function::cosh ? 1 : 0;

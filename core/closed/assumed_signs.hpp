@@ -74,6 +74,7 @@ class AssumedSigns {
   [[nodiscard]] bool hold_at(const std::vector<std::size_t>& chosen, const FarPlace& place) const;
   bool is_refuted_inside(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
                          std::minstd_rand& random);
+  bool is_refuted_at_zeros(Tries& all, const std::vector<std::size_t>& chosen, bool by_others) const;
   /// As the relations say, and with what the motion makes of it where such places are tried.
   [[nodiscard]] std::optional<FarPlace> other_place(FarPlace place, bool by_others) const;
   std::optional<bool> claimed_at(const FarPlace& made_of, Tries& all, const std::vector<std::size_t>& chosen,

@@ -6,6 +6,7 @@
 
 #include "core/closed/joined_roots.hpp"
 #include "core/closed/linear_factors.hpp"
+#include "core/closed/sine_squares.hpp"
 #include "core/closed/split_roots.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/print/print.hpp"
@@ -160,10 +161,13 @@ Expression short_form(const ExactValues& values, const Expression& formula) {
     return with_linear_factors(with_joined_roots(with_split_roots(e, sign), sign));
   };
   const Expression put_in = with_short_exponentials(with_exponents_put_in(values, formula));
-  const Expression plain = shortened(put_in), other = with_fractions_under_roots(put_in);
-  if (other == put_in) return plain;
-  const Expression joined = shortened(other);
-  return written_length(joined) < written_length(plain) ? joined : plain;
+  Expression best = shortened(put_in);
+  for (const Expression& other : {with_fractions_under_roots(put_in), with_sine_squares(put_in, sign)}) {
+    if (other == put_in) continue;
+    const Expression found = shortened(other);
+    if (written_length(found) < written_length(best)) best = found;
+  }
+  return best;
 }
 
 std::optional<ClosedForm> closed_form(const ExactValues& values, const Expression& formula,

@@ -106,6 +106,27 @@ bool AssumedSigns::is_refuted(Tries& all, const std::vector<std::size_t>& chosen
   return is_refuted;
 }
 
+/// Between both signs of what is let go.
+bool AssumedSigns::is_refuted_at_zeros(Tries& all, const std::vector<std::size_t>& chosen,
+                                       bool by_others) const {
+  constexpr int each = 3;
+  std::minstd_rand random;
+  bool is_refuted = false;
+  for (const Expression& zero : let_go_) {
+    for (int number = 0; number < each; ++number) {
+      FarPlace place = far_place(number, random);
+      const auto at = std::ranges::find(place, zero, &RealAssignment::first);
+      const auto i = static_cast<std::size_t>(at - place.begin());
+      if (i < values_.symbols().size() && !values_.model().scene.parameters[i].domain.contains(0)) break;
+      at->second = Real(0);
+      for (const bool by_motion : {false, true}) {
+        if (!by_motion || by_others) is_refuted |= claimed_at(place, all, chosen, by_motion) == false;
+      }
+    }
+  }
+  return is_refuted;
+}
+
 /// Whether the claim holds; none where nothing is claimed, or something is broken that is chosen.
 std::optional<bool> AssumedSigns::claimed_at(const FarPlace& made_of, Tries& all,
                                              const std::vector<std::size_t>& chosen, bool by_others) const {

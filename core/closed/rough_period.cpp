@@ -38,17 +38,20 @@ std::span<const double> looked_at(const SquaredSpeed& e) {
 
 bool moves(double squared_speed) { return squared_speed > 0 && std::isfinite(squared_speed); }
 
-/// Where e becomes 0 between a place that is reached and one that is not; no number at a pole, or where e
-/// ends to have values. `size`: of e on the way, so that rounding next to an end is none.
-double end_between(const SquaredSpeed& e, double reached, double beyond, double size) {
+/// The last place that is reached before one that is not.
+double end_between(const SquaredSpeed& e, double reached, double beyond) {
   constexpr int halvings = 200;
   for (int i = 0; i < halvings; ++i) {
     const double middle = reached + (beyond - reached) / 2;
     if (middle == reached || middle == beyond) break;
     (moves(e.at(middle)) ? reached : beyond) = middle;
   }
-  return std::abs(e.at(reached)) < rough * size ? reached : std::numeric_limits<double>::quiet_NaN();
+  return reached;
 }
+
+/// Whether e becomes 0 there, and no pole is there or an end of its values. `size`: of e on the way, so that
+/// rounding next to an end is none.
+bool turns_at(const SquaredSpeed& e, double end, double size) { return std::abs(e.at(end)) < rough * size; }
 
 /// Sines and cosines of pi ((i + 1/2)/n - 1/2).
 struct Angles {
@@ -148,15 +151,8 @@ bool has_pole(const SquaredSpeed& e, const Way& way) {
   return !(extreme_near(e, way.place(top), way.step, 1) < without_bound * usual);
 }
 
-/// Whether one of the functions that `sides` tells of changes its sign.
 bool meets_barrier(const SquaredSpeed& e, double from, double to) {
-  if (!e.sides) return false;
-  const double step = (to - from) / pieces;
-  const std::vector<bool> first = e.sides(from + step / 2);
-  for (int i = 1; i < pieces; ++i) {
-    if (e.sides(from + (i + 0.5) * step) != first) return true;
-  }
-  return false;
+  return e.meets_barrier && e.meets_barrier(from, to, pieces);
 }
 
 bool has_pole(const SquaredSpeed& e, double from, double to) {
@@ -211,11 +207,15 @@ Likeness compared_within(const SquaredSpeed& e, std::span<const double> places, 
                          std::size_t next, double period) {
   double size = 0;
   for (std::size_t i = first; i < next; ++i) size = std::max(size, e.at(places[i]));
-  const double from = first > 0 ? end_between(e, places[first], places[first - 1], size) : e.below;
-  const double to = next < places.size() ? end_between(e, places[next - 1], places[next], size) : e.above;
+  const bool is_open_below = first == 0, is_open_above = next == places.size();
+  const double from = is_open_below ? e.below : end_between(e, places[first], places[first - 1]);
+  const double to = is_open_above ? e.above : end_between(e, places[next - 1], places[next]);
   const double low = std::isfinite(from) ? from : places[first];
   const double high = std::isfinite(to) ? to : places[next - 1];
   if (e.start && !is_between(*e.start, low, high)) return Likeness::unknown;
+  size = std::max(size, e.at((low + high) / 2));  // the only place that was looked at may be an end
+  if (!(is_open_below || turns_at(e, from, size)) || !(is_open_above || turns_at(e, to, size)))
+    return Likeness::other;
   return compared(e, from, to, period);
 }
 

@@ -22,8 +22,9 @@ struct SquaredSpeed {
   double below{-infinity}, above{infinity};  ///< walls
   std::optional<double> start{};             ///< where the motion is, if it is known
   bool may_have_poles{true};                 ///< e may grow without bound at a place
-  /// Of functions whose zeros no motion passes, which of them are positive at a place; empty: there are none.
-  std::function<std::vector<bool>(double)> sides{};
+  /// Whether a place that no motion passes is seen on a way that is looked at in so many pieces; empty: there
+  /// is none.
+  std::function<bool(double from, double to, int pieces)> meets_barrier{};
 };
 
 /// Whether one of the motions to and fro that are found, or the one from the start, has this period, or none

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/closed/barriers.hpp"
 #include "core/compile/tape_builder.hpp"
 
 namespace qdot {
@@ -42,11 +41,7 @@ SpeedAt::SpeedAt(const QuadratureProblem& problem, const FarPlace& like) {
   tape.output(squared_speed);
   may_have_poles_ = may_have_poles(squared_speed, problem.x);
   function_ = tape.finish();
-  const std::vector<Expression> factors = factors_of_inertia(problem.inertia, problem.x);
-  if (factors.empty()) return;
-  TapeBuilder other(graph, symbols, graph.symbol("t"), {&problem.x, 1});
-  for (const Expression& factor : factors) other.output(factor);
-  factors_ = other.finish();
+  barriers_.emplace(problem.inertia, problem.x, symbols);
 }
 
 SquaredSpeed SpeedAt::at(const FarPlace& place) const {
@@ -61,14 +56,7 @@ SquaredSpeed SpeedAt::at(const FarPlace& place) const {
     (void)function_.evaluate(0, {&x, 1}, workspace, {&e, 1});
     return known(e);
   };
-  if (factors_)
-    speed.sides = [this, workspace = factors_->bind(numbers)](double x) mutable {
-      std::vector<double> values(factors_->outputs());
-      (void)factors_->evaluate(0, {&x, 1}, workspace, values);
-      std::vector<bool> sides;
-      for (const double value : values) sides.push_back(value > 0);
-      return sides;
-    };
+  speed.meets_barrier = barriers_->at(numbers);
   PairWorkspace pairs;
   for (const double number : bound) pairs.push_back(PairOfDoubles{number, number});
   speed.at_both = [this, known, workspace = std::move(pairs)](double x, double y) mutable {

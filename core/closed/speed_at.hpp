@@ -1,6 +1,7 @@
 #pragma once
 // The squared speed of an energy integral where its parameters have other numbers.
 
+#include "core/closed/barriers.hpp"
 #include "core/closed/elementary_period.hpp"
 #include "core/closed/rough_period.hpp"
 #include "core/closed/tries.hpp"
@@ -21,7 +22,7 @@ class SpeedAt {
 
  private:
   CompiledFunction function_;
-  std::optional<CompiledFunction> factors_;  ///< of the inertia
+  std::optional<Barriers> barriers_;
   bool may_have_poles_{};
 };
 

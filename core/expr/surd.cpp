@@ -100,9 +100,25 @@ Surd operator/(const Surd& a, const Surd& b) {
   return {above.p / norm, above.q / norm, above.n};
 }
 
+namespace {
+
+/// k^(2/3) is a square, k^(1/3) is none. A sum keeps such factors: it is shorter with them.
+void take_out_broken_powers(SquareFactors& factors) {
+  if (factors.inside.size() != 1) return;
+  Monomial outside;
+  for (const Atom& atom : factors.inside.begin()->first) {
+    if (atom.q != 1 && atom.p % 2 == 0) outside.push_back({atom.base, atom.p / 2, atom.q});
+  }
+  factors.outside = scaled(factors.outside, outside, Number(1));
+  factors.inside = scaled(factors.inside, inverse(outside * outside), Number(1));
+}
+
+}  // namespace
+
 Surd square_root(const RationalFunction& f) {
   if (f.is_zero()) return {};
-  const SquareFactors factors = square_factors(f.above * f.below);
+  SquareFactors factors = square_factors(f.above * f.below);
+  take_out_broken_powers(factors);
   const RationalFunction front = in_lowest_terms(factors.outside, f.below);
   if (factors.inside == constant_one) return front;
   return {{}, front, factors.inside};

@@ -63,6 +63,7 @@ std::string why_not_by_energy(const Dynamics& dynamics, const Reals& parameters,
   const Reduction& reduction = statics->reduction;
   if (reduction.degrees_of_freedom() != 1) return "more than one coordinate is left after the ignorable ones";
   if (reduction.kept[0] != coordinate) return "the coordinate is ignorable";
+  if (!reduction.limits.empty()) return "the energy of the coordinate vanishes with its equation";
   if (!statics->potential) return "the forces do not leave the energy integral constant";
   if (!statics->quadratic) return "the energy is not quadratic in the velocity";
   return "";

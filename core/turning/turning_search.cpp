@@ -142,12 +142,15 @@ Interval TurningSearch::around_what_is_singular(const Piece& from) {
   return from.x;
 }
 
-/// Next to 0 the inertia underflows on this side already.
+/// Next to 0 the inertia underflows, or overflows, on this side already.
 Interval TurningSearch::around_what_has_no_inertia(const Piece& from) {
-  constexpr double least = 1e-300;
+  constexpr double least = 1e-300, grown = 1e290;
   const Interval up_to_zero = hull(p_, 0.0);
   const Interval inertia = energy_.inertia(up_to_zero);
-  return inertia.contains(0.0) && inertia.upper < least ? up_to_zero : from.x;
+  const bool vanishes = inertia.contains(0.0) && inertia.upper < least;
+  const bool overflows =
+      sign_ * p_ < 0 && energy_.inertia(p_).lower / grown > energy_.inertia(energy_.x0()).upper;
+  return vanishes || overflows ? up_to_zero : from.x;
 }
 
 /// Whether F rises towards the piece, in equal factors of the distance by ever more: so does the logarithm.

@@ -24,6 +24,17 @@ class Answers(Service):
 
 
 class Equilibria(Answers):
+    def test_many_places_have_formulas_once_for_a_family(self):
+        beads = lagrangian("two_beads", "m - 1; g - 9.81; R - 0.5; w - 6", "a - 0.1; b - 0.1",
+                           "m*R^2/2*(a_dot^2 + b_dot^2) + m*g*R*(cos(a) + cos(b)) + m*R^2*w^2/2*(sin(a)^2 + sin(b)^2)")
+        found = self.ask("equilibria", {"system": beads})
+        forms = [{name: form["text"] for name, form in place.get("exact", {}).items()} for place in found["equilibria"]]
+        tilted = "acos(g/(R*w^2))"
+        self.assertEqual(len(forms), 16)
+        self.assertIn({"a": tilted, "b": tilted}, forms)
+        self.assertEqual(sum(map(bool, forms)), 5)  # of six families; one is at 0
+        self.assertIn("have their formulas once", str(found["notes"]))
+
     def test_rates_that_no_place_of_rest_has_are_noted(self):
         bowl = lagrangian("bowl", "m - 1; l - 1; g - 9.81", "th - 0.3; p - 0",
                           "m*l^2*(th_dot^2 + sin(th)^2*p_dot^2)/2 + m*g*l*cos(th)")

@@ -62,6 +62,9 @@ TRIANGLE = scene("triangle", "m kg 1; k N/m 1; a m 1", "x1 m; y1 m; x2 m; y2 m; 
 OBLIQUE = lagrangian("oblique_springs", "m - 1; k - 1", "x - 0; y - 0", "m*(x_dot^2 + y_dot^2)/2"
                      " - k*(x^2 + (x/2 + sqrt(3)/2*y)^2 + (x/2 - sqrt(3)/2*y + y/7)^2)/2")
 
+CORNER = lagrangian("corner_of_two_hyperbolas", "m - 1; k - 3; c - 2", "x - 1; y - 1", "m*(x_dot^2 + y_dot^2)/2 - k/(x*y) - c*(x + y)")
+CONE = lagrangian("cone", "m - 1; g - 9.81; al - 0.5", "r - 1; f - 0 2", "m*(r_dot^2 + r^2*sin(al)^2*f_dot^2)/2 - m*g*r*cos(al)")
+
 
 class ShortForms(Service):
     def oscillations(self, scene, **fields):
@@ -114,6 +117,14 @@ class ShortForms(Service):
                 value = eval(square.replace("(2/3)", "(mpf(2)/3)"), FUNCTIONS | numbers)  # noqa: S307
                 self.assertLess(abs(mpmath.sqrt(value) - mode["omega"]), mode["error"] + 1e-15)
                 self.assertIn("exact", mode)
+
+    def test_roots_give_up_powers_that_are_squares(self):
+        self.assertEqual([mode["text"] for mode in self.oscillations(CORNER)], ["c*(c/k)^(1/3)/m", "3*c*(c/k)^(1/3)/m"])
+
+    def test_roots_give_up_sines_whose_squares_cosines_hide(self):
+        lower = self.ask("turning_points", {"system": CONE})["exact"]["r_min"]
+        self.assertEqual(lower["text"], "(sqrt(sin(al)^2 + 2*g*cos(al)) + sin(al))*sin(al)/(g*cos(al))")
+        self.assertIn("sin(al) > 0", lower["assumes"])
 
     def test_a_truss_snaps_through(self):
         found = self.ask("bifurcations", {"system": TRUSS, "parameter": "P", "from": 0.1, "to": 2})

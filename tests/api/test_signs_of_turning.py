@@ -205,6 +205,16 @@ class SignsOfTurning(Service):
             form = self.ask("turning_points", {"system": system})["exact"]["period"]
             self.assertEqual(form["assumes"], ["a > 0", "g > 0", "h > 0", "2*m*a*g > h"], rate)
 
+    def test_a_period_to_and_fro_beside_a_barrier_assumes_the_momentum_that_raises_it(self):
+        for text, parameters, barrier in (("-k*x^2/2", "m - 1; k - 3", "p_f^2 > 0"), ("-k*x^2/2", "m - 1; k - 3; n - 0.2", "p_f^2 > 0"),
+                                          ("-k*x^2/2 - n/x^2", "m - 1; k - 3; n - 0.2", "p_f^2 + 2*m*n > 0")):
+            for speed in ("0.5", "-0.5"):
+                system = lagrangian("polar", parameters, f"x - 1; f - 0 {speed}", "m*(x_dot^2 + x^2*f_dot^2)/2 " + text)
+                form = self.ask("turning_points", {"system": system})["exact"]["period"]
+                self.assertEqual((form["text"], form["assumes"]), ("pi*sqrt(m/k)", ["m > 0", "k > 0", barrier]))
+        still = self.ask("turning_points", {"system": lagrangian("polar", "m - 1; k - 3", "x - 1; f - 0 0", "m*(x_dot^2 + x^2*f_dot^2)/2 - k*x^2/2")})
+        self.assertEqual(still["exact"]["period"]["text"], "2*pi*sqrt(m/k)")
+
     def test_a_pole_at_0_is_said_to_be_there(self):
         for text, start in (("m*x_dot^2/2 + (b - c)/x", "x - 0.8 0.3"), ("m*(x_dot^2 + x^2*f_dot^2)/2 + b/(2*x^2)", "x - 1 0.2; f - 0 1.3")):
             answer = self.ask("turning_points", {"system": lagrangian("pole", "m - 1; b - 5; c - 2", start, text)})

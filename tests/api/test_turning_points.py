@@ -29,6 +29,9 @@ class TurningPoints(Service):
                 self.assertIn(where.replace("x = ", ""), str(answer))
         endless = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; n - 3", "x - 0.5", "m/cos(x)*x_dot^2/2 - n*x")})
         self.assertIn("its inertia has no bound", endless["reason"]["x_min"])
+        for inertia in ("m/x", "m/x^2", "m/x^4"):
+            steep = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 0.5", inertia + "*x_dot^2/2 - k*x")})
+            self.assertIn("x does not turn before 0, where its inertia has no bound", steep["reason"]["x_min"])
         free = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 0.5", "m/(1 + x^2)*x_dot^2/2 + k*x")})
         self.assertEqual(free["motion"], "unbounded")
         swings = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 1.5", "m*x^2*x_dot^2/2 - k*(x - 1)^2/2")})

@@ -7,6 +7,7 @@
 #include "api/answers/accuracy/request.hpp"
 #include "api/answers/bounds.hpp"
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "core/integrate/methods.hpp"
 
@@ -187,6 +188,7 @@ class AccuracyAnswer {
 Response answer_accuracy(const Resolved<AccuracyRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, request.t_start);
+  note_lost_inertia(system, call);
   WorkPrecision study(*system.dynamics, motion(request, system.state));
   const Simulation& reference = study.reference().simulation;
   if (has_failed(reference.ending)) {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "api/answers/energy/request.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/units_of.hpp"
 #include "core/dynamics/known_signs.hpp"
@@ -146,6 +147,7 @@ class EnergyAnswer {
 Response answer_energy(const Resolved<EnergyRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, request.t);
+  note_lost_inertia(system, call);
   const int digits = request.digits.value_or(shortest_digits);
   const Json body = EnergyAnswer(*system.dynamics, system.state, request.t, digits).body();
   call.timing.lap("solve");

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "api/answers/equilibria/request.hpp"
 #include "api/answers/equilibria/solution.hpp"
 #include "api/answers/equilibria/walls.hpp"
 #include "api/answers/exact_json.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
 #include "api/answers/units_of.hpp"
@@ -24,6 +27,37 @@ constexpr const char* multiple =
     "A multiple zero of the forces, several too close to be told apart in double precision, or none where "
     "the forces only come as near to zero as rounding: all of them lie within the error. Given is the place "
     "where the forces are least.";
+
+/// The sizes of the coordinates, in millionths: the same where places differ in signs, and in which
+/// coordinate is where. Empty where one is large.
+std::vector<std::int64_t> family_of(std::span<const double> place) {
+  constexpr double part = 1e6, largest = 1e6;
+  std::vector<std::int64_t> sizes;
+  for (const double q : place) {
+    if (std::abs(q) > largest) return {};
+    sizes.push_back(std::llround(std::abs(q) * part));
+  }
+  std::ranges::sort(sizes);
+  return sizes;
+}
+
+/// All where they are few, else of each family the place with the largest sum; none where families are many.
+std::vector<std::size_t> places_with_formulas(const std::vector<SteadyState>& states) {
+  std::vector<std::size_t> chosen(states.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  if (states.size() <= most_with_formulas) return chosen;
+  const auto place = [&](std::size_t i) { return std::span(states[i].y).first(states[i].y.size() / 2); };
+  const auto sum = [&](std::size_t i) { return std::accumulate(place(i).begin(), place(i).end(), 0.0); };
+  std::map<std::vector<std::int64_t>, std::size_t> families;
+  for (const std::size_t i : chosen) {
+    const auto [family, is_new] = families.try_emplace(family_of(place(i)), i);
+    if (!is_new && sum(i) > sum(family->second)) family->second = i;
+  }
+  chosen.clear();
+  if (families.size() > most_with_formulas || families.contains({})) return chosen;
+  for (const auto& [sizes, i] : families) chosen.push_back(i);
+  return chosen;
+}
 
 class EquilibriaAnswer {
  public:
@@ -45,7 +79,7 @@ class EquilibriaAnswer {
       body["equilibria"].push_back(entry(found.states[i]));
       if (!all.multipliers.empty()) put_multipliers(body["equilibria"].back(), all.multipliers[i]);
     }
-    if (written_ && found.states.size() <= most_with_formulas) put_formulas(body["equilibria"], found);
+    if (written_) put_formulas(body, found);
     body["complete"] = found.complete;
     if (!found.reason.empty()) body["reason"] = found.reason;
     body["searched"] = searched(found);
@@ -61,14 +95,19 @@ class EquilibriaAnswer {
 
  private:
   /// Of coordinates that are not zero, and of the square of the rate.
-  void put_formulas(Json& entries, const Equilibria& found) const {
+  void put_formulas(Json& body, const Equilibria& found) const {
     std::vector<Real> momenta;
     if (!found.momenta.empty()) {
       const auto& constants = found.problem.constants;
       for (const Interval& p : std::span(constants).last(found.momenta.size()))
         momenta.emplace_back(p.middle(), 0, p.width());
     }
-    for (std::size_t i = 0; i < found.states.size(); ++i) {
+    const std::vector<std::size_t> chosen = places_with_formulas(found.states);
+    if (!chosen.empty() && chosen.size() < found.states.size())
+      body["notes"].push_back(
+          "Places that differ only in signs, and in which coordinate is where, have their formulas once.");
+    Json& entries = body["equilibria"];
+    for (const std::size_t i : chosen) {
       const ExactEquilibrium exact =
           exact_equilibrium(dynamics_, state_.parameters, *written_, found.states[i], momenta);
       for (std::size_t k = 0; k < exact.state.size(); ++k) {
@@ -239,6 +278,8 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
     return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
   if (!request.solve_for)
     std::ranges::copy(notes_on_rates(dynamics, request.system, system.state), std::back_inserter(call.notes));
+  if (!system.model().has_constraints())
+    note_limits(system.scene(), dynamics.statics(system.state.parameters)->reduction.limits, call);
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
 

@@ -4,6 +4,7 @@
 
 #include "api/answers/exact_json.hpp"
 #include "api/answers/gait/request.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "core/closed/exact_gait.hpp"
 
@@ -114,6 +115,7 @@ std::string no_such(Gait::Kind kind, const Gaits& found) {
 Response answer_gait(const Resolved<GaitRequest>& resolved, Call& call, Models& models) {
   const GaitRequest& request = resolved.request;
   ResolvedSystem system = resolved_system(request.system, resolved.echo, models);
+  note_lost_inertia(system, call);
   system.echo.erase("initial");  // a gait starts where it must
   Gaits found = periodic_gaits(*system.dynamics, system.state.parameters);
   std::string reason = found.reason;

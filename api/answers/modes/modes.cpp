@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "api/answers/exact_json.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "core/base/short_number.hpp"
 #include "core/closed/exact_modes.hpp"
@@ -257,14 +258,6 @@ ExactModes no_formulas(const Modes& modes) {
   return none;
 }
 
-void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Json& body) {
-  for (const std::size_t i : limits)
-    body["notes"].push_back(
-        "With parameters that are 0 the equation of " + scene.coordinates[i].name +
-        " vanishes. Its limit stands for it, and its rows of the matrices are those of the "
-        "equation divided by the factor that vanishes.");
-}
-
 /// Whether anything in the scene is other where the coordinate is elsewhere.
 bool something_depends_on(const Model& model, std::size_t coordinate) {
   const Expression& q = model.parsed.symbols.coordinates.value[coordinate];
@@ -303,6 +296,7 @@ void note_rates_left_out(const Model& model, const SystemChoice& choice, const R
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
+  note_lost_inertia(system, call);
   const auto& [parameters, y] = system.state;
   const Reals place = place_of(system.scene(), request.system, y);
   const auto guess =
@@ -315,8 +309,6 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
                            : no_formulas(modes);
   const int digits = request.digits.value_or(shortest_digits);
   Json body = ModesAnswer(system.model(), parameters, place, modes, exact, digits).body();
-  if (!is_constrained)
-    note_limits(system.scene(), system.dynamics->statics(parameters)->reduction.limits, body);
   note_rates_left_out(system.model(), request.system, y, modes, body);
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/simulate/extended.hpp"
 #include "api/answers/simulate/included_columns.hpp"
 #include "api/answers/simulate/motion_diagnostics.hpp"
@@ -189,6 +190,7 @@ class SimulationAnswer {
 Response answer_simulate(const Resolved<SimulateRequest>& resolved, Call& call, Models& models) {
   const SimulateRequest& request = resolved.request;
   ResolvedSystem system = resolved_system(request.system, resolved.echo, models, request.t_start);
+  note_lost_inertia(system, call);
   put_in_exponents(system, request.system, request.events);
   for (const std::string& note : included_columns(system.dynamics->model(), request.include).notes)
     call.notes.push_back(note);

@@ -4,6 +4,7 @@
 #include "api/answers/bounds.hpp"
 #include "api/answers/exact_json.hpp"
 #include "api/answers/integration_failure.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/turning_points/request.hpp"
 #include "api/answers/units_of.hpp"
@@ -93,6 +94,7 @@ class TurningPointsAnswer {
         system_(resolved_system(request_.system, resolved.echo, models, request_.t_start)) {}
 
   Response response() {
+    note_lost_inertia(system_, call_);
     const std::vector<std::size_t> candidates = candidate_coordinates();
     if (request_.coordinate.empty() && candidates.size() != 1) {
       return missing(call_, "coordinate",

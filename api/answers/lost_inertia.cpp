@@ -1,0 +1,38 @@
+#include "api/answers/lost_inertia.hpp"
+
+#include "api/json/text.hpp"
+#include "core/dynamics/lost_inertia.hpp"
+
+namespace qdot::api {
+namespace {
+
+[[noreturn]] void refuse(const Scene& scene, const LostInertia& lost) {
+  std::vector<std::string> zeros, still;
+  for (const std::size_t i : lost.zeros) zeros.push_back(scene.parameters[i].name + " = 0");
+  for (const std::size_t i : lost.fault->coordinates) still.push_back("'" + scene.coordinates[i].name + "'");
+  const std::string what =
+      still.empty()
+          ? "some motion of the coordinates moves no mass, wherever they are: the mass matrix has no "
+            "inverse, so the accelerations are undetermined."
+          : "nothing that has mass moves with " + enumerated(still) +
+                ", so no acceleration of it follows from the equations.";
+  throw Error(ErrorCode::invalid_parameters, "With " + enumerated(zeros) + " " + what);
+}
+
+}  // namespace
+
+void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Call& call) {
+  for (const std::size_t i : limits)
+    call.notes.push_back(
+        "With these parameters the equation of " + scene.coordinates[i].name +
+        " vanishes. Its limit stands for it, in matrices, too: the equation divided by the factor "
+        "that vanishes.");
+}
+
+void note_lost_inertia(const ResolvedSystem& system, Call& call) {
+  const LostInertia lost = lost_inertia(system.model(), system.state.parameters);
+  if (lost.fault) refuse(system.scene(), lost);
+  note_limits(system.scene(), lost.limits, call);
+}
+
+}  // namespace qdot::api
