@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/numerics/constants.hpp"
 #include "core/numerics/rough_powers.hpp"
@@ -11,8 +12,10 @@ namespace qdot {
 namespace {
 
 /// Of a bounded step, times its length, in units of the tolerance. They are 1 to 100, as it happens: the
-/// worst step of a reference has to be better than a lucky one of the run that it measures.
-constexpr double allowed_defect = 100, allowed_of_reference = 10;
+/// worst step of a reference has to be better than a lucky one of the run that it measures. Where bounds hold
+/// its steps short, and not last terms, they may be so rough that the motion's own defect is as small as
+/// that.
+constexpr double allowed_defect = 100, allowed_of_reference = 10, allowed_where_held = 4;
 constexpr int most_bounds = 120;           ///< tried for one step
 constexpr double least_of_wanted = 1e-12;  ///< a step that much shorter is not bounded
 constexpr double least_share = 0.5, grown_share = 1.03;
@@ -45,13 +48,18 @@ BoundedSteps::BoundedSteps(const RightHandSide& system, const RunRequest& reques
 BoundedSteps::Bound BoundedSteps::find(double t, double h, std::span<const double> series,
                                        std::span<const double> weights) {
   if (!system_.defect) return {h, false};
-  const double allowed = request_.is_reference ? allowed_of_reference : allowed_defect;
-  for (std::size_t i = 0; i < weights.size(); ++i) allowed_[i] = allowed * weights[i];
+  bool is_held = share_ < 1;
+  allow(is_held, weights);
   double good = h * share_, bad = infinity;
   share_ = std::min(1.0, grown_share * share_);
   for (int i = 0; i < most_bounds; ++i) {
-    const double ratio = excess(good);
+    double ratio = excess(good);
     if (ratio <= 1) break;
+    if (request_.is_reference && !is_held) {
+      is_held = true;
+      allow(is_held, weights);
+      ratio *= allowed_of_reference / allowed_where_held;
+    }
     bad = good;
     good = std::max(good / 2, 0.93 * good * rough_exp2(-rough_log2(std::min(ratio, 1e300)) / order_));
     if (good < least_of_wanted * h || t + good == t) return {h, false};
@@ -64,6 +72,13 @@ BoundedSteps::Bound BoundedSteps::find(double t, double h, std::span<const doubl
     system_.rounding(rounding_);
   }
   return {good, true};
+}
+
+void BoundedSteps::allow(bool is_held, std::span<const double> weights) {
+  const double allowed = !request_.is_reference ? allowed_defect
+                         : is_held              ? allowed_where_held
+                                                : allowed_of_reference;
+  for (std::size_t i = 0; i < weights.size(); ++i) allowed_[i] = allowed * weights[i];
 }
 
 /// Where the bound tells of something hidden it may be a rough one: then the one with the closest ranges is

@@ -2,7 +2,7 @@
 // Steps whose polynomials are known to obey the equation over all their length: RightHandSide::defect bounds
 // the defect d_i of a step of length h, and the step is short enough where
 //
-//   h d_i <= 100 w_i        (a reference: 10 w_i)
+//   h d_i <= 100 w_i        (a reference: 10 w_i, and 4 w_i as long as that holds steps short)
 //
 // Where h d_i exceeds 50 times the last three terms they do not show it: such steps of a reference add h
 // d_i to what may have gone unseen, in the unit of y_i, where velocities carry it on to the coordinates.
@@ -51,6 +51,7 @@ class BoundedSteps {
   [[nodiscard]] std::span<const double> unseen() const { return unseen_; }
 
  private:
+  void allow(bool is_held, std::span<const double> weights);
   [[nodiscard]] double excess(double h) { return system_.defect(h, allowed_, defect_); }
   void bound_closely(double h) { (void)system_.defect(h, {}, defect_); }
   [[nodiscard]] double lengthened(double good, double bad);

@@ -27,6 +27,12 @@ DenseGrid::DenseGrid(const SimulationRequest& request) : t(request.grid) {
   }
   if (!std::ranges::is_sorted(t)) std::sort(t.begin(), t.end());
   t.erase(std::unique(t.begin(), t.end()), t.end());
+  if (t == request.grid) {
+    wanted.assign(t.size(), true);
+    left_out = request.grid_left_out;
+    left_out.resize(t.size());
+    return;
+  }
   auto next = request.grid.begin();
   for (const double instant : t) {
     while (next != request.grid.end() && *next < instant) ++next;

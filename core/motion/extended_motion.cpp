@@ -64,10 +64,9 @@ void look_between(ExtendedSystem& system, const CompiledFunction& accelerations,
     *length = h;
     return hidden(t, y, h, allowed, defect);
   };
-  system.rounding = [expansion, length, defect = std::vector<double>(request.y_start.size())](
-                        std::span<double> of_doubles, std::span<double> of_double_doubles) mutable {
+  system.rounding = [expansion, length](std::span<double> of_doubles, std::span<double> of_double_doubles) {
     std::ranges::fill(of_doubles, 0.0);
-    expansion->bound_defect(*length, {}, defect);  // the closest ranges that there are
+    expansion->find_ranges(*length);
     expansion->bound_rounding(of_double_doubles, taylor::half_unit_of_double_doubles);
   };
   if (!request.follow_rounding) return;

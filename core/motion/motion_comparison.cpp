@@ -42,6 +42,11 @@ std::vector<double> scales_of(const ComputedMotion& motion) {
   return scales;
 }
 
+bool is_whole(double x) {
+  constexpr double without_fractions = 0x1p53;
+  return !(std::abs(x) < without_fractions) || x == static_cast<double>(static_cast<std::int64_t>(x));
+}
+
 /// Of a number that is not negative.
 double next_above(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
@@ -121,7 +126,7 @@ class Comparing {
   void add_rounding_of_instant(std::size_t row) {
     const double t = motion_.grid.t[row];
     const double in_parts = t * 0x1p20, left_out = std::abs(motion_.grid.left_out[row]);
-    const bool is_short = in_parts == std::nearbyint(in_parts);  // and so a decimal, too
+    const bool is_short = is_whole(in_parts);  // and so a decimal, too
     if (is_short && left_out == 0) return;
     const std::size_t n = width_ / 2;
     const std::span<const double> y = row_of(motion_.simulation, row);
@@ -245,14 +250,17 @@ class Comparing {
 }  // namespace
 
 std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which) {
-  const std::size_t width = motion.width();
+  const std::size_t width = motion.width(), rows = motion.simulation.rows;
+  const std::vector<bool>& wanted = motion.grid.wanted;
+  const bool all_count = which == Rows::all || std::ranges::find(wanted, false) == wanted.end();
   std::vector<double> largest(width);
-  for (std::size_t row = 0; row < motion.simulation.rows; ++row) {
-    if (which == Rows::wanted && !motion.grid.wanted[row]) continue;
-    const double* y = motion.simulation.states.data() + row * width;
-    double* const most = largest.data();
-    for (std::size_t k = 0; k < width; k += 2)
-      put_pair(most + k, larger_or(magnitudes(pair_at(y + k)), pair_at(most + k)));
+  for (std::size_t k = 0; k < width; k += 2) {
+    const double* y = motion.simulation.states.data() + k;
+    PairOfDoubles most{};
+    for (std::size_t row = 0; row < rows; ++row, y += width) {
+      if (all_count || wanted[row]) most = larger_or(magnitudes(pair_at(y)), most);
+    }
+    put_pair(&largest[k], most);
   }
   return largest;
 }

@@ -40,10 +40,16 @@ Evaluation TaylorExpansion::expand(double t, std::span<const double> y, unsigned
 }
 
 double TaylorExpansion::bound_defect(double h, std::span<const double> allowed, std::span<double> defect) {
-  if (!remainder_) remainder_ = std::make_unique<taylor::Remainder>(translation_->program(), kernels_);
-  if (!allowed.empty()) return remainder_->bound(h, order_, allowed, defect);
-  remainder_->closest(h, order_, defect);
+  if (!allowed.empty()) return remainder().bound(h, order_, allowed, defect);
+  remainder().closest(h, order_, defect);
   return infinity;
+}
+
+void TaylorExpansion::find_ranges(double h) { remainder().find_ranges(h, order_); }
+
+taylor::Remainder& TaylorExpansion::remainder() {
+  if (!remainder_) remainder_ = std::make_unique<taylor::Remainder>(translation_->program(), kernels_);
+  return *remainder_;
 }
 
 void TaylorExpansion::bound_rounding(std::span<double> rounding, double unit) {

@@ -46,12 +46,17 @@ class TaylorExpansion {
   /// infinite.
   double bound_defect(double h, std::span<const double> allowed, std::span<double> defect);
 
+  /// In place of bound_defect(): looks at the step so closely that its rounding is bounded as well as can be.
+  void find_ranges(double h);
+
   /// What rounding may do to each acceleration over the step whose defect was bounded last (rounding.hpp).
   /// `unit`: of doubles, or of the double-doubles in which somebody else computes the same.
   void bound_rounding(std::span<double> rounding, double unit = taylor::half_unit_of_doubles);
 
  private:
   friend class PairExpansion;
+
+  taylor::Remainder& remainder();
 
   const CompiledFunction& tape_;
   taylor::Kernels kernels_;

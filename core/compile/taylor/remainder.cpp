@@ -1,5 +1,7 @@
 #include "core/compile/taylor/remainder.hpp"
 
+#include <algorithm>
+
 namespace qdot::taylor {
 namespace {
 
@@ -90,17 +92,35 @@ double Remainder::bound(double h, unsigned order, std::span<const double> allowe
   look(Effort::quick);
   const double closer = excess(allowed, defect);
   if (closer < by_far) return closer;
-  take_tails(others_);
-  look(Effort::careful);
+  look_carefully();
   return excess(allowed, defect);
 }
 
 void Remainder::closest(double h, unsigned order, std::span<double> defect) {
   begin(h, order);
   take_tails(factors_);
+  look(Effort::quick);
+  if (operations_may_tell_more()) look_carefully();
+  put_defect(defect);
+}
+
+void Remainder::find_ranges(double h, unsigned order) {
+  begin(h, order);
+  take_tails(factors_);
+  look_carefully();
+}
+
+/// What lies in a range, and all of another, is half as far from its end as that is wide, at least.
+bool Remainder::operations_may_tell_more() const {
+  return std::ranges::any_of(factors_, [](const RowSizes* sizes) {
+    const Row& row = static_cast<const Row&>(*sizes);
+    return !(2 * row.r <= row.of_row.upper - row.of_row.lower);
+  });
+}
+
+void Remainder::look_carefully() {
   take_tails(others_);
   look(Effort::careful);
-  put_defect(defect);
 }
 
 double Remainder::distance(const double* row, double h, unsigned order,

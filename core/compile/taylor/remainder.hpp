@@ -45,6 +45,8 @@ class Remainder {
   double bound(double h, unsigned order, std::span<const double> allowed, std::span<double> defect);
   /// The same bounds, and the closest of them, whatever is allowed.
   void closest(double h, unsigned order, std::span<double> defect);
+  /// The closest ranges that there are of what stands in the rows, for bounds of their rounding.
+  void find_ranges(double h, unsigned order);
 
   /// The same where the rows of the state are given: what each lacks of the motion, and how far
   /// then what stands in `row` may be from it; roughly where that leaves no doubt of its sign.
@@ -108,6 +110,8 @@ class Remainder {
   void sum_tails(RowSizes* const* four);
   void take_range(Row& row);
   void look(Effort effort);
+  void look_carefully();
+  [[nodiscard]] bool operations_may_tell_more() const;
   /// |c_k| h^k
   [[nodiscard]] double size(const Row& row, unsigned k) const {
     if (k + row.missing > order_) return 0;  // what stands there is of another expansion

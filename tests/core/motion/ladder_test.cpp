@@ -160,6 +160,26 @@ TEST(Ladder, ACheckWhoseOwnErrorIsInTheErrorStatedNeedsNoMoreDigits) {
   }
 }
 
+/// Here bounds hold steps short, and are so rough that a check that meets them loosely may seem to be off by
+/// as much as the motion.
+TEST(Ladder, ACheckWhoseStepsAreHeldByBoundsIsSharpEnough) {
+  const auto model = test::model_of("rod_spring_pendulum");
+  const Dynamics dynamics(model);
+  SimulationRequest request = whole_motion(*model, {{"theta", 0.7}, {"phi", -0.4}, {"r", 0.6}}, 20);
+  request.tolerances = {1e-15, 1e-18};
+  const Simulation best = simulate(dynamics, request);
+  for (const double wanted : {1e-3, 1e-6}) {
+    const MeasuredSimulation m =
+        simulate_with_error(dynamics, request, {.kind = Kind::relative, .value = wanted});
+    EXPECT_EQ(m.meets_request, true);
+    EXPECT_LT(m.evaluations, 3 * m.simulation.evaluations) << wanted;
+    for (std::size_t i = 0; i < best.rows; ++i) {
+      for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(test::row(m.simulation, i)[k], test::row(best, i)[k], m.max_abs_error[k]);
+    }
+  }
+}
+
 TEST(Ladder, RowsAtEventsAreOfTheMotionThatIsReturned) {
   const auto model = test::model_of("cart_pendulum");
   const Dynamics dynamics(model);
