@@ -15,7 +15,9 @@ namespace {
 constexpr double lost = 2;                             ///< times what a component has reached
 constexpr double large_part = 1.0 / 16;                ///< of it
 constexpr double smallest_part = 0x1p-12, some = 0.5;  ///< of a step
-constexpr double at_begin = 0.25;                      ///< of what acts all through a step
+constexpr double shortest_where_lost = 0x1p-5;
+constexpr int most_lost_steps = 16;  ///< one after the other, in which shorter parts are tried all the same
+constexpr double at_begin = 0.25;    ///< of what acts all through a step
 constexpr double much_growth = 2, most_late = 0.75, log_of_2 = 0.7;
 constexpr double enlarged = 0x1p-30;
 constexpr double most_of_all = 1e300;  ///< instead of an error without a bound
@@ -59,6 +61,7 @@ void Separation::begin(const MotionPiece& step) {
 
 void Separation::follow(const MotionPiece& step, const StepTerms& terms, const Errors& made) {
   for (std::size_t i = 0; i < e_.size(); ++i) size_[i] = std::max(size_[i], terms.largest()[i]);
+  if (is_given_up_) return stay_lost();
   if (!has_begun_) begin(step);
   has_begun_ = false;
   const std::size_t n = e_.size() / 2;
@@ -66,6 +69,7 @@ void Separation::follow(const MotionPiece& step, const StepTerms& terms, const E
     added_[i] += step.h * added_[n + i];
     slow_[n + i] = size_[i] / step.h;
   }
+  lost_steps_ = is_lost() ? lost_steps_ + 1 : 0;
   made_ = made;
   acting_left_ = 1;
   release_what_is_pushed();
@@ -110,6 +114,8 @@ void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const
   if (is_whole && is_told && growth() > much_growth && part_of_acting() > large_part)
     is_told = begin_with_acting(piece, terms);
   const double length = part.to - part.from;
+  is_given_up_ = is_given_up_ || (!is_told && length <= shortest_where_lost && lost_steps_ > most_lost_steps);
+  if (is_given_up_) return stay_lost();
   if (length > (is_told ? made_.longest_part : smallest_part)) {
     e_ = before_;
     added_ = added_before_;
@@ -250,12 +256,36 @@ void Separation::place_beside() {
 void Separation::note_lost() {
   const std::size_t n = e_.size() / 2;
   for (std::size_t begin = 0; begin < e_.size(); begin += n) {
-    const auto sizes = std::span(size_).subspan(begin, n);
-    const double largest = *std::ranges::max_element(sizes);
+    const double largest = largest_size(begin);
     for (std::size_t i = begin; i < begin + n; ++i) {
-      if (std::abs(e_[i]) >= std::max(largest, lost * added_[i]))
-        size_[i] = std::max(size_[i], std::abs(beside_[i]));
+      if (is_lost(i, largest)) size_[i] = std::max(size_[i], std::abs(beside_[i]));
     }
+  }
+}
+
+bool Separation::is_lost(std::size_t i, double largest) const {
+  return std::abs(e_[i]) >= std::max(largest, lost * added_[i]);
+}
+
+/// Of the coordinates, or velocities, that begin there.
+double Separation::largest_size(std::size_t begin) const {
+  return *std::ranges::max_element(std::span(size_).subspan(begin, e_.size() / 2));
+}
+
+bool Separation::is_lost() const {
+  const std::size_t n = e_.size() / 2;
+  for (std::size_t i = 0; i < e_.size(); ++i) {
+    const double largest = largest_size(i < n ? 0 : n);
+    if (largest > 0 && is_lost(i, large_part * largest)) return true;
+  }
+  return false;
+}
+
+/// All of it then, as far from the motion as either has been.
+void Separation::stay_lost() {
+  for (std::size_t i = 0; i < e_.size(); ++i) {
+    e_[i] = std::copysign(std::max(std::abs(e_[i]), lost * size_[i]), e_[i]);
+    largest_[i] = std::abs(e_[i]);
   }
 }
 
@@ -264,10 +294,10 @@ double Separation::part_of_size() const {
   const std::size_t n = e_.size() / 2;
   double part = 0;
   for (std::size_t begin = 0; begin < e_.size(); begin += n) {
-    const auto sizes = std::span(size_).subspan(begin, n);
-    const double largest = *std::ranges::max_element(sizes);
+    const double largest = largest_size(begin);
     for (std::size_t i = 0; i < n; ++i) {
-      const double size = std::max(scale_ == Scale::by_largest ? largest : sizes[i], slow_[begin + i]);
+      const double size =
+          std::max(scale_ == Scale::by_largest ? largest : size_[begin + i], slow_[begin + i]);
       if (e_[begin + i] != 0) part = std::max(part, std::abs(e_[begin + i]) / size);
     }
   }

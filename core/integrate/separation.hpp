@@ -98,6 +98,10 @@ class Separation {
   void project(double t);
   void place_beside();
   void note_lost();
+  [[nodiscard]] double largest_size(std::size_t begin) const;
+  [[nodiscard]] bool is_lost(std::size_t i, double largest) const;
+  [[nodiscard]] bool is_lost() const;
+  void stay_lost();
   [[nodiscard]] double part_of_size() const;
   [[nodiscard]] bool take_rise(const MotionPiece& step, const StepTerms& terms);
   [[nodiscard]] unsigned rise(const MotionPiece& step, const StepTerms& terms, unsigned order);
@@ -109,7 +113,9 @@ class Separation {
   double factor_{1};  ///< e times it is what series differ by
   Errors made_;       ///< in this step
   bool has_begun_{false}, is_known_{false};
-  Known known_;  ///< of this step
+  int lost_steps_{};
+  bool is_given_up_{false};  ///< e is as large as all motions, and no series tells what becomes of it
+  Known known_;              ///< of this step
   double shortest_part_{1};
   double late_growth_{1};  ///< of what this step has made, in it
   double acting_left_{1};  ///< of what acts all through it, for its end
