@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "api/about/examples.hpp"
 #include "api/about/field_help.hpp"
 #include "api/answers/check/answer_sheet.hpp"
 #include "api/answers/endpoints.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/text.hpp"
 #include "api/scenes/catalogue.hpp"
 #include "api/service.hpp"
@@ -36,7 +36,7 @@ std::string graded_body(const Arguments& arguments) {
   const auto request = api::graded_request(request_body(arguments.key),
                                            request_body(arguments.answers, api::limits::answers_bytes));
   if (const auto* error = std::get_if<api::SheetError>(&request)) throw UsageError(error->text);
-  return std::get<api::Json>(request).dump();
+  return api::dump_json(std::get<api::Json>(request));
 }
 
 std::string path_of(const Command& command) {
@@ -130,7 +130,7 @@ api::Request request_of(const Command& command, const Arguments& arguments) {
 
 ExitCode meaning_of(const api::Response& response) {
   if (response.status < 400) return ExitCode::ok;
-  const auto body = nlohmann::json::parse(response.body, nullptr, false);
+  const auto body = api::parse_json_or_discard(response.body);
   const auto type = body.is_object() ? body.value("type", "") : "";
   if (type == "/errors/integration-failed" || response.status == 503) return ExitCode::failed;
   return response.status < 500 ? ExitCode::invalid_request : ExitCode::internal;
@@ -138,7 +138,7 @@ ExitCode meaning_of(const api::Response& response) {
 
 /// Whether every item is right, in any of the formats.
 bool is_all_right(const std::string& body) {
-  const auto grades = nlohmann::json::parse(body, nullptr, false);
+  const auto grades = api::parse_json_or_discard(body);
   const auto all = [](const auto& tests, auto is_right) {
     return std::all_of(tests.begin(), tests.end(), is_right);
   };
@@ -165,7 +165,7 @@ std::string for_a_shell(const std::string& word) {
 
 std::string in_words(const api::Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.dump();
+  if (!value.is_array()) return api::dump_json(value);
   std::string text;
   for (const api::Json& part : value) text += (text.empty() ? "" : ",") + in_words(part);
   return text;
@@ -176,7 +176,7 @@ std::string printed(const api::Response& response, ExitCode code, const Argument
   const bool is_answer = code == ExitCode::ok;
   const bool wants_text =
       is_answer ? style_of(arguments) == Style::people : !arguments.json && ::isatty(STDERR_FILENO) != 0;
-  const auto body = wants_text ? api::Json::parse(response.body, nullptr, false) : api::Json();
+  const auto body = wants_text ? api::parse_json_or_discard(response.body) : api::Json();
   if (!body.is_object()) return response.body;
   return is_answer ? answer_as_text(body, colours_on(STDOUT_FILENO))
                    : problem_as_text(body, colours_on(STDERR_FILENO));
@@ -215,7 +215,7 @@ std::string example_of(const Command& command, const api::Catalogue& catalogue) 
   if (examples.empty()) return "";
   std::string line = "qdot " + std::string(command.name);
   if (!fits_words(*command.endpoint, examples.begin()->at("value")))
-    return line + " " + for_a_shell(examples.begin()->at("value").dump());
+    return line + " " + for_a_shell(api::dump_json(examples.begin()->at("value")));
   for (const auto& [name, value] : examples.begin()->at("value").items()) {
     if (name == "system") {
       line += " " + in_words(value);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/json/documents.hpp"
 #include "api/json/writer.hpp"
 #include "server/text_table.hpp"
 
@@ -23,7 +24,7 @@ bool is_plain(const Json& value) { return !value.is_structured(); }
 std::string plain_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_null()) return "-";
-  if (!value.is_number_float()) return value.dump();
+  if (!value.is_number_float()) return api::dump_json(value);
   std::string text;
   api::append_number(text, value.get<double>());
   return text;

@@ -1,4 +1,5 @@
 #include "server/request_log.hpp"
+#include "api/json/documents.hpp"
 
 #include <poll.h>
 #include <unistd.h>
@@ -32,7 +33,7 @@ bool stands_for_itself(char c) { return c >= ' ' && c <= '~' && c != '"' && c !=
 
 std::string quoted(std::string_view text) {
   if (std::ranges::all_of(text, stands_for_itself)) return '"' + std::string(text) + '"';
-  return api::Json(text).dump(-1, ' ', false, api::Json::error_handler_t::replace);
+  return api::dump_json_replacing(api::Json(text));
 }
 
 std::string rounded(double milliseconds) {
@@ -70,7 +71,7 @@ void RequestLog::write_event(std::string_view event, const api::Json& members) {
   if (descriptor_ < 0) return;
   api::Json line{{"time", utc_now()}, {"event", event}};
   line.update(members);
-  write_line(line.dump(-1, ' ', false, api::Json::error_handler_t::replace) + "\n");
+  write_line(api::dump_json_replacing(line) + "\n");
 }
 
 // A pipe that is ready takes PIPE_BUF bytes in one piece, and a line is shorter.

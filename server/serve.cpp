@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "api/contract/version.hpp"
+#include "api/json/documents.hpp"
 #include "api/service.hpp"
 #include "server/application.hpp"
 #include "server/hosts.hpp"
@@ -72,7 +73,7 @@ void announce(const ServeOptions& options, int port) {
   line["listening"] = options.port ? address_of(options.host, port) : "unix:" + options.unix_socket;
   if (options.port) line["port"] = port;
   if (!options.unix_socket.empty()) line["unix_socket"] = options.unix_socket;
-  std::puts(line.dump().c_str());
+  std::puts(api::dump_json(line).c_str());
   std::fflush(stdout);
 }
 

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "api/answers/endpoints.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/writer.hpp"
 
 namespace qdot::api {
@@ -22,7 +23,7 @@ class Interview {
                                     .headers = {{"content-type", "application/json"}},
                                     .body = to_text(body(more))});
     if (response.status != 200) return std::nullopt;
-    return Json::parse(response.body);
+    return parse_json(response.body);
   }
 
   [[nodiscard]] Json body(const Json& more) const {

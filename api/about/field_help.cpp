@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "api/contract/system_choice.hpp"
+#include "api/json/documents.hpp"
 
 namespace qdot::api {
 namespace {
@@ -79,7 +80,8 @@ std::string defaults(const FieldInfo& field) {
   if (field.need == Need::required) return "; required";
   const Json& value = field.default_value;
   if (value.is_null() || (value.is_structured() && value.empty())) return "";
-  if (!value.is_array()) return "; default " + (value.is_string() ? value.get<std::string>() : value.dump());
+  if (!value.is_array())
+    return "; default " + (value.is_string() ? value.get<std::string>() : dump_json(value));
   return "; default " + joined(value.get<std::vector<std::string>>());
 }
 

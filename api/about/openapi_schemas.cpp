@@ -4,6 +4,7 @@
 #include "api/about/openapi_texts.hpp"
 #include "api/answers/endpoints.hpp"
 #include "api/contract/json_schema.hpp"
+#include "api/json/documents.hpp"
 #include "api/scenes/scene_table.hpp"
 #include "core/integrate/methods.hpp"
 
@@ -52,7 +53,8 @@ void say_defaults_in_words(Json& schema) {
   if (!schema.contains("properties")) return;
   for (auto& [name, member] : schema["properties"].items()) {
     if (!member.contains("default")) continue;
-    member["description"] = member.value("description", "") + " (default " + member["default"].dump() + ")";
+    member["description"] =
+        member.value("description", "") + " (default " + dump_json(member["default"]) + ")";
     member.erase("default");
   }
 }
@@ -76,7 +78,7 @@ Json scene_components() {
 /// What the members of answers are, where their schema does not say it itself. "System.method" is said of the
 /// schema System alone.
 const Json& glossary() {
-  static const Json file = Json::parse(text_of(about_files(), "glossary.json"));
+  static const Json file = parse_json(text_of(about_files(), "glossary.json"));
   return file;
 }
 

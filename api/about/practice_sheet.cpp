@@ -2,6 +2,7 @@
 
 #include "api/about/agreement.hpp"
 #include "api/about/embedded.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/writer.hpp"
 
 namespace qdot::api {
@@ -54,7 +55,7 @@ Json answered(const Json& part, const std::function<Response(const Request&)>& a
                                     .target = part["request"]["path"].get<std::string>(),
                                     .headers = {{"content-type", "application/json"}},
                                     .body = to_text(part["request"]["body"])});
-  const Json body = Json::parse(response.body);
+  const Json body = parse_json(response.body);
   result["result"] = picked(body, part["result"]);
   result["sheet"] = compared(part["sheet"], response.status, body);
   result["status"] = response.status;
@@ -65,7 +66,7 @@ Json answered(const Json& part, const std::function<Response(const Request&)>& a
 }  // namespace
 
 const Json& practice_sheet() {
-  static const Json sheet = Json::parse(text_of(about_files(), "practice_sheet.json"));
+  static const Json sheet = parse_json(text_of(about_files(), "practice_sheet.json"));
   return sheet;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "api/json/documents.hpp"
 #include "api/json/pointer.hpp"
 #include "api/json/writer.hpp"
 
@@ -72,7 +73,7 @@ Response Asking::respond(const std::string& question, std::string body,
 std::optional<Json> Asking::ask(const std::string& question, const Json& request, const Place& place,
                                 Errors& errors) const {
   const Response response = respond(question, to_text(request));
-  Json answer = Json::parse(response.body, nullptr, false);
+  Json answer = parse_json_or_discard(response.body);
   if (response.status == 200 && answer.is_object()) return answer;
   if (answer.is_object()) {
     report_below(answer, place, errors);

@@ -8,6 +8,7 @@
 #include "api/answers/embedded.hpp"
 #include "api/answers/questions.hpp"
 #include "api/answers/sweep/request.hpp"
+#include "api/json/documents.hpp"
 
 namespace qdot::api {
 
@@ -68,7 +69,7 @@ bool is_called(const Endpoint& endpoint, std::string_view word) {
 }
 
 Json description_of(const Endpoint& endpoint) {
-  return Json::parse(text_of(endpoint_files(), std::string(endpoint.name) + ".json"));
+  return parse_json(text_of(endpoint_files(), std::string(endpoint.name) + ".json"));
 }
 
 }  // namespace qdot::api

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/contract/document_schema.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/limits.hpp"
 
 namespace qdot::api {
@@ -18,7 +19,7 @@ Json described(Json schema, const FieldInfo& field, SchemaFor form) {
   const Json& value = field.default_value;
   const bool is_said = !value.is_null() && !(value.is_structured() && value.empty());
   if (form == SchemaFor::body && is_said)
-    schema["description"] = field.description + " (default " + value.dump() + ")";
+    schema["description"] = field.description + " (default " + dump_json(value) + ")";
   if (form == SchemaFor::query && !value.is_null()) schema["default"] = value;
   if (!field.aliases.empty()) schema["x-aliases"] = field.aliases;
   return schema;

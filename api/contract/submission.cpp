@@ -1,5 +1,6 @@
 #include "api/contract/submission.hpp"
 
+#include "api/json/documents.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/pointer.hpp"
 #include "api/json/text.hpp"
@@ -12,7 +13,7 @@ Place Place::of_document(const WrittenNumbers* numbers) {
 }
 
 std::string Place::written(const Json& number) const {
-  if (number.is_number_integer()) return number.dump();
+  if (number.is_number_integer()) return dump_json(number);
   if (numbers_ != nullptr && !numbers_->empty()) {
     const auto found = numbers_->find(words());
     if (found != numbers_->end()) return found->second;

@@ -1,5 +1,6 @@
 #include "api/json/members.hpp"
 
+#include "api/json/documents.hpp"
 #include "api/json/json.hpp"
 
 namespace qdot::api {
@@ -46,7 +47,7 @@ std::vector<std::pair<std::string, std::string_view>> members_of(std::string_vie
     const std::size_t end = value_end(object, value);
     std::string_view text = object.substr(value, end - value);
     text = text.substr(0, text.find_last_not_of(between_members) + 1);
-    members.emplace_back(Json::parse(object.substr(key, end_of_key - key)).get<std::string>(), text);
+    members.emplace_back(parse_json(object.substr(key, end_of_key - key)).get<std::string>(), text);
     at = object.find_first_not_of(between_members, end);
     if (at != std::string_view::npos && object[at] != ',') break;
   }

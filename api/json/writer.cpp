@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "api/json/documents.hpp"
 #include "core/base/work.hpp"
 
 namespace qdot::api {
@@ -46,7 +47,7 @@ void append_flat(std::string& out, const Json& json, std::string_view comma, int
   } else if (json.is_string()) {
     append_string(out, json.get_ref<const std::string&>());
   } else {
-    out += json.dump();  // null, true, false and integers
+    out += dump_json(json);  // null, true, false and integers
   }
 }
 
@@ -118,7 +119,7 @@ void append_string(std::string& out, std::string_view text) {
     out += '"';
     return;
   }
-  out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  out += dump_json_replacing(Json(text));
 }
 
 void JsonWriter::open(char bracket) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "api/contract/json_reader.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/limits.hpp"
 #include "api/scenes/embedded.hpp"
 #include "api/scenes/scene_reader.hpp"
@@ -135,7 +136,7 @@ std::shared_ptr<const CatalogueEntry> read_classic(std::string_view name) {
   const auto files = classic_files();
   const auto file = std::ranges::find(files, std::string{name} + ".json", &EmbeddedFile::name);
   if (file == files.end()) return nullptr;
-  Json json = Json::parse(file->text);
+  Json json = parse_json(file->text);
   SceneReading reading = read_scene(json);
   assert(reading.errors.empty() && reading.scene.name == name);
   return std::make_shared<const CatalogueEntry>(

@@ -6,8 +6,8 @@
 namespace qdot {
 namespace {
 
-constexpr unsigned order_beside = 6;  ///< of the series from a known instant to the one beside it
-constexpr double farthest = 1e-3;     ///< of a piece's duration: where these few terms do
+constexpr unsigned order_beside = 6;    ///< of the series from a known instant to the one beside it
+constexpr double farthest_part = 1e-3;  ///< of a piece's duration: where these few terms do
 constexpr int most_secants = 12;
 constexpr double as_near_as_can_be = 0x1p-90;  ///< of the instant
 constexpr double clearly_beside = 0x1p30;      ///< times that
@@ -159,7 +159,7 @@ std::optional<DoubleDouble> ExtendedPieces::zero_beside(const ExtendedSystem& sy
     move(d);
     return g(piece_.t_start, piece_.y_start);
   };
-  const double reach = farthest * duration;
+  const double reach = farthest_part * duration;
   return zero_near(g_beside, reach, as_near_as_can_be * (reach + std::abs(known_.high)));
 }
 

@@ -35,8 +35,8 @@ export class BifurcationsView {
   range() {
     const { values } = this.page.subject;
     const present = Math.abs(this.present(this.parameter)) || 1;
-    const isWalker = Boolean(this.page.subject.scene.impact);
-    const [from, to] = isWalker ? [present / 3, 2 * present] : [0.05 * present, 2 * present];
+    const hasImpact = Boolean(this.page.subject.scene.impact);
+    const [from, to] = hasImpact ? [present / 3, 2 * present] : [0.05 * present, 2 * present];
     return {
       from: typed(values.get("_from") ?? String(Number(from.toPrecision(3)))),
       to: typed(values.get("_to") ?? String(Number(to.toPrecision(3)))),

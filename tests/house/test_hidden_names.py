@@ -44,6 +44,8 @@ def shared_names(sources):
     for file, text in sources.items():
         for name in hidden_names(text):
             where.setdefault(name.split(" = ")[0], []).append((file, name))
+    for name in [name for name in where if "(" in name]:
+        where[name] += where.get(name.split("(")[0], [])  # a function may share it with another, not with a value
     return [f"{name}: {', '.join(sorted(file for file, _ in found))}" for name, found in sorted(where.items()) if len(found) > 1 and not is_one_alias(found)]
 
 
@@ -71,6 +73,12 @@ class TheSearchItself(unittest.TestCase):
     def test_tells_which_files_share_one(self):
         text = "namespace {\nconstexpr double rounding = 1e-9;\n}  // namespace\n"
         self.assertEqual(shared_names({"a.cpp": text, "b.cpp": text}), ["rounding: a.cpp, b.cpp"])
+
+    def test_tells_a_function_from_a_value_of_its_name(self):
+        value, function, other = ("namespace {\n" + line + "\n}  // namespace\n" for line in (
+            "constexpr double farthest = 1e-3;", "Reals farthest(Reals numbers) {", "Reals farthest(double x) {"))
+        self.assertEqual(shared_names({"a.cpp": value, "b.cpp": function}), ["farthest(Reals): a.cpp, b.cpp"])
+        self.assertEqual(shared_names({"a.cpp": other, "b.cpp": function}), [])
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include "api/contract/json_reader.hpp"
 #include "api/contract/request_reader.hpp"
 #include "api/http/problem.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/members.hpp"
 #include "api/json/text.hpp"
@@ -99,7 +100,7 @@ std::string refused(std::string_view id, const Problem& problem) {
 /// read.
 std::string answer_of(std::string_view endpoint) {
   for (const auto& [name, text] : members_of(text_of(endpoint_files(), std::string(endpoint) + ".json"))) {
-    if (name == "answer") return Json::parse(text).get<std::string>();
+    if (name == "answer") return parse_json(text).get<std::string>();
   }
   throw std::logic_error("no answer is named for " + std::string(endpoint));
 }

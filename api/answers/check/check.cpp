@@ -3,6 +3,7 @@
 #include "api/answers/check/expectation.hpp"
 #include "api/answers/questions.hpp"
 #include "api/contract/version.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/limits.hpp"
 #include "core/base/work.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 Verdict verdict_on(const Grader& grader, const Json& submitted, const std::function<bool()>& interrupted) {
   if (submitted.is_discarded()) return unreadable("There is no answer.");
   if (submitted.is_object() && submitted.size() == 1 && submitted.contains(too_long))
-    return unreadable("It is too long, of " + submitted[too_long].dump() + " bytes.");
+    return unreadable("It is too long, of " + dump_json(submitted[too_long]) + " bytes.");
   try {
     const WorkScope scope(limits::check_algebra, interrupted);
     return grader(submitted);

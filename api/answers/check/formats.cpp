@@ -1,4 +1,5 @@
 #include "api/answers/check/formats.hpp"
+#include "api/json/documents.hpp"
 
 #include <string>
 
@@ -9,9 +10,9 @@ std::string understood_text(const Json& understood) {
   if (!understood.is_object()) return "";
   if (understood.contains("text")) {
     const Json& text = understood["text"];
-    return "Read as: " + (text.is_string() ? text.get<std::string>() : text.dump()) + "\n";
+    return "Read as: " + (text.is_string() ? text.get<std::string>() : dump_json(text)) + "\n";
   }
-  return understood.contains("value") ? "Read as: " + understood["value"].dump() + "\n" : "";
+  return understood.contains("value") ? "Read as: " + dump_json(understood["value"]) + "\n" : "";
 }
 
 /// What a student reads about one item.
@@ -24,7 +25,7 @@ std::string output_of(const Json& item) {
     for (const Json& line : item[list]) text += line.get<std::string>() + "\n";
   }
   if (item["diagnosis"].is_object()) text += item["diagnosis"]["text"].get<std::string>() + "\n";
-  if (item["counterexample"].is_object()) text += "Try: " + item["counterexample"].dump() + "\n";
+  if (item["counterexample"].is_object()) text += "Try: " + dump_json(item["counterexample"]) + "\n";
   text.pop_back();
   return text;
 }

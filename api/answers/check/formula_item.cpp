@@ -5,6 +5,7 @@
 #include <map>
 
 #include "api/answers/check/diagnosis.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/text.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
@@ -161,7 +162,7 @@ void decide(const FormulaItem& item, const Expression& submitted, Verdict& verdi
 
 Verdict grade_formula(const FormulaItem& item, const Json& submitted) {
   if (!submitted.is_string() && !submitted.is_number()) return unreadable("Write the formula as a text.");
-  const std::string text = submitted.is_string() ? submitted.get<std::string>() : submitted.dump();
+  const std::string text = submitted.is_string() ? submitted.get<std::string>() : dump_json(submitted);
   ReadSubmission read =
       read_submission(without_name(text, item), item.formula->graph(), item.formula->vocabulary);
   Verdict verdict;

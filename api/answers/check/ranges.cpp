@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "api/json/documents.hpp"
 #include "api/json/text.hpp"
 #include "core/mechanics/units.hpp"
 
@@ -29,7 +30,7 @@ std::int64_t power_of_ten(int n) { return n <= 0 ? 1 : 10 * power_of_ten(n - 1);
 /// digits.
 std::optional<PlainDecimal> plain_decimal(const Json& number) {
   if (!number.is_number()) return std::nullopt;
-  const std::string text = number.dump();
+  const std::string text = dump_json(number);
   PlainDecimal result;
   bool is_fraction = false;
   for (const char c : text.substr(text.front() == '-' ? 1 : 0)) {

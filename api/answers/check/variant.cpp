@@ -8,6 +8,7 @@
 #include "api/answers/check/number_item.hpp"
 #include "api/answers/check/ranges.hpp"
 #include "api/answers/questions.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/writer.hpp"
 #include "core/grading/number_slip.hpp"
@@ -58,7 +59,7 @@ std::string why_not_graded(const AnswerItem& item) {
     return "its number is not known well enough";
   for (const Json& wrong : usual_wrong_answers(item)) {
     if (grade(item, wrong).correct != false)
-      return "a usual slip, " + wrong.dump() + ", would count as right";
+      return "a usual slip, " + dump_json(wrong) + ", would count as right";
   }
   return "";
 }

@@ -141,7 +141,7 @@ Response answer_gait(const Resolved<GaitRequest>& resolved, Call& call, Models& 
 
 Endpoint gait_endpoint() {
   return {.name = "gait",
-          .help = "Periodic gaits of a walker",
+          .help = "Motions that repeat from impact to impact: gaits",
           .question = question(gait_table(), answer_gait),
           .cost = {.milliseconds = 20},
           .other_names = {"gaits", "walk"}};

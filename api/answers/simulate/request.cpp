@@ -124,10 +124,11 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
   complete_tolerances(request, findings);
   check_precision(request, findings);
   if (request.steps && (!scene->has_impacts() || !request.impacts)) {
-    findings.report("steps", "not_applicable",
-                    scene->has_impacts()
-                        ? "Without impacts there are no strides."
-                        : scene->name + " does not walk: 'steps' are strides. Rows are 'samples'.");
+    findings.report(
+        "steps", "not_applicable",
+        scene->has_impacts()
+            ? "Without impacts there are no strides."
+            : scene->name + " has no impacts: 'steps' are strides from one to the next. Rows are 'samples'.");
   }
   const bool has_goal = request.accuracy || request.max_error || request.max_evaluations;
   if (!request.verify && has_goal) {
@@ -166,10 +167,11 @@ RequestTable<SimulateRequest> make_simulate_table() {
       on_invalid_field<SimulateRequest>(
           "what to do where the model stops holding, such as at a slack string"),
       impacts_field<SimulateRequest>(),
-      integer("steps", &SimulateRequest::steps, {1, limits::strides, UpperEnd::of_work},
-              "number of a walker's strides after which the motion is complete; given beside t_end or "
-              "instead of it",
-              {.aliases = {"strides", "n_steps", "impacts_count"}}),
+      integer(
+          "steps", &SimulateRequest::steps, {1, limits::strides, UpperEnd::of_work},
+          "number of strides, each to an impact, after which the motion is complete; given beside t_end or "
+          "instead of it",
+          {.aliases = {"strides", "n_steps", "impacts_count"}}),
       choice("method", &SimulateRequest::method, words_of_choice(), "the integrator; " + methods_in_words(),
              {.default_value = "auto", .aliases = {"solver", "integrator", "algorithm"}}),
       number("h", &SimulateRequest::h, {"s", {.lower = 0, .lower_open = true}},

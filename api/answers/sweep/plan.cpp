@@ -7,6 +7,7 @@
 #include "api/answers/questions.hpp"
 #include "api/answers/sweep/swept_range.hpp"
 #include "api/contract/field_values.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/pointer.hpp"
 #include "api/json/text.hpp"
 #include "api/json/writer.hpp"
@@ -175,7 +176,7 @@ class Planner {
       plan_.swept = std::move(*swept);
     }
     const std::string file = std::string(plan_.question->name) + ".json";
-    Json schema = Json::parse(text_of(endpoint_files(), file)).at("schema");
+    Json schema = parse_json(text_of(endpoint_files(), file)).at("schema");
     for (const char* head : {"system", "model_version", "service_version", "request"})
       schema["properties"][head] = true;
     auto columns = read_columns(request_.collect, taken, schema, whole_.below("collect"), errors_);

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "api/answers/many.hpp"
+#include "api/json/documents.hpp"
 #include "core/base/work.hpp"
 
 namespace qdot::api {
@@ -20,7 +21,7 @@ std::string reason_of_problem(const Json& problem) {
 SweptRow read_row(const Response& response, const std::vector<CollectedColumn>& columns,
                   std::vector<std::string>& units) {
   SweptRow row{.status = response.status, .values = std::vector<Json>(columns.size())};
-  const Json answer = Json::parse(response.body, nullptr, false);
+  const Json answer = parse_json_or_discard(response.body);
   if (response.status != 200) {
     row.reason = reason_of_problem(answer);
     return row;

@@ -3,6 +3,7 @@
 #include "api/answers/answers.hpp"
 #include "api/answers/sweep/rows.hpp"
 #include "api/contract/answering.hpp"
+#include "api/json/documents.hpp"
 #include "api/json/limits.hpp"
 #include "api/json/writer.hpp"
 
@@ -123,7 +124,7 @@ class SweepAnswer {
     } else if (value.is_string()) {
       append_text_cell(text, value.get<std::string>());
     } else if (!value.is_null()) {
-      text += value.dump();
+      text += dump_json(value);
     }
     text += ',';
   }
