@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/numerics/constants.hpp"
 #include "core/numerics/rough_powers.hpp"
