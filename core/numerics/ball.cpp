@@ -70,7 +70,7 @@ Reduced reduced(const DoubleDouble& x) {
 Ball sine_wave(const Ball& a, long phase) {
   static const std::array<DoubleDouble, terms> sine = alternating_inverse_factorials(1);
   static const std::array<DoubleDouble, terms> cosine = alternating_inverse_factorials(0);
-  if (!a.is_finite() || a.magnitude() > 1e6) {
+  if (!a.is_finite() || a.magnitude() > largest_angle) {
     const Function function = phase == 0 ? Function::sin : Function::cos;
     return a.is_finite() ? Ball::of(evaluate(function, a.interval())) : Ball(DoubleDouble{}, infinity);
   }

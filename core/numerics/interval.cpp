@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/numerics/constants.hpp"
+#include "core/numerics/double_double_function.hpp"
 
 namespace qdot {
 namespace {
@@ -63,14 +64,15 @@ Interval increasing(Function function, const Interval& a) {
   return outward({evaluate(function, a.lower), evaluate(function, a.upper)}, units_of_functions);
 }
 
-/// Whether some k pi/2 with k = phase (mod 4) may lie in a.
+/// Whether some k pi/2 with k = phase (mod 4) may lie in a, as far as turns are known when rounded.
 bool reaches_quarter(const Interval& a, int phase) {
-  const double first = std::ceil((a.lower / (pi / 2) - phase) / 4 - 1e-9);
-  return (4 * first + phase) * (pi / 2) <= a.upper + 1e-9 * (1 + std::abs(a.upper));
+  const double slack = 1e-9 + 8 * std::numeric_limits<double>::epsilon() * a.magnitude();
+  const double first = std::ceil(((a.lower - slack) / (pi / 2) - phase) / 4);
+  return (4 * first + phase) * (pi / 2) <= a.upper + slack;
 }
 
 Interval wave(Function function, const Interval& a, int top, int bottom) {
-  if (!a.is_finite() || a.magnitude() > 1e6 || a.width() >= 2 * pi) return {-1, 1};
+  if (!a.is_finite() || a.magnitude() > largest_angle || a.width() >= 2 * pi) return {-1, 1};
   const double left = evaluate(function, a.lower);
   const double right = a.width() == 0 ? left : evaluate(function, a.upper);
   Interval range = outward({std::min(left, right), std::max(left, right)}, units_of_functions);

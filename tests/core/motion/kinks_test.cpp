@@ -125,6 +125,22 @@ TEST(Kinks, OfADriveArePassed) {
   EXPECT_TRUE(found.bounded);
 }
 
+/// Of t alone, long after 0: v = arcsin(sin t) + constant.
+TEST(Kinks, OfADriveArePassedAtLargeTimes) {
+  const auto model = mass_under("F*sign(cos(t/T))");
+  SimulationRequest request = test::request_for(*model, {}, {1e8, 1e8 + 4, 1e8 + 9});
+  request.t_start = 1e8;
+  request.t_end = 1e8 + 9;
+  const auto found = simulate_with_error(Dynamics(model), request, {});
+  ASSERT_EQ(found.simulation.ending, Ending::reached_end);
+  const auto wave = [](long double t) { return std::asin(std::sin(t)); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto speed = static_cast<double>(wave(request.grid[i]) - wave(1e8L));
+    EXPECT_LE(std::abs(row(found.simulation, i)[1] - speed), found.max_abs_error[1]);
+  }
+  EXPECT_LT(found.max_abs_error[1], 1e-6);
+}
+
 /// The force may begin at once or never: nothing tells.
 TEST(Kinks, ThatPushAwayOnBothSidesAreUndetermined) {
   EXPECT_EQ(measured("F*sign(x_dot)", {}, 5, 5).simulation.ending, Ending::undetermined);
