@@ -60,6 +60,14 @@ class DomainsOfEvents(Service):
                         no_error = [event for event in events if event["error"] is None]
                         self.assertTrue(NEAR in reason or "how often it happens" in reason or len(no_error) == 2, (reason, events))
 
+    def test_a_flat_function_does_not_hide_what_cancels_in_its_argument(self):
+        # u = 2e-17 where 1 + (x - a)^2 = (1 + 2e-17)^2: for some nanoseconds, which doubles do not show.
+        for shape in ("sign({u})", "tanh(1e18*({u}))", "atan(1e18*({u}))", "sign({u})*(2 + x)"):
+            function = shape.format(u="sqrt(1 + (x - 0.434)^2) - 1 - 2e-17")
+            with self.subTest(function):
+                reason, events = self.reason("1e-9", "-0.554", "1.316", 1.3, function)
+                self.assertTrue(len(events) == 2 or NEAR in reason, (reason, events))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -11,6 +11,14 @@ namespace {
 
 constexpr double rounding = 0x1p-52;  ///< of a state
 
+/// Where these are flat, values do not show what their arguments are rounded by.
+bool hides_rounding(const CompiledFunction& function) {
+  return std::ranges::any_of(function.instructions(), [](const Instruction& i) {
+    constexpr std::array flat{Function::sign, Function::tanh, Function::atan, Function::exp};
+    return i.operation == Operation::call && std::ranges::find(flat, i.function) != flat.end();
+  });
+}
+
 }  // namespace
 
 TaylorComposition::TaylorComposition(std::shared_ptr<const CompiledFunction> function,
@@ -23,6 +31,9 @@ TaylorComposition::TaylorComposition(std::shared_ptr<const CompiledFunction> fun
       left_out_(function_->variables()) {
   translation_ = std::make_unique<TaylorTranslation>(*function_, workspace_, coordinates_);
   remainder_ = std::make_unique<taylor::Remainder>(translation_->composition(), kernels_);
+  if (!hides_rounding(*function_)) return;
+  const auto row_of = [this](Slot slot) { return translation_->row_of(slot); };
+  rounding_ = std::make_unique<taylor::Rounding>(*function_, workspace_, *remainder_, row_of);
 }
 
 TaylorComposition::~TaylorComposition() = default;
@@ -43,7 +54,8 @@ double TaylorComposition::expand(double t, std::span<const double> rows, unsigne
   alone.state.n = 0;  // the state's coefficients are there
   kernels_.expand(alone, order);
   const double* row = translation_->output();
-  const double r = remainder_->distance(row, h, order, left_out_);
+  double r = remainder_->distance(row, h, order, left_out_);
+  if (rounding_ && r < infinity) r += rounding_->of_output();
   std::copy_n(row, order, coefficients.begin());
   coefficients[order] = translation_->is_of_state(row) ? row[order] : 0;
   if (!(r < infinity) && remainder_->is_without_value()) return std::numeric_limits<double>::quiet_NaN();

@@ -6,7 +6,8 @@
 //
 // for every p whose components are no farther than given from the polynomials. The coefficients come from the
 // recurrences of expansion.hpp, the bound from remainder.hpp. A low order is cheap and often enough to see
-// that g has no zero.
+// that g has no zero. Where g has a function that hides what its argument is rounded by, as sign and tanh do,
+// that is in r (rounding.hpp); of others values tell.
 
 #include <array>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "core/compile/compiled_function.hpp"
 #include "core/compile/taylor/kernels.hpp"
 #include "core/compile/taylor/remainder.hpp"
+#include "core/compile/taylor/rounding.hpp"
 
 namespace qdot {
 
@@ -52,6 +54,7 @@ class TaylorComposition {
   taylor::Kernels kernels_;
   std::unique_ptr<TaylorTranslation> translation_;
   std::unique_ptr<taylor::Remainder> remainder_;
+  std::unique_ptr<taylor::Rounding> rounding_;  ///< null where values tell
   std::size_t coordinates_;
   std::vector<double> start_, left_out_;
   std::array<double, taylor::highest_order + 1> powers_{};  ///< h^k

@@ -133,6 +133,12 @@ void Rounding::bound(double unit, std::span<double> accelerations) {
   }
 }
 
+double Rounding::of_output() {
+  take_variables();
+  for (const Instruction& instruction : tape_.body_) apply(instruction);
+  return known_or_infinite(sizes_[tape_.outputs_.front()].error);
+}
+
 const Remainder::Row* Rounding::measured(Slot slot) const {
   if (rows_[slot] == no_row) return nullptr;
   const Remainder::Row& row = remainder_.rows_[rows_[slot]];

@@ -44,6 +44,8 @@ class Rounding {
   /// digits of its own are rounded in every motion, and whoever steps knows them. Infinite where there is
   /// none. `unit`: u, of doubles or of double-doubles.
   void bound(double unit, std::span<double> accelerations);
+  /// The same of a function's output in doubles, all of it: along the piece that was looked at last.
+  [[nodiscard]] double of_output();
 
  private:
   static constexpr double no_bound_known = std::numeric_limits<double>::infinity();

@@ -279,6 +279,24 @@ TEST(Composition, IsWithinItsBound) {
   EXPECT_GT(finite, cases * 3 / 4);
 }
 
+/// The argument is below zero where q is within 6e-9 of its least value, and doubles have it positive or
+/// zero.
+TEST(Composition, CountsTheRoundingThatFlatFunctionsHide) {
+  const CompiledFunction free = test::function_of("0*q");
+  for (const char* formula :
+       {"sign(sqrt(1 + (q - 0.25)^2) - 1 - 2e-17)", "tanh(1e18*(sqrt(1 + (q - 0.25)^2) - 1 - 2e-17))",
+        "sign(2*(q + 3)*(sqrt(1 + (q - 0.25)^2) - 1 - 2e-17))"}) {
+    TaylorComposition composition(std::make_shared<const CompiledFunction>(test::function_of(formula)), {});
+    const auto off = [&](double q) {
+      std::vector<double> c(6);
+      const Step step(free, {}, 0, {q, 1}, 20, 1e-7);
+      return composition.expand(0, step.c, step.order, step.h, 5, c);
+    };
+    EXPECT_GE(off(0.25 - 5e-8), 1) << formula;
+    EXPECT_LT(off(0.125), 1e-6) << formula;
+  }
+}
+
 /// How far g of a state in [0, h] is from coefficients that are good to r: the largest of what exceeds r.
 double excess(const CompiledFunction& g, std::span<const double> parameters, const Step& step,
               std::span<const double> c, double r) {
