@@ -2,6 +2,9 @@
 
 #include "api/json/text.hpp"
 #include "core/dynamics/lost_inertia.hpp"
+#include "core/expr/print/print.hpp"
+#include "core/mechanics/notation.hpp"
+#include "core/mechanics/partial_quantities.hpp"
 
 namespace qdot::api {
 namespace {
@@ -14,12 +17,21 @@ namespace {
       still.empty()
           ? "some motion of the coordinates moves no mass, wherever they are: the mass matrix has no "
             "inverse, so the accelerations are undetermined."
-          : "nothing that has mass moves with " + enumerated(still) +
+          : "nothing that has mass moves with " + enumerated(still, "and") +
                 ", so no acceleration of it follows from the equations.";
-  throw Error(ErrorCode::invalid_parameters, "With " + enumerated(zeros) + " " + what);
+  throw Error(ErrorCode::invalid_parameters, "With " + enumerated(zeros, "and") + " " + what);
 }
 
 }  // namespace
+
+void refuse_parts_without_value(const ResolvedSystem& system) {
+  const Model& model = system.model();
+  const auto missing = part_without_value(model.partial, model.parsed.symbols, system.state.parameters);
+  if (!missing) return;
+  throw Error(ErrorCode::invalid_parameters,
+              "With these parameters there is no finite value of " + missing->name + " in any state: " +
+                  print(missing->part, Form::text, notation_of(model.scene)) + " has none.");
+}
 
 void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Call& call) {
   for (const std::size_t i : limits)
@@ -30,6 +42,7 @@ void note_limits(const Scene& scene, const std::vector<std::size_t>& limits, Cal
 }
 
 void note_lost_inertia(const ResolvedSystem& system, Call& call) {
+  refuse_parts_without_value(system);
   const LostInertia lost = lost_inertia(system.model(), system.state.parameters);
   if (lost.fault) refuse(system.scene(), lost);
   note_limits(system.scene(), lost.limits, call);

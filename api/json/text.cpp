@@ -81,10 +81,10 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-std::string enumerated(const std::vector<std::string>& words) {
+std::string enumerated(const std::vector<std::string>& words, std::string_view conjunction) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+    if (i > 0) text += i + 1 == words.size() ? " " + std::string(conjunction) + " " : ", ";
     text += words[i];
   }
   return text;

@@ -25,6 +25,7 @@ namespace qdot::api {
 [[nodiscard]] std::string lower_case(std::string_view text);
 
 /// "a, b or c"
-[[nodiscard]] std::string enumerated(const std::vector<std::string>& words);
+[[nodiscard]] std::string enumerated(const std::vector<std::string>& words,
+                                     std::string_view conjunction = "or");
 
 }  // namespace qdot::api

@@ -54,12 +54,18 @@ class Collector {
     for (const auto* all : {&scene.symbols.coordinates.value, &scene.symbols.coordinates.rate}) {
       for (const Expression& symbol : *all) varying_.push_back(symbol.id());
     }
+    all_that_varies_ = {scene.symbols.t};
+    for (const auto* all : {&scene.symbols.coordinates, &scene.symbols.inputs}) {
+      for (const auto* symbols : {&all->value, &all->rate})
+        all_that_varies_.insert(all_that_varies_.end(), symbols->begin(), symbols->end());
+    }
   }
 
   void add(const std::string& name, const Expression& e) {
     const bool poles = may_have_poles(e, varying_);
     if (!poles && !is_partial(e, varying_)) return;
-    result_.push_back({name, substitute(e, lagrangian_.holding), poles});
+    const Expression held = substitute(e, lagrangian_.holding);
+    result_.push_back({name, held, poles, parts_of_parameters(held)});
   }
   void add(const std::string& name, const Vector& vector) {
     for (const Expression& component : vector) add(name, component);
@@ -68,7 +74,24 @@ class Collector {
   std::vector<PartialQuantity> result() && { return std::move(result_); }
 
  private:
+  [[nodiscard]] std::vector<Expression> parts_of_parameters(const Expression& e) const {
+    const auto may_lose = [](const Power& power) {
+      return power.exponent < Number(0) || !power.exponent.is_integer();
+    };
+    std::vector<Expression> parts;
+    for (const NodeId id : reachable(e.graph(), std::array{e.id()})) {
+      const Node& node = e.graph().node(id);
+      const auto* power = std::get_if<Power>(&node);
+      const auto* call = std::get_if<Call>(&node);
+      const bool is_partial = (power && may_lose(*power)) || (call && is_partial_function(call->function));
+      const Expression part(e.graph(), id);
+      if (is_partial && !depends_on(part, all_that_varies_)) parts.push_back(part);
+    }
+    return parts;
+  }
+
   const Lagrangian& lagrangian_;
+  std::vector<Expression> all_that_varies_;  ///< inputs and the time, too
   std::vector<NodeId> varying_;
   std::vector<PartialQuantity> result_;
 };
@@ -121,6 +144,19 @@ std::string without_value(const std::vector<PartialQuantity>& quantities, const 
     names += (names.empty() ? "" : " and ") + quantity.name;
   }
   return names;
+}
+
+std::optional<MissingPart> part_without_value(const std::vector<PartialQuantity>& quantities,
+                                              const Symbols& symbols, const Reals& parameters) {
+  std::vector<Assignment> values;
+  for (std::size_t i = 0; i < symbols.parameters.size(); ++i)
+    values.emplace_back(symbols.parameters[i], parameters[i]);
+  for (const PartialQuantity& quantity : quantities) {
+    for (const Expression& part : quantity.of_parameters) {
+      if (!std::isfinite(evaluate(part, values))) return MissingPart{quantity.name, part};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace qdot

@@ -18,6 +18,7 @@ struct PartialQuantity {
   std::string name;  ///< "L", "the position of bob"
   Expression value;  ///< in t, q, q', the parameters and inputs
   bool may_have_poles{};
+  std::vector<Expression> of_parameters{};  ///< roots, denominators and so on that consist of them alone
 };
 
 /// Those with a logarithm, a root, an inverse sine or cosine, a tangent, or a denominator, be it only a
@@ -30,5 +31,13 @@ struct PartialQuantity {
 [[nodiscard]] std::string without_value(const std::vector<PartialQuantity>& quantities,
                                         const Symbols& symbols, const Reals& parameters,
                                         std::optional<double> t, const Reals& y);
+
+/// A part of a quantity that consists of parameters alone and has no finite value: in no state has that one.
+struct MissingPart {
+  std::string name;
+  Expression part;
+};
+[[nodiscard]] std::optional<MissingPart> part_without_value(const std::vector<PartialQuantity>& quantities,
+                                                            const Symbols& symbols, const Reals& parameters);
 
 }  // namespace qdot

@@ -45,6 +45,19 @@ class MassesOfZero(Service):
                     self.assertEqual(refused["pointer"], "#/parameters")
                     self.assertIn(why, refused["detail"])
 
+    def test_two_that_are_zero_are_named_together(self):
+        refused = self.refused("energy", {"system": lagrangian("two", "m - 0; M - 0", "x - 0.5", "(m + M)*x_dot^2/2 - (m + 1)*x^2")})["errors"][0]
+        self.assertIn("With m = 0 and M = 0 nothing that has mass", refused["detail"])
+
+    def test_a_lagrangian_that_has_no_value_in_any_state_has_no_answers(self):
+        for text in ("x_dot^2/2/m + y_dot^2/2 - k*(x^2 + y^2)/2", "x_dot^2/2 + y_dot^2/2 + m*log(m)*x - k*(x^2 + y^2)/2"):
+            inverse = lagrangian("inverse", "m - 1; k - 4", "x - 0.6; y - 0.1", text)
+            for endpoint, more in (OF_ACCELERATIONS | {"equilibria": {}}).items():
+                with self.subTest(text, endpoint=endpoint):
+                    refused = self.refused(endpoint, {"system": inverse, "parameters": {"m": 0}} | more)["errors"][0]
+                    self.assertIn("m", refused["detail"].partition("in any state: ")[2])
+                    self.ask(endpoint, {"system": inverse} | more)
+
     def test_a_constraint_may_hold_what_has_no_mass(self):
         tied = PAIR | {"lagrangian": "m*x_dot^2/2 + M*y_dot^2/2 - k*y^2/2",
                        "constraints": [{"name": "w", "expression": "x - y"}]}

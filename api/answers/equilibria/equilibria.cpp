@@ -266,6 +266,7 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
     if (!errors.empty())
       return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
   } else {
+    refuse_parts_without_value(system);
     system.echo.erase("at");
   }
   std::optional<WrittenTexts> written;
