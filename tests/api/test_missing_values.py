@@ -46,11 +46,11 @@ class MissingValues(Service):
         self.assertEqual([round(one["value"], 9) for one in found["critical"]], [-2])
 
     def test_no_motion_begins_there(self):
-        for asked, missing in ((scene("x_dot^2/2 - log(x)", "-1"), "L"), (scene("x_dot^2/(2*a)"), "L"),
-                               (ROOT, "the position of bead")):
+        for asked, missing, pointer in ((scene("x_dot^2/2 - log(x)", "-1"), "L", "#/initial"), (scene("x_dot^2/(2*a)"), "L", "#/parameters"),
+                                        (ROOT, "the position of bead", "#/initial")):
             for endpoint, more in (("simulate", {"t_end": 1, "samples": 2}), ("turning_points", {})):
                 problem = self.refused(endpoint, {"system": asked} | more)
-                self.assertEqual(problem["errors"][0]["pointer"], "#/initial")
+                self.assertEqual(problem["errors"][0]["pointer"], pointer)
                 self.assertIn(f"no finite value of {missing}", problem["errors"][0]["detail"])
 
 
