@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/short_number.hpp"
 #include "core/compile/sharp_signs.hpp"
 #include "core/compile/tape_evaluator.hpp"
 #include "core/compile/taylor/composition.hpp"
@@ -201,8 +202,9 @@ void add_validity(const Dynamics& dynamics, const WatchRequest& request, std::ve
   }
 }
 
-Watch singularity(const std::string& message, Crossing direction) {
+Watch singularity(const std::string& name, const std::string& message, Crossing direction) {
   return {.kind = Watch::Kind::singularity,
+          .name = name,
           .reason = "coordinate_singularity",
           .message = message,
           .direction = direction};
@@ -216,7 +218,8 @@ void add_domains(const Dynamics& dynamics, std::vector<Watch>& all) {
         "The coordinate " + coordinates[i].name + " left the range in which it describes a configuration.";
     const auto add = [&](double sign, double limit) {
       if (!std::isfinite(limit)) return;
-      all.push_back(singularity(message, Crossing::falling));
+      const std::string name = coordinates[i].name + " = " + short_number(limit);
+      all.push_back(singularity(name, message, Crossing::falling));
       watch_component(all.back(), i, sign, limit);
     };
     add(1, domain.lower);
@@ -227,8 +230,9 @@ void add_domains(const Dynamics& dynamics, std::vector<Watch>& all) {
 void add_singularities(const Dynamics& dynamics, const WatchRequest& request, std::vector<Watch>& all) {
   const Model& model = dynamics.model();
   for (std::size_t i = 0; i < model.scene.singular_where.size(); ++i) {
-    const Column column{model.scene.singular_where[i].name, "", model.parsed.singular_where[i]};
-    all.push_back(singularity(model.scene.singular_where[i].message, Crossing::either));
+    const Singularity& place = model.scene.singular_where[i];
+    const Column column{place.name, "", model.parsed.singular_where[i]};
+    all.push_back(singularity(place.name, place.message, Crossing::either));
     watch_function(all.back(), watched_column(dynamics, request, column), request.parameters);
   }
 }
