@@ -130,6 +130,7 @@ class Analysis {
     for (std::size_t i = 0; i < reduction().kept.size(); ++i) put(reduction().kept[i], place_.x[i]);
     const Balls rates = evaluated(statics_->ignored_rates, constants_, place_.x);
     for (std::size_t c = 0; c < rates.size(); ++c) put(total() + reduction().ignored[c], rates[c]);
+    for (const std::size_t i : place_.held) result_.held.push_back(reduction().kept[i]);
   }
   void put(std::size_t i, const Ball& value) {
     if (!value.is_finite()) throw Error(ErrorCode::invalid_state, "A steady rate has no finite value there.");
