@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/numerics/same_bits.hpp"
 #include "core/steady/free_direction.hpp"
 #include "core/steady/mode_shapes.hpp"
 #include "core/steady/spectrum.hpp"
@@ -212,8 +213,31 @@ class ModeSearch {
       const bool near_axis = Ball(found.values[i].re.middle, found.radii[i]).contains_zero();
       const bool on_axis =
           near_axis && at_.reduced.undamped() && (members == 1 || held_by_potential(at_.reduced));
-      add_exponent({found.values[i], found.radii[i], members, on_axis}, {shape_of(found, i)}, zeros);
+      Exponent e{found.values[i], found.radii[i], members, on_axis};
+      const Shape shape = shape_of(found, i);
+      e.undamped = on_axis || (near_axis && is_undamped(e, shape, found.values, found.radii));
+      add_exponent(e, {shape}, zeros);
     }
+  }
+
+  /// Damping leaves the motion along the shape alone: a single eigenvalue i sqrt(lambda) in the disc and in
+  /// none of the others.
+  [[nodiscard]] bool is_undamped(const Exponent& e, const Shape& shape,
+                                 const std::vector<ComplexBall>& centres,
+                                 const std::vector<double>& radii) const {
+    if (e.members > 1 || !(e.middle.im.middle.high > e.radius)) return false;
+    const std::optional<Ball> lambda = undamped_along(at_, shape);
+    if (!lambda || !(lambda->middle.high > lambda->radius)) return false;
+    const ComplexBall s(Ball(0), sqrt(*lambda));
+    const auto may_hold_it = [&](const ComplexBall& centre, double radius) {
+      const ComplexBall apart = s - centre;
+      return hypotenuse(apart.re.value(), apart.im.value()) * (1 - 0x1p-30) <=
+             radius + apart.re.error() + apart.im.error();
+    };
+    std::size_t holding = 0;
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      if (may_hold_it(centres[i], radii[i])) ++holding;
+    return holding == 1 && may_hold_it(e.middle, e.radius);
   }
 
   /// Eigenvalues that may lack eigenvectors: their shapes are those that make s^2 M + s D + K vanish.

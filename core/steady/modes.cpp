@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/short_number.hpp"
 #include "core/dynamics/missing_values.hpp"
+#include "core/steady/free_direction.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/steady_forces.hpp"
@@ -148,6 +149,7 @@ class Analysis {
       return std::any_of(result_.modes.begin(), result_.modes.end(),
                          [&](const Mode& mode) { return mode.kind == kind; });
     };
+    const bool is_freed = std::ranges::any_of(result_.modes, is_freed_from_damping);
     result_.stability = Stability::neutral;
     if (has(ModeKind::growth)) {
       result_.stability = Stability::unstable;
@@ -167,12 +169,31 @@ class Analysis {
       result_.undecided =
           "The potential has no minimum here; gyroscopic terms hold the system to first order, and "
           "linearization does not decide.";
+    } else if (is_freed && !reduced_.undamped()) {
+      write_stability_beside_damping();
     } else if (has(ModeKind::oscillation) && !energy_decides()) {
       result_.undecided =
           "Small motions neither grow nor decay to first order, and the forces have no potential that would "
           "decide: they are not the gradient of one, or depend on velocities.";
     } else {
       result_.stability = Stability::stable;
+    }
+  }
+
+  static bool is_freed_from_damping(const Mode& mode) {
+    return mode.kind == ModeKind::oscillation && !mode.rate_error;
+  }
+
+  void write_stability_beside_damping() {
+    if (has_linear_equations(*statics_)) {
+      result_.stability = Stability::stable;
+      result_.undecided =
+          "What damps the system does nothing along the mode that oscillates: it neither grows nor decays, and "
+          "the equations of motion are linear, so that this is exact.";
+    } else {
+      result_.undecided =
+          "What damps the system does nothing along the mode that oscillates: to first order it neither grows "
+          "nor decays, and nonlinear terms decide.";
     }
   }
 

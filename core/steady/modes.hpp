@@ -34,7 +34,7 @@ struct Modes {
   std::vector<std::size_t> held;
   std::vector<Real> momenta;  ///< of the ignorable coordinates, which the small motions keep
   Stability stability{};
-  std::string undecided;  ///< why it is neutral, a sentence
+  std::string undecided;  ///< why it is neutral, or what is left undamped, a sentence
   std::vector<double> mass, stiffness;
   std::vector<double> gyroscopic, damping;  ///< empty where zero
   std::vector<Mode> modes;                  ///< by omega; at 0 in the order of ModeKind
