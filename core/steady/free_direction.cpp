@@ -16,16 +16,16 @@ constexpr double rounding = 1e-9;
 
 bool is_near(double a, double b) { return std::abs(a - b) <= rounding * std::max(1.0, std::abs(b)); }
 
-struct Fraction {
+struct ShortRatio {
   std::int64_t p{}, q{};
 };
 
 /// Near x, with a small q.
-std::optional<Fraction> short_fraction(double x) {
+std::optional<ShortRatio> short_ratio(double x) {
   constexpr std::int64_t largest_denominator = 60;
   for (std::int64_t q = 1; q <= largest_denominator; ++q) {
     const double p = std::round(x * static_cast<double>(q));
-    if (is_near(p / static_cast<double>(q), x)) return Fraction{static_cast<std::int64_t>(p), q};
+    if (is_near(p / static_cast<double>(q), x)) return ShortRatio{static_cast<std::int64_t>(p), q};
   }
   return std::nullopt;
 }
@@ -91,7 +91,7 @@ class NearDirection {
 
  private:
   [[nodiscard]] std::optional<Component> fraction_near(double x) {
-    const std::optional<Fraction> fraction = short_fraction(x);
+    const std::optional<ShortRatio> fraction = short_ratio(x);
     if (!fraction) return std::nullopt;
     const auto [p, q] = *fraction;
     return Component{graph_.number(Number::ratio(p, q)),
