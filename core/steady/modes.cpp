@@ -169,7 +169,7 @@ class Analysis {
       result_.undecided =
           "The potential has no minimum here; gyroscopic terms hold the system to first order, and "
           "linearization does not decide.";
-    } else if (is_freed && !reduced_.undamped()) {
+    } else if (is_freed && !reduced_.undamped() && !reduced_.depends_on_squares()) {
       write_stability_beside_damping();
     } else if (has(ModeKind::oscillation) && !energy_decides()) {
       result_.undecided =
@@ -184,16 +184,32 @@ class Analysis {
     return mode.kind == ModeKind::oscillation && !mode.rate_error;
   }
 
+  /// With simple eigenvalues, none of them 0: else what oscillates or drifts may drive what has no damping.
+  [[nodiscard]] bool are_apart() const {
+    std::optional<Interval> last;
+    for (const Mode& mode : result_.modes) {
+      if (mode.kind == ModeKind::rigid) return false;
+      if (mode.kind != ModeKind::oscillation) continue;
+      if (mode.multiplicity > 1 || !mode.omega_error) return false;
+      const Interval omega = Interval(mode.omega) + Interval(-*mode.omega_error, *mode.omega_error);
+      if (last && !(last->upper < omega.lower)) return false;
+      last = omega;
+    }
+    return true;
+  }
+
   void write_stability_beside_damping() {
-    if (has_linear_equations(*statics_)) {
+    result_.undecided = "What damps the system does nothing along the mode that oscillates: ";
+    if (!are_apart()) {
+      result_.undecided +=
+          "by itself it neither grows nor decays. Whether another that oscillates or drifts drives it is not "
+          "looked at.";
+    } else if (has_linear_equations(*statics_)) {
       result_.stability = Stability::stable;
-      result_.undecided =
-          "What damps the system does nothing along the mode that oscillates: it neither grows nor decays, and "
-          "the equations of motion are linear, so that this is exact.";
+      result_.undecided +=
+          "it neither grows nor decays, and the equations of motion are linear, so that this is exact.";
     } else {
-      result_.undecided =
-          "What damps the system does nothing along the mode that oscillates: to first order it neither grows "
-          "nor decays, and nonlinear terms decide.";
+      result_.undecided += "to first order it neither grows nor decays, and nonlinear terms decide.";
     }
   }
 

@@ -47,6 +47,20 @@ TEST(UndampedModes, AreUndampedToFirstOrderWhereForcesAreNotLinear) {
   EXPECT_NE(found.undecided.find("nonlinear terms decide"), std::string::npos);
 }
 
+/// A second oscillator that the first drives in its resonance, by a force of its velocity: it grows as t.
+TEST(UndampedModes, AreNotCalledStableWhereAnotherMayDriveThem) {
+  Scene scene;
+  scene.name = "driven";
+  scene.parameters = {
+      {"m", "kg", "1", {}, "", ""}, {"k", "N/m", "4", {}, "", ""}, {"c", "kg/s", "1", {}, "", ""}};
+  scene.coordinates = {{"x", "m", "0", "0", "", {}, "", ""}, {"y", "m", "0", "0", "", {}, "", ""}};
+  scene.points = {{"p", {"x", "0"}}, {"q", {"y", "0"}}};
+  scene.bodies = {Particle{"p", "m", {"p", {}}}, Particle{"q", "m", {"q", {}}}};
+  scene.potential = "k/2*(x^2 + y^2)";
+  scene.forces = {{.name = "drive", .value = "c*x_dot", .along = "y"}};
+  EXPECT_EQ(test::modes_of(build_model(scene), {}).stability, Stability::neutral);
+}
+
 TEST(UndampedModes, AreNotThoseWhoseDampingIsBelowRounding) {
   const Modes found = modes_between_walls("", "k*(1 + 1e-15)");
   ASSERT_EQ(kinds(found), "oscillation decay");
