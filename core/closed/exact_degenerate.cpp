@@ -24,21 +24,28 @@ class DegenerateForm {
         p_(values_.symbols()[index]) {}
 
   [[nodiscard]] std::optional<ClosedForm> at(double value) const {
+    for (const Expression& force : motions_.forces)
+      if (auto form = root_of(force, value)) return form;
+    return motions_.stiffness.size() < 2 || motions_.stiffness.size() > largest_written_system
+               ? std::nullopt
+               : root_of(determinant(motions_.stiffness), value);
+  }
+
+ private:
+  /// Of a factor of e near the value that makes e vanish in every position.
+  [[nodiscard]] std::optional<ClosedForm> root_of(const Expression& e, double value) const {
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
-    for (const Expression& force : motions_.forces) {
-      for (const Expression& factor : factors_of_parameter(force)) {
-        for (const Expression& root : roots_in(factor, p_, values_)) {
-          const std::vector<Replacement> there{{p_, root}};
-          if (agrees(values_.value(root), value, rounding * std::abs(value)) &&
-              rational_function(substitute(force, there)).is_zero())
-            return closed_form(values_, root, {});
-        }
+    for (const Expression& factor : factors_of_parameter(e)) {
+      for (const Expression& root : roots_in(factor, p_, values_)) {
+        const std::vector<Replacement> there{{p_, root}};
+        if (agrees(values_.value(root), value, rounding * std::abs(value)) &&
+            rational_function(substitute(e, there)).is_zero())
+          return closed_form(values_, root, {});
       }
     }
     return std::nullopt;
   }
 
- private:
   [[nodiscard]] std::vector<Expression> factors_of_parameter(const Expression& force) const {
     Graph& graph = *motions_.graph;
     const Expression above = to_expression(graph, with_single_angles(graph, rational_function(force).above));

@@ -8,8 +8,9 @@
 
 namespace qdot {
 
-/// Of `found.degenerate`, in order, where a force has a factor of parameter number `index` alone that is
-/// linear or quadratic in it, or in its square.
+/// Of `found.degenerate`, in order, where a force, or of up to three coordinates the determinant of their
+/// stiffness, has a factor of parameter number `index` alone that is linear or quadratic in it, or in its
+/// square.
 [[nodiscard]] std::vector<std::optional<ClosedForm>> exact_degenerate_values(
     const Dynamics& dynamics, const Reals& parameters, const Reals& y, std::size_t index,
     const WrittenTexts& written, const Bifurcations& found);

@@ -186,6 +186,7 @@ class CriticalSearch {
       }
       say(told);
       result_.at_ends.push_back(told);
+      result_.crossings.push_back(crossing);
       known_elsewhere_.push_back(crossing.p.middle());
     }
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/steady/branches.hpp"
+#include "core/steady/region_ends.hpp"
 
 namespace qdot {
 
@@ -25,6 +26,7 @@ struct Bifurcations {
   /// Sentences: where equilibria come from an end of a coordinate, such as infinity, or leave there. What is
   /// known does not take from `complete`.
   std::vector<std::string> at_ends;
+  std::vector<EndCrossing> crossings;  ///< which these sentences are about
 };
 
 /// Of parameter number `index` in [from, to], from < to, the others as given.

@@ -6,6 +6,7 @@
 #include "core/steady/inertia.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
+#include "core/steady/mode_shapes.hpp"
 #include "core/steady/rolling_modes.hpp"
 #include "core/steady/steady_forces.hpp"
 #include "core/steady/steady_rolling.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 constexpr const char* no_stiffness =
     "Along a neutral mode the stiffness is zero to within its error: higher terms of the potential decide.";
+
+constexpr const char* no_drive = "Every place is an equilibrium: nothing drives the system back or away.";
 
 class SurfaceAnalysis {
  public:
@@ -95,9 +98,13 @@ class SurfaceAnalysis {
     const SmallMotions all = statics.linearized ? of_all(of(*statics.linearized)) : kept;
     write_place();
     std::tie(result_.mass, result_.stiffness, result_.gyroscopic, result_.damping) = matrices_by_rows(all);
-    result_.modes = modes_of({statics, constants_, place_, total(), on_surface, all, z_});
-    SteadyStability stability = stability_of(on_surface);
+    const Linearization linearization{statics, constants_, place_, total(), on_surface, all, z_};
+    result_.modes = modes_of(linearization);
+    SteadyStability stability =
+        stability_of(on_surface, first_components(directions_of_family(linearization)));
     result_.stability = stability.stability;
+    if (std::ranges::all_of(result_.modes, [](const Mode& mode) { return mode.kind == ModeKind::rigid; }))
+      stability.undecided = no_drive;
     result_.undecided = stability.undecided;
     return {std::move(result_), std::move(stability), std::move(place_)};
   }
@@ -140,13 +147,17 @@ class SurfaceAnalysis {
     }
     const std::vector<Ball> rates = of(whole_.statics->ignored_rates);
     for (std::size_t c = 0; c < rates.size(); ++c) put(total() + reduction().ignored[c], rates[c]);
+    for (const std::size_t i : place_.held)
+      if (i < n_) result_.held.push_back(reduction().kept[i]);
   }
 
-  [[nodiscard]] SteadyStability stability_of(const SmallMotions& motions) const {
+  /// `drifting`: displacements that stand for those along which nothing drives back.
+  [[nodiscard]] SteadyStability stability_of(const SmallMotions& motions,
+                                             std::vector<std::size_t> drifting) const {
     const Model& model = whole_.dynamics->model();
     SteadyStability result = linear_stability(
         {motions.size(), intervals(motions.mass), intervals(motions.rates), intervals(motions.stiffness),
-         is_gradient(model, *whole_.statics), has_potential(model, *whole_.statics)},
+         is_gradient(model, *whole_.statics), has_potential(model, *whole_.statics), std::move(drifting)},
         [] { return no_stiffness; });
     return result;
   }

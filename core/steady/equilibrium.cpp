@@ -9,6 +9,7 @@
 #include "core/compile/tape_evaluator.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
+#include "core/steady/equilibrium_family.hpp"
 #include "core/steady/steady_state.hpp"
 
 namespace qdot {
@@ -227,7 +228,10 @@ class NewtonSearch {
   std::optional<Equilibrium> enclosure(const VectorXd& start) {
     const auto inverse = inverse_stiffness(start);
     if (!inverse) return std::nullopt;
-    return enclosed_equilibrium(statics_, enclosed_constants_, {start, *inverse, free_, sizes_});
+    const NearlyEquilibrium near{start, *inverse, free_, sizes_};
+    const auto found = enclosed_equilibrium(statics_, enclosed_constants_, near);
+    if (!found || found->isolated) return found;
+    return with_family(statics_, enclosed_constants_, near, guess_, *found);
   }
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }

@@ -18,10 +18,15 @@ namespace qdot {
 
 struct Equilibrium {
   std::vector<Ball> x;  ///< encloses it, where it is isolated
-  /// Proven to be the only one nearby, apart from moving along the coordinates that no force depends on.
+  /// Proven to be the only one nearby, apart from moving along the coordinates that no force depends on, and
+  /// along `family`.
   /// Otherwise x is a place without forces, as far as rounding lets one see, and as wide as Newton's steps
   /// leave open.
   bool isolated{};
+  /// Of one of the family that symmetries make of it (equilibrium_family.hpp): independent directions to the
+  /// others, along which nothing drives back.
+  std::vector<std::vector<Ball>> family{};
+  std::vector<std::size_t> held{};  ///< as many places in x, which tell the members of the family apart
 };
 
 /// Where Newton's iteration in doubles has arrived.

@@ -6,6 +6,8 @@
 // so that K v = 0 exactly. Numbers cannot tell that from a stiffness that cancels in every digit that is
 // kept; they only tell which v to try.
 
+#include <optional>
+
 #include "core/steady/linearization.hpp"
 
 namespace qdot {
@@ -14,5 +16,16 @@ namespace qdot {
 /// quotients of two of the constants: (1, 1) of two carts, (r2, -r1) of two geared wheels. v holds every
 /// coordinate that is left in the statics, or the first ones of them.
 [[nodiscard]] bool is_free(const Statics& statics, const std::vector<Ball>& constants, const Shape& v);
+
+/// lambda of a direction near v, found in the same way, along which nothing is damped:
+///
+///   D v = 0 and K v = lambda M v,  so that s = i sqrt(lambda) is an eigenvalue whose real part is 0,
+///   exactly,
+///
+/// identically in x, or at x = 0 where that is the place. None where that is not proven.
+[[nodiscard]] std::optional<Ball> undamped_along(const Linearization& at, const Shape& v);
+
+/// No force is other than linear in x, x' and x'': small motions are all motions.
+[[nodiscard]] bool has_linear_equations(const Statics& statics);
 
 }  // namespace qdot

@@ -7,7 +7,7 @@
 //     motions); an odd number of negative directions: unstable, whatever gyroscopic terms there are (Thomson
 //     and Tait); any negative direction without gyroscopic terms: unstable
 //     Coordinates that no force depends on, though inertia may, are left out of K: they drift, and the energy
-//     still bounds the others
+//     still bounds the others. So is, for each direction of a family of equilibria, one in which it moves
 //   - the same with damping, which takes energy only (D + D^T positive definite): stable
 //   - else the eigenvalues s of (M s^2 + D s + K) v = 0, enclosed (core/steady/spectrum.hpp): all with a
 //     negative real part: stable; one with a positive one: unstable
@@ -43,7 +43,7 @@ struct LinearizedForces {
   std::vector<Interval> mass, rates, stiffness;  ///< M, D and K by rows
   bool symmetric{};                              ///< K, wherever one is: g = dU/dx
   bool has_potential{};                          ///< the same, and no force depends on a velocity
-  std::vector<std::size_t> free{};               ///< places of coordinates that no force depends on
+  std::vector<std::size_t> free{};               ///< places of coordinates that are left out of K
 };
 
 /// K is that of a potential, D skew and M positive definite; an equation divided by its vanishing mass

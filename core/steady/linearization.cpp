@@ -7,12 +7,39 @@
 #include "core/steady/inertia.hpp"
 
 namespace qdot {
+namespace {
+
+/// The coordinate that v_f is, by its row of the unit matrix.
+std::size_t place_of_free(const BallMatrix& allowed, std::size_t f) {
+  const auto is_it = [&](const std::vector<Ball>& row) {
+    for (std::size_t g = 0; g < row.size(); ++g) {
+      if (!(row[g] - Ball(f == g ? 1 : 0)).is_zero()) return false;
+    }
+    return true;
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(allowed, is_it) - allowed.begin());
+}
+
+}  // namespace
 
 std::vector<Ball> evaluated(const CompiledFunction& function, const std::vector<Ball>& constants,
                             const std::vector<Ball>& x) {
   std::vector<Ball> out(function.outputs());
   TapeEvaluator<Ball>(function, constants)(x, out);
   return out;
+}
+
+std::vector<Shape> directions_of_family(const Linearization& at) {
+  std::vector<Shape> result;
+  for (const std::vector<Ball>& direction : at.place.family) {
+    result.emplace_back(direction.begin(), direction.end());
+    if (at.allowed.empty()) continue;
+    Shape v;
+    for (std::size_t f = 0; f < at.allowed[0].size(); ++f)
+      v.push_back(result.back()[place_of_free(at.allowed, f)]);
+    result.back() = std::move(v);
+  }
+  return result;
 }
 
 Shape displaced(const Linearization& at, const Shape& v) {
@@ -43,13 +70,20 @@ double rounding_of_parameters(const Linearization& at, const Shape& shape) {
   return moved / std::abs(inertia.middle.high);
 }
 
-bool is_undamped_along(const SmallMotions& motions, const Shape& v) {
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    ComplexBall sum;
-    for (std::size_t j = 0; j < v.size(); ++j) sum = sum + ComplexBall(motions.rates(i, j)) * v[j];
-    if (!sum.re.contains_zero() || !sum.im.contains_zero()) return motions.undamped();
+std::size_t undamped_among(const SmallMotions& motions, const std::vector<Shape>& shapes) {
+  if (motions.undamped()) return shapes.size();
+  std::vector<Shape> damped;
+  for (const Shape& v : shapes) {
+    damped.emplace_back();
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      ComplexBall sum;
+      for (std::size_t j = 0; j < v.size(); ++j) sum = sum + ComplexBall(motions.rates(i, j)) * v[j];
+      damped.back().push_back(sum);
+    }
   }
-  return true;
+  return static_cast<std::size_t>(std::ranges::count_if(echelon_form(std::move(damped)), [](const Shape& v) {
+    return std::ranges::all_of(v, [](const ComplexBall& entry) { return magnitude(middle_of(entry)) == 0; });
+  }));
 }
 
 bool held_by_potential(const SmallMotions& motions) {

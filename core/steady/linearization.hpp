@@ -29,13 +29,16 @@ using Shape = std::vector<ComplexBall>;
 [[nodiscard]] std::vector<Ball> evaluated(const CompiledFunction& function,
                                           const std::vector<Ball>& constants, const std::vector<Ball>& x);
 
+/// Those of the place's family, as displacements v.
+[[nodiscard]] std::vector<Shape> directions_of_family(const Linearization& at);
 /// u of the kept coordinates.
 [[nodiscard]] Shape displaced(const Linearization& at, const Shape& v);
 /// How far lambda of K v = lambda M v moves when every parameter moves by half a unit in its last place.
 [[nodiscard]] double rounding_of_parameters(const Linearization& at, const Shape& v);
 
-/// D v = 0, so that u = v t is a motion, too, and s = 0 counts twice.
-[[nodiscard]] bool is_undamped_along(const SmallMotions& motions, const Shape& v);
+/// So many of these v with K v = 0, or of their combinations, have D v = 0 as well: u = v t is a motion, too,
+/// and s = 0 counts twice.
+[[nodiscard]] std::size_t undamped_among(const SmallMotions& motions, const std::vector<Shape>& shapes);
 /// K is positive definite: without damping nothing can grow.
 [[nodiscard]] bool held_by_potential(const SmallMotions& motions);
 /// s^2 M + s D + K.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/numerics/same_bits.hpp"
 #include "core/steady/free_direction.hpp"
 #include "core/steady/mode_shapes.hpp"
 #include "core/steady/spectrum.hpp"
@@ -105,22 +106,21 @@ class ModeSearch {
   [[nodiscard]] std::vector<Mode> modes_of_square(const Eigensystem<Ball>& found,
                                                   const std::vector<std::size_t>& members,
                                                   std::vector<Shape> shapes) const {
-    // Of several that vanish any combinations are found: free directions are among the shortest of them.
     const bool vanish = std::ranges::all_of(members, [&](std::size_t i) { return is_near_zero(found, i); });
-    if (vanish && members.size() > 1) shapes = echelon_form(std::move(shapes));
+    const std::size_t symmetric = vanish ? put_symmetric_first(shapes) : 0;
     std::vector<Mode> modes;
     for (std::size_t k = 0; k < members.size(); ++k) {
       const std::size_t i = members[k];
       const bool proven = std::isfinite(found.radii[i]);
       const Ball lambda(found.values[i].middle, proven ? found.radii[i] : 0);
-      modes.push_back(mode_of_square({lambda, proven}, shapes[k]));
+      modes.push_back(mode_of_square({lambda, proven}, shapes[k], k < symmetric));
       modes.back().multiplicity = members.size();
     }
     ComplexBall s;  // only its ratio to the ignored coordinates' momenta matters, and all members share it
     const Ball first = found.values[members[0]];
     (first.middle.high < 0 ? s.re : s.im) =
         modes[0].omega == 0 && modes[0].rate == 0 ? Ball(0) : sqrt(first.middle.high < 0 ? -first : first);
-    set_shapes(at_, modes, shapes, s);
+    set_shapes_apart(modes, shapes, symmetric, s);
     return modes;
   }
 
@@ -132,11 +132,37 @@ class ModeSearch {
     return is_free(at_.statics, at_.constants, displaced(at_, shape));
   }
 
-  [[nodiscard]] Mode mode_of_square(const Bounded& lambda, const Shape& shape) const {
+  /// Of several shapes that vanish any combinations are found: brings those along the place's family to the
+  /// front, and says how many. Free directions are among the shortest combinations of the others.
+  [[nodiscard]] std::size_t put_symmetric_first(std::vector<Shape>& shapes) const {
+    const std::vector<Shape> family = echelon_form(directions_of_family(at_));
+    if (family.empty()) {
+      if (shapes.size() > 1) shapes = echelon_form(std::move(shapes));
+      return 0;
+    }
+    std::vector<Shape> others = echelon_form(without(family, std::move(shapes)));
+    shapes = family;
+    shapes.insert(shapes.end(), others.begin(), others.end());
+    return family.size();
+  }
+
+  /// Those along the family are combined with each other alone.
+  void set_shapes_apart(std::vector<Mode>& modes, const std::vector<Shape>& shapes, std::size_t symmetric,
+                        const ComplexBall& s) const {
+    const std::size_t first = std::min(symmetric, modes.size());
+    for (const auto& [begin, end] : {std::pair<std::size_t, std::size_t>{0, first}, {first, modes.size()}}) {
+      const auto from = static_cast<std::ptrdiff_t>(begin), to = static_cast<std::ptrdiff_t>(end);
+      std::vector<Mode> part(modes.begin() + from, modes.begin() + to);
+      set_shapes(at_, part, {shapes.begin() + from, shapes.begin() + to}, s);
+      std::ranges::move(part, modes.begin() + from);
+    }
+  }
+
+  [[nodiscard]] Mode mode_of_square(const Bounded& lambda, const Shape& shape, bool is_symmetric) const {
     Mode mode;
     const double rounding = rounding_of_parameters(at_, shape);
     if (lambda.ball.contains_zero() || std::abs(lambda.ball.value()) <= rounding) {
-      const bool rigid = lambda.ball.contains_zero() && is_rigid(shape);
+      const bool rigid = is_symmetric || (lambda.ball.contains_zero() && is_rigid(shape));
       mode.kind = rigid ? ModeKind::rigid : ModeKind::neutral;
       mode.lambda = 0.0;
       mode.omega_error = rigid ? 0 : std::sqrt(std::max(lambda.ball.magnitude(), rounding));
@@ -154,10 +180,15 @@ class ModeSearch {
   // With them.
 
   void from_exponents() {
-    std::size_t zeros = 0;  // eigenvalues that the kernel of K answers for
-    for (const Shape& shape : kernel(at_.reduced.stiffness)) {
+    std::vector<Shape> shapes = kernel(at_.reduced.stiffness);
+    const std::size_t count = shapes.size(), symmetric = put_symmetric_first(shapes);
+    shapes.resize(count);
+    // Eigenvalues that the kernel of K answers for.
+    const std::size_t zeros = count + undamped_among(at_.reduced, shapes);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Shape& shape = shapes[k];
       std::vector<Mode> modes(1);
-      modes[0].kind = is_rigid(shape) ? ModeKind::rigid : ModeKind::neutral;
+      modes[0].kind = k < symmetric || is_rigid(shape) ? ModeKind::rigid : ModeKind::neutral;
       set_shapes(at_, modes, {shape}, {});
       if (modes[0].kind == ModeKind::rigid || is_zero(at_.reduced.stiffness)) {
         modes[0].omega_error = 0.0;
@@ -165,7 +196,6 @@ class ModeSearch {
         nearly_zero_.push_back(modes_.size());
       }
       modes_.push_back(modes[0]);
-      zeros += is_undamped_along(at_.reduced, shape) ? 2 : 1;
     }
     const Eigensystem<ComplexBall> vectors = exponents(at_.reduced);
     if (std::ranges::all_of(vectors.radii, [](double r) { return std::isfinite(r); })) {
@@ -183,8 +213,31 @@ class ModeSearch {
       const bool near_axis = Ball(found.values[i].re.middle, found.radii[i]).contains_zero();
       const bool on_axis =
           near_axis && at_.reduced.undamped() && (members == 1 || held_by_potential(at_.reduced));
-      add_exponent({found.values[i], found.radii[i], members, on_axis}, {shape_of(found, i)}, zeros);
+      Exponent e{found.values[i], found.radii[i], members, on_axis};
+      const Shape shape = shape_of(found, i);
+      e.undamped = on_axis || (near_axis && is_undamped(e, shape, found.values, found.radii));
+      add_exponent(e, {shape}, zeros);
     }
+  }
+
+  /// Damping leaves the motion along the shape alone: a single eigenvalue i sqrt(lambda) in the disc and in
+  /// none of the others.
+  [[nodiscard]] bool is_undamped(const Exponent& e, const Shape& shape,
+                                 const std::vector<ComplexBall>& centres,
+                                 const std::vector<double>& radii) const {
+    if (e.members > 1 || !(e.middle.im.middle.high > e.radius)) return false;
+    const std::optional<Ball> lambda = undamped_along(at_, shape);
+    if (!lambda || !(lambda->middle.high > lambda->radius)) return false;
+    const ComplexBall s(Ball(0), sqrt(*lambda));
+    const auto may_hold_it = [&](const ComplexBall& centre, double radius) {
+      const ComplexBall apart = s - centre;
+      return hypotenuse(apart.re.value(), apart.im.value()) * (1 - 0x1p-30) <=
+             radius + apart.re.error() + apart.im.error();
+    };
+    std::size_t holding = 0;
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      if (may_hold_it(centres[i], radii[i])) ++holding;
+    return holding == 1 && may_hold_it(e.middle, e.radius);
   }
 
   /// Eigenvalues that may lack eigenvectors: their shapes are those that make s^2 M + s D + K vanish.

@@ -59,4 +59,25 @@ void set_shapes(const Linearization& at, std::vector<Mode>& modes, const std::ve
   }
 }
 
+std::vector<std::size_t> first_components(const std::vector<Shape>& shapes) {
+  std::vector<std::size_t> places;
+  for (const Shape& shape : echelon_form(shapes)) {
+    const auto is_there = [](const ComplexBall& entry) { return !entry.re.contains_zero(); };
+    places.push_back(static_cast<std::size_t>(std::ranges::find_if(shape, is_there) - shape.begin()));
+  }
+  return places;
+}
+
+std::vector<Shape> without(const std::vector<Shape>& basis, std::vector<Shape> shapes) {
+  const std::vector<std::size_t> first = first_components(basis);
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    for (Shape& shape : shapes) {
+      const ComplexBall factor = shape[first[k]];
+      for (std::size_t i = 0; i < shape.size(); ++i) shape[i] = shape[i] - factor * basis[k][i];
+      shape[first[k]] = Ball(0);
+    }
+  }
+  return shapes;
+}
+
 }  // namespace qdot

@@ -13,4 +13,10 @@ namespace qdot {
 void set_shapes(const Linearization& at, std::vector<Mode>& modes, const std::vector<Shape>& shapes,
                 const ComplexBall& s);
 
+/// Where independent shapes have their first components, in echelon form.
+[[nodiscard]] std::vector<std::size_t> first_components(const std::vector<Shape>& shapes);
+
+/// What is left of the shapes where those of `basis`, which is in echelon form, have their first components.
+[[nodiscard]] std::vector<Shape> without(const std::vector<Shape>& basis, std::vector<Shape> shapes);
+
 }  // namespace qdot

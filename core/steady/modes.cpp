@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/short_number.hpp"
 #include "core/dynamics/missing_values.hpp"
+#include "core/steady/free_direction.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/steady_forces.hpp"
@@ -130,6 +131,7 @@ class Analysis {
     for (std::size_t i = 0; i < reduction().kept.size(); ++i) put(reduction().kept[i], place_.x[i]);
     const Balls rates = evaluated(statics_->ignored_rates, constants_, place_.x);
     for (std::size_t c = 0; c < rates.size(); ++c) put(total() + reduction().ignored[c], rates[c]);
+    for (const std::size_t i : place_.held) result_.held.push_back(reduction().kept[i]);
   }
   void put(std::size_t i, const Ball& value) {
     if (!value.is_finite()) throw Error(ErrorCode::invalid_state, "A steady rate has no finite value there.");
@@ -147,6 +149,7 @@ class Analysis {
       return std::any_of(result_.modes.begin(), result_.modes.end(),
                          [&](const Mode& mode) { return mode.kind == kind; });
     };
+    const bool is_freed = std::ranges::any_of(result_.modes, is_freed_from_damping);
     result_.stability = Stability::neutral;
     if (has(ModeKind::growth)) {
       result_.stability = Stability::unstable;
@@ -166,12 +169,47 @@ class Analysis {
       result_.undecided =
           "The potential has no minimum here; gyroscopic terms hold the system to first order, and "
           "linearization does not decide.";
+    } else if (is_freed && !reduced_.undamped() && !reduced_.depends_on_squares()) {
+      write_stability_beside_damping();
     } else if (has(ModeKind::oscillation) && !energy_decides()) {
       result_.undecided =
           "Small motions neither grow nor decay to first order, and the forces have no potential that would "
           "decide: they are not the gradient of one, or depend on velocities.";
     } else {
       result_.stability = Stability::stable;
+    }
+  }
+
+  static bool is_freed_from_damping(const Mode& mode) {
+    return mode.kind == ModeKind::oscillation && !mode.rate_error;
+  }
+
+  /// With simple eigenvalues, none of them 0: else what oscillates or drifts may drive what has no damping.
+  [[nodiscard]] bool are_apart() const {
+    std::optional<Interval> last;
+    for (const Mode& mode : result_.modes) {
+      if (mode.kind == ModeKind::rigid) return false;
+      if (mode.kind != ModeKind::oscillation) continue;
+      if (mode.multiplicity > 1 || !mode.omega_error) return false;
+      const Interval omega = Interval(mode.omega) + Interval(-*mode.omega_error, *mode.omega_error);
+      if (last && !(last->upper < omega.lower)) return false;
+      last = omega;
+    }
+    return true;
+  }
+
+  void write_stability_beside_damping() {
+    result_.undecided = "What damps the system does nothing along the mode that oscillates: ";
+    if (!are_apart()) {
+      result_.undecided +=
+          "by itself it neither grows nor decays. Whether another that oscillates or drifts drives it is not "
+          "looked at.";
+    } else if (has_linear_equations(*statics_)) {
+      result_.stability = Stability::stable;
+      result_.undecided +=
+          "it neither grows nor decays, and the equations of motion are linear, so that this is exact.";
+    } else {
+      result_.undecided += "to first order it neither grows nor decays, and nonlinear terms decide.";
     }
   }
 

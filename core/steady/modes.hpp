@@ -29,9 +29,12 @@ enum class Stability { stable, unstable, neutral };
 struct Modes {
   std::vector<double> y;                       ///< (q, q') of the equilibrium or steady motion
   std::vector<std::optional<double>> y_error;  ///< none where the place is not isolated
-  std::vector<Real> momenta;                   ///< of the ignorable coordinates, which the small motions keep
+  /// Where symmetries make a family of equilibria: coordinates that tell its members apart. They are kept,
+  /// and the errors are those of the others beside them.
+  std::vector<std::size_t> held;
+  std::vector<Real> momenta;  ///< of the ignorable coordinates, which the small motions keep
   Stability stability{};
-  std::string undecided;  ///< why it is neutral, a sentence
+  std::string undecided;  ///< why it is neutral, or what is left undamped, a sentence
   std::vector<double> mass, stiffness;
   std::vector<double> gyroscopic, damping;  ///< empty where zero
   std::vector<Mode> modes;                  ///< by omega; at 0 in the order of ModeKind

@@ -74,7 +74,21 @@ class SearchForSymmetries {
     for (const std::string& p : momentum_names(result_.lagrangian.symbols)) ignorable.push_back(is_known(p));
     result_.changes = elementary_changes(result_.lagrangian, ignorable, is_known("energy") || is_known("h"));
     add_changes(more);
-    for (const ElementaryChange& change : result_.changes) variations_.push_back(variation_(change.change));
+    vary();
+  }
+
+  /// Of places alone.
+  explicit SearchForSymmetries(const Lagrangian& lagrangian)
+      : result_{smoothed_without_gauge_terms(lagrangian), {}, {}, {}},
+        jumps_(result_.lagrangian.graph->adopt(lagrangian.lagrangian), result_.lagrangian.symbols),
+        variation_(result_.lagrangian),
+        constants_(result_.lagrangian.symbols.parameters) {
+    const std::vector<bool> none(result_.lagrangian.symbols.coordinates.value.size());
+    for (ElementaryChange& change : elementary_changes(result_.lagrangian, none, true)) {
+      if (change.kind == ChangeKind::shift || change.kind == ChangeKind::linear)
+        result_.changes.push_back(std::move(change));
+    }
+    vary();
   }
 
   /// Of the Lagrangian that was given.
@@ -94,6 +108,10 @@ class SearchForSymmetries {
     Expression& own = result_.lagrangian.lagrangian;
     own = jumps_.with_jumps(own);
     return std::move(result_);
+  }
+
+  void vary() {
+    for (const ElementaryChange& change : result_.changes) variations_.push_back(variation_(change.change));
   }
 
   /// Before the linear ones, so that those may be combined with them.
@@ -129,17 +147,25 @@ class SearchForSymmetries {
   std::vector<Expression> variations_;
 };
 
-}  // namespace
-
-SymmetrySearch affine_symmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known,
-                                 const MoreChanges& more) {
+/// None where it grows too large.
+template <class... Arguments>
+SymmetrySearch searched(const Lagrangian& lagrangian, const Arguments&... more) {
   const WorkScope scope(most_work);
   try {
-    return SearchForSymmetries(lagrangian, known, more).result();
+    return SearchForSymmetries(lagrangian, more...).result();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::too_large && error.code() != ErrorCode::not_applicable) throw;
     return {copied(lagrangian), {}, {}, {}, false};
   }
 }
+
+}  // namespace
+
+SymmetrySearch affine_symmetries(const Lagrangian& lagrangian, std::span<const ConservedQuantity> known,
+                                 const MoreChanges& more) {
+  return searched(lagrangian, known, more);
+}
+
+SymmetrySearch symmetries_of_places(const Lagrangian& lagrangian) { return searched(lagrangian); }
 
 }  // namespace qdot

@@ -43,4 +43,7 @@ using MoreChanges = std::function<std::vector<ElementaryChange>(const Lagrangian
                                                std::span<const ConservedQuantity> known,
                                                const MoreChanges& more = nullptr);
 
+/// Those of an L without velocities and time that shift places alone, xi = A q + b: of a potential.
+[[nodiscard]] SymmetrySearch symmetries_of_places(const Lagrangian& lagrangian);
+
 }  // namespace qdot

@@ -82,6 +82,26 @@ class CriticalValues(Service):
         answer = self.critical(saddle, "W", 0.5, 5)
         self.assertEqual([form["text"] for form in answer["degenerate_exact"]], ["sqrt(k)"])
 
+    def test_where_what_other_forces_leave_of_one_vanishes(self):
+        coupled = lagrangian("coupled", "w - 2; a - 1", "x - 1; y - 0", "(x_dot^2 + y_dot^2)/2 - w^2/2*(x^2 + y^2) + a*x*y")
+        answer = self.critical(coupled, "a", 0, 10)
+        self.assertEqual(answer["degenerate"], [4])
+        self.assertEqual([form["text"] for form in answer["degenerate_exact"]], ["w^2"])
+        column = lagrangian("column", "c - 1; P - 0.2", "a - 0; b - 0",
+                            "a_dot^2 + b_dot^2/2 + a_dot*b_dot - c*a^2/2 - c*(b - a)^2/2 + P*(a^2 + b^2)/2")
+        answer = self.critical(column, "P", 0, 4)
+        self.assertEqual([form["text"] for form in answer["degenerate_exact"]], ["1/2*(3 - sqrt(5))*c", "1/2*(3 + sqrt(5))*c"])
+
+    def test_where_an_equilibrium_goes_to_infinity(self):
+        arm = ("l*cos(w*t) - x*sin(w*t)", "l*sin(w*t) + x*cos(w*t)")
+        spring = scene("spring_on_an_arm", "m kg 1; k N/m 30; l m 0.5; w rad/s 2; r0 m 0.2", "x m 0.1",
+                       bodies=[particle("m", *arm)], potential="k*(x - r0)^2/2")
+        answer = self.critical(spring, "w", 0, 10)
+        self.assertEqual([form["text"] for form in answer["at_ends_exact"]], 2 * ["sqrt(k/m)"])
+        # A force that is no polynomial of x has no leading coefficient.
+        soft = lagrangian("soft", "F - 0.01", "x - 0.1", "x_dot^2/2 + F*x + 1/(1 + exp(x))")
+        self.assertNotIn("at_ends_exact", self.critical(soft, "F", -0.1, 0.1))
+
     def test_a_parameter_under_a_sine(self):
         cylinder = scene("eccentric_cylinder", f"m kg 1; R m 0.5; e m 0.2; al rad 0.1; {G}", "th rad", gravity=DOWN,
                          bodies=[{"kind": "rigid_body", "mass": "m", "inertia": "m*R^2/2", "angle": "-th",

@@ -9,6 +9,7 @@
 #include "api/answers/steady_json.hpp"
 #include "core/closed/critical_values.hpp"
 #include "core/closed/exact_degenerate.hpp"
+#include "core/closed/exact_ends.hpp"
 #include "core/gait/gait_continuation.hpp"
 #include "core/mechanics/followers.hpp"
 
@@ -72,12 +73,19 @@ class BifurcationsAnswer {
     if (!found.reason.empty()) body["reason"] = found.reason;
     if (!found.degenerate.empty()) {
       body["degenerate"] = found.degenerate;
-      put_degenerate_forms(body, found);
+      put_forms(body, "degenerate_exact",
+                exact_degenerate_values(dynamics_, state_.parameters, state_.y, index_,
+                                        written_texts(request_.system), found));
       body["degenerate_reason"] =
           "At these values a force, or what the others leave of it, vanishes in every position, so equilibria are "
           "not isolated points.";
     }
-    if (!found.at_ends.empty()) body["at_ends"] = found.at_ends;
+    if (!found.at_ends.empty()) {
+      body["at_ends"] = found.at_ends;
+      put_forms(body, "at_ends_exact",
+                exact_end_values(dynamics_, state_.parameters, state_.y, index_,
+                                 written_texts(request_.system), found));
+    }
     body["branches"] = Json::array();
     for (std::size_t i = 0; i < found.branches.size(); ++i)
       body["branches"].push_back(branch(i, found.branches[i]));
@@ -85,11 +93,9 @@ class BifurcationsAnswer {
     return body;
   }
 
-  void put_degenerate_forms(Json& body, const Bifurcations& found) const {
-    const auto forms = exact_degenerate_values(dynamics_, state_.parameters, state_.y, index_,
-                                               written_texts(request_.system), found);
+  static void put_forms(Json& body, const char* name, const std::vector<std::optional<ClosedForm>>& forms) {
     if (!std::ranges::all_of(forms, [](const auto& form) { return form.has_value(); })) return;
-    Json& exact = body["degenerate_exact"] = Json::array();
+    Json& exact = body[name] = Json::array();
     for (const auto& form : forms) exact.push_back(exact_json(*form));
   }
 

@@ -293,6 +293,20 @@ void note_rates_left_out(const Model& model, const SystemChoice& choice, const R
   }
 }
 
+/// Which of a family of equilibria this is.
+void note_family(const Scene& scene, const Modes& modes, Json& body) {
+  if (modes.held.empty()) return;
+  std::string kept;
+  for (std::size_t k = 0; k < modes.held.size(); ++k) {
+    const bool is_last = k > 0 && k + 1 == modes.held.size();
+    kept += std::string(k == 0 ? "" : is_last ? " and " : ", ") + scene.coordinates[modes.held[k]].name;
+  }
+  body["notes"].push_back(
+      "The rigid modes lead from this equilibrium to others like it. This is the one that has " + kept +
+      (modes.held.size() == 1 ? " as it stands" : " as they stand") +
+      " here, and the errors are those of the other coordinates.");
+}
+
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
@@ -310,6 +324,7 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
   const int digits = request.digits.value_or(shortest_digits);
   Json body = ModesAnswer(system.model(), parameters, place, modes, exact, digits).body();
   note_rates_left_out(system.model(), request.system, y, modes, body);
+  note_family(system.scene(), modes, body);
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, digits);
 }

@@ -1,0 +1,163 @@
+#include "core/steady/equilibrium_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/compile/tape_evaluator.hpp"
+#include "core/numerics/dense_matrix.hpp"
+#include "core/steady/solved_slopes.hpp"
+#include "core/steady/symmetric_changes.hpp"
+
+namespace qdot {
+namespace {
+
+using Balls = std::vector<Ball>;
+
+/// Of a coordinate's size.
+constexpr double settled_within = 1e-9;
+
+BallMatrix changes_at(const CompiledFunction& changes, std::span<const Ball> constants, const Balls& x) {
+  Balls all(changes.outputs());
+  TapeEvaluator<Ball>(changes, constants)(x, all);
+  BallMatrix rows;
+  for (auto row = all.begin(); row != all.end(); row += static_cast<std::ptrdiff_t>(x.size()))
+    rows.emplace_back(row, row + static_cast<std::ptrdiff_t>(x.size()));
+  return rows;
+}
+
+/// Entries in the coordinates' sizes, the largest of each row 1.
+std::vector<std::vector<double>> compared(const BallMatrix& rows, const std::vector<double>& sizes) {
+  std::vector<std::vector<double>> result;
+  for (const Balls& row : rows) {
+    std::vector<double> entries;
+    for (std::size_t i = 0; i < row.size(); ++i) entries.push_back(row[i].value() / sizes[i]);
+    double largest = 0;
+    for (const double entry : entries) largest = std::max(largest, std::abs(entry));
+    if (!std::isfinite(largest)) return {};
+    for (double& entry : entries) entry = largest > 0 ? entry / largest : 0;
+    result.push_back(std::move(entries));
+  }
+  return result;
+}
+
+/// BallMatrix of changes that are independent, and as many columns P that show it.
+struct Independent {
+  std::vector<std::size_t> rows, columns;
+};
+
+/// The place of the largest entry, or in a column before it, so that coordinates in front are kept, of one
+/// that is nearly as large.
+std::pair<std::size_t, std::size_t> pivot_of(const std::vector<std::vector<double>>& entries) {
+  constexpr double nearly = 0.25;
+  double largest = 0;
+  for (const auto& row : entries) {
+    for (const double entry : row) largest = std::max(largest, std::abs(entry));
+  }
+  const std::size_t columns = entries[0].size();
+  for (std::size_t column = 0; column < columns && largest > settled_within; ++column) {
+    for (std::size_t row = 0; row < entries.size(); ++row)
+      if (std::abs(entries[row][column]) > nearly * largest) return {row, column};
+  }
+  return {0, columns};
+}
+
+/// By elimination.
+Independent independent(std::vector<std::vector<double>> entries) {
+  Independent result;
+  while (result.rows.size() < entries.size()) {
+    const auto [k, i] = pivot_of(entries);
+    const std::vector<double> pivot = entries[k];
+    if (i == pivot.size()) break;
+    result.rows.push_back(k);
+    result.columns.push_back(i);
+    for (std::vector<double>& row : entries) {
+      const double factor = row[i] / pivot[i];
+      for (std::size_t column = 0; column < row.size(); ++column) row[column] -= factor * pivot[column];
+      row[i] = 0;
+    }
+  }
+  return result;
+}
+
+/// Whether what `columns` have of the rows has an inverse, all over the enclosures.
+bool are_independent(BallMatrix rows, const std::vector<std::size_t>& columns) {
+  for (std::size_t done = 0; done < columns.size(); ++done) {
+    const std::size_t i = columns[done];
+    if (!rows[done][i].is_finite() || rows[done][i].contains_zero()) return false;
+    for (std::size_t other = done + 1; other < rows.size(); ++other) {
+      const Ball factor = rows[other][i] / rows[done][i];
+      for (std::size_t j = 0; j < rows[other].size(); ++j)
+        rows[other][j] = rows[other][j] - factor * rows[done][j];
+    }
+  }
+  return true;
+}
+
+/// The inverse of K without the rows and columns of what is held, 0 in those; none where it has none.
+std::optional<Eigen::MatrixXd> inverse_beside(const Statics& statics, std::span<const Ball> constants,
+                                              const Balls& x, const std::vector<bool>& held) {
+  const std::size_t n = x.size();
+  Balls k(n * n);
+  TapeEvaluator<Ball>(statics.stiffness, constants)(x, k);
+  std::vector<Eigen::Index> open;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!held[i]) open.push_back(static_cast<Eigen::Index>(i));
+  }
+  Eigen::MatrixXd whole(n, n);
+  for (std::size_t i = 0; i < n * n; ++i)
+    whole(static_cast<Eigen::Index>(i / n), static_cast<Eigen::Index>(i % n)) = k[i].value();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(whole.rows(), whole.cols());
+  if (open.empty()) return result;
+  const Eigen::MatrixXd part = whole(open, open);
+  const Eigen::MatrixXd inverted = inverse(part);
+  if (!inverted.allFinite()) return std::nullopt;
+  result(open, open) = inverted;
+  return result;
+}
+
+/// Gives the place its directions, where those stay independent all over its enclosure.
+bool put_family(const CompiledFunction& changes, std::span<const Ball> constants, const Independent& chosen,
+                Equilibrium& place) {
+  const BallMatrix all = changes_at(changes, constants, place.x);
+  BallMatrix family;
+  for (const std::size_t k : chosen.rows) family.push_back(all[k]);
+  if (!are_independent(family, chosen.columns)) return false;
+  place.family = std::move(family);
+  return true;
+}
+
+/// The one that has the chosen coordinates as they are near it.
+std::optional<Equilibrium> member_of_family(const Statics& statics, std::span<const Ball> constants,
+                                            NearlyEquilibrium near, const Eigen::VectorXd& guess,
+                                            const std::vector<std::size_t>& held) {
+  for (const std::size_t i : held) {
+    const auto k = static_cast<Eigen::Index>(i);
+    near.free[i] = true;
+    if (std::abs(near.x[k] - guess[k]) <= settled_within * near.sizes[i]) near.x[k] = guess[k];
+  }
+  const auto inverse = inverse_beside(statics, constants, {near.x.begin(), near.x.end()}, near.free);
+  if (!inverse) return std::nullopt;
+  near.inverse = *inverse;
+  std::optional<Equilibrium> found = enclosed_equilibrium(statics, constants, near);
+  if (!found || !found->isolated) return std::nullopt;
+  found->held = held;
+  return found;
+}
+
+}  // namespace
+
+Equilibrium with_family(const Statics& statics, std::span<const Ball> constants,
+                        const NearlyEquilibrium& near, const Eigen::VectorXd& guess, Equilibrium degenerate) {
+  const std::optional<CompiledFunction> changes = symmetric_changes(statics);
+  if (!changes) return degenerate;
+  const Independent chosen =
+      independent(compared(changes_at(*changes, constants, {near.x.begin(), near.x.end()}), near.sizes));
+  if (chosen.rows.empty()) return degenerate;
+  std::optional<Equilibrium> member = member_of_family(statics, constants, near, guess, chosen.columns);
+  if (member && put_family(*changes, constants, chosen, *member)) return *std::move(member);
+  put_family(*changes, constants, chosen, degenerate);
+  return degenerate;
+}
+
+}  // namespace qdot

@@ -1,0 +1,54 @@
+#include "core/steady/symmetric_changes.hpp"
+
+#include "core/base/error.hpp"
+#include "core/expr/zeroness.hpp"
+#include "core/symmetry/symmetries.hpp"
+
+namespace qdot {
+namespace {
+
+/// L = -U, as of a system without mass, in a graph of its own.
+Lagrangian massless(const Reduction& reduction) {
+  auto graph = std::make_shared<Graph>(*reduction.graph);
+  const auto adopted = [&](const std::vector<Expression>& symbols) {
+    std::vector<Expression> result;
+    for (const Expression& symbol : symbols) result.push_back(graph->adopt(symbol));
+    return result;
+  };
+  Lagrangian result;
+  result.symbols.coordinates = {adopted(reduction.x), adopted(reduction.x_dot), adopted(reduction.x_ddot)};
+  result.symbols.t = graph->symbol("t");
+  result.symbols.parameters = adopted(reduction.constants);
+  result.lagrangian = result.varied = graph->adopt(at_rest(reduction, reduction.routhian));
+  result.generalized_forces.assign(reduction.x.size(), graph->number(0));
+  result.graph = std::move(graph);
+  return result;
+}
+
+bool is_potential_of(const Lagrangian& massless, const std::vector<Expression>& forces) {
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const Expression slope = differentiate(massless.lagrangian, massless.symbols.coordinates.value[i]);
+    if (zeroness(massless.graph->adopt(forces[i]) + slope) != Zeroness::zero) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<CompiledFunction> symmetric_changes(const Statics& statics) {
+  try {
+    const Lagrangian own = massless(statics.reduction);
+    if (own.symbols.coordinates.value.size() < 2 || !is_potential_of(own, statics.rest)) return std::nullopt;
+    const SymmetrySearch search = symmetries_of_places(own);
+    std::vector<Expression> changes;
+    for (const Symmetry& symmetry : search.found)
+      changes.insert(changes.end(), symmetry.change.shift.begin(), symmetry.change.shift.end());
+    if (changes.empty()) return std::nullopt;
+    return compiled_at_rest(statics.reduction, *search.lagrangian.graph, changes);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large) throw;
+    return std::nullopt;
+  }
+}
+
+}  // namespace qdot
