@@ -36,6 +36,9 @@ class TapeEvaluator {
     run(function_.prologue_);
   }
 
+  /// From now on that sign(u) or abs(u) is what it is on one side of u = 0.
+  void take_side(Slot out, int side) { side_ = {out, side}; }
+
   void set_time(const T& t) { slots_[function_.parameters_] = t; }
 
   void operator()(std::span<const T> variables, std::span<T> out) {
@@ -77,13 +80,18 @@ class TapeEvaluator {
           break;
         }
         case Operation::call:
-          slots_[i.out] = evaluate(i.function, x);
+          slots_[i.out] = i.out == side_.out ? on_side(i.function, x) : evaluate(i.function, x);
           break;
         case Operation::solve:
           solve(i, operand);
           break;
       }
     }
+  }
+
+  [[nodiscard]] T on_side(Function function, const T& x) const {
+    const T side = T::literal(side_.side);
+    return function == Function::sign ? side : side * x;
   }
 
   [[nodiscard]] T sum_of_products(const Instruction& i, const Slot* operand) const {
@@ -133,7 +141,13 @@ class TapeEvaluator {
 
   const CompiledFunction& function_;
   std::vector<T> slots_;
-  Slot one_{static_cast<Slot>(-1)};  ///< of the literal 1
+  static constexpr auto none = static_cast<Slot>(-1);
+  Slot one_{none};  ///< of the literal 1
+  struct Side {
+    Slot out{none};
+    int side{};
+  };
+  Side side_;
 };
 
 }  // namespace qdot

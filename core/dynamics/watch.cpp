@@ -125,6 +125,10 @@ void watch_function(Watch& watch, const Watched& watched, std::span<const double
   watch.series = series_of(watched, parameters);
   watch.enclosure = enclosure_of(watched.value, parameters);
   watch.change_over = change_over_of(watched.value, parameters);
+  watch.passes_once = single_crossing_of(watched.value, parameters);
+  watch.may_jump = std::ranges::any_of(watched.value->instructions(), [](const Instruction& i) {
+    return i.operation == Operation::call && i.function == Function::sign;
+  });
   watch.exact = exact_of(watched.value, parameters);
   watch.sharp_signs = sharp_signs_of(watched.value, parameters);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/dynamics/dynamics.hpp"
+#include "core/dynamics/single_crossing.hpp"
 #include "core/integrate/run.hpp"
 #include "core/numerics/ball.hpp"
 #include "core/numerics/interval.hpp"
@@ -40,7 +41,12 @@ struct Watch {
   /// The same by its slopes over the box: sum_k dg/dy_k (y_k - m_k) for all y in it and the middle m. Narrow
   /// where one variable stands in several terms that cancel; the whole line where there may be no slopes.
   std::function<Interval(double t, std::span<const Interval> y)> change_over{};
-  /// The same of what is above zero where a zero counts.
+  /// Whether it passes zero no more than once in a box; false where that is not known, null where it never
+  /// is.
+  decltype(single_crossing_of({}, {})) passes_once{};
+  /// It has a sign(), and may jump.
+  bool may_jump{false};
+  /// Values over a box of what is above zero where a zero counts.
   std::function<Interval(double t, std::span<const Interval> y)> when_enclosure{};
 
   /// The value at a state that may be known beyond doubles, as what was typed is.

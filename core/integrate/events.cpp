@@ -32,6 +32,7 @@ EventSearch::EventSearch(const RunRequest& request)
       signs_(request.events.size()),
       definite_(request.events.size(), request.t_start),
       pieces_(request.events.size()),
+      untold_(request.events.size()),
       left_at_start_(request.events.size()),
       rounding_(request.events.size()),
       rounding_is_wide_(request.events.size()),
@@ -69,7 +70,7 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   for (const Crossed& crossing : crossed) {
     if (found.failure) break;
     const auto t = crossing.hidden > 0 ? crossing.after : locate(stepper, crossing, found);
-    if (t) zeros.push_back({*t, crossing.event, crossing.hidden});
+    if (t) zeros.push_back({*t, crossing.event, crossing.hidden, crossing.untold});
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
   if (nowhere_from_ < (found.terminal ? found.events.back().t - polynomial_.whole().t : infinity))
@@ -107,7 +108,10 @@ bool EventSearch::is_quiet(std::size_t event) {
   if (approaches_.is_near(event, lower - doubt, upper + doubt)) near_.push_back(event);
   if (signs_[event] == 0) return false;
   const bool keeps = signs_[event] > 0 ? lower - doubt > 0 : upper + doubt < 0;
-  if (keeps) definite_[event] = piece.t + piece.h;
+  if (keeps) {
+    definite_[event] = piece.t + piece.h;
+    untold_[event] = 0;
+  }
   return keeps;
 }
 
@@ -132,7 +136,9 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   }
   for (const Piece& piece : pieces) {
     if (piece.is_nowhere) signs_[event] = 0, starts_at_zero_ = false;
+    if (piece.sign == 0) untold_[event] += piece.is_nowhere ? 0 : piece.to - piece.from;
     if (piece.sign == 0) continue;
+    const double untold = std::exchange(untold_[event], 0);
     const bool is_wanted =
         direction == Crossing::either || (direction == Crossing::rising) == (piece.sign > 0);
     const bool leaves_start = signs_[event] == 0 && starts_at_zero_ && request_.events[event].counts_at_start;
@@ -141,10 +147,10 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
     const bool is_broken = signs_[event] == 0 && request_.events[event].must_have_value;
     if (is_broken && is_wanted) crossed.push_back({event, begin, begin + piece.from});
     if (signs_[event] == -piece.sign && is_wanted) {
-      crossed.push_back({event, std::max(begin, definite_[event]), begin + piece.from});
+      crossed.push_back({event, std::max(begin, definite_[event]), begin + piece.from, 0, untold});
     }
     if (const double hidden = hidden_before(event, begin + piece.from, piece.sign); hidden > 0)
-      crossed.push_back({event, begin + piece.from, begin + piece.from, hidden});
+      crossed.push_back({event, begin + piece.from, begin + piece.from, hidden, 0});
     signs_[event] = piece.sign;
     definite_[event] = begin + piece.to;
   }
@@ -328,7 +334,7 @@ void EventSearch::report(Stepper& stepper, std::vector<Zero> zeros, Found& found
         approaches_.ask_condition(first->event, polynomial_, t - polynomial_.whole().t, value);
         if (!(value > 0)) continue;
       }
-      found.events.push_back({first->event, t, y_, first->hidden});
+      found.events.push_back({first->event, t, y_, first->hidden, first->untold});
       found.terminal = found.terminal || event.terminal;
     }
   }

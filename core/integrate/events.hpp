@@ -72,11 +72,13 @@ class EventSearch {
     std::size_t event{};
     double before{}, after{};
     double hidden{};
+    double untold{};
   };
   struct Zero {
     double t{};
     std::size_t event{};
     double hidden{};
+    double untold{};
   };
 
   [[nodiscard]] bool is_quiet(std::size_t event);
@@ -156,6 +158,7 @@ class EventSearch {
   /// The signs at the last step's beginning, and what each function had in it; empty where it kept its sign.
   std::vector<int> signs_of_begin_;
   std::vector<std::vector<Piece>> pieces_;
+  std::vector<double> untold_;          ///< since a sign was told last, seconds in which none was
   std::vector<double> left_at_start_;   ///< the number of what is zero there
   std::vector<double> rounding_;        ///< of its values in the step
   std::vector<bool> rounding_is_wide_;  ///< no bound of it is of use

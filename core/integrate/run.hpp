@@ -180,6 +180,7 @@ struct EventOccurrence {
   double t{};
   std::vector<double> y{};
   double hidden{};  ///< no crossing: for so many seconds up to there rounding hid the sign of g
+  double untold{};  ///< around a crossing: for so many seconds signs were not told
 };
 
 struct Run {

@@ -45,7 +45,8 @@ EventErrors::EventErrors(const Dynamics& dynamics, const SimulationRequest& requ
 std::optional<EventError> EventErrors::of(const EventRecord& event, std::span<const double> errors,
                                           std::span<const double> reached) {
   const auto watch = std::ranges::find_if(watches_, [&](const Watch& w) { return w.name == event.name; });
-  return watch == watches_.end() ? std::nullopt : of(*watch, event.t, event.y, errors, reached);
+  return watch == watches_.end() ? std::nullopt
+                                 : of(*watch, event.t, event.y, errors, reached, 0, event.untold);
 }
 
 std::optional<EventError> EventErrors::of(const Stop& stop, std::span<const double> y,
@@ -106,9 +107,9 @@ int EventErrors::sign_of(const Watch& watch, double t, std::span<const double> y
 
 std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::span<const double> y,
                                           std::span<const double> errors, std::span<const double> reached,
-                                          double at_least) {
+                                          double at_least, double untold) {
   const std::size_t n = y.size() / 2;
-  Place place{t, y, accelerations(t, y), {}};
+  Place place{.t = t, .y = y, .accelerations = accelerations(t, y), .errors = {}, .untold = untold};
   double own_time = infinity, shortest = infinity;
   for (std::size_t k = 0; k < 2 * n; ++k) {
     const double size = std::max(reached[k], std::abs(y[k]));
@@ -124,9 +125,9 @@ std::optional<EventError> EventErrors::of(const Watch& watch, double t, std::spa
   place.own_time = own_time;
   const std::optional<Time> time = time_of(watch, place, shortest, own_time);
   if (!time) return std::nullopt;
-  const double merged = time->by_slope ? 0 : several_instants * time_round_off(t);
+  const double merged = time->is_single ? 0 : several_instants * time_round_off(t);
   auto error = with_state(std::max(time->error, at_least) + merged, std::move(place));
-  if (error) error->is_single = time->by_slope;
+  if (error) error->is_single = time->is_single;
   return error;
 }
 
@@ -155,17 +156,40 @@ std::optional<EventErrors::Time> EventErrors::time_of(const Watch& watch, Place&
   // It may lie beside the place by as much as values are rounded there.
   const bool is_rounded = value <= watch.own_rounding(place.t, place.y);
   bool has_one_sign = false;
-  const double first = is_told ? std::max(least, guess) : least;
+  const double first = is_told && !watch.may_jump ? std::max(least, guess) : least;
   for (double tau = first; tau <= farthest; tau *= tried_next) {
     const std::optional<int> before = sign_after(-tau, watch, place);
     const std::optional<int> after = before ? sign_after(tau, watch, place) : std::nullopt;
     if (after && *before != *after)
       return Time{tau + least,
-                  is_told && tau <= much_more * first && is_as_steep(tau, around.slope, watch, place)};
+                  passes_once(tau, watch, place) || (is_told && tau <= much_more * std::max(least, guess) &&
+                                                     is_as_steep(tau, around.slope, watch, place))};
     has_one_sign = has_one_sign || after;
     if (after && !is_rounded) break;
   }
   return has_one_sign ? std::nullopt : by_slopes(watch, place, own_time, around.doubt);
+}
+
+/// In the states that the motion may have within tau.
+bool EventErrors::passes_once(double tau, const Watch& watch, const Place& place) {
+  const auto errors = watch.passes_once ? errors_after(tau, place) : std::nullopt;
+  if (!errors) return false;
+  if (place.apart.empty()) take_apart(place);
+  const std::size_t n = place.y.size() / 2;
+  std::vector<Interval> y, rates(2 * n);
+  for (const double x : place.y) y.emplace_back(x);
+  for (std::size_t i = 0; i < n; ++i) rates[n + i] = place.accelerations[i];
+  for (const double length : {-tau, tau}) {
+    const std::vector<double> there = state_after(length, place), a = accelerations(place.t + length, there);
+    for (std::size_t k = 0; k < 2 * n; ++k) y[k] = hull(y[k], there[k]);
+    for (std::size_t i = 0; i < n; ++i) rates[n + i] = hull(rates[n + i], a[i]);
+  }
+  for (std::size_t k = 0; k < 2 * n; ++k) y[k] = y[k] + Interval(-(*errors)[k], (*errors)[k]);
+  for (std::size_t i = 0; i < n; ++i) {
+    rates[i] = y[n + i];
+    rates[n + i] = rates[n + i] + Interval(-place.apart[i], place.apart[i]);
+  }
+  return watch.passes_once({Interval(place.t - tau, place.t + tau), y, rates});
 }
 
 /// Whether an enclosure of g is wider than what slopes tell.
@@ -215,7 +239,7 @@ std::optional<EventErrors::Time> EventErrors::by_slopes(const Watch& watch, cons
     double error = first;
     while (error <= farthest_share * own_time && !is_clear_of_zero(error, watch, place)) error *= tried_next;
     if (!(error <= farthest_share * own_time)) return std::nullopt;
-    return Time{error, error <= much_more * first};
+    return Time{error, error <= much_more * first && place.untold <= 2 * error};
   }
   return std::nullopt;
 }

@@ -53,7 +53,7 @@ class EventErrors {
  private:
   [[nodiscard]] std::optional<EventError> of(const Watch& watch, double t, std::span<const double> y,
                                              std::span<const double> errors, std::span<const double> reached,
-                                             double at_least = 0);
+                                             double at_least = 0, double untold = 0);
   [[nodiscard]] static int sign_of(const Watch& watch, double t, std::span<const double> y,
                                    std::span<const double> errors);
   /// A motion at t with its accelerations, and bounds of what its components may be off there.
@@ -64,16 +64,18 @@ class EventErrors {
     double own_time{};                    ///< in which the motion goes through one of its components
     mutable std::vector<double> apart{};  ///< e_a, where it has been asked for
     bool cancels{};                       ///< terms of the function change by more than it does
+    double untold{};                      ///< in which signs were not told
   };
   struct Time {
     double error{};
-    bool by_slope{};  ///< of g, which is the same all that time, up to curvature
+    bool is_single{};  ///< g passes zero once in it: by its slope, which is the same all that time
   };
   [[nodiscard]] std::optional<Time> time_of(const Watch& watch, Place& place, double shortest,
                                             double own_time);
   [[nodiscard]] std::optional<EventError> with_state(double time, Place place);
   [[nodiscard]] std::optional<Time> by_slopes(const Watch& watch, const Place& place, double own_time,
                                               double doubt);
+  [[nodiscard]] bool passes_once(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] bool is_as_steep(double tau, double slope, const Watch& watch, const Place& place);
   [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);
   [[nodiscard]] std::optional<std::vector<double>> errors_after(double tau, const Place& place);

@@ -42,7 +42,7 @@ bool MetImpacts::record_events(const Run& done) {
     const Watch& watch = motion_.sections.watches()[occurrence.event];
     const bool last = done.ending == Ending::event && occurrence.t == done.t;
     if (watch.kind == Watch::Kind::event || watch.kind == Watch::Kind::impact) {
-      motion_.record_event({watch.name, occurrence.t, occurrence.y});
+      motion_.record_event({watch.name, occurrence.t, occurrence.y, false, occurrence.untold});
       if (watch.kind != Watch::Kind::impact) continue;
       impact = true;
       impacts_.meet(occurrence.event);
@@ -77,7 +77,8 @@ InstantImpacts::Passed MetImpacts::pass_instant() {
   std::vector<bool> told(impacts_.watches().size());
   for (const auto& [impact, before] : passed.all) {
     if (told[impact] || !impacts_.has_met(impact))
-      motion_.record_event({motion_.dynamics.model().parsed.impacts[impact].event, motion_.result.t, before});
+      motion_.record_event(
+          {motion_.dynamics.model().parsed.impacts[impact].event, motion_.result.t, before, false, 0});
     told[impact] = true;
   }
   if (passed.order_matters) doubt_order();

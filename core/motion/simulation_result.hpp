@@ -19,6 +19,7 @@ struct EventRecord {
   double t{};
   std::vector<double> y;  ///< before the impact, where the event is one
   bool is_in_doubt{};     ///< in another order of the impacts of its instant it may not happen
+  double untold{};        ///< for so many seconds around it signs were not told
 };
 
 /// Why a motion ended before t_end in the nature of the system.

@@ -68,6 +68,19 @@ class DomainsOfEvents(Service):
                 reason, events = self.reason("1e-9", "-0.554", "1.316", 1.3, function)
                 self.assertTrue(len(events) == 2 or NEAR in reason, (reason, events))
 
+    def test_jumps_are_told_apart_however_near_they_are(self):
+        for apart in ("1e-3", "1e-6", "1e-9", "1e-12"):
+            places = [mpf("0.434") + i*mpf(apart) for i in range(3)]
+            levels = [f"(x - {mpmath.nstr(place, 20)})" for place in places]
+            for function in (f"sign({'*'.join(levels)})", "*".join(f"sign{level}" for level in levels), f"sign{levels[1]}*(x + 3)"):
+                with self.subTest(function):
+                    reason, events = self.reason("1e-18", "-0.554", "1.316", 1.3, function)
+                    met = places if levels[0] in function else places[1:2]
+                    self.assertEqual((len(events), reason), (len(met), ""))
+                    for event, place in zip(events, met):
+                        self.assertLessEqual(abs(mpf(event["t"]) - (place + mpf("0.554"))/mpf("1.316")), mpf(event["error"]) + mpf("1e-18"))
+                        self.assertLess(event["error"], 1e-13)
+
 
 if __name__ == "__main__":
     unittest.main()
