@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "core/numerics/long_matrix.hpp"
+#include "core/numerics/long_schur.hpp"
+#include "core/numerics/symmetric_matrix.hpp"
 
 namespace qdot {
 
