@@ -65,21 +65,6 @@ LongAxes in_ascending_order(const LongMatrix& diagonal, const LongMatrix& vector
   return result;
 }
 
-LongAxes axes_of(LongMatrix a) {
-  for (Index j = 0; j < a.cols(); ++j) {
-    for (Index i = 0; i < j; ++i) a(i, j) = a(j, i);
-  }
-  LongMatrix vectors = LongMatrix::Identity(a.rows(), a.cols());
-  bool turned = true;
-  for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
-    turned = false;
-    for (Index p = 0; p < a.rows(); ++p) {
-      for (Index q = p + 1; q < a.rows(); ++q) turned = rotate(a, vectors, p, q) || turned;
-    }
-  }
-  return in_ascending_order(a, vectors);
-}
-
 /// L with L L^T = M, lower triangular; no value where M is not positive definite.
 std::optional<LongMatrix> cholesky_factor(const LongMatrix& m) {
   LongMatrix l = LongMatrix::Zero(m.rows(), m.cols());
@@ -118,7 +103,20 @@ LongMatrix solved_backward(const LongMatrix& l, LongMatrix b) {
 
 }  // namespace
 
-LongVector symmetric_eigenvalues(const LongMatrix& a) { return axes_of(a).values; }
+LongAxes symmetric_axes(LongMatrix a) {
+  for (Index j = 0; j < a.cols(); ++j) {
+    for (Index i = 0; i < j; ++i) a(i, j) = a(j, i);
+  }
+  LongMatrix vectors = LongMatrix::Identity(a.rows(), a.cols());
+  bool turned = true;
+  for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
+    turned = false;
+    for (Index p = 0; p < a.rows(); ++p) {
+      for (Index q = p + 1; q < a.rows(); ++q) turned = rotate(a, vectors, p, q) || turned;
+    }
+  }
+  return in_ascending_order(a, vectors);
+}
 
 /// With M = L L^T, (L^-1 K L^-T) u = w u for u = L^T v.
 std::optional<LongAxes> principal_axes(const LongMatrix& k, const LongMatrix& m) {
@@ -128,7 +126,7 @@ std::optional<LongAxes> principal_axes(const LongMatrix& k, const LongMatrix& m)
   for (Index j = 0; j < k.cols(); ++j) {
     for (Index i = 0; i < j; ++i) symmetric(i, j) = k(j, i);
   }
-  LongAxes axes = axes_of(solved_forward(*l, solved_forward(*l, symmetric).transpose()));
+  LongAxes axes = symmetric_axes(solved_forward(*l, solved_forward(*l, symmetric).transpose()));
   if (!axes.values.allFinite()) return std::nullopt;
   axes.vectors = solved_backward(*l, axes.vectors);
   return axes;

@@ -6,15 +6,15 @@
 
 namespace qdot {
 
-/// Ascending.
-[[nodiscard]] LongVector symmetric_eigenvalues(const LongMatrix& a);
-
-/// K v = w M v for symmetric K and M; columns v with v.M v = 1, w ascending. No value where M is not positive
-/// definite.
+/// Values ascending, and columns of what belongs to them.
 struct LongAxes {
   LongVector values;
   LongMatrix vectors;
 };
+/// A v = w v, v.v = 1.
+[[nodiscard]] LongAxes symmetric_axes(LongMatrix a);
+
+/// K v = w M v, v.M v = 1, for symmetric K and M. No value where M is not positive definite.
 [[nodiscard]] std::optional<LongAxes> principal_axes(const LongMatrix& k, const LongMatrix& m);
 
 }  // namespace qdot
