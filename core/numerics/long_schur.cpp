@@ -194,7 +194,7 @@ void split_conjugates(LongSchur& schur, Index k) {
   const long double p = (a - d) / 2;
   const LongComplex value(d + p, std::sqrt(-(p * p + above * below)));
   const LongComplex first = value - d;
-  const long double length = std::hypot(std::abs(first), below);
+  const long double length = std::sqrt(std::norm(first) + below * below);
   schur.turn(k, first / length, below / length);
   schur.t(k, k) = value;
   schur.t(k + 1, k + 1) = std::conj(value);
