@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "core/numerics/long_matrix.hpp"
+#include "core/numerics/long_schur.hpp"
+#include "core/numerics/symmetric_matrix.hpp"
 
 namespace qdot {
 
@@ -43,7 +44,12 @@ Eigen::VectorXcd eigenvalues(const MatrixXd& a) {
   return eigenvalues(widened(a)).cast<std::complex<double>>();
 }
 
-VectorXd symmetric_eigenvalues(const MatrixXd& a) { return symmetric_eigenvalues(widened(a)).cast<double>(); }
+VectorXd symmetric_eigenvalues(const MatrixXd& a) { return symmetric_axes(widened(a)).values.cast<double>(); }
+
+VectorXd most_shortened(const MatrixXd& a) {
+  const LongMatrix squares = product(widened(a).transpose(), widened(a));
+  return symmetric_axes(squares).vectors.col(0).cast<double>();
+}
 
 EigenDecomposition eigen_decomposition(const MatrixXd& a) {
   using Complex = std::complex<double>;

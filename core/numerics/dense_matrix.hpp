@@ -21,6 +21,9 @@ namespace qdot {
 /// Of a symmetric A, ascending.
 [[nodiscard]] Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
 
+/// The x of length 1 with the shortest A x: A's kernel, where it has one.
+[[nodiscard]] Eigen::VectorXd most_shortened(const Eigen::MatrixXd& a);
+
 /// A R = R diag(values), L = R^-1: columns of R are right eigenvectors of length 1, rows of L left ones.
 struct EigenDecomposition {
   Eigen::VectorXcd values;

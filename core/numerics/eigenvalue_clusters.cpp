@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/numerics/constants.hpp"
-#include "core/numerics/long_matrix.hpp"
+#include "core/numerics/long_schur.hpp"
 
 namespace qdot {
 namespace {
@@ -26,15 +26,6 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return result;
 }
 
-/// Columns k and k + 1 times (c, -s*; s, c*).
-void turn_columns(LongComplexMatrix& a, Eigen::Index k, const Complex& c, const Complex& s) {
-  for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    const Complex first = a(i, k), second = a(i, k + 1);
-    a(i, k) = first * c + second * s;
-    a(i, k + 1) = second * std::conj(c) - first * std::conj(s);
-  }
-}
-
 /// The eigenvalues number k and k + 1 of the diagonal change places.
 void swap(LongSchur& schur, Eigen::Index k) {
   LongComplexMatrix& t = schur.t;
@@ -43,14 +34,7 @@ void swap(LongSchur& schur, Eigen::Index k) {
   const long double length = std::hypot(std::abs(above), std::abs(gap));
   if (!(length > 0)) return;
   // The eigenvector of the second in the plane of both becomes the first direction.
-  const Complex c = above / length, s = gap / length;
-  turn_columns(t, k, c, s);
-  for (Eigen::Index j = 0; j < t.cols(); ++j) {
-    const Complex upper = t(k, j), lower = t(k + 1, j);
-    t(k, j) = std::conj(c) * upper + std::conj(s) * lower;
-    t(k + 1, j) = c * lower - s * upper;
-  }
-  turn_columns(schur.q, k, c, s);
+  schur.turn(k, above / length, gap / length);
   t(k + 1, k) = 0;
 }
 
@@ -232,10 +216,9 @@ double uncertainty(const std::vector<EnclosedEigenvalue>& found) {
 }  // namespace
 
 std::vector<EnclosedEigenvalue> enclose_eigenvalues(const Matrix& a, const Matrix& b) {
-  const LongComplexMatrix matrix = quotient(middles(a), middles(b));
   const std::vector<EnclosedEigenvalue> nothing(a.size(), {{}, infinity, a.size()});
-  if (!matrix.allFinite()) return nothing;
-  const auto schur = schur_form(matrix);
+  const auto matrix = quotient(LongMatrix(middles(a).real()), LongMatrix(middles(b).real()));
+  const auto schur = matrix ? schur_form(*matrix) : std::nullopt;
   if (!schur) return nothing;
   std::vector<EnclosedEigenvalue> best = nothing;
   const auto look = [&](const Nearness& near) {

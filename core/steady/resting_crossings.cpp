@@ -1,9 +1,9 @@
 #include "core/steady/resting_crossings.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 
 #include "core/compile/tape_evaluator.hpp"
+#include "core/numerics/dense_matrix.hpp"
 #include "core/numerics/enclosed_system.hpp"
 #include "core/steady/critical_sentences.hpp"
 #include "core/steady/resting_places.hpp"
@@ -22,9 +22,8 @@ class CrossingCurve {
     Eigen::MatrixXd middle(n_, n_);
     for (std::size_t i = 0; i < n_ * n_; ++i)
       middle(static_cast<Eigen::Index>(i / n_), static_cast<Eigen::Index>(i % n_)) = slopes_[i].middle();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(middle, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    left_ = svd.matrixU().col(middle.cols() - 1);
-    right_ = svd.matrixV().col(middle.cols() - 1);
+    left_ = most_shortened(middle.transpose());
+    right_ = most_shortened(middle);
   }
 
   [[nodiscard]] BifurcationKind kind() const {

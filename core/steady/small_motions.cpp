@@ -5,8 +5,9 @@
 #include <limits>
 
 #include "core/base/error.hpp"
-#include "core/numerics/long_matrix.hpp"
+#include "core/numerics/long_schur.hpp"
 #include "core/numerics/same_bits.hpp"
+#include "core/numerics/symmetric_matrix.hpp"
 
 namespace qdot {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/numerics/eigenvalue_clusters.hpp"
-#include "core/numerics/long_matrix.hpp"
+#include "core/numerics/long_schur.hpp"
 #include "core/steady/small_motions.hpp"
 
 namespace qdot {
