@@ -32,7 +32,8 @@ double rounding_at(double x) { return 1e-12 * std::max(1.0, std::abs(x)); }
 std::vector<Interval> enclosed_state(const Modes& found) {
   std::vector<Interval> near;
   for (std::size_t i = 0; i < found.y.size() / 2; ++i) {
-    const double error = found.y_error[i].value_or(rounding_at(found.y[i]));
+    const double of_family = found.held.empty() ? 0 : rounding_at(found.y[i]);
+    const double error = std::max(found.y_error[i].value_or(rounding_at(found.y[i])), of_family);
     near.emplace_back(found.y[i] - error, found.y[i] + error);
   }
   return near;

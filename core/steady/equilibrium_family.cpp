@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/compile/tape_evaluator.hpp"
@@ -116,6 +117,30 @@ std::optional<Eigen::MatrixXd> inverse_beside(const Statics& statics, std::span<
   return result;
 }
 
+/// What the other coordinates move where those held are what their doubles stand for, up to half a unit in
+/// the last place from these: by the family's directions, solved for the held ones.
+void add_rounding_of_held(const BallMatrix& family, const std::vector<std::size_t>& held, Balls& x) {
+  constexpr double half_unit = std::numeric_limits<double>::epsilon() / 2, beyond_first_order = 1.001;
+  BallMatrix rows = family;
+  for (std::size_t done = 0; done < held.size(); ++done) {
+    const Ball pivot = rows[done][held[done]];
+    for (Ball& entry : rows[done]) entry = entry / pivot;
+    for (std::size_t other = 0; other < rows.size(); ++other) {
+      const Ball factor = rows[other][held[done]];
+      for (std::size_t j = 0; other != done && j < x.size(); ++j)
+        rows[other][j] = rows[other][j] - factor * rows[done][j];
+    }
+  }
+  const Balls at = x;
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const double value = std::abs(at[held[k]].value()),
+                 moved = half_unit * std::exp2(std::floor(std::log2(value)));
+    for (std::size_t i = 0; value > 0 && i < x.size(); ++i) {
+      if (i != held[k]) x[i].radius += beyond_first_order * moved * rows[k][i].magnitude();
+    }
+  }
+}
+
 /// Gives the place its directions, where those stay independent all over its enclosure.
 bool put_family(const CompiledFunction& changes, std::span<const Ball> constants, const Independent& chosen,
                 Equilibrium& place) {
@@ -155,7 +180,10 @@ Equilibrium with_family(const Statics& statics, std::span<const Ball> constants,
       independent(compared(changes_at(*changes, constants, {near.x.begin(), near.x.end()}), near.sizes));
   if (chosen.rows.empty()) return degenerate;
   std::optional<Equilibrium> member = member_of_family(statics, constants, near, guess, chosen.columns);
-  if (member && put_family(*changes, constants, chosen, *member)) return *std::move(member);
+  if (member && put_family(*changes, constants, chosen, *member)) {
+    add_rounding_of_held(member->family, chosen.columns, member->x);
+    return *std::move(member);
+  }
   put_family(*changes, constants, chosen, degenerate);
   return degenerate;
 }
