@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/compile/tape_evaluator.hpp"
+#include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
 #include "core/steady/solved_slopes.hpp"
 #include "core/steady/symmetric_changes.hpp"
@@ -120,7 +120,7 @@ std::optional<Eigen::MatrixXd> inverse_beside(const Statics& statics, std::span<
 /// What the other coordinates move where those held are what their doubles stand for, up to half a unit in
 /// the last place from these: by the family's directions, solved for the held ones.
 void add_rounding_of_held(const BallMatrix& family, const std::vector<std::size_t>& held, Balls& x) {
-  constexpr double half_unit = std::numeric_limits<double>::epsilon() / 2, beyond_first_order = 1.001;
+  constexpr double beyond_first_order = 1.001;
   BallMatrix rows = family;
   for (std::size_t done = 0; done < held.size(); ++done) {
     const Ball pivot = rows[done][held[done]];
@@ -133,8 +133,7 @@ void add_rounding_of_held(const BallMatrix& family, const std::vector<std::size_
   }
   const Balls at = x;
   for (std::size_t k = 0; k < held.size(); ++k) {
-    const double value = std::abs(at[held[k]].value()),
-                 moved = half_unit * std::exp2(std::floor(std::log2(value)));
+    const double value = std::abs(at[held[k]].value()), moved = (std::nextafter(value, infinity) - value) / 2;
     for (std::size_t i = 0; value > 0 && i < x.size(); ++i) {
       if (i != held[k]) x[i].radius += beyond_first_order * moved * rows[k][i].magnitude();
     }
