@@ -4,20 +4,15 @@
 // An event is a change of sign of g(t, y). A motion that is within e_k of the true one in component k has its
 // change of sign within tau of the true one where g has one sign in all states within e_k of y(t - tau), and
 // the other one in all those of y(t + tau): both by interval arithmetic, in twice the digits where doubles do
-// not tell. Where the slope of g decides, tau is
-// about
+// not tell. Where the slope of g decides, tau is about
 //
 //   (|g| + sum_k |dg/dy_k| e_k)/|g'|,
 //
 // where the search for it begins; at a multiple root, or a level that is nearly touched, it may be any
-// larger. In tau the e_k grow as well:
-//
-//   e_q + tau e_v + tau^2/2 e_a,   e_v + tau e_a,   e_a,i = sum_k |da_i/dy_k| e_k,
-//
-// and where the second order is not small any more, as beside the top of a hill, nothing is told. It is as
-// good as the e_k are, which are estimates. Where intervals are too wide to tell, slopes and
-// curvatures do. Where no such tau exists, whether g changes sign
-// at all is no more certain than the motion itself.
+// larger. In tau the e_k grow as well (states_beside.hpp). Where intervals are too wide to tell, slopes and
+// curvatures do. Where no such tau exists, whether g changes sign at all is no more certain than the motion
+// itself. That it does so once only, single_crossing.hpp proves in all states within tau, or slopes tell;
+// else it may do so several times.
 //
 // The state there is off by e_k, and by what the motion changes it in tau.
 
@@ -28,6 +23,7 @@
 
 #include "core/dynamics/watch.hpp"
 #include "core/motion/measured_simulation.hpp"
+#include "core/motion/states_beside.hpp"
 
 namespace qdot {
 
@@ -56,31 +52,22 @@ class EventErrors {
                                              double at_least = 0, double untold = 0);
   [[nodiscard]] static int sign_of(const Watch& watch, double t, std::span<const double> y,
                                    std::span<const double> errors);
-  /// A motion at t with its accelerations, and bounds of what its components may be off there.
   struct Place {
-    double t{};
-    std::span<const double> y;
-    std::vector<double> accelerations, errors;
-    double own_time{};                    ///< in which the motion goes through one of its components
-    mutable std::vector<double> apart{};  ///< e_a, where it has been asked for
-    bool cancels{};                       ///< terms of the function change by more than it does
-    double untold{};                      ///< in which signs were not told
+    StatesBeside states;
+    double own_time{};  ///< in which the motion goes through one of its components
+    double untold{};    ///< in which signs were not told
+    bool cancels{};     ///< terms of the function change by more than it does
   };
   struct Time {
     double error{};
     bool is_single{};  ///< g passes zero once in it: by its slope, which is the same all that time
   };
-  [[nodiscard]] std::optional<Time> time_of(const Watch& watch, Place& place, double shortest,
-                                            double own_time);
-  [[nodiscard]] std::optional<EventError> with_state(double time, Place place);
-  [[nodiscard]] std::optional<Time> by_slopes(const Watch& watch, const Place& place, double own_time,
-                                              double doubt);
-  [[nodiscard]] bool passes_once(double tau, const Watch& watch, const Place& place);
-  [[nodiscard]] bool is_as_steep(double tau, double slope, const Watch& watch, const Place& place);
-  [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, const Place& place);
-  [[nodiscard]] std::optional<std::vector<double>> errors_after(double tau, const Place& place);
-  void take_apart(const Place& place);
-  [[nodiscard]] std::vector<double> state_after(double tau, const Place& place);
+  [[nodiscard]] std::optional<Time> time_of(const Watch& watch, Place& place, double shortest);
+  [[nodiscard]] static std::optional<EventError> with_state(double time, StatesBeside& states);
+  [[nodiscard]] std::optional<Time> by_slopes(const Watch& watch, Place& place, double doubt);
+  [[nodiscard]] static bool passes_once(double tau, const Watch& watch, Place& place);
+  [[nodiscard]] bool is_as_steep(double tau, double slope, const Watch& watch, Place& place);
+  [[nodiscard]] bool is_clear_of_zero(double tau, const Watch& watch, Place& place);
   struct Linear {
     double doubt{};  ///< |g| + sum_k |dg/dy_k| e_k
     double slope{};  ///< of g along the motion
@@ -92,8 +79,7 @@ class EventErrors {
   [[nodiscard]] int sign_within(const Watch& watch, double t, std::span<const Interval> box,
                                 bool cancels = false) const;
   [[nodiscard]] int sign_by_slopes(const Watch& watch, double t, std::span<const Interval> box) const;
-  [[nodiscard]] std::optional<int> sign_after(double tau, const Watch& watch, const Place& place);
-  [[nodiscard]] std::vector<double> accelerations(double t, std::span<const double> y);
+  [[nodiscard]] std::optional<int> sign_after(double tau, const Watch& watch, Place& place);
 
   const Dynamics& dynamics_;
   const Reals& parameters_;
