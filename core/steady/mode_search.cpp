@@ -216,8 +216,15 @@ class ModeSearch {
       Exponent e{found.values[i], found.radii[i], members, on_axis};
       const Shape shape = shape_of(found, i);
       e.undamped = on_axis || (near_axis && is_undamped(e, shape, found.values, found.radii));
-      add_exponent(e, {shape}, zeros);
+      add_exponent(e, members > 1 ? shapes_of_group(e, shape) : std::vector<Shape>{shape}, zeros);
     }
+  }
+
+  /// Where a group has fewer shapes than members, vectors that were found apart are so by rounding alone.
+  [[nodiscard]] std::vector<Shape> shapes_of_group(const Exponent& e, const Shape& own) const {
+    std::vector<Shape> shapes = kernel(dynamic_stiffness(at_.reduced, disc_of(e)));
+    const bool lacks_some = !shapes.empty() && shapes.size() < e.members;
+    return lacks_some ? shapes : std::vector<Shape>{own};
   }
 
   /// Damping leaves the motion along the shape alone: a single eigenvalue i sqrt(lambda) in the disc and in

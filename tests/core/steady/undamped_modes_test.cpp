@@ -58,7 +58,13 @@ TEST(UndampedModes, AreNotCalledStableWhereAnotherMayDriveThem) {
   scene.bodies = {Particle{"p", "m", {"p", {}}}, Particle{"q", "m", {"q", {}}}};
   scene.potential = "k/2*(x^2 + y^2)";
   scene.forces = {{.name = "drive", .value = "c*x_dot", .along = "y"}};
-  EXPECT_EQ(test::modes_of(build_model(scene), {}).stability, Stability::neutral);
+  const Modes found = test::modes_of(build_model(scene), {});
+  EXPECT_EQ(found.stability, Stability::neutral);
+  ASSERT_EQ(found.modes.size(), 2U);
+  for (const Mode& mode : found.modes) {  // both have the only one there is
+    EXPECT_EQ(mode.multiplicity, 2U);
+    EXPECT_EQ(mode.shape, (std::vector<std::complex<double>>{0, 1}));
+  }
 }
 
 TEST(UndampedModes, AreNotThoseWhoseDampingIsBelowRounding) {
