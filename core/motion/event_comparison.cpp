@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/motion/accumulation.hpp"
 #include "core/motion/row_errors.hpp"
@@ -53,7 +55,22 @@ std::vector<std::optional<EventError>> EventComparison::of_events() {
     }
     last = &event;
   }
+  doubt_neighbours(result);
   return result;
+}
+
+/// Of one name within the error of each other: rounding may have made several of one.
+void EventComparison::doubt_neighbours(std::vector<std::optional<EventError>>& errors) const {
+  std::map<std::string, std::size_t> last;
+  const std::vector<EventRecord>& events = motion_.simulation.events;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const auto [place, is_first] = last.try_emplace(events[i].name, i);
+    const std::size_t before = std::exchange(place->second, i);
+    if (is_first || !errors[before] || !errors[i]) continue;
+    const double apart = events[i].t - events[before].t;
+    if (apart <= std::max(errors[before]->time, errors[i]->time))
+      errors[before]->is_single = errors[i]->is_single = false;
+  }
 }
 
 bool EventComparison::is_impact(const std::string& name) const {

@@ -43,6 +43,7 @@ class EventComparison {
   [[nodiscard]] std::optional<EventError> of_stop();
 
  private:
+  void doubt_neighbours(std::vector<std::optional<EventError>>& errors) const;
   static void share_with_cause(std::vector<std::optional<EventError>>& errors);
   struct OfState {
     std::vector<double> errors;  ///< empty after the last row

@@ -84,6 +84,10 @@ void Rounding::take_constants() {
     sizes_[slot] = {std::abs(slots_[slot]), known_or_infinite(off.magnitude())};
     in_doubles_[slot] = sizes_[slot].error;
   }
+  for (const auto& [slot, value] : tape_.literals_) {  // balls may not hold small ones as closely
+    double& error = sizes_[slot].error;
+    in_doubles_[slot] = error = std::min(error, half_unit_of_doubles * sizes_[slot].most + of_underflow);
+  }
 }
 
 void Rounding::take_variables() {
