@@ -19,6 +19,10 @@ bool EventSearch::UnitSeries::is_finite() const {
   return std::isfinite(off) && std::ranges::all_of(coefficients(), [](double c) { return std::isfinite(c); });
 }
 
+bool EventSearch::UnitSeries::is_zero() const {
+  return off == 0 && std::ranges::all_of(c, [](double x) { return x == 0; });
+}
+
 EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const MotionPiece& piece,
                                                  unsigned order) const {
   UnitSeries result;

@@ -136,7 +136,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
   }
   for (const Piece& piece : pieces) {
     if (piece.is_nowhere) signs_[event] = 0, starts_at_zero_ = false;
-    if (piece.sign == 0) untold_[event] += piece.is_nowhere ? 0 : piece.to - piece.from;
+    if (piece.sign == 0) untold_[event] += piece.is_nowhere || piece.is_zero ? 0 : piece.to - piece.from;
     if (piece.sign == 0) continue;
     const double untold = std::exchange(untold_[event], 0);
     const bool is_wanted =
@@ -259,6 +259,7 @@ void EventSearch::explore(std::size_t event, double from, double to, std::vector
   if (series.is_nowhere && request_.events[event].must_have_value)
     nowhere_from_ = std::min(nowhere_from_, from);
   if (series.is_nowhere) return pieces.push_back({{from, to, 0}, true});
+  if (series.is_zero()) return pieces.push_back({{from, to, 0}, false, true});
   if (is_in_doubt(event, whole, series)) return look_sharply(event, from, to, pieces);
   const std::vector<SignPiece> found = signs_of(series.coefficients(), series.off);
   for (const SignPiece& piece : found) {

@@ -59,6 +59,10 @@ class EventSearch {
   /// The strict sign that each function had last before the instant t, which lies in the last step.
   [[nodiscard]] std::vector<int> signs_before(double t) const;
 
+  /// For each function the seconds up to now in which its sign has not been told, without those in which it
+  /// is exactly zero.
+  [[nodiscard]] const std::vector<double>& untold() const { return untold_; }
+
   [[nodiscard]] std::vector<Approach> take_approaches() { return approaches_.take(); }
 
  private:
@@ -85,6 +89,7 @@ class EventSearch {
   /// A piece of a step, with its sign; 0 where that is in doubt, or g has no value.
   struct Piece : SignPiece {
     bool is_nowhere{false};
+    bool is_zero{false};  ///< exactly
   };
   void walk(std::size_t event, std::vector<Crossed>& crossed);
   [[nodiscard]] double hidden_before(std::size_t event, double t, int sign) const;
@@ -114,6 +119,7 @@ class EventSearch {
     }
     [[nodiscard]] std::span<const double> in_whole() const { return std::span(c).first(end); }
     [[nodiscard]] bool is_finite() const;
+    [[nodiscard]] bool is_zero() const;
   };
   [[nodiscard]] UnitSeries finite_series(std::size_t event, const MotionPiece& piece) const;
   [[nodiscard]] UnitSeries unit_series(std::size_t event, const MotionPiece& piece, unsigned order) const;

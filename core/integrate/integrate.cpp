@@ -51,6 +51,7 @@ class Integration {
     run_.steps = stepper_->steps();
     run_.evaluations = stepper_->evaluations();
     run_.bounded = stepper_->bounded() && events_.saw_everything();
+    run_.untold = events_.untold();
     run_.signs = events_.signs_before(run_.t);
     run_.unseen_at_end.assign(stepper_->unseen().begin(), stepper_->unseen().end());
     if (own_errors_) run_.apart_at_end = own_errors_->now();

@@ -210,6 +210,7 @@ struct Run {
   std::vector<Approach> approaches{};  ///< to events, in order of time but for those of one step
   /// The strict sign that each event's function had last, before the instant in which the run ended; 0: none.
   std::vector<int> signs{};
+  std::vector<double> untold{};  ///< for each event the seconds up to the end in which that was not seen
 };
 
 }  // namespace qdot

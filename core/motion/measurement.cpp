@@ -88,6 +88,7 @@ void Measurement::measure(GivesUp gives_up) {
   event_rows_.emplace(grid_.t, result_.simulation);
   result_.events_in_doubt = {};
   result_.events_in_doubt.add(events_lost_in_rounding(motion()));
+  result_.events_in_doubt.add(events_hidden_by_rounding(motion()));
   result_.events_in_doubt.add(impacts_hidden_at_end(motion()));
   expected_excess_.reset();
   const bool is_near = motion().is_near_round_off();

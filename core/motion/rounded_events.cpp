@@ -86,6 +86,15 @@ std::vector<EventDoubt> events_lost_in_rounding(const ComputedMotion& motion) {
   return found;
 }
 
+std::vector<EventDoubt> events_hidden_by_rounding(const ComputedMotion& motion) {
+  std::vector<EventDoubt> found;
+  for (const auto& [name, from] : motion.simulation.untold)
+    found.push_back({name, "From t = " + short_number(from, 6) +
+                               " on rounding hides the sign of the function of " + name +
+                               ": how often it happens there cannot be told."});
+  return found;
+}
+
 std::vector<EventDoubt> events_lost_in_errors(const ComputedMotion& motion, std::span<const double> errors) {
   std::vector<EventDoubt> found;
   for (const std::string& name :

@@ -16,6 +16,8 @@ namespace qdot {
 /// Each such event that is seen. Each is judged at one row, that of at most
 /// 16 at which its function is largest: a hint beside the errors of the instants, which do not rest on it.
 [[nodiscard]] std::vector<EventDoubt> events_lost_in_rounding(const ComputedMotion& motion);
+/// Those whose sign was not seen up to the end, or to an impact.
+[[nodiscard]] std::vector<EventDoubt> events_hidden_by_rounding(const ComputedMotion& motion);
 [[nodiscard]] std::vector<EventDoubt> events_lost_in_errors(const ComputedMotion& motion,
                                                             std::span<const double> errors);
 /// Those that may happen several times within the error of one crossing's time. `errors`: of the motion's

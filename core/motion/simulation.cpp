@@ -99,9 +99,21 @@ class Simulator {
     motion_.unseen.add(done);
     motion_.apart.add(done);
     motion_.sides.take(done);
+    note_untold(done);
     append(done, motion_.result);
     row_sections_.resize(motion_.result.rows, motion_.sections.section());
     return done;
+  }
+
+  /// Where the motion stays on a kink, what is zero with it keeps no sign.
+  void note_untold(const Run& done) {
+    constexpr double some_roundings = 64;
+    if (std::ranges::find(motion_.sections.sides(), 0) != motion_.sections.sides().end()) return;
+    for (std::size_t i = 0; i < motion_.sections.watches().size() && i < done.untold.size(); ++i) {
+      if (!motion_.sections.only_reports(i) || done.untold[i] <= some_roundings * time_round_off(done.t))
+        continue;
+      motion_.result.untold.push_back({motion_.sections.watches()[i].name, done.t - done.untold[i]});
+    }
   }
 
   void add_approaches(Run& done) {

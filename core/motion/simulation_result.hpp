@@ -22,6 +22,12 @@ struct EventRecord {
   double untold{};        ///< for so many seconds around it signs were not told
 };
 
+/// An event whose function's sign was not seen from some instant to the end of a section.
+struct UntoldRecord {
+  std::string name;
+  double from{};
+};
+
 /// Why a motion ended before t_end in the nature of the system.
 struct Stop {
   std::string reason;  ///< "string_slack", "lift_off", "fall", "coordinate_singularity"
@@ -59,6 +65,7 @@ struct Simulation {
   std::vector<StayRecord> stays;            ///< in order of their ends
   std::vector<ApproachRecord> approaches;   ///< where the request wants them
   std::vector<ApproachRecord> near_events;  ///< the same of events that are reported only
+  std::vector<UntoldRecord> untold;         ///< of events that are reported only
   std::optional<double> order_in_doubt;     ///< the first instant where it matters which impact is the first
   bool is_unclear_by_kinks{};
   std::size_t hidden_kinks{};

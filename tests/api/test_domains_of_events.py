@@ -81,6 +81,14 @@ class DomainsOfEvents(Service):
                         self.assertLessEqual(abs(mpf(event["t"]) - (place + mpf("0.554"))/mpf("1.316")), mpf(event["error"]) + mpf("1e-18"))
                         self.assertLess(event["error"], 1e-13)
 
+    def test_a_function_whose_sign_is_never_seen_is_in_doubt(self):
+        for function in ("exp(x + 1e-33*(x - 0.7)) - exp(x)", "exp(-1e6*(x - 0.434)^2)*1e-160 - 1e-150*1e-310"):
+            with self.subTest(function):
+                reason, events = self.reason("1e-18", "-0.554", "1.316", 1.3, function)
+                self.assertTrue("rounding hides the sign" in reason or len(events) == 2, (reason, events))
+        reason, events = self.reason("1", "0", "0", 5, "x")  # exactly zero, and always
+        self.assertEqual((reason, events), ("", []))
+
 
 if __name__ == "__main__":
     unittest.main()
