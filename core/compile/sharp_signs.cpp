@@ -52,7 +52,7 @@ class SignsAlong {
   void explore(double from, double to) {
     const double h = to - from;
     const Series series = series_on(from, to);
-    const bool has_kink = std::isinf(series.in_digits) && series.told_at_start;
+    const bool has_kink = derived_ == 0 && std::isinf(series.in_digits) && series.has_value;
     const bool is_hopeless = !has_kink && !(series.size > small_beside_digits * series.in_digits);
     if (h <= shortest_ || ++looks_ > most_looks_along || is_hopeless) return add(from, to, sign_of(series));
     if (!std::isfinite(series.off)) return halve(from, to);
@@ -78,7 +78,7 @@ class SignsAlong {
   struct Series {
     std::vector<double> c;
     double size{}, in_digits{}, off{};
-    bool told_at_start{};
+    bool has_value{};  ///< where the piece begins
   };
 
   Series series_on(double from, double to) {
@@ -92,7 +92,7 @@ class SignsAlong {
       series.in_digits += value.at[k].radius * factor;
     }
     if (series.c.empty()) series.c.push_back(0);
-    series.told_at_start = !value.at[derived_].contains_zero();
+    series.has_value = value.at[0].is_finite();
     const double rest =
         value.terms > last_term ? value.over[last_term].magnitude() * factor_of(last_term) * power : 0;
     series.off = series.in_digits + rest + of_doubles * series.size;

@@ -88,7 +88,6 @@ void Measurement::measure(GivesUp gives_up) {
   event_rows_.emplace(grid_.t, result_.simulation);
   result_.events_in_doubt = {};
   result_.events_in_doubt.add(events_lost_in_rounding(motion()));
-  result_.events_in_doubt.add(events_hidden_by_rounding(motion()));
   result_.events_in_doubt.add(impacts_hidden_at_end(motion()));
   expected_excess_.reset();
   const bool is_near = motion().is_near_round_off();
@@ -221,6 +220,7 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.events_in_doubt.add(events_lost_in_errors(motion(), result_.max_abs_error));
   result_.event_errors = std::move(comparison.event_errors);
   result_.events_in_doubt.add(events_that_may_be_several(motion(), result_.event_errors));
+  result_.events_in_doubt.add(events_hidden_by_rounding(motion()));
   result_.stop_error = comparison.stop_error;
   result_.horizon = comparison.horizon && rests_within_rounding() ? std::nullopt : comparison.horizon;
   result_.at_impacts = std::move(comparison.at_impacts);

@@ -105,14 +105,18 @@ class Simulator {
     return done;
   }
 
-  /// Where the motion stays on a kink, what is zero with it keeps no sign.
+  /// Where the motion stays on a kink, what is zero with it keeps no sign. A time that rounding makes one
+  /// instant hides nothing where the sign is the same behind it.
   void note_untold(const Run& done) {
     constexpr double some_roundings = 64;
     if (std::ranges::find(motion_.sections.sides(), 0) != motion_.sections.sides().end()) return;
-    for (std::size_t i = 0; i < motion_.sections.watches().size() && i < done.untold.size(); ++i) {
-      if (!motion_.sections.only_reports(i) || done.untold[i] <= some_roundings * time_round_off(done.t))
-        continue;
-      motion_.result.untold.push_back({motion_.sections.watches()[i].name, done.t - done.untold[i]});
+    const std::vector<Watch>& watches = motion_.sections.watches();
+    for (std::size_t i = 0; i < watches.size(); ++i) {
+      if (!motion_.sections.only_reports(i) || done.untold[i] == 0) continue;
+      const bool is_instant = done.untold[i] <= some_roundings * time_round_off(done.t);
+      const bool is_same = watches[i].value(done.t, done.y) * done.signs[i] > 0;
+      if (!is_instant || !is_same)
+        motion_.result.untold.push_back({watches[i].name, done.t - done.untold[i]});
     }
   }
 

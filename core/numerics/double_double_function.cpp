@@ -257,7 +257,7 @@ DoubleDouble evaluate(Function function, const DoubleDouble& x) {
     case Function::abs:
       return abs(x);
     case Function::sign:
-      return static_cast<double>((x.high > 0) - (x.high < 0));
+      return std::isnan(x.high) ? x : static_cast<double>((x.high > 0) - (x.high < 0));
   }
   return x;  // not reached: the switch is complete
 }

@@ -33,7 +33,7 @@ double evaluate(Function function, double x) {
     case Function::abs:
       return std::abs(x);
     case Function::sign:
-      return static_cast<double>((x > 0) - (x < 0));
+      return std::isnan(x) ? x : static_cast<double>((x > 0) - (x < 0));
   }
   return x;  // not reached: the switch is complete
 }

@@ -289,6 +289,7 @@ double Remainder::beyond_kink(const Row& x, double side) const {
 void Remainder::apply_kink(const Rule& rule) {
   const Row& x = rows_[rule.x];
   const double side = *rule.constant;
+  if (std::isnan(side)) return conclude(rows_[rule.out], infinity);
   const double beyond = side == 0 ? x.of_value.magnitude() : beyond_kink(x, side);
   if (rule.kind == Kind::sign) {
     conclude(rows_[rule.out], side == 0 ? 1 : beyond > 0 ? 2 : 0);
