@@ -183,7 +183,7 @@ std::vector<std::size_t> AssumedSigns::numbers_needed_for(const HoldsAt& holds_a
   for (std::size_t i = 0; i < open_.size(); ++i) {
     if (is_needed[i]) needed.push_back(i);
   }
-  return needed;
+  return with_needed_elsewhere(std::move(needed), holds_at);
 }
 
 void AssumedSigns::take_asked() {

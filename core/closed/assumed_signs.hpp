@@ -66,6 +66,8 @@ class AssumedSigns {
   };
 
   [[nodiscard]] std::vector<std::size_t> numbers_needed_for(const HoldsAt& holds_at);
+  [[nodiscard]] std::vector<std::size_t> with_needed_elsewhere(std::vector<std::size_t> needed,
+                                                               const HoldsAt& holds_at) const;
   [[nodiscard]] std::optional<FarPlace> with_other_sign(FarPlace place, std::size_t parameter) const;
   [[nodiscard]] bool is_sign_needed(std::size_t parameter, const Trial& trial,
                                     const std::vector<std::size_t>& needed) const;

@@ -24,6 +24,25 @@ void AssumedSigns::ask_for_value_of(const Expression& e) {
   }
 }
 
+/// Of what is not needed at the first places something may be so at others, which break nothing else.
+std::vector<std::size_t> AssumedSigns::with_needed_elsewhere(std::vector<std::size_t> needed,
+                                                             const HoldsAt& holds_at) const {
+  constexpr int most_places = 128;
+  int tries = 8;
+  std::minstd_rand random(most_places);
+  for (int number = 0; number < most_places && tries > 0 && needed.size() < open_.size(); ++number) {
+    const FarPlace place = far_place(number, random);
+    if (!hold_at(needed, place)) continue;
+    const auto broken =
+        std::ranges::find_if(open_, [&](const Open& open) { return is_broken(open.e, place); });
+    if (broken == open_.end()) continue;
+    --tries;
+    const auto i = static_cast<std::size_t>(broken - open_.begin());
+    if (!holds_at(place)) needed.insert(std::ranges::lower_bound(needed, i), i);
+  }
+  return needed;
+}
+
 std::optional<FarPlace> AssumedSigns::with_other_sign(FarPlace place, std::size_t parameter) const {
   const Parameter& p = values_.model().scene.parameters[parameter];
   const Expression& symbol = values_.symbols()[parameter];
