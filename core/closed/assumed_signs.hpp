@@ -66,6 +66,7 @@ class AssumedSigns {
   };
 
   [[nodiscard]] std::vector<std::size_t> numbers_needed_for(const HoldsAt& holds_at);
+  [[nodiscard]] bool is_untried(std::size_t open, const std::vector<std::size_t>& needed) const;
   [[nodiscard]] std::vector<std::size_t> with_needed_elsewhere(std::vector<std::size_t> needed,
                                                                const HoldsAt& holds_at) const;
   [[nodiscard]] std::optional<FarPlace> with_other_sign(FarPlace place, std::size_t parameter) const;

@@ -24,21 +24,40 @@ void AssumedSigns::ask_for_value_of(const Expression& e) {
   }
 }
 
-/// Of what is not needed at the first places something may be so at others, which break nothing else.
+/// Whether it is broken at places, at none of them alone; what is broken where another is says the same.
+bool AssumedSigns::is_untried(std::size_t open, const std::vector<std::size_t>& needed) const {
+  const std::vector<bool>& broken = open_[open].broken;
+  const auto is_another = [&](std::size_t i) { return open_[i].broken == broken; };
+  if (std::ranges::any_of(needed, is_another)) return false;
+  bool is_broken_somewhere = false;
+  for (std::size_t place = 0; place < broken.size(); ++place) {
+    if (!broken[place]) continue;
+    if (std::ranges::none_of(needed, [&](std::size_t i) { return bool(open_[i].broken[place]); }))
+      return false;
+    is_broken_somewhere = true;
+  }
+  return is_broken_somewhere;
+}
+
+/// Of what was broken only together with something that is needed, some is needed as well.
 std::vector<std::size_t> AssumedSigns::with_needed_elsewhere(std::vector<std::size_t> needed,
                                                              const HoldsAt& holds_at) const {
   constexpr int most_places = 128;
   int tries = 8;
   std::minstd_rand random(most_places);
-  for (int number = 0; number < most_places && tries > 0 && needed.size() < open_.size(); ++number) {
+  std::vector<std::size_t> untried;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (is_untried(i, needed)) untried.push_back(i);
+  }
+  for (int number = 0; number < most_places && tries > 0 && !untried.empty(); ++number) {
     const FarPlace place = far_place(number, random);
     if (!hold_at(needed, place)) continue;
-    const auto broken =
-        std::ranges::find_if(open_, [&](const Open& open) { return is_broken(open.e, place); });
-    if (broken == open_.end()) continue;
+    const auto i = std::ranges::find_if(untried, [&](std::size_t k) { return is_broken(open_[k].e, place); });
+    if (i == untried.end()) continue;
     --tries;
-    const auto i = static_cast<std::size_t>(broken - open_.begin());
-    if (!holds_at(place)) needed.insert(std::ranges::lower_bound(needed, i), i);
+    if (holds_at(place)) continue;
+    needed.insert(std::ranges::lower_bound(needed, *i), *i);
+    untried.erase(i);
   }
   return needed;
 }
