@@ -156,8 +156,14 @@ std::vector<std::string> AssumedSigns::needed_for(const Trial& trial) {
   return needed_for([&](const std::vector<RealAssignment>& place) { return trial.holds_at(place); });
 }
 
-/// Places at which one condition alone is broken say most, so they are first.
 std::vector<std::string> AssumedSigns::needed_for(const HoldsAt& holds_at) {
+  std::vector<std::string> needed;
+  for (const std::size_t i : numbers_needed_for(holds_at)) needed.push_back(inequality(values_, open_[i].e));
+  return needed;
+}
+
+/// Places at which one condition alone is broken say most, so they are first.
+std::vector<std::size_t> AssumedSigns::numbers_needed_for(const HoldsAt& holds_at) {
   take_asked();
   std::vector<std::pair<std::vector<std::size_t>, std::size_t>> tried;  // what is broken, and where
   for (std::size_t place = 0; place < far_.size(); ++place) {
@@ -173,11 +179,11 @@ std::vector<std::string> AssumedSigns::needed_for(const HoldsAt& holds_at) {
     const bool is_told = std::ranges::any_of(broken, [&](std::size_t i) { return is_needed[i]; });
     if (!is_told && !holds_at(far_[place])) is_needed[broken[0]] = true;
   }
-  std::vector<std::string> needed;
+  std::vector<std::size_t> needed;
   for (std::size_t i = 0; i < open_.size(); ++i) {
-    if (is_needed[i]) needed.push_back(inequality(values_, open_[i].e));
+    if (is_needed[i]) needed.push_back(i);
   }
-  return needed;
+  return with_needed_elsewhere(std::move(needed), holds_at);
 }
 
 void AssumedSigns::take_asked() {

@@ -32,6 +32,8 @@ class AssumedSigns {
 
   /// Its sign counts as asked for.
   void ask(const Expression& e);
+  /// So do those of what has to be positive for it to be real.
+  void ask_for_value_of(const Expression& e);
 
   /// What is given may have the other sign, too, unless that has to be assumed.
   void let_signs_go();
@@ -46,6 +48,9 @@ class AssumedSigns {
   /// The same of claims that are tried where the symbols have these values.
   using HoldsAt = std::function<bool(const std::vector<RealAssignment>&)>;
   [[nodiscard]] std::vector<std::string> needed_for(const HoldsAt& holds_at);
+  /// The signs of parameters, "a > 0", without which some claim fails where all that is needed for them
+  /// holds: also of those that a formula does not speak of, as where a well exists only with one.
+  [[nodiscard]] std::vector<std::string> signs_needed_for(const Trial& trial);
   /// What keeps a formula from the far places where it does not hold, of which so many are tried, and so many
   /// of the others that are made of them, and then places near those where it hardly holds; none where
   /// nothing that was asked for does. After let_go().
@@ -60,6 +65,13 @@ class AssumedSigns {
     std::vector<bool> broken;  ///< at which of the far places it is not
   };
 
+  [[nodiscard]] std::vector<std::size_t> numbers_needed_for(const HoldsAt& holds_at);
+  [[nodiscard]] bool is_untried(std::size_t open, const std::vector<std::size_t>& needed) const;
+  [[nodiscard]] std::vector<std::size_t> with_needed_elsewhere(std::vector<std::size_t> needed,
+                                                               const HoldsAt& holds_at) const;
+  [[nodiscard]] std::optional<FarPlace> with_other_sign(FarPlace place, std::size_t parameter) const;
+  [[nodiscard]] bool is_sign_needed(std::size_t parameter, const Trial& trial,
+                                    const std::vector<std::size_t>& needed) const;
   void take_asked();
   void ask_parts(const Expression& e);
   void take(const Expression& positive);

@@ -1,7 +1,9 @@
 #include "core/closed/critical_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/error.hpp"
 #include "core/base/work.hpp"
@@ -39,7 +41,9 @@ class CriticalForm {
     if (!found) return found;
     const std::string itself = std::get<Symbol>(p_.node()).name;
     for (const char* sign : {" = 0", " > 0", " < 0"}) std::erase(found->assumes, itself + sign);
-    found->assumes.insert(found->assumes.end(), needed_.begin(), needed_.end());
+    for (const std::string& needed : needed_) {
+      if (std::ranges::find(found->assumes, needed) == found->assumes.end()) found->assumes.push_back(needed);
+    }
     return found;
   }
 
@@ -122,19 +126,23 @@ class CriticalForm {
                  stiffness = at(place, motions_.stiffness);
     for (const auto& group : coupled_groups({rationals(mass), rationals(damping), rationals(stiffness)})) {
       std::vector<Expression> conditions = forces;
+      std::optional<Expression> square;
       if (is_of_oscillations(critical_.kind)) {
         const auto growth =
             growing_oscillations(part(mass, group), part(damping, group), part(stiffness, group));
         if (growth) conditions.push_back(growth->condition);
+        if (growth) square = growth->square;
       } else {
         conditions.push_back(determinant(part(stiffness, group)));
       }
       std::erase_if(conditions, [](const Expression& e) { return rational_function(e).is_zero(); });
-      // The system was derived without a parameter that is 0: all holds there.
-      if (critical_.value == 0 && conditions.empty()) best.consider(motions_.graph->number(0), {});
+      if (critical_.value == 0 && conditions.empty()) {
+        if (!square) square = free_square(part(mass, group), part(damping, group), part(stiffness, group));
+        consider_zero({conditions, square, place, none_}, best);
+      }
       for (const Relations& relations : {Relations{}, values_.relations()}) {
         for (const Expression& condition : conditions)
-          consider(condition, {conditions, place, relations}, best);
+          consider(condition, {conditions, square, place, relations}, best);
       }
     }
   }
@@ -142,9 +150,34 @@ class CriticalForm {
   /// What vanishes at a critical value.
   struct Claims {
     const std::vector<Expression>& all;
+    const std::optional<Expression>& square;  ///< of the rate at which something begins to oscillate
     const ExactPlace& place;
     const Relations& relations;
   };
+
+  /// omega^2 of what is not damped at the critical value.
+  [[nodiscard]] std::optional<Expression> free_square(const Matrix& mass, const Matrix& damping,
+                                                      Matrix stiffness) const {
+    const double square = critical_.omega * critical_.omega;
+    const Expression lambda = motions_.graph->symbol("omega^2");
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+      for (std::size_t j = 0; j < mass.size(); ++j) {
+        if (!damping[i][j].is_zero()) return std::nullopt;
+        stiffness[i][j] = stiffness[i][j] - lambda * mass[i][j];
+      }
+    }
+    for (const Expression& root : roots_in(determinant(stiffness), lambda, values_)) {
+      if (agrees(values_.value(root), square, 3 * critical_.omega * critical_.omega_error)) return root;
+    }
+    return std::nullopt;
+  }
+
+  /// The system was derived without a parameter that is 0: all holds there, if what may grow oscillates.
+  void consider_zero(const Claims& claims, BestForm& best) {
+    const bool is_known = !is_of_oscillations(critical_.kind) || claims.square;
+    const Expression zero = motions_.graph->number(0);
+    if (is_known && best.consider(zero, {})) needed_ = signs_needed(zero, claims);
+  }
 
   void consider(const Expression& condition, const Claims& claims, BestForm& best) {
     const Relations& relations = claims.relations;
@@ -166,20 +199,30 @@ class CriticalForm {
   /// For the forces and what else vanishes to do so at the place, where the scene has a value.
   [[nodiscard]] std::vector<std::string> signs_needed(const Expression& root, const Claims& claims) const {
     if (!motions_.momenta.empty()) return {};
+    const std::array<Replacement, 1> p{{{p_, root}}};
     AssumedSigns signs(values_, claims.relations, {});
     signs.leave_out(p_, root);
     signs.ask(root);
-    if (!signs.are_there()) return {};
     Trial trial(values_, claims.relations);
     trial.set({p_}, {root});
     std::vector<Expression> there;
-    for (const Expression& x : claims.place.x()) there.push_back(substitute(x, {{{p_, root}}}));
+    for (const Expression& x : claims.place.x()) {
+      there.push_back(substitute(x, p));
+      signs.ask_for_value_of(there.back());
+    }
     trial.set(motions_.x, there);
     for (const auto* vanishing : {&motions_.forces, &motions_.surface})
       for (const Expression& e : *vanishing) trial.vanishes(terms_of(e));
-    for (const Expression& e : claims.all) trial.vanishes({substitute(e, {{{p_, root}}})});
+    for (const Expression& e : claims.all) trial.vanishes({substitute(e, p)});
     if (!is_of_oscillations(critical_.kind)) trial.is_singular(motions_.stiffness);
-    return signs.needed_for(trial);
+    if (claims.square) {
+      const Expression square = substitute(*claims.square, p);
+      signs.ask(square);
+      trial.is_positive(square);
+    }
+    std::vector<std::string> needed = signs.signs_needed_for(trial);
+    if (signs.are_there()) std::ranges::move(signs.needed_for(trial), std::back_inserter(needed));
+    return needed;
   }
 
   LinearMotions motions_;
@@ -187,6 +230,7 @@ class CriticalForm {
   Expression p_;
   const CriticalValue& critical_;
   PlaceProblem problem_;
+  const Relations none_;
   std::vector<std::string> needed_;  ///< signs that the best form assumes
 };
 

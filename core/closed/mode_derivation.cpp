@@ -40,13 +40,17 @@ void add(const std::vector<std::string>& conditions, ClosedForm& form) {
   form.assumes.insert(form.assumes.end(), conditions.begin(), conditions.end());
 }
 
-void add(const std::vector<std::string>& conditions, ExactMode& form) {
-  const auto take = [&](ClosedForm& f) { add(conditions, f); };
+template <class Take>
+void for_each_form(ExactMode& form, const Take& take) {
   take(form.square);
   for (auto* other : {&form.rate, &form.period, &form.lambda, &form.damping}) {
     if (*other) take(**other);
   }
   for (auto* shape : {&form.shape, &form.scaled_shape}) std::ranges::for_each(*shape, take);
+}
+
+void add(const std::vector<std::string>& conditions, ExactMode& form) {
+  for_each_form(form, [&](ClosedForm& f) { add(conditions, f); });
 }
 
 /// Symbols that may have any value.
@@ -71,6 +75,7 @@ ModeDerivation::ModeDerivation(const LinearMotions& motions, const ExactPlace& p
   std::erase_if(modes_, [&](const LinearMode& mode) {
     return (mode.lambda.is_zero() && mode.decay.is_zero()) || !is_true(mode);
   });
+  for (const Expression& x : place.x()) signs_.ask_for_value_of(x);
 }
 
 double ModeDerivation::value(const LinearMode& mode) const {
@@ -103,6 +108,7 @@ ModeForms ModeDerivation::forms(const LinearMode& mode) {
   take_root_as_written(square, result);
   result.form.lambda = scaled_lambda(mode.lambda);
   add_shape(mode, result);
+  add_signs_of_place(result.form);
   const std::vector<std::string> conditions = needed(mode, {rate});
   if (!conditions.empty()) {
     ClosedForm of_lambda = result.form.square;
@@ -114,7 +120,8 @@ ModeForms ModeDerivation::forms(const LinearMode& mode) {
 }
 
 ClosedForm ModeDerivation::with_signs(const LinearMode& mode, ClosedForm form) {
-  if (signs_.are_there()) add(needed(mode, {sqrt(square(mode))}), form);
+  add_signs_of_place(form);
+  add(needed(mode, {sqrt(square(mode))}), form);
   return form;
 }
 
@@ -125,6 +132,18 @@ std::vector<std::string> ModeDerivation::needed(const LinearMode& mode,
   Trial trial = claims(mode);
   for (const Expression& e : positive) trial.is_positive(e);
   return signs_.needed_for(trial);
+}
+
+/// Of parameters that a form does not speak of; nothing where the place is the same whatever their signs.
+void ModeDerivation::add_signs_of_place(ClosedForm& form) {
+  if (!signs_of_place_) signs_of_place_ = signs_.signs_needed_for(claims_of_place());
+  for (const std::string& sign : *signs_of_place_) {
+    if (std::ranges::find(form.assumes, sign) == form.assumes.end()) form.assumes.push_back(sign);
+  }
+}
+
+void ModeDerivation::add_signs_of_place(ExactMode& form) {
+  for_each_form(form, [&](ClosedForm& f) { add_signs_of_place(f); });
 }
 
 /// Where the square has roots, they are joined in it already.
@@ -165,6 +184,7 @@ std::vector<ModeForms> ModeDerivation::damped_forms(const LinearMode& mode) {
   for (auto& forms : found) {
     if (!forms) continue;
     add_shape(mode, *forms);
+    add_signs_of_place(forms->form);
     const Expression damping = values_.sign(*forms->decay) < 0 ? -*forms->decay : *forms->decay;
     add(needed(mode, {forms->root, damping}), forms->form);
     result.push_back(*std::move(forms));
@@ -264,7 +284,7 @@ std::optional<Expression> ModeDerivation::sum_of_roots(const Surd& x) {
 /// The equations hold at other values of the parameters, too.
 bool ModeDerivation::is_true(const LinearMode& mode) const { return claims(mode).passes(); }
 
-Trial ModeDerivation::claims(const LinearMode& mode) const {
+Trial ModeDerivation::claims_of_place() const {
   Trial trial(values_, relations_);
   trial.set_given(given_);
   trial.set(motions_.x, place_.x());
@@ -272,6 +292,11 @@ Trial ModeDerivation::claims(const LinearMode& mode) const {
     for (const Expression& e : *vanishing) trial.vanishes({e});
   }
   for (const auto& [e, there] : motions_.taken) trial.vanishes({e, -there});
+  return trial;
+}
+
+Trial ModeDerivation::claims(const LinearMode& mode) const {
+  Trial trial = claims_of_place();
   const Expression lambda = plain_expression(graph_, mode.lambda);
   const std::size_t size = motions_.mass.size();
   if (mode.shape.empty() && mode.group.size() == 2) {

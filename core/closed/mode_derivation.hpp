@@ -45,6 +45,9 @@ class ModeDerivation {
   [[nodiscard]] bool oscillates(const LinearMode& mode) const;
   [[nodiscard]] bool is_true(const LinearMode& mode) const;
   [[nodiscard]] Trial claims(const LinearMode& mode) const;
+  [[nodiscard]] Trial claims_of_place() const;
+  void add_signs_of_place(ExactMode& form);
+  void add_signs_of_place(ClosedForm& form);
   [[nodiscard]] std::vector<std::string> needed(const LinearMode& mode,
                                                 const std::vector<Expression>& positive);
   void take_root_as_written(const Surd& square, ModeForms& result);
@@ -73,6 +76,7 @@ class ModeDerivation {
   Graph& graph_;
   std::vector<Expression> given_;  ///< beside the parameters: momenta, and coordinates that no force decides
   AssumedSigns signs_;
+  std::optional<std::vector<std::string>> signs_of_place_;  ///< without which there is no such place
   std::vector<LinearMode> modes_;
   std::vector<std::pair<Polynomial, Expression>> roots_;  ///< n and forms of sqrt(n)
 };

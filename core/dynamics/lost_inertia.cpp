@@ -17,9 +17,12 @@ std::vector<Expression> factors_of(const Expression& e) {
   return factors;
 }
 
-bool is_zero_by(const Expression& factor, const Model& model, const Reals& parameters) {
+using Varied = std::optional<std::size_t>;
+
+bool is_zero_by(const Expression& factor, const Model& model, const Reals& parameters, Varied varied) {
   if (factor.number() != nullptr) return false;
   const Symbols& symbols = model.parsed.symbols;
+  if (varied && depends_on(factor, symbols.parameters[*varied])) return false;
   std::vector<RealAssignment> values;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (depends_on(factor, symbols.parameters[i]))
@@ -54,10 +57,12 @@ void leave_out_constraints(std::optional<InertiaFault>& fault, std::size_t coord
   if (fault->coordinates.empty()) fault.reset();
 }
 
-std::vector<std::size_t> equations_in_the_limit(const Model& model, const Reals& parameters) {
+std::vector<std::size_t> equations_in_the_limit(const Model& model, const Reals& parameters, Varied varied) {
   std::vector<std::size_t> limits;
   for (std::size_t i = 0; i < model.equations.equations.size(); ++i) {
-    const auto is_zero = [&](const Expression& factor) { return is_zero_by(factor, model, parameters); };
+    const auto is_zero = [&](const Expression& factor) {
+      return is_zero_by(factor, model, parameters, varied);
+    };
     if (std::ranges::any_of(factors_of(model.equations.equations[i].divided_by), is_zero))
       limits.push_back(i);
   }
@@ -66,10 +71,11 @@ std::vector<std::size_t> equations_in_the_limit(const Model& model, const Reals&
 
 }  // namespace
 
-LostInertia lost_inertia(const Model& model, const Reals& parameters) {
-  LostInertia lost{.limits = equations_in_the_limit(model, parameters), .zeros = {}, .fault = {}};
+LostInertia lost_inertia(const Model& model, const Reals& parameters, Varied varied) {
+  LostInertia lost{.limits = equations_in_the_limit(model, parameters, varied), .zeros = {}, .fault = {}};
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters.exact(i) == Real(0) && stands_in(model.system.matrix, model.parsed.symbols.parameters[i]))
+    if (i != varied && parameters.exact(i) == Real(0) &&
+        stands_in(model.system.matrix, model.parsed.symbols.parameters[i]))
       lost.zeros.push_back(i);
   }
   if (lost.zeros.empty()) return lost;

@@ -19,6 +19,8 @@ struct LostInertia {
   std::optional<InertiaFault> fault;
 };
 
-[[nodiscard]] LostInertia lost_inertia(const Model& model, const Reals& parameters);
+/// With any value of the parameter number `varied`, where there is one.
+[[nodiscard]] LostInertia lost_inertia(const Model& model, const Reals& parameters,
+                                       std::optional<std::size_t> varied = {});
 
 }  // namespace qdot

@@ -147,12 +147,14 @@ std::string without_value(const std::vector<PartialQuantity>& quantities, const 
 }
 
 std::optional<MissingPart> part_without_value(const std::vector<PartialQuantity>& quantities,
-                                              const Symbols& symbols, const Reals& parameters) {
+                                              const Symbols& symbols, const Reals& parameters,
+                                              std::optional<std::size_t> varied) {
   std::vector<Assignment> values;
   for (std::size_t i = 0; i < symbols.parameters.size(); ++i)
     values.emplace_back(symbols.parameters[i], parameters[i]);
   for (const PartialQuantity& quantity : quantities) {
     for (const Expression& part : quantity.of_parameters) {
+      if (varied && depends_on(part, symbols.parameters[*varied])) continue;
       if (!std::isfinite(evaluate(part, values))) return MissingPart{quantity.name, part};
     }
   }

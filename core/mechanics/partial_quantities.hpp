@@ -33,11 +33,13 @@ struct PartialQuantity {
                                         std::optional<double> t, const Reals& y);
 
 /// A part of a quantity that consists of parameters alone and has no finite value: in no state has that one.
+/// What contains the parameter number `varied` is not asked.
 struct MissingPart {
   std::string name;
   Expression part;
 };
 [[nodiscard]] std::optional<MissingPart> part_without_value(const std::vector<PartialQuantity>& quantities,
-                                                            const Symbols& symbols, const Reals& parameters);
+                                                            const Symbols& symbols, const Reals& parameters,
+                                                            std::optional<std::size_t> varied = {});
 
 }  // namespace qdot

@@ -136,6 +136,26 @@ class AssumedSigns(Service):
         wire["coordinates"] = [{"name": "x", "initial": "2", "initial_rate": "5"}]
         self.assertIn("16*k > 25*m", self.ask("turning_points", {"system": wire})["exact"]["x_min"]["assumes"])
 
+    def test_a_mode_assumes_that_its_place_exists(self):
+        two = "m*(x_dot^2 + y_dot^2)/2"
+        for text, parameters, coordinates, squares in (
+                (f"{two} - a*cos(x - y) + b*cos(x) + b*cos(y)", "a - 2; b - 1.5; m - 1.2", "x - 0.27; y - -0.78",
+                 {"b^2/(2*a*m)": ["a > 0", "b > 0", "m > 0", "2*a > b"]}),
+                (f"{two} - a*x^4/4 + (k - b)*x^2/2 - y^2*k/2", "a - 2; b - 1.5; k - 2; m - 1", "x - 0.27; y - 0",
+                 {"2*(k - b)/m": ["b > 0", "k > 0", "m > 0", "a > 0", "k > b"], "k/m": ["k > 0", "m > 0", "a > 0", "k > b"]}),
+                (f"{two} - a*(x^4 + y^4)/4 + k*(x^2 + y^2)/2 - b*x*y", "a - 2; b - 0.5; k - 2; m - 1", "x - 0.27; y - -0.2",
+                 {"2*(b + k)/m": ["b > 0", "k > 0", "m > 0", "a > 0"]}),
+                ("m*x_dot^2/2 - k*x^2/2 + f*abs(x)", "k - 2; f - 0.2; m - 1", "x - 0.27", {"k/m": ["k > 0", "m > 0", "f > 0"]}),
+                ("m*x_dot^2/2 - k*(x - l)^2/2 - (a - b)*x^2/2 - f*abs(x)", "m - 0.51; a - 2.04; b - 1.6; f - 0.96; k - 1.88; l - 1.85", "x - 0.61",
+                 {"(a - b + k)/m": ["m > 0", "a > 0", "b > 0", "k > 0", "k*l > f", "a + k > b"]})):
+            with self.subTest(text):
+                system = lagrangian("wells", parameters, coordinates, text)
+                modes = {mode["exact"]["text"]: mode["exact"]["assumes"] for mode in self.ask("modes", {"system": system})["modes"]}
+                self.assertEqual(modes, modes | squares)
+                for rest in self.ask("equilibria", {"system": system})["equilibria"]:
+                    square = rest.get("exact_rate2", {"text": ""})
+                    self.assertEqual(square.get("assumes"), squares.get(square["text"]))
+
     def test_what_the_parameters_decide_is_not_assumed(self):
         system = lagrangian("carts", "m - 1; M - 2; k - 3; g - 9.81; l - 0.5", "x - 0; th - 0",
                             "M*x_dot^2/2 + m*(x_dot^2 + 2*l*x_dot*th_dot*cos(th) + l^2*th_dot^2)/2 + m*g*l*cos(th) - k*x^2/2")

@@ -72,6 +72,22 @@ class Growth(Service):
         answer = self.check(along_a_curve, "p", -1, 1, "hopf", 0.25, 1)
         self.assertEqual([c["kind"] for c in answer["critical"]], ["saddle_node", "hopf"])
 
+    def test_damping_that_changes_its_sign_assumes_that_its_place_exists_and_something_oscillates(self):
+        for potential, parameters, needed in (
+                ("k*x^2/2", "k - 2; m - 1; c - 1", ["k > 0", "m > 0"]),
+                ("k*(x^2 + y^2)/2 + q*(x - y)^2/2", "k - 2; q - 1; m - 1; c - 1; d - 1", ["k > 0", "m > 0"]),
+                ("a*exp(x) - f*x", "a - 1; f - 2; m - 1; c - 1", ["a > 0", "f > 0", "m > 0"]),
+                ("a*cos(x) + b*x", "a - 1; b - 0.5; m - 1; c - 1", ["b > 0", "m > 0", "a > b"])):
+            with self.subTest(potential):
+                forces = [{"name": "f_x", "value": "-c*x_dot", "along": "x"}]
+                places, inertia = "x - 0.6", "m*x_dot^2/2"
+                if "y" in potential:
+                    places, inertia = "x - 0.6; y - 0.1", "m*(x_dot^2 + y_dot^2)/2"
+                    forces = [{"name": f"f_{u}", "value": f"-c*{u}_dot - d*({u}_dot - {v}_dot)", "along": u} for u, v in ("xy", "yx")]
+                ((critical,), _) = self.found(lagrangian("s", parameters, places, f"{inertia} - ({potential})", forces=forces), "c", -1, 2)
+                self.assertEqual(critical["exact"]["text"], "0")
+                self.assertEqual(critical["exact"]["assumes"], needed)
+
     def test_equal_oscillators_that_begin_together_are_told(self):
         both = lagrangian("both", "mu - 1", "x - 0.1; y - 0", "(x_dot^2 + y_dot^2 - 4*x^2 - 4*y^2)/2",
                           forces=[{"value": f"(mu - 0.25)*{q}_dot", "along": q} for q in "xy"])

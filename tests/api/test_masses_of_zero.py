@@ -45,6 +45,27 @@ class MassesOfZero(Service):
                     self.assertEqual(refused["pointer"], "#/parameters")
                     self.assertIn(why, refused["detail"])
 
+    def test_what_a_parameter_that_moves_leaves_zero_is_told_of_critical_values(self):
+        well = lagrangian("well", "m - 1; k - 1", "x - 0.6", "m*x_dot^2/2 - (x^4/4 - k*x^2/2)")
+        moved = {"from": -1, "to": 2}
+        refused = self.refused("bifurcations", {"system": well, "parameters": {"m": 0}, "parameter": "k"} | moved)["errors"][0]
+        self.assertIn("With m = 0 nothing that has mass moves with 'x'", refused["detail"])
+        self.ask("bifurcations", {"system": well, "parameters": {"m": 0}, "parameter": "m"} | moved)
+        limit = lagrangian("limit", "m - 1; k - 1", "x - 0.6", "m*x_dot^2/2 - m*(x^4/4 - k*x^2/2)")
+        answer = self.ask("bifurcations", {"system": limit, "parameters": {"m": 0}, "parameter": "k"} | moved)
+        self.assertIn("the equation of x vanishes. Its limit stands for it", answer["notes"][0])
+        self.assertNotIn("notes", self.ask("bifurcations", {"system": limit, "parameters": {"m": 0}, "parameter": "m"} | moved))
+        inverse = lagrangian("inverse", "m - 1; k - 4", "x - 0.6", "x_dot^2/2/m - k*x^2/2")
+        refused = self.refused("bifurcations", {"system": inverse, "parameters": {"m": 0}, "parameter": "k"} | moved)["errors"][0]
+        self.assertIn("no finite value of L in any state", refused["detail"])
+        self.ask("bifurcations", {"system": inverse, "parameters": {"m": 0}, "parameter": "m"} | moved)
+
+    def test_a_limit_without_mass_tells_no_more_than_where_forces_vanish(self):
+        lost = lagrangian("lost", "m - 0", "x - 0.6", "m^2*x_dot^2/2 - m*2*sin(x)")
+        answer = self.ask("equilibria", {"system": lost})
+        self.assertIn("tells where forces vanish, but no acceleration follows from it", answer["notes"][0])
+        self.assertIn("The mass matrix has no inverse here", answer["equilibria"][0]["nonlinear"])
+
     def test_two_that_are_zero_are_named_together(self):
         refused = self.refused("energy", {"system": lagrangian("two", "m - 0; M - 0", "x - 0.5", "(m + M)*x_dot^2/2 - (m + 1)*x^2")})["errors"][0]
         self.assertIn("With m = 0 and M = 0 nothing that has mass", refused["detail"])

@@ -5,6 +5,7 @@
 #include "api/answers/bifurcations/request.hpp"
 #include "api/answers/exact_json.hpp"
 #include "api/answers/gait/request.hpp"
+#include "api/answers/lost_inertia.hpp"
 #include "api/answers/stated.hpp"
 #include "api/answers/steady_json.hpp"
 #include "core/closed/critical_values.hpp"
@@ -36,6 +37,11 @@ const char* kind_name(CriticalGait::Kind kind) {
   return "neimark_sacker";
 }
 
+std::size_t number_of(const Scene& scene, const std::string& parameter) {
+  const auto found = std::ranges::find(scene.parameters, parameter, &Parameter::name);
+  return static_cast<std::size_t>(found - scene.parameters.begin());
+}
+
 class BifurcationsAnswer {
  public:
   BifurcationsAnswer(const Dynamics& dynamics, const ResolvedState& state, const BifurcationsRequest& request)
@@ -43,12 +49,8 @@ class BifurcationsAnswer {
         scene_(dynamics.model().scene),
         state_(state),
         request_(request),
-        digits_(request.digits.value_or(shortest_digits)) {
-    for (const Symbol& p : symbols(scene_, SymbolRole::parameter)) {
-      if (p.name == request_.parameter) break;
-      ++index_;
-    }
-  }
+        digits_(request.digits.value_or(shortest_digits)),
+        index_(number_of(scene_, request.parameter)) {}
 
   Json body() {
     units_ = steady_units(scene_);
@@ -179,7 +181,7 @@ class BifurcationsAnswer {
   const ResolvedState& state_;
   const BifurcationsRequest& request_;
   int digits_;
-  std::size_t index_{};
+  std::size_t index_;
   Json units_;
 };
 
@@ -210,6 +212,7 @@ Response answer_bifurcations(const Resolved<BifurcationsRequest>& resolved, Call
   if (system.model().parsed.impacts.size() != 1)
     std::ranges::copy(notes_on_rates(*system.dynamics, request.system, system.state),
                       std::back_inserter(call.notes));
+  note_lost_inertia(system, call, number_of(system.scene(), request.parameter));
   const Json body = BifurcationsAnswer(*system.dynamics, system.state, request).body();
   call.timing.lap("solve");
   return written_answer(call, system.scene(), system.echo, body, request.digits);

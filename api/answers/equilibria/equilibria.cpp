@@ -12,6 +12,7 @@
 #include "api/answers/steady_json.hpp"
 #include "api/answers/units_of.hpp"
 #include "core/closed/exact_equilibrium.hpp"
+#include "core/dynamics/lost_inertia.hpp"
 #include "core/steady/constrained_equilibria.hpp"
 #include "core/steady/search_region.hpp"
 
@@ -255,6 +256,12 @@ std::vector<FieldError> unread_initial(const Json& body, const EquilibriaRequest
   return errors;
 }
 
+/// Coordinates whose equation vanishes with these parameters, so that its limit tells where they rest.
+std::vector<std::size_t> limits_of_forces(const ResolvedSystem& system) {
+  if (system.model().has_constraints()) return {};
+  return system.dynamics->statics(system.state.parameters)->reduction.limits;
+}
+
 Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& call, Models& models) {
   const EquilibriaRequest& request = resolved.request;
   ResolvedSystem system =
@@ -279,8 +286,11 @@ Response answer_equilibria(const Resolved<EquilibriaRequest>& resolved, Call& ca
     return to_response(invalid_request(std::move(errors)), call.target.path, call.layout);
   if (!request.solve_for)
     std::ranges::copy(notes_on_rates(dynamics, request.system, system.state), std::back_inserter(call.notes));
-  if (!system.model().has_constraints())
-    note_limits(system.scene(), dynamics.statics(system.state.parameters)->reduction.limits, call);
+  const std::vector<std::size_t> limits = limits_of_forces(system);
+  if (!limits.empty()) {
+    const bool has_mass = !lost_inertia(system.model(), system.state.parameters).fault;
+    note_limits(system.scene(), limits, has_mass ? Limit::moves : Limit::has_no_mass, call);
+  }
   return written_answer(call, system.scene(), system.echo, body, digits);
 }
 
