@@ -10,6 +10,7 @@
 namespace qdot {
 namespace {
 
+constexpr double beside_begin = 64;     ///< times what is one instant: as far from where a section begins
 constexpr double lost_rate = 1e-9;      ///< is rounding
 constexpr double of_own_rounding = 64;  ///< so much a state's own is larger than that of its numbers
 constexpr double same_surface = 1e-12;  ///< relative
@@ -168,7 +169,8 @@ void EventSides::look_sharply(const Watch& watch, double begin, EventFunction& e
   const bool is_typed = sides_.empty(), is_left = event.sign_at_start != 0 || event.is_zero_at_start;
   event.sharp_signs = [=, this, &watch](const SharpLook& look) -> std::vector<SignPiece> {
     const bool is_begin = look.piece.t == begin;
-    if (is_begin && is_left && !is_typed) return {};
+    const bool is_beside = is_begin && look.from <= beside_begin * sections_.resolution();
+    if (is_beside && is_left && !is_typed) return {};
     if (!is_begin || !is_typed) return watch.sharp_signs(typed_start(request_).parameters, nullptr, look);
     const Reals start = start_as_typed(dynamics_, request_);
     return watch.sharp_signs(typed_start(request_).parameters, &start, look);
