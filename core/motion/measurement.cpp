@@ -38,8 +38,10 @@ std::string why_unclear(const Simulation& motion, const std::vector<Simulation>&
   std::ranges::for_each(others, look);
   if (first == nullptr) return {};
   const double t = *first->unclear_from;
-  return (first->is_unclear_by_kinks ? several_kinks_at_once(t) : several_at_once(t)) +
-         accuracy_reasons::may_go_anywhere;
+  const std::string what = first->has_fast_kinks        ? kinks_too_fast(t)
+                           : first->is_unclear_by_kinks ? several_kinks_at_once(t)
+                                                        : several_at_once(t);
+  return what + accuracy_reasons::may_go_anywhere;
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "core/motion/met_kinks.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
@@ -44,13 +47,28 @@ void MetKinks::record_piece(const std::vector<bool>& met) {
   }
 }
 
+/// Kinks of a fast drive, long after 0, come so often that the digits of the time hardly tell where: what is
+/// met late by some of them may hide the next one. Those of an accumulation come ever faster, by one side or
+/// by both.
+bool MetKinks::follow_too_fast() const {
+  constexpr std::size_t several = 3;
+  constexpr double thousands = 0x1p13, nearly_as_long = 0.9;
+  const std::vector<PieceRecord>& pieces = motion_.result.pieces;
+  if (pieces.size() < several) return false;
+  const std::span last = std::span(pieces).last(several);
+  const double short_time = thousands * time_round_off(motion_.result.t);
+  return std::ranges::all_of(last, [=](const PieceRecord& piece) { return piece.duration < short_time; }) &&
+         last.back().duration >= nearly_as_long * last.front().duration;
+}
+
 void MetKinks::begin_section(const std::vector<bool>& met) {
   Simulation& result = motion_.result;
   motion_.is_determined = motion_.sections.pass(result.t, result.y, met);
   result.kinks_in_doubt = result.kinks_in_doubt || motion_.sections.is_instant_hidden();
-  if (!motion_.sections.is_unclear() || result.unclear_from) return;
-  motion_.note_unclear();
-  result.is_unclear_by_kinks = true;
+  if (result.unclear_from) return;
+  result.has_fast_kinks = follow_too_fast();
+  result.is_unclear_by_kinks = motion_.sections.is_unclear() || result.has_fast_kinks;
+  if (result.is_unclear_by_kinks) motion_.note_unclear();
 }
 
 void MetKinks::pass(const std::vector<bool>& met) {

@@ -25,6 +25,7 @@ class MetKinks {
   void doubt_last_row(const std::vector<bool>& met);
 
  private:
+  [[nodiscard]] bool follow_too_fast() const;
   void begin_section(const std::vector<bool>& met);
   void doubt_side(SectionEnd& end);
 

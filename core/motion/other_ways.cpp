@@ -153,6 +153,11 @@ std::string several_at_once(double t) {
   return at_time(t) + " several impacts happen within one instant, and their order is not known";
 }
 
+std::string kinks_too_fast(double t) {
+  return at_time(t) +
+         " kinks follow each other within some thousand last digits of the time, and one may be passed over";
+}
+
 std::string several_kinks_at_once(double t) {
   return at_time(t) +
          " the motion passes several kinks within one instant, and forces between them turn it in that time";

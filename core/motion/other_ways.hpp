@@ -40,6 +40,7 @@ struct OtherWays {
 [[nodiscard]] std::string several_at_once(double t);
 /// The same of kinks.
 [[nodiscard]] std::string several_kinks_at_once(double t);
+[[nodiscard]] std::string kinks_too_fast(double t);
 
 /// The events that the errors allow to happen where the motion nearly meets them.
 [[nodiscard]] std::vector<EventDoubt> events_that_may_happen(const ComputedMotion& motion,

@@ -67,7 +67,7 @@ struct Simulation {
   std::vector<ApproachRecord> near_events;  ///< the same of events that are reported only
   std::vector<UntoldRecord> untold;         ///< of events that are reported only
   std::optional<double> order_in_doubt;     ///< the first instant where it matters which impact is the first
-  bool is_unclear_by_kinks{};
+  bool is_unclear_by_kinks{}, has_fast_kinks{};
   std::size_t hidden_kinks{};
   bool kinks_in_doubt{};      ///< the side of one is not told for a while: errors hold what that may move
   bool begins_beside_kink{};  ///< whose side doubles do not tell, but the digits that were typed

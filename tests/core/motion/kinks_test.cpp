@@ -141,6 +141,17 @@ TEST(Kinks, OfADriveArePassedAtLargeTimes) {
   EXPECT_LT(found.max_abs_error[1], 1e-6);
 }
 
+/// 2700 last digits of the time apart: where each of them is met moves the next one.
+TEST(Kinks, ThatFollowEachOtherWithinTheDigitsOfTheTimeAreToldOf) {
+  const auto model = mass_under("F*sign(sin(1e7*t/T + 0.783))");
+  SimulationRequest request = test::request_for(*model, {}, {1e6, 1e6 + 4e-6});
+  request.t_start = 1e6;
+  request.t_end = 1e6 + 4e-6;
+  const auto found = simulate_with_error(Dynamics(model), request, {});
+  EXPECT_TRUE(found.max_abs_error.empty());
+  EXPECT_NE(found.reason.find("kinks follow each other"), std::string::npos) << found.reason;
+}
+
 /// The force may begin at once or never: nothing tells.
 TEST(Kinks, ThatPushAwayOnBothSidesAreUndetermined) {
   EXPECT_EQ(measured("F*sign(x_dot)", {}, 5, 5).simulation.ending, Ending::undetermined);
