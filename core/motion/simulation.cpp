@@ -14,6 +14,7 @@
 namespace qdot {
 namespace {
 
+constexpr double some_roundings = 64;  ///< of time: one instant
 constexpr std::size_t most_impacts = 10'000;
 
 class Simulator {
@@ -100,15 +101,24 @@ class Simulator {
     motion_.apart.add(done);
     motion_.sides.take(done);
     note_untold(done);
+    note_untold_kinks(done);
     append(done, motion_.result);
     row_sections_.resize(motion_.result.rows, motion_.sections.section());
     return done;
   }
 
+  /// A kink's side is not told up to the end of a section: the motion may have passed it there.
+  void note_untold_kinks(const Run& done) {
+    const std::size_t first = motion_.sections.watches().size();
+    for (std::size_t k = 0; k < motion_.sections.kinks(); ++k) {
+      const bool is_open = motion_.sections.sides()[k] != 0;
+      if (is_open && done.untold[first + k] > some_roundings * time_round_off(done.t)) kinks_.doubt_all();
+    }
+  }
+
   /// Where the motion stays on a kink, what is zero with it keeps no sign. A time that rounding makes one
   /// instant hides nothing where the sign is the same behind it.
   void note_untold(const Run& done) {
-    constexpr double some_roundings = 64;
     if (std::ranges::find(motion_.sections.sides(), 0) != motion_.sections.sides().end()) return;
     const std::vector<Watch>& watches = motion_.sections.watches();
     for (std::size_t i = 0; i < watches.size(); ++i) {
