@@ -163,13 +163,16 @@ void EventSides::mark(double t, std::span<const double> y, const SectionRecord* 
 }
 
 /// Twice the digits tell more of the computed motion than it is known itself. What was typed is known so;
-/// where a later section begins beside zero, what lies beside it there is what the section before has left.
+/// where a later section begins beside zero, what lies beside it there is what the section before has left,
+/// and of an impact all that follows from it.
 void EventSides::look_sharply(const Watch& watch, double begin, EventFunction& event) const {
   if (!watch.sharp_signs) return;
   const bool is_typed = sides_.empty(), is_left = event.sign_at_start != 0 || event.is_zero_at_start;
   event.sharp_signs = [=, this, &watch](const SharpLook& look) -> std::vector<SignPiece> {
     const bool is_begin = look.piece.t == begin;
-    const bool is_beside = is_begin && look.from <= beside_begin * sections_.resolution();
+    const bool is_clear =
+        watch.kind == Watch::Kind::event && look.from > beside_begin * sections_.resolution();
+    const bool is_beside = is_begin && !is_clear;
     if (is_beside && is_left && !is_typed) return {};
     if (!is_begin || !is_typed) return watch.sharp_signs(typed_start(request_).parameters, nullptr, look);
     const Reals start = start_as_typed(dynamics_, request_);

@@ -37,13 +37,6 @@ void MetKinks::doubt_hidden(const Run& done) {
   }
 }
 
-void MetKinks::doubt_all() {
-  Simulation& result = motion_.result;
-  if (result.unclear_from) return;
-  motion_.note_unclear();
-  result.is_unclear_by_kinks = result.has_fast_kinks = true;
-}
-
 void MetKinks::record_piece(const std::vector<bool>& met) {
   const MotionSections& sections = motion_.sections;
   if (sections.kinks() == 0) return;
@@ -72,10 +65,10 @@ void MetKinks::begin_section(const std::vector<bool>& met) {
   Simulation& result = motion_.result;
   motion_.is_determined = motion_.sections.pass(result.t, result.y, met);
   result.kinks_in_doubt = result.kinks_in_doubt || motion_.sections.is_instant_hidden();
-  if (follow_too_fast()) doubt_all();
-  if (!motion_.sections.is_unclear() || result.unclear_from) return;
-  motion_.note_unclear();
-  result.is_unclear_by_kinks = true;
+  if (result.unclear_from) return;
+  result.has_fast_kinks = follow_too_fast();
+  result.is_unclear_by_kinks = motion_.sections.is_unclear() || result.has_fast_kinks;
+  if (result.is_unclear_by_kinks) motion_.note_unclear();
 }
 
 void MetKinks::pass(const std::vector<bool>& met) {

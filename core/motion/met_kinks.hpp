@@ -17,8 +17,6 @@ class MetKinks {
   [[nodiscard]] std::vector<bool> at_end(const Run& done) const;
   /// Kinks that may have been passed, to and fro, in a time that ends there.
   void doubt_hidden(const Run& done);
-  /// One may have been passed over.
-  void doubt_all();
   /// A piece of the motion ends, by these kinks or by none.
   void record_piece(const std::vector<bool>& met);
   /// The next section begins behind them.

@@ -101,19 +101,9 @@ class Simulator {
     motion_.apart.add(done);
     motion_.sides.take(done);
     note_untold(done);
-    note_untold_kinks(done);
     append(done, motion_.result);
     row_sections_.resize(motion_.result.rows, motion_.sections.section());
     return done;
-  }
-
-  /// A kink's side is not told up to the end of a section: the motion may have passed it there.
-  void note_untold_kinks(const Run& done) {
-    const std::size_t first = motion_.sections.watches().size();
-    for (std::size_t k = 0; k < motion_.sections.kinks(); ++k) {
-      const bool is_open = motion_.sections.sides()[k] != 0;
-      if (is_open && done.untold[first + k] > some_roundings * time_round_off(done.t)) kinks_.doubt_all();
-    }
   }
 
   /// Where the motion stays on a kink, what is zero with it keeps no sign. A time that rounding makes one
