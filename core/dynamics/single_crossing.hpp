@@ -6,8 +6,8 @@
 //
 // keeps one sign in all of the box, by interval arithmetic. Where one sign(u) or abs(u) in it has its kink
 // there, and u' keeps one sign, the motion passes u = 0 once: then it is enough that g keeps one sign on each
-// side of that, or, where it does not jump, that g' has the same one on both. Proven of the box that is given;
-// that the motion stays in it is for whoever gives it. Source of the slopes: Moore, Kearfott, Cloud,
+// side of that, or, where it does not jump, that g' has the same one on both. Proven of the box that is
+// given; that the motion stays in it is for whoever gives it. Source of the slopes: Moore, Kearfott, Cloud,
 // Introduction to Interval Analysis (2009), chapter 9.
 
 #include <functional>
