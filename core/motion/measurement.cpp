@@ -215,7 +215,8 @@ void Measurement::state(const std::vector<Simulation>& others) {
     return;
   }
   RowComparison comparison = compare(motion(), others, doubt_);
-  result_.events_in_doubt.add(events_that_may_happen(motion(), comparison.near_events));
+  result_.events_in_doubt.add(
+      events_that_may_happen(motion(), comparison.near_events, comparison.event_errors));
   OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);

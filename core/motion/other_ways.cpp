@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -147,6 +148,17 @@ void add_other_order(const ComputedMotion& motion, std::span<const Simulation> o
   }
 }
 
+/// A place in whose neighbourhood its event is proven to happen once.
+bool is_single_crossing(const ApproachRecord& approach, std::span<const EventRecord> events,
+                        std::span<const std::optional<EventError>> errors) {
+  if (approach.place.others) return false;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const bool is_known = events[i].name == approach.name && errors[i] && errors[i]->is_single;
+    if (is_known && std::abs(events[i].t - approach.place.t) <= errors[i]->time) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string several_at_once(double t) {
@@ -206,11 +218,13 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
 }
 
 std::vector<EventDoubt> events_that_may_happen(const ComputedMotion& motion,
-                                               std::span<const ApproachAsTold> near_events) {
+                                               std::span<const ApproachAsTold> near_events,
+                                               std::span<const std::optional<EventError>> errors) {
   std::vector<EventDoubt> found;
   for (const ApproachAsTold& near : near_events) {
     const std::string& name = near.approach.name;
-    if (std::ranges::find(found, name, &EventDoubt::event) == found.end() && Fork(motion, near).is_open())
+    if (std::ranges::find(found, name, &EventDoubt::event) != found.end()) continue;
+    if (!is_single_crossing(near.approach, motion.simulation.events, errors) && Fork(motion, near).is_open())
       found.push_back({name, place_in_words(near.approach) + ": whether it happens there cannot be told."});
   }
   return found;

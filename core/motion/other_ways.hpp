@@ -42,9 +42,11 @@ struct OtherWays {
 [[nodiscard]] std::string several_kinks_at_once(double t);
 [[nodiscard]] std::string kinks_too_fast(double t);
 
-/// The events that the errors allow to happen where the motion nearly meets them.
-[[nodiscard]] std::vector<EventDoubt> events_that_may_happen(const ComputedMotion& motion,
-                                                             std::span<const ApproachAsTold> near_events);
+/// The events that the errors allow to happen where the motion nearly meets them; `errors`: of those that it
+/// has met, in their order.
+[[nodiscard]] std::vector<EventDoubt> events_that_may_happen(
+    const ComputedMotion& motion, std::span<const ApproachAsTold> near_events,
+    std::span<const std::optional<EventError>> errors);
 
 /// A sentence on what they do to the errors; empty where that is little, and where nothing else may happen.
 [[nodiscard]] std::string what_they_change(const OtherWays& ways, const RowComparison& without,

@@ -57,6 +57,16 @@ class SeveralEventsInDoubt(Service):
                 self.assertNotIn("reason", answer["accuracy"])
                 self.assertLess(max(event["error"] for event in answer["events"]), 1e-13)
 
+    def test_jumps_that_turn_back_are_not_in_doubt(self):
+        """An oscillation: each passes zero at both zeros of x and of x_dot, or at those of x alone."""
+        for function, in_a_turn in (("sign(x_dot)*x", 4), ("sign(x)*x_dot", 4), ("sign(x)*(x_dot + 3)", 2)):
+            with self.subTest(function):
+                scene = lagrangian("free", "", "x - 0.1 1", "x_dot^2/2 - x^2/2", events=[{"name": "e", "expression": function}])
+                del scene["parameters"]
+                answer = self.ask("simulate", {"system": scene, "t_end": 12.5, "samples": 2, "events": ["e"]})
+                self.assertEqual(len(answer["events"]), 2*in_a_turn)
+                self.assertNotIn("reason", answer["accuracy"])
+
     def test_beside_the_top_of_a_hill(self):
         """Whether, and when, a motion goes over it its errors leave open; times are those of 70 digits."""
         for text, start, t_end, goal, true in (
