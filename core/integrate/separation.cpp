@@ -33,6 +33,7 @@ double beside(double y, double e) {
 Separation::Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale)
     : original_(original),
       scale_(scale),
+      shown_(original),
       order_(least_order),
       e_(std::move(moved_by)),
       largest_(e_.size()),
@@ -48,7 +49,7 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
 
 Separation::Wanted Separation::look_ahead(const MotionPiece& step) {
   begin(step);
-  place_beside();
+  place_beside(step.t);
   return {beside_, e_, std::min(order_, step.order)};
 }
 
@@ -88,7 +89,8 @@ void Separation::release_what_is_pushed() {
   const auto is_pushed = [&](std::size_t i) {
     const double of_series = made_.of_series.empty() ? 0 : made_.of_series[i];
     const double hidden = made_.hidden.empty() ? 0 : made_.hidden[i];
-    return of_series + hidden > large_part * size_[i];
+    const bool acts = scale_ == Scale::by_largest && !made_.acting.empty();
+    return of_series + hidden + (acts ? made_.acting[i] : 0) > large_part * size_[i];
   };
   for (std::size_t i = 0; i < n; ++i) {
     if (is_pushed(i) || is_pushed(n + i)) most_[i] = most_[n + i] = most_of_all;
@@ -241,13 +243,13 @@ void Separation::project(double t) {
   for (std::size_t i = 0; i < e_.size(); ++i) e_[i] = y_[i] - beside_[i];
 }
 
-void Separation::place_beside() {
+void Separation::place_beside(double t) {
   if (scale_ == Scale::as_it_is) {
     for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = beside(y_[i], e_[i]);
     return note_lost();
   }
-  const double part = part_of_size();
-  factor_ = part > 0 && std::isfinite(part) ? std::max(1.0, enlarged / part) : 1;
+  factor_ = enlarging(0);
+  if (scale_ == Scale::by_largest) factor_ = shown_.find(t, y_, e_, factor_, enlarging(1));
   for (std::size_t i = 0; i < e_.size(); ++i) beside_[i] = y_[i] - factor_ * e_[i];
 }
 
@@ -289,15 +291,21 @@ void Separation::stay_lost() {
   }
 }
 
+/// With components of `least` size.
+double Separation::enlarging(double least) const {
+  const double part = part_of_size(least);
+  return part > 0 && std::isfinite(part) ? std::max(1.0, enlarged / part) : 1;
+}
+
 /// The largest part that e is of what components have reached.
-double Separation::part_of_size() const {
+double Separation::part_of_size(double least) const {
   const std::size_t n = e_.size() / 2;
   double part = 0;
   for (std::size_t begin = 0; begin < e_.size(); begin += n) {
     const double largest = largest_size(begin);
     for (std::size_t i = 0; i < n; ++i) {
-      const double size =
-          std::max(scale_ == Scale::by_largest ? largest : size_[begin + i], slow_[begin + i]);
+      const double size = std::max(scale_ == Scale::by_largest ? std::max(largest, least) : size_[begin + i],
+                                   slow_[begin + i]);
       if (e_[begin + i] != 0) part = std::max(part, std::abs(e_[begin + i]) / size);
     }
   }
@@ -324,7 +332,7 @@ bool Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
 /// terms in a row show that the rest is. It is more than this one where there are none.
 unsigned Separation::rise(const MotionPiece& step, const StepTerms& terms, unsigned order) {
   std::ranges::fill(rise_, 0.0);
-  place_beside();
+  place_beside(step.t);
   c_.resize(e_.size() * (order + 1));
   if (original_.expansion(step.t, beside_, order, c_) != Evaluation::ok) return order + 1;
   unsigned enough = std::min(least_order, order);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/integrate/run.hpp"
+#include "core/integrate/shown_scale.hpp"
 #include "core/integrate/step_terms.hpp"
 #include "core/numerics/pairs.hpp"
 
@@ -96,19 +97,21 @@ class Separation {
   void release_what_is_pushed();
   [[nodiscard]] bool are_together() const;
   void project(double t);
-  void place_beside();
+  void place_beside(double t);
   void note_lost();
   [[nodiscard]] double largest_size(std::size_t begin) const;
   [[nodiscard]] bool is_lost(std::size_t i, double largest) const;
   [[nodiscard]] bool is_lost() const;
   void stay_lost();
-  [[nodiscard]] double part_of_size() const;
+  [[nodiscard]] double enlarging(double least) const;
+  [[nodiscard]] double part_of_size(double least) const;
   [[nodiscard]] bool take_rise(const MotionPiece& step, const StepTerms& terms);
   [[nodiscard]] unsigned rise(const MotionPiece& step, const StepTerms& terms, unsigned order);
   void move_to(std::size_t i, PairOfDoubles e);
 
   const RightHandSide& original_;
   Scale scale_;
+  ShownScale shown_;
   unsigned order_;    ///< of the series to be tried
   double factor_{1};  ///< e times it is what series differ by
   Errors made_;       ///< in this step

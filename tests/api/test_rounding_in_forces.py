@@ -156,6 +156,16 @@ class RoundingInForces(Service):
                         told += answer["accuracy"].get("meets_request", True) is False
         self.assertGreater(told, 40)
 
+    def test_pushes_that_twice_the_digits_do_not_hold(self):
+        """The same from rest, the push smaller than the last digit of 1 there."""
+        for force, c in (("27.034*((1 + x)*sqrt(1 + x) - 1)/1.5", 27.034), ("23.43*(1 - 1/(1 + x))", 23.43),
+                         ("12.888*((1 + x)/(1 - x) - 1)/2", 12.888)):
+            for size, t_end in (("4.9e-32", 11.9), ("1.8e-39", 15.1), ("1.2e-57", 16.5)):
+                push, rate = mpf(size), mpmath.sqrt(mpf(str(c)))
+                true = push/mpf(str(c))*(mpmath.cosh(rate*mpf(str(t_end))) - 1)
+                for options in ({}, {"rtol": 1e-5}, {"accuracy": "fast"}):
+                    self.judge(self.ask(f"{force} + {size}", "", "0", t_end, options), [true], allowed=true*true)
+
     def test_a_wanted_error_is_not_met_where_rounding_leaves_nothing_of_the_force(self):
         answer = self.ask(VANISHING[0], "a - 1e-20; b - 1e20", 1, 3, {"max_error": 1e-6})
         self.assertFalse(answer["accuracy"]["meets_request"])
