@@ -40,7 +40,9 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   }
   const double rounding = of_values * size;
   result.off += rounding + rounding_[event];
-  const double of_time = 16 * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
+  // What was typed is known to more digits than t has.
+  const double instants = request_.events[event].rounding_at_start ? 0 : 16;
+  const double of_time = instants * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
   // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
   const bool is_zero = is_zero_at_start(event);
   if (piece.t == request_.t_start && (is_zero || std::abs(c[0]) <= result.off + of_time)) {
