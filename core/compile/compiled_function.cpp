@@ -91,6 +91,13 @@ bool solve(const Instruction& i, const Slot* operand, Number* slots) {
 
 }  // namespace
 
+CompiledFunction CompiledFunction::argument_of(const Instruction& call) const {
+  CompiledFunction result = *this;
+  result.body_.resize(static_cast<std::size_t>(&call - body_.data()));
+  result.outputs_ = {operands_[call.first]};
+  return result;
+}
+
 Workspace CompiledFunction::bind(std::span<const double> parameters) const {
   Workspace workspace(slots_);
   std::copy(parameters.begin(), parameters.end(), workspace.begin());

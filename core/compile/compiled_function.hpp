@@ -58,6 +58,8 @@ class CompiledFunction {
   [[nodiscard]] std::size_t variables() const { return variables_; }
   [[nodiscard]] std::span<const Instruction> instructions() const { return body_; }
   [[nodiscard]] std::span<const Slot> operands() const { return operands_; }
+  /// The same up to one of its calls, whose argument is the output.
+  [[nodiscard]] CompiledFunction argument_of(const Instruction& call) const;
 
   /// A workspace with the parameters set and everything that depends on them alone computed.
   [[nodiscard]] Workspace bind(std::span<const double> parameters) const;

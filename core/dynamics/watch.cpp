@@ -120,15 +120,22 @@ decltype(Watch::change_over) change_over_of(const SharedFunction& function,
   };
 }
 
+bool is_jump(const Instruction& i) { return i.operation == Operation::call && i.function == Function::sign; }
+
+/// Such as changes much where its argument changes little.
+bool may_be_step(const Instruction& i) {
+  const bool is_steep =
+      i.function == Function::tanh || i.function == Function::atan || i.function == Function::exp;
+  return is_jump(i) || (i.operation == Operation::call && is_steep);
+}
+
 void watch_function(Watch& watch, const Watched& watched, std::span<const double> parameters) {
   watch.value = quantity(watched.value, parameters);
   watch.series = series_of(watched, parameters);
   watch.enclosure = enclosure_of(watched.value, parameters);
   watch.change_over = change_over_of(watched.value, parameters);
   watch.passes_once = single_crossing_of(watched.value, parameters);
-  watch.may_jump = std::ranges::any_of(watched.value->instructions(), [](const Instruction& i) {
-    return i.operation == Operation::call && i.function == Function::sign;
-  });
+  watch.may_jump = std::ranges::any_of(watched.value->instructions(), is_jump);
   watch.exact = exact_of(watched.value, parameters);
   watch.sharp_signs = sharp_signs_of(watched.value, parameters);
 }
@@ -179,8 +186,7 @@ EventFunctions functions_of(const Dynamics& dynamics, const WatchRequest& reques
           event.direction};
 }
 
-Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const std::string& text) {
-  const EventFunctions event = functions_of(dynamics, request, text);
+Watch watch_event(const EventFunctions& event, const WatchRequest& request, const std::string& text) {
   Watch watch;
   watch.name = text;
   watch.direction = event.direction;
@@ -190,6 +196,17 @@ Watch watch_event(const Dynamics& dynamics, const WatchRequest& request, const s
     watch.when_enclosure = enclosure_of(event.when, request.parameters);
   }
   return watch;
+}
+
+/// Of an event that is reported only: at a jump or a step it may happen though it is not small.
+void add_jumps(const EventFunctions& event, const WatchRequest& request, const std::string& text,
+               std::vector<Watch>& all) {
+  for (const Instruction& i : event.value.value->instructions()) {
+    if (!may_be_step(i)) continue;
+    Watch& watch = all.emplace_back(Watch{.kind = Watch::Kind::jump, .name = text});
+    const auto argument = std::make_shared<const CompiledFunction>(event.value.value->argument_of(i));
+    watch_function(watch, {argument, nullptr}, request.parameters);
+  }
 }
 
 void add_validity(const Dynamics& dynamics, const WatchRequest& request, std::vector<Watch>& all) {
@@ -271,7 +288,7 @@ EventFunction Watch::event() const {
       .series = series,
       .rounding = [of = enclosure](double t, std::span<const double> y) { return rounding_by(of, t, y); },
       .direction = direction,
-      .terminal = kind != Kind::event,
+      .terminal = kind != Kind::event && kind != Kind::jump,
       .counts_at_start = kind == Kind::impact,
       .condition = condition};
   event.must_have_value = kind == Kind::validity;
@@ -284,14 +301,16 @@ std::vector<Watch> watches(const Dynamics& dynamics, const WatchRequest& request
   const std::span impacts =
       request.impacts == Impacts::apply ? std::span(model.parsed.impacts) : std::span<const ParsedImpact>();
   for (const std::string& text : request.events) {
-    if (std::ranges::find(impacts, text, &ParsedImpact::event) == impacts.end())
-      all.push_back(watch_event(dynamics, request, text));
+    if (std::ranges::find(impacts, text, &ParsedImpact::event) != impacts.end()) continue;
+    const EventFunctions event = functions_of(dynamics, request, text);
+    all.push_back(watch_event(event, request, text));
+    add_jumps(event, request, text, all);
   }
   if (request.on_invalid == OnInvalid::stop) add_validity(dynamics, request, all);
   add_domains(dynamics, all);
   add_singularities(dynamics, request, all);
   for (const ParsedImpact& impact : impacts) {
-    all.push_back(watch_event(dynamics, request, impact.event));
+    all.push_back(watch_event(functions_of(dynamics, request, impact.event), request, impact.event));
     all.back().kind = Watch::Kind::impact;
   }
   return all;

@@ -25,6 +25,8 @@ enum class Impacts { apply, ignore };
 struct Watch {
   enum class Kind {
     event,       ///< reported only
+    jump,        ///< what stands in a sign() of an event, or in a step such as tanh(), of its name: near zero
+                 ///< the event may happen
     impact,      ///< reported; the impact map follows
     validity,    ///< the motion stops when the value falls below 0
     singularity  ///< the motion ends when the value reaches 0

@@ -6,24 +6,6 @@
 #include "core/integrate/approaches.hpp"
 
 namespace qdot {
-namespace {
-
-/// y_i(t + s) as far as slopes tell it.
-std::vector<double> rows_after(const MotionSections& sections, const SectionRecord& impact) {
-  constexpr std::size_t width = Approach::order + 1;
-  const std::size_t n = impact.after.size() / 2;
-  const std::vector<double> slopes = sections.slopes(impact.t, impact.after);
-  std::vector<double> rows(width * impact.after.size());
-  for (std::size_t k = 0; k < impact.after.size(); ++k) {
-    rows[width * k] = impact.after[k];
-    rows[width * k + 1] = slopes[k];
-    if (k < n) rows[width * k + 2] = slopes[n + k] / 2;
-  }
-  return rows;
-}
-
-}  // namespace
-
 void note_conditions(const MotionSections& sections, std::span<const double> apart,
                      std::span<const double> unseen, Simulation& motion) {
   const SectionRecord& impact = motion.sections.back();
@@ -37,7 +19,7 @@ void note_conditions(const MotionSections& sections, std::span<const double> apa
                    .t = impact.t,
                    .sign = 1,
                    .distance = std::abs(after),
-                   .rows = rows_after(sections, impact)};
+                   .rows = sections.rows(impact.t, impact.after)};
     place.apart.assign(apart.begin(), apart.end());
     place.unseen.assign(unseen.begin(), unseen.end());
     motion.approaches.push_back(sections.approach(std::move(place), impact.t));

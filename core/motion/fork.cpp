@@ -45,6 +45,8 @@ Fork::Fork(const ComputedMotion& motion, const ApproachAsTold& approach)
 }
 
 bool Fork::is_open() const {
+  if (approach_.of_event && !place_.is_condition && !approach_.of_event(t_, within_errors()).contains(0))
+    return false;
   if (place_.is_hidden) return true;
   return !(-side_of_way() * value_ > (place_.others ? doubt_of_others * doubt_ : doubt_));
 }
@@ -134,10 +136,14 @@ void Fork::take_slopes() {
   }
 }
 
-void Fork::take_doubt() {
+std::vector<Interval> Fork::within_errors() const {
   std::vector<Interval> box;
   for (std::size_t k = 0; k < y_.size(); ++k) box.emplace_back(y_[k] - errors_[k], y_[k] + errors_[k]);
-  const Interval values = approach_.enclosure(t_, box);
+  return box;
+}
+
+void Fork::take_doubt() {
+  const Interval values = approach_.enclosure(t_, within_errors());
   doubt_ = std::max(values.upper - value_, value_ - values.lower);
   is_bounded_ = std::isfinite(doubt_);
   if (!is_bounded_) doubt_ = 2 * rise_;
@@ -155,10 +161,8 @@ void Fork::move_to_event() {
       return of(t, std::vector<Interval>(y.begin(), y.end()));
     };
   };
-  std::vector<Interval> box;
-  for (std::size_t k = 0; k < y_.size(); ++k) box.emplace_back(y_[k] - errors_[k], y_[k] + errors_[k]);
   const double slope = rise(enclosed(approach_.of_event));
-  const Interval later = approach_.of_event(t_, box) / Interval(-slope);
+  const Interval later = approach_.of_event(t_, within_errors()) / Interval(-slope);
   const double middle = later.middle(), along = std::abs(rise(enclosed(approach_.enclosure)));
   t_ += middle;
   y_ = state_at(middle);

@@ -40,6 +40,7 @@ class Fork {
   [[nodiscard]] double pull(std::span<const double> here, std::span<const double> beyond) const;
   void move_to_event();
   void take_slopes();
+  [[nodiscard]] std::vector<Interval> within_errors() const;
   void take_doubt();
   [[nodiscard]] int side_of_way() const;
   [[nodiscard]] double wanted_value() const;

@@ -215,6 +215,7 @@ void Measurement::state(const std::vector<Simulation>& others) {
     return;
   }
   RowComparison comparison = compare(motion(), others, doubt_);
+  result_.events_in_doubt.add(events_hidden_by_rounding(motion()));
   result_.events_in_doubt.add(
       events_that_may_happen(motion(), comparison.near_events, comparison.event_errors));
   OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
@@ -223,7 +224,6 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.events_in_doubt.add(events_lost_in_errors(motion(), result_.max_abs_error));
   result_.event_errors = std::move(comparison.event_errors);
   result_.events_in_doubt.add(events_that_may_be_several(motion(), result_.event_errors));
-  result_.events_in_doubt.add(events_hidden_by_rounding(motion()));
   result_.stop_error = comparison.stop_error;
   result_.horizon = comparison.horizon && rests_within_rounding() ? std::nullopt : comparison.horizon;
   result_.at_impacts = std::move(comparison.at_impacts);

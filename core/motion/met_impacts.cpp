@@ -46,7 +46,7 @@ bool MetImpacts::record_events(const Run& done) {
       if (watch.kind != Watch::Kind::impact) continue;
       impact = true;
       impacts_.meet(occurrence.event);
-    } else if (last && ended_by_ == nullptr) {
+    } else if (last && ended_by_ == nullptr && watch.kind != Watch::Kind::jump) {
       ended_by_ = &watch;
     }
   }

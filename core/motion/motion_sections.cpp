@@ -185,6 +185,19 @@ std::vector<double> MotionSections::slopes(double t, std::span<const double> y) 
   return result;
 }
 
+std::vector<double> MotionSections::rows(double t, std::span<const double> y) const {
+  constexpr std::size_t width = Approach::order + 1;
+  const std::size_t n = y.size() / 2;
+  const std::vector<double> rates = slopes(t, y);
+  std::vector<double> result(width * y.size());
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    result[width * k] = y[k];
+    result[width * k + 1] = rates[k];
+    if (k < n) result[width * k + 2] = rates[n + k] / 2;
+  }
+  return result;
+}
+
 std::vector<EventFunction> MotionSections::ends() const {
   return modes_ ? kink_ends(*modes_, way_, t_, request_.method, request_.tolerances)
                 : std::vector<EventFunction>{};
@@ -198,6 +211,8 @@ ApproachRecord MotionSections::approach(Approach place, double begun) const {
     record.ends_motion = watch.kind != Watch::Kind::impact;
     record.enclosure = record.place.is_condition ? watch.when_enclosure : watch.enclosure;
     if (record.place.is_condition) record.of_event = watch.enclosure;
+    if (is_jump(record.place.event))
+      record.of_event = std::ranges::find(watches(), watch.name, &Watch::name)->enclosure;
     return record;
   }
   const std::size_t kink = record.place.event - watches().size();

@@ -35,6 +35,8 @@ class MotionSections {
   [[nodiscard]] const RightHandSide& system() const { return now_->system; }
   /// y' by its equations; zeros where they have no value.
   [[nodiscard]] std::vector<double> slopes(double t, std::span<const double> y) const;
+  /// Of an approach: y_i(t + s) as far as slopes tell it.
+  [[nodiscard]] std::vector<double> rows(double t, std::span<const double> y) const;
   /// The same of the motions that the request stands for, where there are such.
   [[nodiscard]] const Originals& originals() const { return now_->originals; }
   [[nodiscard]] const std::vector<Watch>& watches() const { return now_->watches; }
@@ -44,8 +46,10 @@ class MotionSections {
   [[nodiscard]] ApproachRecord approach(Approach place, double begun) const;
   /// Whether that one changes nothing: an event that is reported and no more.
   [[nodiscard]] bool only_reports(std::size_t event) const {
-    return event < watches().size() && watches()[event].kind == Watch::Kind::event;
+    return event < watches().size() && (watches()[event].kind == Watch::Kind::event || is_jump(event));
   }
+  /// Whether it stands in a jump or a step of such an event.
+  [[nodiscard]] bool is_jump(std::size_t event) const { return watches()[event].kind == Watch::Kind::jump; }
   [[nodiscard]] std::size_t kinks() const { return names_.size(); }
   /// Of the section.
   [[nodiscard]] const Sides& sides() const { return way_.sides; }

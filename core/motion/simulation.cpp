@@ -6,6 +6,7 @@
 #include "core/motion/many_pieces.hpp"
 #include "core/motion/met_impacts.hpp"
 #include "core/motion/met_kinks.hpp"
+#include "core/motion/passed_jumps.hpp"
 #include "core/motion/running_motion.hpp"
 #include "core/motion/section_run.hpp"
 #include "core/motion/simulation_output.hpp"
@@ -101,6 +102,7 @@ class Simulator {
     motion_.apart.add(done);
     motion_.sides.take(done);
     note_untold(done);
+    if (motion_.request.notes_approaches) note_passed_jumps(motion_.sections, done, motion_.result);
     append(done, motion_.result);
     row_sections_.resize(motion_.result.rows, motion_.sections.section());
     return done;
@@ -112,7 +114,7 @@ class Simulator {
     if (std::ranges::find(motion_.sections.sides(), 0) != motion_.sections.sides().end()) return;
     const std::vector<Watch>& watches = motion_.sections.watches();
     for (std::size_t i = 0; i < watches.size(); ++i) {
-      if (!motion_.sections.only_reports(i) || done.untold[i] == 0) continue;
+      if (!motion_.sections.only_reports(i) || motion_.sections.is_jump(i) || done.untold[i] == 0) continue;
       const bool is_instant = done.untold[i] <= some_roundings * time_round_off(done.t);
       const bool is_same = watches[i].value(done.t, done.y) * done.signs[i] > 0;
       if (!is_instant || !is_same)

@@ -51,7 +51,7 @@ struct ApproachRecord {
   double begun{};      ///< when the run began, after an impact or a kink
   /// What is zero there, over a box of states.
   std::function<Interval(double t, std::span<const Interval> y)> enclosure;
-  /// Of a condition: the same of the event that it decides about.
+  /// Of a condition, and of what stands in a jump: the same of the event that it decides about.
   std::function<Interval(double t, std::span<const Interval> y)> of_event{};
 };
 

@@ -6,6 +6,7 @@ import pathlib
 import random
 import sys
 import unittest
+from fractions import Fraction
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
@@ -66,6 +67,37 @@ class SeveralEventsInDoubt(Service):
                 answer = self.ask("simulate", {"system": scene, "t_end": 12.5, "samples": 2, "events": ["e"]})
                 self.assertEqual(len(answer["events"]), 2*in_a_turn)
                 self.assertNotIn("reason", answer["accuracy"])
+
+    def test_a_turn_beside_a_jump_is_told(self):
+        """x = (t - 1)^2, twice below what stands in the jump, or never, and rounding does not tell which."""
+        for past in ("1e-15", "1e-16", "1e-17", "1e-20", "1e-32", "-1e-17", "-1e-20"):
+            for function in ("sign(x - PAST)", "2*sign(x - PAST) - 1", "sign(x - PAST)*(x + 2)", "sign(x - PAST) + 0.3*t", "tanh(1e20*(x - PAST))",
+                             "exp(-1e20*(x - PAST)) - 0.5"):
+                with self.subTest(function, past=past):
+                    answer = self.turning(function.replace("PAST", f"({past})"))
+                    self.assertTrue(answer["events"] or "'e'" in answer["accuracy"]["reason"])
+                    self.assertFalse([event for event in answer["events"] if event["error"] is not None])
+        for function in ("sign(x + 1e-12)", "sign(x - 1e-17) + 3", "sign(x + 1e-14)*(x + 2)", "tanh(1e20*(x + 1e-12))"):
+            with self.subTest(function):
+                answer = self.turning(function)
+                self.assertEqual(answer["events"], [])
+                self.assertNotIn("reason", answer["accuracy"])
+
+    def turning(self, function):
+        scene = lagrangian("turn", "", "x - 1 -2", "x_dot^2/2", events=[{"name": "e", "expression": function}],
+                           forces=[{"name": "f", "value": "2", "along": "x"}])
+        del scene["parameters"]
+        return self.ask("simulate", {"system": scene, "t_end": 2.3, "samples": 2, "events": ["e"]})
+
+    def test_what_lies_just_behind_t_start_is_met(self):
+        """By so many times the last digit of t, which is what a time is off by."""
+        for begin in (1e7, 1e8, 1000, -1000, 0.25):
+            for part in (2, 27, 60, 300):
+                after = part * abs(begin) * 2**-52
+                with self.subTest(begin=begin, part=part):
+                    for function in (f"x - 0.5 - {after!r}", f"sign(x - 0.5 - {after!r})"):
+                        met, = self.met(function, begin, begin + 1.3)["events"]
+                        self.assertLessEqual(abs(Fraction(met["t"]) - Fraction(begin) - Fraction(after)), Fraction(met["error"]))
 
     def test_beside_the_top_of_a_hill(self):
         """Whether, and when, a motion goes over it its errors leave open; times are those of 70 digits."""
