@@ -164,6 +164,11 @@ namespace {
   return found;
 }
 
+/// Whatever u is, at a place that the position may stand for: x - 1 at x = 1, sin(x) at x = pi.
+[[nodiscard]] bool vanishes(std::span<const Interval> near) {
+  return std::ranges::all_of(near, [](const Interval& coefficient) { return coefficient.contains(0.0); });
+}
+
 }  // namespace
 
 Candidates balancing_values(const BalanceProblem& problem) {
@@ -176,6 +181,7 @@ Candidates balancing_values(const BalanceProblem& problem) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const bool is_constant = forces[k].degree && is_zero(c[3 * k + 1]) && is_zero(c[3 * k + 2]);
     if (forces[k].depends && !is_constant) {
+      if (forces[k].degree && vanishes({&near[3 * k], 3})) continue;
       if (!chosen) chosen = k;
     } else if (!near[3 * k].contains(0.0)) {
       return out_of_balance(problem, forces[k]);
