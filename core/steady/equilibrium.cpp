@@ -119,7 +119,19 @@ class NewtonSearch {
     return std::sqrt(sum);
   }
 
+  /// Whether no force is seen there, nor at the doubles beside it: a step would be rounding, and where K is
+  /// singular as long as that makes it.
+  [[nodiscard]] bool is_at_rest(const VectorXd& x) const {
+    std::vector<Ball> there(x.begin(), x.end()), g(sizes_.size());
+    for (Ball& ball : there)
+      ball.radius = std::nextafter(std::abs(ball.value()), infinity) - std::abs(ball.value());
+    TapeEvaluator<Ball>(statics_.forces, enclosed_constants_)(there, g);
+    return std::ranges::all_of(g,
+                               [](const Ball& force) { return force.is_finite() && force.contains_zero(); });
+  }
+
   std::optional<VectorXd> newton(VectorXd x) {
+    if (is_at_rest(x)) return x;
     double last = 0;
     for (int i = 0; i < most_steps; ++i) {
       const auto g = forces(x);
@@ -148,6 +160,7 @@ class NewtonSearch {
   /// Newton's iteration with |K|, whose steps go down the effective potential: dU = g.dx.
   std::optional<VectorXd> descended() {
     VectorXd x = guess_;
+    if (is_at_rest(x)) return x;
     for (int i = 0; i < most_steps; ++i) {
       const auto step = downhill(x);
       if (!step) return std::nullopt;
@@ -231,7 +244,16 @@ class NewtonSearch {
     const NearlyEquilibrium near{start, *inverse, free_, sizes_};
     const auto found = enclosed_equilibrium(statics_, enclosed_constants_, near);
     if (!found || found->isolated) return found;
-    return with_family(statics_, enclosed_constants_, near, guess_, *found);
+    return as_written(with_family(statics_, enclosed_constants_, near, guess_, *found));
+  }
+
+  /// One of several that are not told apart is the one that doubles stand for, or any beside it.
+  static Equilibrium as_written(Equilibrium place) {
+    for (Ball& x : place.x) {
+      const double value = std::abs(x.value());
+      if (!place.isolated && value > 0) x.radius += (std::nextafter(value, infinity) - value) / 2;
+    }
+    return place;
   }
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
