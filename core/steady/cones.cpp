@@ -189,16 +189,16 @@ std::vector<ConeForms> derive_cones(std::span<const Expression> constants, std::
   return result;
 }
 
-std::vector<Cone> decided_cones(const SteadyProblem& problem) {
+std::vector<Cone> cones_of(const SteadyProblem& problem) {
   std::vector<Cone> result;
   for (const ConeForms& forms : problem.forces->cones) {
     const ConeDecision decision(problem, forms);
+    Cone cone;
     for (const double reach : reaches) {
-      Cone cone = decision.within(reach);
-      if (cone.what == AtCone::undecided) continue;
-      result.push_back(std::move(cone));
-      break;
+      cone = decision.within(reach);
+      if (cone.what != AtCone::undecided) break;
     }
+    result.push_back(std::move(cone));
   }
   return result;
 }

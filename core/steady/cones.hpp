@@ -41,12 +41,11 @@ enum class AtCone {
 
 struct Cone {
   Box place;  ///< encloses p; unknowns only
-  Box about;  ///< what was looked at: apart from p no zero is in it
+  Box about;  ///< what was looked at: where it is decided, no zero but p is in it
   AtCone what{AtCone::undecided};
 };
 
 struct SteadyProblem;
-/// Those of the forces that are decided.
-[[nodiscard]] std::vector<Cone> decided_cones(const SteadyProblem& problem);
+[[nodiscard]] std::vector<Cone> cones_of(const SteadyProblem& problem);
 
 }  // namespace qdot

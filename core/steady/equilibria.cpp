@@ -8,6 +8,7 @@
 #include "core/dynamics/missing_values.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/steady/cones.hpp"
+#include "core/steady/exact_places.hpp"
 #include "core/steady/far_field.hpp"
 #include "core/steady/force_system.hpp"
 #include "core/steady/kink_stability.hpp"
@@ -44,7 +45,7 @@ class RegionSearch {
         reduction_(problem_.statics->reduction),
         system_(*problem_.forces, problem_.constants, given_place()),
         states_(problem_, y_),
-        cones_(decided_cones(problem_)) {}
+        cones_(cones_of(problem_)) {}
 
   Equilibria run() {
     for (const std::size_t j : forces().free) result_.free.push_back(reduction_.kept[j]);
@@ -120,8 +121,10 @@ class RegionSearch {
     if (cones_.empty()) return system;
     system.excluded = [this, by_forces = std::move(system.excluded)](auto x, auto values) {
       const Box box(x.begin(), x.end());
-      return std::ranges::any_of(cones_, [&](const Cone& cone) { return contains(cone.about, box); }) ||
-             by_forces(x, values);
+      const auto is_known_about = [&](const Cone& cone) {
+        return cone.what != AtCone::undecided && contains(cone.about, box);
+      };
+      return std::ranges::any_of(cones_, is_known_about) || by_forces(x, values);
     };
     return system;
   }
@@ -228,14 +231,18 @@ class RegionSearch {
   }
 
   void add_cone(const Cone& cone) {
-    if (cone.what == AtCone::pushed)
-      tell(
-          place_named(scene(), problem_, cone.place) +
-          " a distance is 0 and forces have no value: about it they drive away on every side, so nothing rests "
-          "there.");
+    const Box place = system_.place_of(cone.place);
+    const bool outside = std::ranges::any_of(forces().unknowns, [&](std::size_t j) {
+      return !is_inside(coordinate(j).domain, place[j]).value_or(true);
+    });
+    if (outside || cone.what == AtCone::nothing) return;
     if (cone.what == AtCone::held)
-      add_within_domain(
-          {.x = system_.place_of(cone.place), .simple = true, .at_kink = true, .at_cone = true});
+      return add_within_domain({.x = place, .simple = true, .at_kink = true, .at_cone = true});
+    const std::string where = place_named(scene(), problem_, cone.place) + " a distance is 0, and forces ";
+    if (cone.what == AtCone::pushed)
+      return tell(where +
+                  "have no value there: about it they drive away on every side, so nothing rests there.");
+    incomplete(where + "have no single direction there: it is not decided whether they hold the system.");
   }
 
   void family(const std::vector<std::size_t>& shift) {
@@ -275,7 +282,7 @@ class RegionSearch {
   }
 
   void add_within_domain(FoundPlace place) {
-    if (place.simple && !place.at_cone) make_exact(place);
+    if (place.simple && !place.at_cone) exact_.make_exact(place);
     bool certain = true;
     for (const std::size_t j : forces().unknowns) {
       const std::optional<bool> inside = is_inside(coordinate(j).domain, place.x[j]);
@@ -298,70 +305,6 @@ class RegionSearch {
       result_.states.push_back(std::move(state));
   }
 
-  /// The number that is meant, where the forces prove that it is the zero.
-  void make_exact(FoundPlace& place) {
-    FoundPlace exact = place;
-    for (Interval& x : exact.x) x = representative(x);
-    const bool rests = forces().charts.empty() ? rests_at(exact) : states_.is_at_rest(exact.x);
-    if (rests) {
-      place = exact;
-    } else if (forces().charts.empty()) {
-      put_on_kinks(place);
-    }
-  }
-
-  struct Unknowns {
-    Sides sides;
-    Box values;  ///< those of the place, then the sides on which it is not
-  };
-  [[nodiscard]] Unknowns unknowns_of(const FoundPlace& place) const {
-    Unknowns unknowns;
-    for (const std::size_t j : forces().unknowns) unknowns.values.push_back(place.x[j]);
-    for (const Interval& s : place.sides) {
-      unknowns.sides.push_back(s.width() == 0 ? static_cast<int>(s.lower) : 0);
-      if (unknowns.sides.back() == 0) unknowns.values.push_back(s);
-    }
-    return unknowns;
-  }
-
-  /// Whether some sides make all forces vanish: as many forces as there are of those may leave it to them.
-  [[nodiscard]] bool rests_at(const FoundPlace& place) {
-    const auto [sides, unknowns] = unknowns_of(place);
-    const std::size_t width = unknowns.size(), equations = forces().equations.size();
-    const SquareSystem system = system_.at(sides);
-    const Box values = values_over(system, unknowns);
-    Box jacobian(width * width);
-    system.jacobian(unknowns, jacobian);
-    std::size_t left_to_sides = 0;
-    for (std::size_t i = 0; i < width; ++i) {
-      if (is_zero(values[i])) continue;
-      const auto by_sides =
-          std::span(jacobian).subspan(i * width + forces().unknowns.size(), width - forces().unknowns.size());
-      if (i >= equations || !values[i].contains(0.0) || std::ranges::all_of(by_sides, is_zero)) return false;
-      ++left_to_sides;
-    }
-    return left_to_sides <= width - equations;
-  }
-
-  /// A coordinate that alone decides about a kink is where that is zero.
-  void put_on_kinks(FoundPlace& place) {
-    const auto [sides, unknowns] = unknowns_of(place);
-    const std::size_t width = unknowns.size(), equations = forces().equations.size();
-    const SquareSystem system = system_.at(sides);
-    Box jacobian(width * width), meant = unknowns;
-    system.jacobian(unknowns, jacobian);
-    for (Interval& x : meant) x = representative(x);
-    const Box values = values_over(system, meant);
-    for (std::size_t i = equations; i < width; ++i) {
-      const std::span<const Interval> slopes = std::span(jacobian).subspan(i * width, width);
-      const auto decides = std::ranges::find_if_not(slopes, is_zero);
-      const auto k = static_cast<std::size_t>(decides - slopes.begin());
-      const bool is_alone = std::ranges::count_if(slopes, is_zero) + 1 == std::ssize(slopes);
-      if (is_alone && k < forces().unknowns.size() && !decides->contains(0.0) && is_zero(values[i]))
-        place.x[forces().unknowns[k]] = meant[k];
-    }
-  }
-
   const Dynamics& dynamics_;
   SearchEffort effort_;
   std::vector<double> y_;
@@ -369,6 +312,7 @@ class RegionSearch {
   const Reduction& reduction_;
   ForceSystem system_;
   SteadyStates states_;
+  ExactPlaces exact_{*problem_.forces, system_, states_};
   std::vector<double> sizes_ = sizes();  ///< of x
   std::vector<Cone> cones_;
   FoundPlaces found_;

@@ -85,7 +85,7 @@ SteadyForces compiled_forces(const Model& model, const Reduction& reduction, con
 
 namespace {
 
-std::vector<ConeForms> cones_of(const Reduction& reduction, Graph& graph, const SteadyForces& forces) {
+std::vector<ConeForms> forms_of_cones(const Reduction& reduction, Graph& graph, const SteadyForces& forces) {
   if (forces.smooth.kinks() > 0) return {};
   std::vector<Expression> constants, x, unknowns, equations;
   for (const Expression& c : reduction.constants) constants.push_back(graph.adopt(c));
@@ -117,7 +117,7 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
   std::vector<Expression> rates;
   for (const Expression& rate : rates_at_rest(reduction, graph)) rates.push_back(without_absent(rate));
   result.ignored_rates = compiled_at_rest(reduction, graph, rates);
-  result.cones = cones_of(reduction, graph, result);
+  result.cones = forms_of_cones(reduction, graph, result);
   return result;
 }
 
