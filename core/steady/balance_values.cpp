@@ -29,6 +29,13 @@ namespace {
   return std::ranges::any_of(u, [](const Interval& argument) { return argument.contains(0.0); });
 }
 
+[[nodiscard]] bool has_no_value(const BalanceProblem& problem) {
+  const CompiledFunction& function = problem.polynomial->divisors;
+  std::vector<Interval> divisors(function.outputs());
+  TapeEvaluator<Interval>(function, problem.constants)(problem.x, divisors);
+  return std::ranges::any_of(divisors, [](const Interval& divisor) { return divisor.contains(0.0); });
+}
+
 /// Of the constraints' slopes all determinants may vanish at the position.
 [[nodiscard]] bool are_dependent(const BalanceProblem& problem, std::span<const Interval> constants) {
   if (!problem.position.on_surface) return false;
@@ -174,6 +181,7 @@ namespace {
 Candidates balancing_values(const BalanceProblem& problem) {
   if (problem.kinks->move || is_at_kink(problem)) return {Obstacle::at_kink, {}, "", 0};
   if (are_dependent(problem, problem.constants)) return {Obstacle::dependent, {}, "", 0};
+  if (has_no_value(problem)) return {Obstacle::undefined, {}, "", 0};
   const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
   const std::vector<Interval> c = coefficients(problem, problem.x);
   const std::vector<Interval> near = coefficients(problem, problem.near);
