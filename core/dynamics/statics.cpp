@@ -102,16 +102,21 @@ Statics statics_of(Reduction of) {
     return compiled_at_rest(reduction, *reduction.graph, expressions);
   };
   for (const Expression& e : reduction.equations) statics.rest.push_back(simplify(at_rest(reduction, e)));
-  statics.forces = compiled(statics.rest);
-  statics.stiffness = compiled(derivatives(reduction, statics.rest, reduction.x));
+  statics.forces = compiled(reduction.forces_at_rest);
+  std::vector<Expression> stiffness;
+  for (const Expression& force : reduction.forces_at_rest) {
+    for (const Expression& x : reduction.x) stiffness.push_back(shortened_derivative(force, x));
+  }
+  statics.stiffness = compiled(stiffness);
   statics.inertia = compiled(derivatives(reduction, reduction.equations, reduction.x_ddot));
   statics.damping = compiled(derivatives(reduction, reduction.equations, reduction.x_dot));
   std::vector<Expression> rates;
   for (const Expression& rate : reduction.ignored_rates) rates.push_back(at_rest(reduction, rate));
   statics.ignored_rates = compiled(rates);
   if (reduction.conservative) {
-    statics.potential =
-        compiled({shortened_beside_kinks(Number(-1) * at_rest(reduction, reduction.routhian))});
+    const Expression potential = Number(-1) * at_rest(reduction, reduction.routhian);
+    statics.potential = compiled(
+        {loses_digits_multiplied_out(potential) ? shortened(potential) : shortened_beside_kinks(potential)});
   }
   statics.quadratic = has_quadratic_energy(reduction);
   return statics;

@@ -8,6 +8,11 @@
 namespace qdot {
 namespace {
 
+/// Multiplied out (x - 99)^2 + y^2 is longer, and loses digits far from zero.
+Expression shorter(const Expression& written, const Expression& simplified) {
+  return written_length(written) < written_length(simplified) ? written : simplified;
+}
+
 /// |B - A|.
 Expression distance_of(const std::vector<Position>& between, const std::string& place, SceneText& text) {
   const Vector a = text.read_position(between.front(), place + "/0");
@@ -15,7 +20,8 @@ Expression distance_of(const std::vector<Position>& between, const std::string& 
   std::vector<Expression> squares;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
     squares.push_back(pow(b[i] - a[i], Number(2)));
-  const Expression square = simplify(a.front().graph().sum(squares));
+  const Expression written = a.front().graph().sum(squares);
+  const Expression square = shorter(written, simplify(written));
   if (square.is_zero() && !text.has_complaint_below(place))
     text.complain(place, "no_distance", "These two places are one: nothing can be stretched between them.");
   return sqrt(square);

@@ -170,10 +170,16 @@ void EventSides::look_sharply(const Watch& watch, double begin, EventFunction& e
   const bool is_typed = sides_.empty(), is_left = event.sign_at_start != 0 || event.is_zero_at_start;
   event.sharp_signs = [=, this, &watch](const SharpLook& look) -> std::vector<SignPiece> {
     const bool is_begin = look.piece.t == begin;
-    const bool is_clear =
-        watch.kind == Watch::Kind::event && look.from > beside_begin * sections_.resolution();
-    const bool is_beside = is_begin && !is_clear;
-    if (is_beside && is_left && !is_typed) return {};
+    const double clear = beside_begin * sections_.resolution();
+    const bool is_impact = watch.kind == Watch::Kind::impact;
+    if (is_begin && is_left && !is_typed && (is_impact || look.from <= clear)) {
+      if (is_impact || look.to <= clear) return {};
+      std::vector<SignPiece> signs{{look.from, clear, 0}};
+      const SharpLook rest{look.piece, clear, look.to, look.shortest, look.is_of_slope};
+      std::ranges::copy(watch.sharp_signs(typed_start(request_).parameters, nullptr, rest),
+                        std::back_inserter(signs));
+      return signs;
+    }
     if (!is_begin || !is_typed) return watch.sharp_signs(typed_start(request_).parameters, nullptr, look);
     const Reals start = start_as_typed(dynamics_, request_);
     return watch.sharp_signs(typed_start(request_).parameters, &start, look);

@@ -14,6 +14,7 @@ using Forces = TapeEvaluator<Ball>;
 /// Of a coordinate's size.
 constexpr double nearly_zero = 1e-6;
 constexpr double point_like = 1e-14;  ///< so wide is what is known
+constexpr double shortest_reach = 0x1p-100;
 constexpr int passes = 3;
 /// At a zero of order m Newton's step is an m-th part of the way that is left.
 constexpr double highest_order = 8;
@@ -69,6 +70,29 @@ bool without_forces(const Balls& x, Forces& forces) {
   return std::ranges::all_of(g, [](const Ball& force) { return force.is_finite() && force.contains_zero(); });
 }
 
+bool has_no_force(const Balls& x, std::size_t i, double shift, Forces& forces) {
+  Balls there = x;
+  there[i] = there[i] + Ball(shift);
+  return without_forces(there, forces);
+}
+
+/// How far a coordinate may be moved without a force that is seen beside what the forces are rounded by, up
+/// to its size.
+double hidden_reach(const Balls& x, std::size_t i, double size, Forces& forces) {
+  double reach = shortest_reach * size;
+  while (reach < size && (has_no_force(x, i, reach, forces) || has_no_force(x, i, -reach, forces)))
+    reach *= 2;
+  return reach;
+}
+
+/// Whether doubles have found no force that depends on the coordinate, where rounding may hide one.
+bool is_hidden(const NearlyEquilibrium& near, const Balls& x, std::size_t i, Forces& forces) {
+  if (near.free[i] || !near.inverse.row(index(i)).isZero(0)) return false;
+  Balls g(x.size());
+  forces(x, g);
+  return std::ranges::any_of(g, [](const Ball& force) { return force.radius > 0; });
+}
+
 /// K does not decide here. A coordinate that is nearly zero may be zero exactly.
 std::optional<Equilibrium> degenerate(Balls x, const std::vector<double>& left, const NearlyEquilibrium& near,
                                       Forces& forces) {
@@ -79,8 +103,9 @@ std::optional<Equilibrium> degenerate(Balls x, const std::vector<double>& left, 
   const bool are_rounded = without_forces(rounded, forces);
   if (are_rounded) x = rounded;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double width = highest_order * left[i];
-    const bool is_known = are_rounded && (x[i].value() == 0 || width < point_like * near.sizes[i]);
+    const bool hidden = is_hidden(near, x, i, forces);
+    const double width = hidden ? hidden_reach(x, i, near.sizes[i], forces) : highest_order * left[i];
+    const bool is_known = are_rounded && !hidden && (x[i].value() == 0 || width < point_like * near.sizes[i]);
     if (!is_known) x[i].radius = width;
   }
   return are_rounded || without_forces(x, forces) ? std::optional(Equilibrium{x, false}) : std::nullopt;

@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/compile/tape_evaluator.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/mechanics/canonical.hpp"
 
 namespace qdot {
 namespace {
@@ -61,7 +62,11 @@ std::string why_not_by_energy(const Dynamics& dynamics, const Reals& parameters,
                                               : "the time enters the equations of motion";
   }
   const Reduction& reduction = statics->reduction;
-  if (reduction.degrees_of_freedom() != 1) return "more than one coordinate is left after the ignorable ones";
+  if (reduction.degrees_of_freedom() != 1) {
+    return reduction.ignored.size() < ignorable_coordinates(dynamics.model().lagrangian).size()
+               ? "the momentum of an ignorable coordinate is not linear in the velocities, and it stays"
+               : "more than one coordinate is left after the ignorable ones";
+  }
   if (reduction.kept[0] != coordinate) return "the coordinate is ignorable";
   if (!reduction.limits.empty()) return "the energy of the coordinate vanishes with its equation";
   if (!statics->potential) return "the forces do not leave the energy integral constant";

@@ -191,6 +191,31 @@ class Modes(Service):
         problem = self.refused("modes", {"system": "spring_pendulum", "parameters": {"k": 0}})
         self.assertIn("no equilibrium near", problem["detail"])
 
+    def test_powers_of_the_distance_from_a_far_place(self):
+        """V = u^2/2 + u^p/p - 2 u, u = x - place: at rest where u + u^(p - 1) = 2, u = 1."""
+        for place in ("2", "6.3", "1000", "9009.5", "100000", "1000000000", "300000000000"):
+            for p in (4, 6, 12, 20):
+                u = f"(x - {place})"
+                line = {"name": "far", "units": "none", "coordinates": [{"name": "x", "initial": place}],
+                        "lagrangian": f"x_dot^2/2 - ({u}^2/2 + {u}^{p}/{p} - 2*{u})"}
+                with self.subTest(place=place, p=p):
+                    found = self.modes(line)
+                    at = found["equilibrium"]
+                    self.assertLessEqual(abs(at["state"]["x"] - float(place) - 1), at["error"]["x"])
+                    self.assert_near(found["modes"][0]["omega"], math.sqrt(p), 1e-13)
+                    self.assertLessEqual(abs(found["modes"][0]["omega"] - math.sqrt(p)), found["modes"][0]["error"] + 2**-52 * math.sqrt(p))
+
+    def test_a_place_that_rounding_hides_has_no_error(self):
+        """u^2/2 + u^4/4, u = x - 3e11, multiplied out: beside 1e46 nothing of it is seen."""
+        line = {"name": "far", "units": "none", "coordinates": [{"name": "x", "initial": "300000000000.3"}],
+                "lagrangian": "x_dot^2/2 - 1/4*(8.10000000000000000000018e+45 + x*(x*(5.40000000000000000000002e+23"
+                              " + x*(x - 1200000000000)) - 1.080000000000000000000012e+35))"}
+        found = self.modes(line)
+        self.assertIsNone(found["equilibrium"]["error"]["x"])
+        self.assertTrue(found["equilibrium"]["reason"])
+        self.assertEqual(found["modes"][0]["kind"], "neutral")
+        self.assertGreater(found["modes"][0]["error"], 1)
+
 
 if __name__ == "__main__":
     unittest.main()

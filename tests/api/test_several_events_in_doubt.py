@@ -6,6 +6,7 @@ import pathlib
 import random
 import sys
 import unittest
+from decimal import Decimal
 from fractions import Fraction
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
@@ -98,6 +99,25 @@ class SeveralEventsInDoubt(Service):
                     for function in (f"x - 0.5 - {after!r}", f"sign(x - 0.5 - {after!r})"):
                         met, = self.met(function, begin, begin + 1.3)["events"]
                         self.assertLessEqual(abs(Fraction(met["t"]) - Fraction(begin) - Fraction(after)), Fraction(met["error"]))
+
+    def test_what_happens_for_a_moment_beside_an_impact(self):
+        """Of y = t, with a wall that turns x at 0.5: a condition that is broken and an event that is met twice, so long."""
+        for begin, length in (("1.9999999", "5e-8"), ("1.99999999", "1e-12"), ("1", "1e-11"), ("0.50000001", "5e-8"), ("0.50000001", "1e-12"),
+                              ("0.50000000001", "1e-12"), ("0.3", "5e-8")):
+            end = Decimal(begin) + Decimal(length)
+            function = f"sign((y - {begin})*(y - {end}))"
+            scene = lagrangian("wall", "", "x - 0.5 -1; y - 0 1", "x_dot^2/2 + y_dot^2/2", impacts=[{"event": "wall", "restitution": "1"}],
+                               events=[{"name": "wall", "expression": "x", "direction": "falling"}, {"name": "e", "expression": function}])
+            del scene["parameters"]
+            with self.subTest(begin=begin, length=length):
+                met = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 2, "events": ["e"]})["events"]
+                met = [event for event in met if event["name"] == "e"]
+                self.assertEqual(len(met), 2)
+                for event, true in zip(met, (Fraction(begin), Fraction(end))):
+                    self.assertLessEqual(abs(Fraction(event["t"]) - true), Fraction(event["error"]))
+                scene["valid_while"] = [{"name": "v", "expression": function, "reason": "broken", "message": "broken"}]
+                stop = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 2})["stop"]
+                self.assertLessEqual(abs(Fraction(stop["t"]) - Fraction(begin)), Fraction(stop["error"]))
 
     def test_beside_the_top_of_a_hill(self):
         """Whether, and when, a motion goes over it its errors leave open; times are those of 70 digits."""

@@ -50,6 +50,27 @@ class Springs(Service):
         energy = self.ask("energy", {"system": scene, "initial": {"theta": 0.8}})
         self.assertAlmostEqual(energy["V"], 0.1 * 0.25, 15)
 
+    def test_far_from_the_origin(self):
+        """The same motion wherever it is; multiplied out, distances would lose digits, and the energy does."""
+        for z in (10, 1000, 100000, 10000000):
+            spring = {"stiffness": "5", "rest_length": "1", "between": [["x", "y"], [str(z - 1), "0"]]}
+            coordinates = [{"name": "x", "initial": f"{z}.3"}, {"name": "y", "initial": "0.4"}]
+            body = {"kind": "particle", "mass": "1", "position": ["x", "y"]}
+            there = {"name": "far", "units": "none", "coordinates": coordinates}
+            near = {"name": "near", "units": "none", "coordinates": [dict(coordinates[0], initial="1.3"), coordinates[1]]}
+            form = f"sqrt(x^2 - {2*z - 2}*x + {(z - 1)**2} + y^2)"
+            beside = dict(near, bodies=[body], springs=[dict(spring, between=[["x", "y"], ["0", "0"]])])
+            true = self.ask("simulate", {"system": beside, "t_end": 1, "samples": 2})["trajectory"]["x"][-1]
+            for scene, last_digits in ((dict(there, bodies=[body], springs=[spring]), 64),
+                                       (dict(there, lagrangian=f"x_dot^2/2 + y_dot^2/2 - 5/2*({form} - 1)^2"), None)):
+                with self.subTest(z=z, digits=last_digits):
+                    answer = self.ask("simulate", {"system": scene, "t_end": 1, "samples": 2})
+                    self.assertNotIn("reason", answer["accuracy"])
+                    error = answer["accuracy"]["max_abs_error"]["x"]
+                    self.assertLessEqual(abs(answer["trajectory"]["x"][-1] - (z - 1) - true), error + 1e-15)
+                    if last_digits:
+                        self.assertLess(error, last_digits * z * 2**-52)
+
 
 class Dampers(Service):
     def test_a_damper_between_places(self):

@@ -126,8 +126,11 @@ std::vector<FieldError> take_position(const Dynamics& dynamics, const Equilibria
   if (std::ranges::find(names, *request.solve_for) == names.end()) {
     FieldError error =
         root.below("solve_for")
-            .error("not_applicable",
-                   *request.solve_for + " is zero in every equilibrium: its coordinate is not ignorable.");
+            .error(
+                "not_applicable",
+                *request.solve_for +
+                    " is zero in every equilibrium: its coordinate is not ignorable, or has a momentum that "
+                    "is not linear in the velocities.");
     error.allowed = names;
     return {error};
   }
