@@ -10,7 +10,7 @@ inline constexpr const char* quota_file = "/sys/fs/cgroup/cpu.max";
 
 /// The processors that this process may run on, and no more than its quota, rounded up; one at least.
 /// std::thread::hardware_concurrency() counts the machine's: on fewer, threads that compute take turns, and
-/// who answers light requests waits for one turn to end.
+/// the thread that answers light requests waits until one turn ends.
 [[nodiscard]] int usable_processors(const std::string& quota = quota_file);
 
 }  // namespace qdot::server

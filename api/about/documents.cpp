@@ -87,7 +87,7 @@ Json limits_json() {
           {"numbers", limits::numbers},
           {"events", limits::events},
           {"event_occurrences", most_occurrences},
-          {"strides", limits::strides},
+          {"strides", limits::impacts},
           {"integration_steps", Limits{}.max_steps},
           {"evaluations", limits::evaluations},
           {"time", {-limits::largest_time, limits::largest_time}},

@@ -7,7 +7,7 @@
 
 namespace qdot::api {
 
-/// Of a run: those of a service, or none worth the name.
+/// The bounds of one integration. On one's own machine they are too wide to be met.
 [[nodiscard]] Limits limits_of_run();
 
 /// Rows of an answer, and numbers in it.

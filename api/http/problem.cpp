@@ -41,7 +41,7 @@ constexpr auto types = std::to_array<ProblemType>({
      "Send JSON in UTF-8 with Content-Type: application/json, uncompressed."},
     {expectation_failed, "expectation-failed", 417, "The Expect header is not supported",
      "Send the body without waiting: curl -H 'Expect:'."},
-    {misdirected_request, "misdirected-request", 421, "The Host is not one of this service",
+    {misdirected_request, "misdirected-request", 421, "This service is not called by that Host",
      "On a loopback address the Host must be localhost, 127.0.0.1 or [::1], or a name given to "
      "--allowed-hosts."},
     {invalid_request, "invalid-request", 422, "The request does not fit the schema",
@@ -49,7 +49,7 @@ constexpr auto types = std::to_array<ProblemType>({
      "probably meant. All of them are listed at once."},
     {not_applicable, "not-applicable", 422, "The question does not apply to this system",
      "The request is well formed, but the system has nothing that would answer it; the detail says why."},
-    {limit_exceeded, "limit-exceeded", 422, "The request asks for more than one answer may hold",
+    {limit_exceeded, "limit-exceeded", 422, "The answer would be larger than is allowed",
      "GET /v1/limits has the limits. Ask in several requests."},
     {integration_failed, "integration-failed", 422, "The motion could not be computed to its end",
      "`reason` is step-limit, nonfinite, singular-mass, tolerance or blow-up; `t_reached` and `last_state` "

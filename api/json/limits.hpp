@@ -39,7 +39,7 @@ inline constexpr std::uint64_t algebra = 10'000'000;
 inline constexpr std::int64_t rows = 100'000;
 inline constexpr std::int64_t numbers = 1'000'000;  ///< rows times columns
 inline constexpr std::size_t events = 20;
-inline constexpr std::int64_t strides = 10'000;
+inline constexpr std::int64_t impacts = 10'000;
 inline constexpr double largest_time = 1e9;
 
 // Tolerances of one run.

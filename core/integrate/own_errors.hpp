@@ -1,17 +1,19 @@
 #pragma once
-// What a reference may be off by itself: two samples of it, for one alone may be small by chance, as where
-// the errors of coordinates and velocities, or of parameters, cancel along what grows.
+// Two samples of the error of a reference. One alone may be small by chance: errors of coordinates,
+// velocities and parameters may cancel along the direction that grows.
 //
-// Both follow e of separation.hpp. By truncation, from the motion as it is asked for: each step adds the
-// bound of its defect, which goes with s^(order - 1) and comes to defect h/order, to the side where the other
-// sample is, so that it adds up along what grows. So does what rounding makes of the accelerations, a bound e
-// of core/compile/taylor/rounding.hpp that all computations have in common: e h of a velocity, e h^2/2 of its
-// coordinate. By rounding, from a motion whose numbers differ by `enlarged` times as much as rounding makes:
-// of whole last places two or three often cancel to nothing. Each step adds about half a last place of its
-// largest term, enlarged as much, by random numbers. It adds the rounding of accelerations as well, always to
-// the same side: in a short motion what goes to and fro with the other sample may cancel. Once it is large it
-// would soon be as large as the motion and grow no more: what it stands for goes on with the other sample,
-// and it begins anew.
+// Each sample is an e of separation.hpp, and every step of length h adds to it, component by component:
+//
+//   truncation:  d_i = defect_i h/order   (a defect grows as s^(order - 1)),
+//   forces:      r h for a velocity and r h^2/2 for its coordinate (r: core/compile/taylor/rounding.hpp),
+//   rounding:    about half a last place of the step's largest term, with a random sign.
+//
+// The sample by_truncation begins at the motion that was asked for. It adds truncation and forces, with the
+// signs of the other sample, so that errors add up along the direction that grows.
+// The sample by_rounding begins at the rounded numbers. It adds rounding and forces. All of this is
+// `enlarged`, for of whole last places two or three often cancel. Its forces keep their signs, for in a short
+// motion alternating ones may cancel. When this sample becomes large, it is added to the other one and begins
+// anew.
 
 #include "core/integrate/paired_rises.hpp"
 #include "core/numerics/random_bits.hpp"
@@ -20,7 +22,7 @@ namespace qdot {
 
 class OwnErrors {
  public:
-  /// Apart::by_rounding over what rounding comes to.
+  /// Apart::by_rounding over the error that rounding makes.
   static constexpr double enlarged = 4096;
 
   /// Keeps references to the systems. `t` chooses the signs.
@@ -31,7 +33,7 @@ class OwnErrors {
   [[nodiscard]] Apart now() const {
     return {by_truncation_.now(), by_rounding_.now(), by_truncation_.reached(), share_of_rounding_};
   }
-  /// The larger one at the two ends of the last step, of each component: of both together, and of rounding.
+  /// For a component, the larger error at the two ends of the last step: in all, and by rounding.
   [[nodiscard]] double in_last_step(std::size_t i) const {
     return by_truncation_.in_last_step()[i] + by_rounding_.in_last_step()[i] / enlarged;
   }
@@ -47,8 +49,8 @@ class OwnErrors {
   Separation by_truncation_, by_rounding_;
   PairedRises rises_;
   RandomBits random_;
-  double share_of_rounding_;    ///< in by_truncation_
-  std::vector<double> always_;  ///< sides
+  double share_of_rounding_;    ///< of by_truncation_
+  std::vector<double> always_;  ///< signs of forces
   StepTerms terms_;
   std::vector<double> sizes_, signs_, of_forces_, of_series_, hidden_;  ///< scratch
 };

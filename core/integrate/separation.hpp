@@ -6,13 +6,13 @@
 //
 //   e' = df/dy e + df/dp dp,   e(0) = dy,   e_i += d_k,i at the end of step k.
 //
-// It is followed beside the steps: by the Taylor series from the place that is e away from the reference's
-// own, less the reference's, of as low an order as does; where none does, as beside what rests and would
-// fall, over parts of the step. Where e is twice as large as either motion has been it grows no more, unless
-// the d_k alone are as large, beside which the reference tells no size. Of the d_k only the sizes are known:
-// whoever adds them chooses signs. Each e_i is in the unit of y_i.
-// Source of the equation: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14
-// (differentiability with respect to initial values and parameters).
+// A step adds to e the difference of two Taylor series, one at the reference and one at a distance e from it.
+// Their order is as low as it may be. Where no order is enough, as beside an unstable rest, e is followed
+// over parts of the step. At twice the size that either motion has reached, e stops growing, except where the
+// d_k alone are as large: the reference then shows no size of the motion. Only the sizes of the d_k are
+// known; the caller chooses the signs. Each e_i is in the unit of y_i. Source of the equation: Hairer,
+// Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., I.14 (differentiability with respect
+// to initial values and parameters).
 
 #include <span>
 #include <vector>
@@ -26,35 +26,35 @@ namespace qdot {
 
 class Separation {
  public:
-  /// What series in doubles differ by.
+  /// The distance of the places from which the two series begin.
   enum class Scale {
-    as_it_is,   ///< e, and the last digits that are rounded otherwise
-    enlarged,   ///< e times so much that these do not count
-    by_largest  ///< likewise, as the largest coordinates and velocities are, for e far below all last digits
+    as_it_is,   ///< e; rounding changes the difference by last digits
+    enlarged,   ///< e times a factor, so that last digits do not count
+    by_largest  ///< likewise, by the largest coordinates and velocities: for e far below all last digits
   };
-  /// Keeps a reference to the system of the motion that is stood for. `moved_by` is dy.
+  /// Keeps a reference to the system of the true motion. `moved_by` is dy.
   Separation(const RightHandSide& original, std::vector<double> moved_by, Scale scale = Scale::as_it_is);
 
-  /// Of a step, each to the side where `sides` are.
+  /// The errors d_k of one step. Their signs are those of `sides`.
   struct Errors {
     std::span<const double> sizes{}, sides{};
-    std::span<const double> of_series{};  ///< of them by truncation, which goes with the length as s^order
-    std::span<const double> acting{};     ///< beside them what comes all through it, as by a force
-    std::span<const double> hidden{};     ///< and what may have acted from its beginning on
-    double longest_part{1};               ///< of the step, by which e is followed
+    std::span<const double> of_series{};  ///< the part of `sizes` by truncation, which grows as s^order
+    std::span<const double> acting{};     ///< more errors, which grow evenly in the step, as by a force
+    std::span<const double> hidden{};     ///< more errors, which may be there from its beginning on
+    double longest_part{1};               ///< of the step, over which e is followed at once
   };
-  /// The reference has taken this step, and has these terms. Where the original has no values e stays as it
-  /// is.
+  /// The reference has taken this step, with these terms. e stays as it is where the true system has no
+  /// value.
   void follow(const MotionPiece& step, const StepTerms& terms, const Errors& made);
   void follow(const MotionPiece& step, const StepTerms& terms) { follow(step, terms, {}); }
-  /// Before that: what it will expand first, for whoever does it in its place.
+  /// What `follow` will expand first. A caller may do so for many at once, and fill in known().
   struct Wanted {
     std::span<const double> place{}, apart{};
     unsigned order{};
   };
   [[nodiscard]] Wanted look_ahead(const MotionPiece& step);
-  /// What has been found there by series of an order: what the step adds to e, and the order that does
-  /// (series_rise.hpp).
+  /// What the caller found by series of `order`: the change of e in the step, `rise`, and the order that is
+  /// enough (series_rise.hpp).
   struct Known {
     std::vector<double> e{}, rise{};
     unsigned order{}, enough{};
@@ -65,19 +65,19 @@ class Separation {
     return known_;
   }
 
-  /// Errors |d_i| that the step has made, each to the side where `sides` are; infinite where they may be
-  /// anything.
+  /// Adds errors d_i of these sizes to e, with the signs of `sides`. A size is infinite where nothing is
+  /// known.
   void add(std::span<const double> sizes, std::span<const double> sides);
 
-  /// From the next step on nothing is apart.
+  /// e is zero from the next step on.
   void begin_anew() { e_.assign(e_.size(), 0.0); }
 
-  /// By which e was followed through the last step.
+  /// The shortest part of the last step over which e was followed.
   [[nodiscard]] double shortest_part() const { return shortest_part_; }
   [[nodiscard]] const std::vector<double>& now() const { return e_; }
-  /// The largest |y_i| of the reference, and where motions part as they are of the other.
+  /// The largest |y_i| of the reference, and of the true motion once the two are far apart.
   [[nodiscard]] const std::vector<double>& reached() const { return size_; }
-  /// |e_i| at the two ends of the last step, the larger one.
+  /// The larger |e_i| at the two ends of the last step.
   [[nodiscard]] const std::vector<double>& in_last_step() const { return largest_; }
 
  private:
@@ -112,23 +112,23 @@ class Separation {
   const RightHandSide& original_;
   Scale scale_;
   ShownScale shown_;
-  unsigned order_;    ///< of the series to be tried
-  double factor_{1};  ///< e times it is what series differ by
+  unsigned order_;    ///< of the series that is tried next
+  double factor_{1};  ///< the two series begin factor_ e apart
   Errors made_;       ///< in this step
   bool has_begun_{false}, is_known_{false};
   int lost_steps_{};
-  bool is_given_up_{false};  ///< e is as large as all motions, and no series tells what becomes of it
+  bool is_given_up_{false};  ///< e is as large as all motions, and no series follows it any more
   Known known_;              ///< of this step
   double shortest_part_{1};
-  double late_growth_{1};  ///< of what this step has made, in it
-  double acting_left_{1};  ///< of what acts all through it, for its end
+  double late_growth_{1};  ///< factor by which errors of this step grow within it
+  double acting_left_{1};  ///< the part of `acting` that is added at its end
   std::vector<double> e_, largest_;
   std::vector<double> y_;      ///< of the reference where the step begins
   std::vector<double> size_;   ///< |y| up to there, of either motion
-  std::vector<double> slow_;   ///< velocities that move a coordinate by no more than that in the step
-  std::vector<double> added_;  ///< by steps, and where that alone takes coordinates
-  std::vector<double> most_;   ///< that e_ may be where it has been pushed farther than y went
-  std::vector<double> before_, added_before_;  ///< a part of a step is tried
+  std::vector<double> slow_;   ///< velocities that move a coordinate by less than its size in the step
+  std::vector<double> added_;  ///< sum of the errors of steps, and of what they alone make of coordinates
+  std::vector<double> most_;   ///< bound of e_ where a step's own errors are large beside y
+  std::vector<double> before_, added_before_;  ///< e_ and added_ before a part that may be taken back
   std::vector<double> beside_, c_, rise_;      ///< scratch
 };
 

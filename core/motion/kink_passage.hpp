@@ -1,5 +1,5 @@
 #pragma once
-// What it comes to that a motion passes its kinks at slightly other instants than it was computed to.
+// How the state changes when a motion passes its kinks slightly earlier or later than computed.
 
 #include <span>
 #include <vector>
@@ -8,19 +8,18 @@
 
 namespace qdot {
 
-/// A motion passed from one way to another at kinks that it met a little before or after (t, y), up to where
-/// it went on by the old one.
+/// The computation changed its forces at (t, y); the motion met the kinks a little before or after.
 struct KinkPassage {
-  std::vector<double> move;  ///< what y is off by for that
-  double doubt{};            ///< by how many seconds an instant may be elsewhere
-  double early{};            ///< and by how many it was: rows so near to it are on the wrong side
-  bool is_hidden{};          ///< twice the digits do not tell the instant either
-  bool is_unclear{};         ///< forces between two of these kinks change the way to the next one by much
+  std::vector<double> move;  ///< the error of y that comes of this
+  double doubt{};            ///< the error of the instants of the kinks, in seconds
+  double early{};     ///< their largest distance from t, in seconds: rows so near are on the wrong side
+  bool is_hidden{};   ///< twice the digits do not show the instant either
+  bool is_unclear{};  ///< the change of forces at one kink moves the next one by much
 };
 
-/// `size`: for each kink that of the numbers that make up u; `duration`: of the section that ends there.
-/// Nothing is moved where an instant is farther back than the section's series tell, and not for rounding, or
-/// hardly crossed. Looks from (t, y).
+/// `before` and `after`: the sides of the kinks. `size`: for each kink, the size of the numbers whose sum is
+/// its argument u. `duration`: of the section that ends at t. `move` is zero where a kink is hardly crossed,
+/// or where rounding does not explain u and the section's series do not reach back to the instant.
 [[nodiscard]] KinkPassage kink_passage(SidedMotions& motions, const Sides& before, const Sides& after,
                                        std::span<const double> size, double t, std::span<const double> y,
                                        double farthest);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/numerics/constants.hpp"
+#include "core/numerics/root.hpp"
 
 namespace qdot {
 namespace {

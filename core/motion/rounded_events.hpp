@@ -1,7 +1,7 @@
 #pragma once
 // Events whose functions are rounded by as much as they change along a motion: (x + 1e9)^2 - 1e18 - 2e9 x is
-// x^2, but all that is seen of it are last digits of 1e18. How often such a one happens no computation tells.
-// The same of events whose functions the errors of a motion change by much of what they are.
+// x^2, but only the last digits of 1e18 show it. No computation in doubles finds how often such an event
+// happens. Nor does one where the errors of the motion change the event's function by a large part.
 
 #include <optional>
 #include <span>
@@ -13,15 +13,15 @@
 
 namespace qdot {
 
-/// Each such event that is seen. Each is judged at one row, that of at most
-/// 16 at which its function is largest: a hint beside the errors of the instants, which do not rest on it.
+/// Of at most 16 rows, one is judged: where the event's function is largest. This is a hint to the reader;
+/// the errors of instants do not rest on it.
 [[nodiscard]] std::vector<EventDoubt> events_lost_in_rounding(const ComputedMotion& motion);
-/// Those whose sign was not seen up to the end, or to an impact.
+/// Events whose functions have no visible sign up to the end, or to an impact.
 [[nodiscard]] std::vector<EventDoubt> events_hidden_by_rounding(const ComputedMotion& motion);
+/// Events whose functions the given errors of the coordinates and velocities change by a large part.
 [[nodiscard]] std::vector<EventDoubt> events_lost_in_errors(const ComputedMotion& motion,
                                                             std::span<const double> errors);
-/// Those that may happen several times within the error of one crossing's time. `errors`: of the motion's
-/// events.
+/// Events that may happen several times within the error of one crossing's time. `errors`: of the events.
 [[nodiscard]] std::vector<EventDoubt> events_that_may_be_several(
     const ComputedMotion& motion, std::span<const std::optional<EventError>> errors);
 

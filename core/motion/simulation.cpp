@@ -11,6 +11,7 @@
 #include "core/motion/section_run.hpp"
 #include "core/motion/simulation_output.hpp"
 #include "core/motion/start_conditions.hpp"
+#include "core/numerics/root.hpp"
 
 namespace qdot {
 namespace {

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 
+#include "core/numerics/box.hpp"
 #include "core/steady/search_region.hpp"
 
 namespace qdot {
 namespace {
-
-bool overlaps(const Box& a, const Box& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (is_empty(intersection(a[i], b[i]))) return false;
-  }
-  return true;
-}
 
 bool holds(const Box& outer, const Box& box) {
   if (outer.size() != box.size()) return false;
@@ -56,7 +50,7 @@ void FoundPlace::turn_back(std::size_t j) {
 
 void FoundPlaces::add(FoundPlace place) {
   for (FoundPlace& known : places_) {
-    if (!overlaps(known.x, place.x)) continue;
+    if (!overlap(known.x, place.x)) continue;
     if (known.simple && place.simple && same_sides(known, place) &&
         (holds(known.alone, place.x) || holds(place.alone, known.x)))
       return;

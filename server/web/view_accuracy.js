@@ -95,7 +95,7 @@ export class AccuracyView {
         element(
           "p",
           { class: "quiet-words" },
-          `${this.isTimed ? "Processor time is the service's own, the least of three runs, and differs from time to time and from machine to machine." : "Work is counted in evaluations of the accelerations, so that it is the same on every machine."} The heavy line is what nothing beats; the dashed one can be dragged.`,
+          `${this.isTimed ? "Processor time is the service's own, the least of three runs, and differs from run to run and from machine to machine." : "Work is counted in evaluations of the accelerations, so that it is the same on every machine."} The heavy line is what nothing beats; the dashed one can be dragged.`,
         ),
         foot({ endpoint: "accuracy", body }),
       );

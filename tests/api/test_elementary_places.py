@@ -130,7 +130,9 @@ class Places(Service):
         for b in ("6", "2*sqrt(k*m)"):
             system = scene("damped_oscillator", f"m kg 1; k N/m 9; b kg/s {b.replace(' ', '')}", "x m 0.1",
                            bodies=[particle("m", "x", "0")], potential="k*x^2/2", dissipation="b*x_dot^2/2")
-            for mode in self.ask("modes", {"system": system})["modes"]:
+            modes = self.ask("modes", {"system": system})["modes"]
+            self.assertTrue(modes)
+            for mode in modes:
                 self.assertEqual((mode["kind"], mode["exact"]["text"]), ("decay", "b/(2*m)"))
                 self.assertIn("k/m = b^2/(4*m^2)", mode["exact"]["assumes"])
 
@@ -138,6 +140,7 @@ class Places(Service):
         answer = self.ask("modes", {"system": "restricted_three_body", "parameters": {"mu": "0.02"}})
         self.assertEqual(answer["equilibrium"]["exact"]["x"]["text"], "1/2 - mu")
         self.assertEqual(answer["equilibrium"]["exact"]["y"]["text"], "1/2*sqrt(3)")
+        self.assertEqual(len(answer["modes"]), 2)
         for mode in answer["modes"]:
             self.assertAlmostEqual(float(value(mode["exact"]["text"], mu="0.02")), mode["omega"]**2, 12)
 

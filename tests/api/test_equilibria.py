@@ -103,6 +103,7 @@ class Equilibria(Answers):
         for system in ("spring_pendulum", "cart_pendulum", "rod_pendulum", "compass_walker", "orbiting_pendulum"):
             with self.subTest(system):
                 found = self.ask("equilibria", {"system": system})
+                self.assertTrue(found["equilibria"])
                 for entry in found["equilibria"]:
                     for name in entry["state"]:
                         if found["units"][name] == "rad":
@@ -175,6 +176,10 @@ class Equilibria(Answers):
         found = self.ask("equilibria", {"system": "free_spin_pendulum"})
         self.assertEqual(list(found["momenta"]), ["p_psi"])
         self.assertEqual(found["units"]["p_psi"], "kg*m^2/s")
+        self.assertTrue(found["equilibria"])
+        for place in (found["request"]["initial"], *(entry["state"] for entry in found["equilibria"])):
+            momentum = 0.2 * 0.5**2 * (0.5 + math.sin(place["theta"]))**2 * place["psi_dot"]
+            self.assertAlmostEqual(found["momenta"]["p_psi"], momentum, 14)
 
     def test_time_in_the_equations_is_not_applicable(self):
         problem = self.refused("equilibria", {"system": "rolling_disk_platform"})

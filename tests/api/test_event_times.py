@@ -196,6 +196,7 @@ class EventTimes(Service):
                        "events": [f"x={level}*L"]}
             answer = strict_json(self.post("simulate", request).data)
             depth = 2 - mpf(level)
+            self.assertTrue(answer["events"])
             for event, t in zip(answer["events"], [2 - mpmath.sqrt(2 * depth), 2 + mpmath.sqrt(2 * depth)]):
                 if event["error"] is None:
                     self.assertTrue(event["reason"])

@@ -200,6 +200,7 @@ class WhereStridesSettle(Service):
                            bodies=[particle("m", "0", "y")], events=[{"name": "floor", "expression": "y", "direction": "falling"}],
                            impact={"event": "floor", "map": {"y_dot": "c + 0.797*y_dot + q*y_dot^2"}})
             found = self.ask("gait", {"system": kicked})
+            self.assertTrue(found["gaits"])
             for gait in found["gaits"]:
                 self.assertIn("there may be none", gait["reason"])
 

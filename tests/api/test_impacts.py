@@ -59,9 +59,13 @@ class Restitution(Service):
     def test_what_is_kept_is_kept_between_impacts(self):
         free = BALL | {"gravity": [0, 0]}
         for scene in (BALL, free):
-            for one in self.ask("equations", {"system": scene})["conserved"]:
+            kept = self.ask("equations", {"system": scene})["conserved"]
+            self.assertTrue(kept)
+            for one in kept:
                 self.assertIn("constant between impacts", one["why"])
-        for one in self.ask("equations", {"system": {name: free[name] for name in free if name != "impact"}})["conserved"]:
+        kept = self.ask("equations", {"system": {name: free[name] for name in free if name != "impact"}})["conserved"]
+        self.assertTrue(kept)
+        for one in kept:
             self.assertNotIn("impact", one["why"])
 
     def test_what_is_met_just_after_the_start_is_met(self):

@@ -52,6 +52,7 @@ class MultipleRates(Service):
         answer = self.ask("modes", {"system": several("c*(x^2 + y^2 + z^2)/2 - k*(x + 2*y)^2/2 - k*(x + 2*y + z)^2/2")})
         k, c, m = sympy.symbols("k c m")
         matrix = c * sympy.eye(3) + k * sympy.Matrix([[2, 4, 1], [4, 8, 2], [1, 2, 1]])
+        self.assertEqual(len(answer["modes"]), 3)
         for mode in answer["modes"]:
             shape = sympy.Matrix([sympy.sympify(mode["exact"]["shape"][name]["text"].replace("^", "**")) for name in "xyz"])
             square = sympy.sympify(mode["exact"]["text"].replace("^", "**"))

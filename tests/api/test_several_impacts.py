@@ -276,6 +276,7 @@ class Cradle(Service):
                     swings = i == (0 if angle < 0 else count - 1)
                     for name, true in ((f"q{i}", angle), (f"q{i}_dot", rate)):
                         self.assertLessEqual(abs(columns[name][row] - swings*true), stated[name], (count, row, name))
+            self.assertTrue(any(event["error"] is not None for event in found["events"]))
             for event in found["events"]:
                 off = (mp.mpf(event["t"])/period - 0.25)*2
                 if event["error"] is not None:

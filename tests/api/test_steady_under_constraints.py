@@ -157,6 +157,7 @@ class SteadyUnderConstraints(Service):
 
     def test_branches_lie_on_the_surface(self):
         answer = self.critical(HOOP, "Omega", 1, 10)
+        self.assertTrue(answer["branches"])
         for branch in answer["branches"]:
             for x, y, z in zip(branch["x"], branch["y"], branch["z"]):
                 self.assertLess(abs(x*x + z*z - 0.25) + abs(y), 1e-14)
@@ -202,6 +203,7 @@ class SteadyUnderConstraints(Service):
             with_constraints, own = [self.ask("equilibria", {"system": system}) for system in systems]
             self.assertEqual(with_constraints["complete"], True)
             self.assertEqual(len(with_constraints["equilibria"]), len(own["equilibria"]))
+            self.assertTrue(own["equilibria"])
             for a, b in zip(with_constraints["equilibria"], own["equilibria"]):
                 self.assertEqual(a["stability"], b["stability"])
                 self.assert_near(a["rate2"], b["rate2"], 1e-11)

@@ -46,7 +46,9 @@ class TiedParameters(Service):
         self.assertAlmostEqual(answer["critical"][0]["value"], 2 * 9.81 / 30)
 
     def test_the_branches_are_the_equilibria_of_each_value(self):
-        for branch in self.bifurcations(inverted())["branches"]:
+        branches = self.bifurcations(inverted())["branches"]
+        self.assertTrue(branches)
+        for branch in branches:
             for k, th in list(zip(branch["k"], branch["th"]))[::20]:
                 found = self.ask("equilibria", {"system": inverted(), "parameters": {"k": k}})["equilibria"]
                 self.assertLess(min(abs(entry["state"]["th"] - th) for entry in found), 1e-6)

@@ -19,6 +19,7 @@ class WorkPrecision(Service):
     def test_a_point_has_the_error_that_it_states(self):
         """Asked again with simulate, against twenty digits computed elsewhere."""
         answer = self.answer()
+        self.assertGreater(len(answer["points"]), 20)
         for point in answer["points"][::5]:
             setting = {key: point[key] for key in ("method", "rtol", "atol", "h") if key in point}
             if "rtol" in setting:
@@ -31,6 +32,7 @@ class WorkPrecision(Service):
     def test_the_front_and_the_recommendations_follow_from_the_points(self):
         answer = self.answer()
         points = [point for point in answer["points"] if point["error"] is not None]
+        self.assertTrue(points and answer["recommendations"])
         for point in points:
             beaten = any(p["error"] <= point["error"] and p["evaluations"] <= point["evaluations"]
                          and (p["error"], p["evaluations"]) != (point["error"], point["evaluations"])

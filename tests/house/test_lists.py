@@ -48,6 +48,16 @@ def listed_forms(root=ROOT):
     }
 
 
+def method_records(root=ROOT):
+    return re.findall(r'MethodRecord\{Method::\w+, "(\w+)"', (root / "core/integrate/methods.cpp").read_text(encoding="utf-8"))
+
+
+def listed_methods(root=ROOT):
+    """What the README lists, and what it tells about in the paragraph after the list."""
+    listed, told = re.search(r"^`method` is ([^.]*)\.(.*?)\n\n", (root / "README.md").read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE).groups()
+    return re.findall(r"`(\w+)`", listed), set(re.findall(r"`(\w+)`", told))
+
+
 class Lists(unittest.TestCase):
     def test_no_sentence_calls_a_fixed_step_by_the_name_of_one_method(self):
         fixed, said = said_by_name()
@@ -59,6 +69,13 @@ class Lists(unittest.TestCase):
         self.assertGreater(len(forms), 4)
         for place, listed in listed_forms().items():
             self.assertCountEqual(listed, forms, place)
+
+    def test_the_readme_lists_every_method_and_tells_what_it_is(self):
+        methods = method_records()
+        self.assertGreater(len(methods), 3)
+        listed, told = listed_methods()
+        self.assertCountEqual(listed, ["auto", *methods])
+        self.assertEqual(set(listed) - told, set())
 
     def test_only_methods_that_are_chosen_unasked_are_named_outside_their_list(self):
         found = named()

@@ -39,8 +39,8 @@ RequestTable<AccuracyRequest> make_accuracy_table() {
              "the error to recommend a method for; without this field 1e-3, 1e-6, 1e-9 and 1e-12",
              {.aliases = {"max_abs_error", "error", "global_error"}}),
       boolean("measure", &AccuracyRequest::measure,
-              "measure the CPU time of each run too, and recommend by it; the answer then differs from time "
-              "to time",
+              "measure the CPU time of each run too, and recommend by it; the answer then differs from run "
+              "to run",
               {.default_value = false}),
       digits_field<AccuracyRequest>(),
   };

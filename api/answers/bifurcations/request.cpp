@@ -58,9 +58,10 @@ const RequestTable<BifurcationsRequest>& bifurcations_table() {
            [](BifurcationsRequest& request, const Json& name) {
              request.parameter = name.get<std::string>();
            }},
-          parameter_value("from", &BifurcationsRequest::from, "parameter", "where it begins, in its own unit",
+          parameter_value("from", &BifurcationsRequest::from, "parameter",
+                          "its first value, in the unit of the parameter",
                           {.need = Need::required, .aliases = {"start", "min", "lower"}}),
-          parameter_value("to", &BifurcationsRequest::to, "parameter", "where it ends",
+          parameter_value("to", &BifurcationsRequest::to, "parameter", "its last value",
                           {.need = Need::required, .aliases = {"end", "stop", "max", "upper"}}),
           digits_field<BifurcationsRequest>(),
       },

@@ -20,14 +20,14 @@ namespace {
 constexpr const char* kinks =
     "Extended precision needs forces without kinks: this motion has abs or sign in its equations.";
 constexpr const char* nobody_watches =
-    "Doubles watch the conditions under which the motion is valid, and they lose this motion before t_end; "
-    "choose an earlier t_end or leave 'precision' out.";
+    "The conditions under which the motion is valid are checked by a computation in doubles, which loses this "
+    "motion before t_end; choose an earlier t_end or leave 'precision' out.";
 constexpr const char* not_bounded =
     "The error was measured with other computations, but for some steps no bound was found of what may "
     "happen between the places that they look at.";
 constexpr const char* conditions_not_bounded =
-    "Doubles watch the conditions under which the motion is valid, and for some steps no bound was found of what "
-    "happens to them between the places that are looked at.";
+    "The conditions under which the motion is valid are checked by a computation in doubles, and for some steps "
+    "no bound was found of what happens to them between the places that are looked at.";
 constexpr const char* digits_round_away = "The digits asked for round away more than the error asked for.";
 constexpr const char* contradicted =
     "The computation in doubles, which watches this one, differs from it by more than the sum of their errors.";

@@ -53,13 +53,13 @@ Json sticking_json(const Simulation& motion) {
   return array;
 }
 
-Json strides_json(const Scene& scene, const Simulation& motion) {
+Json impacts_json(const Scene& scene, const Simulation& motion) {
   Json array = Json::array();
-  for (const SectionRecord& stride : motion.sections) {
-    array.push_back({{"t", stride.t},
-                     {"step_time", stride.duration},
-                     {"pre_impact", state_json(scene, stride.before)},
-                     {"state", state_json(scene, stride.after)}});
+  for (const SectionRecord& section : motion.sections) {
+    array.push_back({{"t", section.t},
+                     {"step_time", section.duration},
+                     {"pre_impact", state_json(scene, section.before)},
+                     {"state", state_json(scene, section.after)}});
   }
   return array;
 }

@@ -11,8 +11,8 @@
 namespace qdot::api {
 namespace {
 
-/// Whether only strides were asked for. The grid then ends with the last of them, and only the motion tells
-/// when that is.
+/// Whether only a number of impacts was asked for. The grid then ends with the last of them, and only the
+/// motion tells when that is.
 bool has_open_end(const SimulateRequest& request) {
   return request.steps && !request.t_end && request.times.empty();
 }
@@ -124,11 +124,10 @@ void check_simulate(SimulateRequest& request, Findings& findings) {
   complete_tolerances(request, findings);
   check_precision(request, findings);
   if (request.steps && (!scene->has_impacts() || !request.impacts)) {
-    findings.report(
-        "steps", "not_applicable",
-        scene->has_impacts()
-            ? "Without impacts there are no strides."
-            : scene->name + " has no impacts: 'steps' are strides from one to the next. Rows are 'samples'.");
+    findings.report("steps", "not_applicable",
+                    scene->has_impacts()
+                        ? "'steps' counts impacts, and 'impacts': false leaves them out."
+                        : scene->name + " has no impacts, which 'steps' counts. Rows are 'samples'.");
   }
   const bool has_goal = request.accuracy || request.max_error || request.max_evaluations;
   if (!request.verify && has_goal) {
@@ -168,8 +167,8 @@ RequestTable<SimulateRequest> make_simulate_table() {
           "what to do where the model stops holding, such as at a slack string"),
       impacts_field<SimulateRequest>(),
       integer(
-          "steps", &SimulateRequest::steps, {1, limits::strides, UpperEnd::of_work},
-          "number of strides, each to an impact, after which the motion is complete; given beside t_end or "
+          "steps", &SimulateRequest::steps, {1, limits::impacts, UpperEnd::of_work},
+          "number of impacts after which the motion is complete (the strides of a walker); given beside t_end or "
           "instead of it",
           {.aliases = {"strides", "n_steps", "impacts_count"}}),
       choice("method", &SimulateRequest::method, words_of_choice(), "the integrator; " + methods_in_words(),

@@ -43,7 +43,7 @@ struct SimulateRequest {
   std::vector<std::string> events{};  ///< "theta=0+", not parsed yet
   OnInvalid on_invalid{OnInvalid::stop};
   bool impacts{true};
-  std::optional<std::int64_t> steps{};  ///< strides
+  std::optional<std::int64_t> steps{};  ///< impacts
   std::optional<double> h{};            ///< the step of a method that does not choose its own
   double rtol{};
   double atol{};
@@ -59,7 +59,7 @@ struct SimulateRequest {
   [[nodiscard]] bool is_extended() const { return precision == Precision::extended; }
 
   Real start{};  ///< t_start as it was typed
-  /// The instants to answer at, from the fields above; empty where the last of `steps` strides ends the
+  /// The instants to answer at, from the fields above; empty where the last of `steps` impacts ends the
   /// motion.
   Reals grid{};
 };

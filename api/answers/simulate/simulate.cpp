@@ -49,7 +49,7 @@ class SimulationAnswer {
   void run() {
     SimulationRequest core = core_request(request_, dynamics(), system_.state);
     columns_ = core.columns;
-    if (core.grid.empty()) core.grid = grid_of_strides(request_, dynamics(), core);
+    if (core.grid.empty()) core.grid = grid_to_last_impact(request_, dynamics(), core);
     grid_ = core.grid;
     measured_ = simulate_with_error(dynamics(), core, goal_of(request_));
   }
@@ -118,7 +118,7 @@ class SimulationAnswer {
     if (writer.wants("events")) write_events(writer);
     if (!result_.stays.empty()) writer.member("sticking", sticking_json(result_), digits());
     if (scene().has_impacts() && request_.impacts)
-      writer.member("strides", strides_json(scene(), result_), digits());
+      writer.member("strides", impacts_json(scene(), result_), digits());
     if (writer.wants("accuracy")) writer.member("accuracy", accuracy_json(stated()));
     if (writer.wants("diagnostics"))
       writer.member("diagnostics", with_units_of(scene(), diagnostics_json(result_, measured_.evaluations)));

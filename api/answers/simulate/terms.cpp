@@ -23,10 +23,10 @@ constexpr double promised(Preset preset) {
   return 1e-9;
 }
 
-/// The time [s] that so many strides get. No walker needs as much, and one that stands still has to end some
-/// time.
-double patience(const Model& model, std::span<const double> parameters, std::int64_t strides) {
-  constexpr double units_of_time_per_stride = 100;
+/// The time [s] that so many impacts get. No motion of interest needs as much, and one that meets no impact
+/// has to end some time.
+double patience(const Model& model, std::span<const double> parameters, std::int64_t impacts) {
+  constexpr double units_of_time_per_impact = 100;
   double unit = 1;
   if (const auto& scales = model.parsed.scales) {
     std::vector<Assignment> values;
@@ -36,7 +36,7 @@ double patience(const Model& model, std::span<const double> parameters, std::int
     unit = evaluate(scales->time, values);
   }
   if (!std::isfinite(unit)) unit = 1;
-  return units_of_time_per_stride * unit * static_cast<double>(strides);
+  return units_of_time_per_impact * unit * static_cast<double>(impacts);
 }
 
 }  // namespace
@@ -87,8 +87,8 @@ SimulationRequest core_request(const SimulateRequest& request, const Dynamics& d
   return core;
 }
 
-std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynamics& dynamics,
-                                    SimulationRequest core) {
+std::vector<double> grid_to_last_impact(const SimulateRequest& request, const Dynamics& dynamics,
+                                        SimulationRequest core) {
   core.columns.clear();
   core.events.clear();
   core.grid = {core.t_start};
@@ -96,7 +96,7 @@ std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynami
   if (has_failed(first.ending)) return core.grid;  // the second run fails as this one
   if (!first.stop && first.sections.size() < *core.end_after_impacts) {
     throw Error(ErrorCode::not_applicable, "Only " + std::to_string(first.sections.size()) +
-                                               " strides happen within " + std::to_string(core.t_end) +
+                                               " impacts happen within " + std::to_string(core.t_end) +
                                                " s: give t_end.");
   }
   if (!request.dt) {

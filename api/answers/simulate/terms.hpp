@@ -17,14 +17,14 @@ inline constexpr const char* ndjson_type = "application/x-ndjson";
 
 [[nodiscard]] AccuracyGoal goal_of(const SimulateRequest& request);
 
-/// The grid is empty where the last of the strides that were asked for ends the motion; t_end is then an
+/// The grid is empty where the last of the impacts that were asked for ends the motion; t_end is then an
 /// instant that is surely later.
 [[nodiscard]] SimulationRequest core_request(const SimulateRequest& request, const Dynamics& dynamics,
                                              const ResolvedState& state);
 
-/// Rows from the start to the last impact, or to the fall before it, as a first run finds it. Throws
-/// Error(not_applicable) when there are not so many impacts.
-[[nodiscard]] std::vector<double> grid_of_strides(const SimulateRequest& request, const Dynamics& dynamics,
-                                                  SimulationRequest core);
+/// Rows from the start to the last of `steps` impacts, or to where the motion stops before it, as a first run
+/// finds it. Throws Error(not_applicable) where fewer impacts happen.
+[[nodiscard]] std::vector<double> grid_to_last_impact(const SimulateRequest& request,
+                                                      const Dynamics& dynamics, SimulationRequest core);
 
 }  // namespace qdot::api

@@ -11,8 +11,6 @@
 
 namespace qdot::api {
 
-enum class Spacing { linear, logarithmic };
-
 enum class SweepFormat { json, csv, ndjson };
 
 /// The fields as they were given. One variable may be said flat, as in a query: {"vary": "k", "from": 1,
@@ -23,7 +21,7 @@ struct SweepRequest {
   Json collect{};  ///< {"omega": "/modes/0/omega"}; or pointers
   Json from{}, to{}, values{}, uniform{}, normal{};  ///< of the only variable; null: not given
   std::optional<std::int64_t> count{};               ///< of the only variable, or of a sample
-  std::optional<Spacing> spacing{};
+  std::optional<std::string> spacing{};              ///< "linear" or "log"
   std::optional<std::int64_t> seed{};
   std::optional<SweepFormat> format{};  ///< none: what the Accept header says
 };

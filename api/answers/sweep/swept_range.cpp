@@ -13,24 +13,45 @@
 #include "core/numerics/function.hpp"
 
 namespace qdot::api {
+namespace {
+
+constexpr std::int64_t most_counted = 1'000'000'000;  ///< the rows are counted together
+
+}  // namespace
 
 const FieldSet& parts_of_variable() {
+  const AnyKind number{{{"type", {"number", "string"}}}};  // in the unit of the variable
   static const FieldSet set{
       .name = "variable",
+      .description = "What one variable runs over: a grid, values, or the law that a sample draws from.",
       .fields = {{.name = "from",
-                  .kind = AnyKind{},
+                  .kind = number,
+                  .description = "first value",
                   .aliases = {"start", "min", "lower", "range", "interval", "linspace"}},
-                 {.name = "to", .kind = AnyKind{}, .aliases = {"end", "stop", "max", "upper"}},
+                 {.name = "to",
+                  .kind = number,
+                  .description = "last value",
+                  .aliases = {"end", "stop", "max", "upper"}},
                  {.name = "count",
-                  .kind = IntegerKind{1, std::int64_t{1} << 40U},
+                  .kind = IntegerKind{1, most_counted},
+                  .description = "how many values",
                   .aliases = {"n", "num", "samples", "number", "step", "steps", "points", "npoints", "by",
                               "increment"}},
-                 {.name = "spacing", .kind = ChoiceKind{{"linear", "log"}}, .aliases = {"scale"}},
+                 {.name = "spacing",
+                  .kind = ChoiceKind{{"linear", "log"}},
+                  .description = "how the values lie: equal differences, or with 'log' equal ratios",
+                  .aliases = {"scale"}},
                  {.name = "values",
-                  .kind = ListKind{AnyKind{}, static_cast<std::size_t>(limits::sweep_rows), 1},
+                  .kind = ListKind{number, static_cast<std::size_t>(limits::sweep_rows), 1},
+                  .description = "the values one by one",
                   .aliases = {"list"}},
-                 {.name = "uniform", .kind = ListKind{AnyKind{}, 2, 2}},
-                 {.name = "normal", .kind = ListKind{AnyKind{}, 2, 2}, .aliases = {"gaussian", "gauss"}}},
+                 {.name = "uniform",
+                  .kind = ListKind{number, 2, 2},
+                  .description = "least and largest value in a sample"},
+                 {.name = "normal",
+                  .kind = ListKind{number, 2, 2},
+                  .description = "mean and standard deviation in a sample",
+                  .aliases = {"gaussian", "gauss"}}},
       .one_of = {{.ways = {{"from", "to", "count", "spacing"}, {"values"}, {"uniform"}, {"normal"}},
                   .need = Need::required}}};
   return set;

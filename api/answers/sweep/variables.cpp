@@ -24,7 +24,7 @@ Json parts_beside(const SweepRequest& request) {
   put("normal", request.normal);
   const bool is_sample = parts.contains("uniform") || parts.contains("normal");
   if (request.count && !is_sample) parts["count"] = *request.count;
-  if (request.spacing) parts["spacing"] = *request.spacing == Spacing::linear ? "linear" : "log";
+  if (request.spacing) parts["spacing"] = *request.spacing;
   return parts;
 }
 

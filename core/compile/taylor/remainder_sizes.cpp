@@ -8,6 +8,7 @@
 #include "core/compile/taylor/remainder.hpp"
 #include "core/numerics/pairs.hpp"
 #include "core/numerics/rough_powers.hpp"
+#include "core/numerics/whole_power.hpp"
 
 namespace qdot::taylor {
 namespace {
@@ -35,14 +36,6 @@ Range parabola(double a, double b, double rest) {
 }
 
 unsigned padded(unsigned count) { return (count + 3) / 4 * 4; }
-
-double powered(double x, unsigned k) {
-  double result = 1;
-  for (; k > 0; k /= 2, x *= x) {
-    if (k % 2 == 1) result *= x;
-  }
-  return result;
-}
 
 /// x^k for k up to order, four side by side: a chain of products would wait for each of them.
 /// They are no less than the least number of full precision: where they underflow, terms would be hidden.
@@ -101,7 +94,7 @@ void Remainder::take_norms() {
   const double rho = decay();
   rho_ = rho;
   rho3_ = rho * rho * rho;
-  rho_of_rate_ = powered(rho, order_ - 1);
+  rho_of_rate_ = whole_power(rho, order_ - 1);
   rho_of_value_ = rho_of_rate_ * rho;
   beyond_ = 1 / (1 - rho);
   const double g = h_ / rho;

@@ -1,12 +1,10 @@
-// What a question may cost: the bound, the question whether anyone waits, and the algebra that asks both.
+// What a question may cost: the bound, and the question whether anyone waits.
 
 #include "core/base/work.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/expr/parse.hpp"
-#include "core/expr/polynomial.hpp"
 
 namespace qdot {
 namespace {
@@ -47,23 +45,6 @@ TEST(Work, IsGivenUpWhenNobodyWaits) {
   awaited = false;
   EXPECT_THROW(spend_work(100'000), Interrupted);
   EXPECT_THROW(check_interruption(), Interrupted);
-}
-
-TEST(Work, OfAlgebraIsCounted) {
-  Graph graph;
-  const Expression product =
-      parse("(a + b + c + d)^3*(a - b + c - d)^3", graph, std::vector<std::string>{"a", "b", "c", "d"});
-  const auto is_enough = [&](std::uint64_t units) {
-    const WorkScope scope(units);
-    try {
-      (void)expand(product);
-      return true;
-    } catch (const Error&) {
-      return false;
-    }
-  };
-  EXPECT_FALSE(is_enough(400));
-  EXPECT_TRUE(is_enough(40'000));
 }
 
 }  // namespace

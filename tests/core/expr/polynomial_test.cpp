@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
+#include "core/base/work.hpp"
 #include "core/expr/parse.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
@@ -159,6 +160,23 @@ TEST_F(PolynomialIn, KeepsTheValueOfStrangeRoots) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::too_large);
   }
+}
+
+TEST(Expand, CountsItsWork) {
+  Graph graph;
+  const Expression product =
+      parse("(a + b + c + d)^3*(a - b + c - d)^3", graph, std::vector<std::string>{"a", "b", "c", "d"});
+  const auto is_enough = [&](std::uint64_t units) {
+    const WorkScope scope(units);
+    try {
+      (void)expand(product);
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  EXPECT_FALSE(is_enough(400));
+  EXPECT_TRUE(is_enough(40'000));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "core/base/error.hpp"
 #include "core/integrate/integrate.hpp"
+#include "core/numerics/root.hpp"
 #include "tests/core/integrate/systems.hpp"
 
 namespace qdot::integrate_events_test {

@@ -91,8 +91,9 @@ TEST(EigenvalueClusters, OfARotationAreItsAngle) {
 TEST(EigenvalueClusters, OfASingularPencilAreNotClaimed) {
   Matrix b(2);
   b(0, 0) = Ball(1);
-  for (const EnclosedEigenvalue& e : enclose_eigenvalues(identity(2), b))
-    EXPECT_FALSE(std::isfinite(e.radius));
+  const auto found = enclose_eigenvalues(identity(2), b);
+  ASSERT_EQ(found.size(), 2);
+  for (const EnclosedEigenvalue& e : found) EXPECT_FALSE(std::isfinite(e.radius));
 }
 
 }  // namespace
