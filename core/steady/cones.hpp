@@ -10,27 +10,12 @@
 // where C is negative definite the forces about p push away on every side.
 // Source: Clarke, Optimization and Nonsmooth Analysis (1990), 2.2 and 2.3.
 
-#include <span>
 #include <vector>
 
-#include "core/compile/compiled_function.hpp"
-#include "core/expr/expression.hpp"
 #include "core/numerics/box.hpp"
+#include "core/steady/steady_forces.hpp"
 
 namespace qdot {
-
-/// Functions of the reduction's constants, and of x and r.
-struct ConeForms {
-  CompiledFunction place;   ///< p_j, then a_j
-  CompiledFunction slopes;  ///< C by rows, then f
-};
-
-/// Of those `equations` of which there are as many as `unknowns`, in one graph; `x`: all coordinates. Cones
-/// that are lines, as where a distance does not depend on all unknowns, are left out.
-[[nodiscard]] std::vector<ConeForms> derive_cones(std::span<const Expression> constants,
-                                                  std::span<const Expression> x,
-                                                  std::span<const Expression> unknowns,
-                                                  std::span<const Expression> equations);
 
 enum class AtCone {
   nothing,  ///< no force vanishes there, nor about it
@@ -45,7 +30,7 @@ struct Cone {
   AtCone what{AtCone::undecided};
 };
 
-struct SteadyProblem;
+/// All of the forces.
 [[nodiscard]] std::vector<Cone> cones_of(const SteadyProblem& problem);
 
 }  // namespace qdot

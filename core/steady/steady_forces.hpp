@@ -7,7 +7,7 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/numerics/interval.hpp"
-#include "core/steady/cones.hpp"
+#include "core/steady/cone_forms.hpp"
 #include "core/steady/kinks.hpp"
 
 namespace qdot {
