@@ -167,14 +167,14 @@ Expression short_form(const ExactValues& values, const Expression& formula) {
     const Expression found = shortened(other);
     if (written_length(found) < written_length(best)) best = found;
   }
-  return best;
+  return written_length(put_in) < written_length(best) ? put_in : best;
 }
 
 std::optional<ClosedForm> closed_form(const ExactValues& values, const Expression& formula,
-                                      const Relations& relations, std::span<const Expression> allowed) {
+                                      const Relations& relations, std::span<const Expression> allowed,
+                                      std::size_t longest) {
   const Expression e = short_form(values, formula);
-  if (written_length(e) > longest_closed_form || !speaks_only_of(e, values.symbols(), allowed))
-    return std::nullopt;
+  if (written_length(e) > longest || !speaks_only_of(e, values.symbols(), allowed)) return std::nullopt;
   const Notation notation = notation_of(values.model().scene);
   return ClosedForm{print(e, Form::text, notation), print(e, Form::latex, notation),
                     assumptions(values, e, relations)};

@@ -33,6 +33,7 @@ void assume_signs(ClosedForm& form, const ExactValues& values, const Expression&
 /// where it is too long, or speaks of what is no parameter nor in `allowed`.
 [[nodiscard]] std::optional<ClosedForm> closed_form(const ExactValues& values, const Expression& formula,
                                                     const Relations& relations,
-                                                    std::span<const Expression> allowed = {});
+                                                    std::span<const Expression> allowed = {},
+                                                    std::size_t longest = longest_closed_form);
 
 }  // namespace qdot

@@ -14,18 +14,81 @@ namespace qdot {
 
 namespace {
 
+/// As written_length counts: roots of quadratics whose inertia at the start is a sum are that long.
+constexpr std::size_t longest_extremum = 110;
+
 /// The numerator of e without the factor x - x0: a cubic equation of which one end is known is quadratic.
 std::optional<Expression> without_root(const Expression& e, const Expression& x, const Expression& x0) {
   const auto rest = exact_quotient(rational_function(e).above, rational_function(x - x0).above);
   return rest ? std::optional(to_expression(x.graph(), *rest)) : std::nullopt;
 }
 
+/// A sum of parameters under one name, where a symbol stands in it by itself and can be put out by it.
+struct NamedSum {
+  Expression name, sum;
+  Replacement by_name;
+};
+
+std::optional<NamedSum> named_sum(const Expression& sum) {
+  Graph& graph = sum.graph();
+  const Expression name = graph.symbol("named sum");
+  for (const auto& [term, number] : multiplied_out(sum)) {
+    const Expression symbol = to_expression(graph, {{term, Number(1)}});
+    const Expression rest = sum - number * symbol;
+    if (!std::holds_alternative<Symbol>(symbol.node()) || depends_on(rest, symbol)) continue;
+    return NamedSum{name, sum, {symbol, (Number(1) / number) * (name - rest)}};
+  }
+  return std::nullopt;
+}
+
+/// Of the first sum that is raised to a power and does not depend on x: the inertia where the motion begins.
+std::optional<NamedSum> named_sum_in(const Expression& e, const Expression& x) {
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(e.graph(), {&root, 1})) {
+    const auto* power = std::get_if<Power>(&e.graph().node(id));
+    if (power == nullptr) continue;
+    const Expression base(e.graph(), power->base);
+    if (std::holds_alternative<Sum>(base.node()) && !depends_on(base, x)) return named_sum(base);
+  }
+  return std::nullopt;
+}
+
+/// e with what stands under roots in short form.
+Expression short_under_roots(const Expression& e) {
+  std::vector<Replacement> taken;
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(e.graph(), {&root, 1})) {
+    const auto* power = std::get_if<Power>(&e.graph().node(id));
+    if (power == nullptr || power->exponent.is_integer()) continue;
+    const Number exponent = power->exponent;
+    const Expression base(e.graph(), power->base);
+    taken.emplace_back(Expression(e.graph(), id), pow(simplify(base), exponent));
+  }
+  return taken.empty() ? e : substitute(e, taken);
+}
+
+/// e without the name; sums that are shorter by themselves are written so.
+Expression without_name(const Expression& e, const NamedSum& named) {
+  Graph& graph = e.graph();
+  const Replacement back{named.name, named.sum};
+  std::vector<Replacement> taken;
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(graph, {&root, 1})) {
+    const Expression there(graph, id);
+    if (!std::holds_alternative<Sum>(there.node()) || !depends_on(there, named.name)) continue;
+    const Expression plain = substitute(there, {&back, 1});
+    const Expression simple = simplify(plain);
+    if (written_length(simple) < written_length(plain)) taken.emplace_back(there, simple);
+  }
+  taken.push_back(back);
+  return substitute(e, taken);
+}
+
 }  // namespace
 
 void ExactExtrema::consider(const Expression& left, const Relations& relations) {
   for (const Function function : {Function::cos, Function::sin}) {
-    const Expression unknown = is_angle_ ? equation_.graph->call(function, equation_.x) : equation_.x;
-    for (const Expression& root : roots_in(unknown, left)) {
+    for (const Expression& root : roots_in(function, left)) {
       for (const End end : {End::maximum, End::minimum}) consider(end, function, root, left, relations);
     }
     if (!is_angle_) break;
@@ -33,7 +96,7 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
   if (is_angle_) return;
   const std::optional<Expression> start = equation_.start();
   if (const auto rest = start ? without_root(left, equation_.x, *start) : std::nullopt) {
-    for (const Expression& root : roots_in(equation_.x, *rest)) {
+    for (const Expression& root : roots_in(Function::cos, *rest)) {
       for (const End end : {End::maximum, End::minimum}) consider(end, Function::cos, root, left, relations);
     }
   }
@@ -91,20 +154,50 @@ bool ExactExtrema::assume_signs(End end, Kept& kept) const {
   return true;
 }
 
-std::vector<Expression> ExactExtrema::roots_in(const Expression& unknown, const Expression& left) const {
-  const Polynomial above = with_single_angles(*equation_.graph, rational_function(left).above);
-  const Expression u = equation_.graph->symbol("cosine or sine");
-  Expression e = to_expression(*equation_.graph, above);
-  if (unknown == sin(equation_.x)) {
-    const Polynomial sines = without_cosine_squares(*equation_.graph, above, equation_.x);
-    e = to_expression(*equation_.graph, sines);
-  }
+std::vector<Expression> ExactExtrema::roots_in(Function function, const Expression& left) const {
+  Graph& graph = *equation_.graph;
+  const Polynomial above = with_single_angles(graph, rational_function(left).above);
+  const auto polynomial = [&](const Polynomial& p, const Expression& angle) {
+    const bool of_sines = is_angle_ && function == Function::sin;
+    return to_expression(graph, of_sines ? without_cosine_squares(graph, p, angle) : p);
+  };
+  const Expression unknown = is_angle_ ? graph.call(function, equation_.x) : equation_.x;
+  const Expression u = graph.symbol("cosine or sine");
   const Replacement replacement{unknown, u};
-  e = substitute(e, {&replacement, 1});
-  if (is_angle_ && depends_on(e, equation_.x)) return {};
+  const Expression e = substitute(polynomial(above, equation_.x), {&replacement, 1});
   if (!is_angle_) return qdot::roots_in(e, u, equation_.values);
-  const auto c = quadratic_in(e, u);
-  return c ? roots_of((*c)[0], (*c)[1], (*c)[2], equation_.values.sign_of()) : std::vector<Expression>{};
+  if (depends_on(e, equation_.x)) return {};
+  auto c = quadratic_in(e, u);
+  const std::optional<Expression> start = c ? std::nullopt : equation_.start();
+  if (start) {
+    const Expression there = with_special_angles(graph.call(function, *start));
+    const Polynomial single = with_single_angles(graph, multiplied_out(there));
+    const auto rest = without_root(polynomial(multiplied_out(e), *start), u, polynomial(single, *start));
+    if (rest) c = quadratic_in(*rest, u);
+  }
+  if (!c) return {};
+  return start ? roots_beside_start(*c, left)
+               : roots_of((*c)[0], (*c)[1], (*c)[2], equation_.values.sign_of());
+}
+
+std::vector<Expression> ExactExtrema::roots_beside_start(std::vector<Expression> c,
+                                                         const Expression& left) const {
+  Graph& graph = *equation_.graph;
+  const std::optional<NamedSum> named = named_sum_in(left, equation_.x);
+  for (Expression& each : c) {
+    if (!named) break;
+    const Expression by_name = substitute(each, {&named->by_name, 1});
+    each = to_expression(graph, with_single_angles(graph, multiplied_out(by_name)));
+  }
+  const SignOf sign = [&](const Polynomial& e) {
+    const Expression value = to_expression(graph, e);
+    return equation_.values.sign(named ? without_name(value, *named) : value);
+  };
+  std::vector<Expression> roots = roots_of(c[0], c[1], c[2], sign);
+  for (Expression& root : roots)
+    root =
+        named ? without_name(short_under_roots(simplify(root)), *named) : short_form(equation_.values, root);
+  return roots;
 }
 
 /// By other parameters another root is the nearest, or the motion starts at the other end.
@@ -142,8 +235,8 @@ ExactExtrema::Found ExactExtrema::angle(Function function, const Expression& roo
     const Expression other = function == Function::cos ? -value : pi - value;
     for (const Expression& x : {value, other, other + Number(2) * pi, other - Number(2) * pi}) {
       if (!agrees(equation_.values.value(x), *extremum.value, extremum.error)) continue;
-      auto form = equation_.formula(x, relations, started());
-      auto of_function = equation_.formula(root, relations, started());
+      auto form = equation_.formula(x, relations, started(), {}, longest_extremum);
+      auto of_function = equation_.formula(root, relations, started(), {}, longest_extremum);
       if (!form || !of_function) continue;
       ExactExtremum result{*std::move(form), std::nullopt, std::nullopt};
       (function == Function::cos ? result.cosine : result.sine) = std::move(of_function);

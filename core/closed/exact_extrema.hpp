@@ -56,8 +56,12 @@ class ExactExtrema {
   [[nodiscard]] const Finding& number_of(End end) const {
     return end == End::maximum ? equation_.found.maximum : equation_.found.minimum;
   }
-  /// Values of the unknown, a cosine say, where `left` is a quadratic polynomial of it.
-  [[nodiscard]] std::vector<Expression> roots_in(const Expression& unknown, const Expression& left) const;
+  /// Values of the cosine or sine of an angle, or else of the coordinate, where `left` is a quadratic
+  /// polynomial of it, or one times the factor that vanishes where the motion begins.
+  [[nodiscard]] std::vector<Expression> roots_in(Function function, const Expression& left) const;
+  /// Of c0 + c1 u + c2 u^2 that is left of `left` without that factor.
+  [[nodiscard]] std::vector<Expression> roots_beside_start(std::vector<Expression> c,
+                                                           const Expression& left) const;
   [[nodiscard]] std::vector<std::string> started() const;
   [[nodiscard]] Found number(const Expression& root, const Finding& extremum,
                              const Relations& relations) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/base/work.hpp"
 #include "core/closed/algebra_budget.hpp"
 #include "core/closed/assumed_signs.hpp"
@@ -13,11 +14,13 @@
 #include "core/closed/place_search.hpp"
 #include "core/closed/taken_squares.hpp"
 #include "core/closed/trial.hpp"
+#include "core/expr/print/print.hpp"
 
 namespace qdot {
 namespace {
 
-using Forms = std::vector<std::optional<ClosedForm>>;
+constexpr double of_rounding = 1e-15;
+
 std::optional<std::size_t> parameter_number(const Scene& scene, const std::string& name) {
   const auto found = std::ranges::find(scene.parameters, name, &Parameter::name);
   if (found == scene.parameters.end()) return std::nullopt;
@@ -153,18 +156,48 @@ class SolutionForms {
   /// For the forces to vanish at any position, and for the square of the rate there to be this.
   [[nodiscard]] std::vector<std::string> signs_needed(const Expression& u, const Relations& relations,
                                                       const std::optional<Expression>& square = {}) const {
-    AssumedSigns signs(values_, relations, places_);
+    std::vector<Expression> free, held, numbers;
+    std::vector<std::string> needed;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (!is_held(places_[i])) {
+        free.push_back(places_[i]);
+        continue;
+      }
+      held.push_back(places_[i]);
+      numbers.push_back(numbers_[i]);
+      needed.push_back(print(places_[i], Form::text) + " = " +
+                       short_number(values_.value(places_[i]).value, 15));
+    }
+    AssumedSigns signs(values_, relations, free);
     signs.leave_out(u_);
     signs.let_signs_go();
-    if (!signs.are_there()) return {};
+    if (!signs.are_there()) return needed;
     Trial trial(values_, relations);
     trial.only_where_real();
-    trial.set_given(places_);
+    trial.set_given(free);
+    trial.set(held, numbers);
     trial.set({u_}, {u});
     for (const Expression& force : polynomial_.whole) trial.vanishes(terms_of(graph_->adopt(force)));
     if (square)
       trial.vanishes({graph_->adopt(polynomial_.stiffness), -(graph_->adopt(polynomial_.inertia) * *square)});
-    return signs.needed_for(trial);
+    const std::vector<std::string> of_signs = signs.needed_for(trial);
+    needed.insert(needed.end(), of_signs.begin(), of_signs.end());
+    return needed;
+  }
+
+  /// Whether some force vanishes there whatever u is, and would not at another value of this coordinate.
+  [[nodiscard]] bool is_held(const Expression& place) const {
+    for (std::size_t k = 0; k < polynomial_.forces.size(); ++k) {
+      bool vanishes = polynomial_.forces[k].degree.has_value(), has_it = false;
+      for (std::size_t i = 0; i < 3 && vanishes; ++i) {
+        const Expression c = graph_->adopt(polynomial_.forms[3 * k + i]);
+        const Real now = values_.value(c);
+        vanishes = std::abs(now.value) <= std::max(now.error, of_rounding);
+        has_it = has_it || depends_on(c, place);
+      }
+      if (vanishes && has_it) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] Trial trial_at(const Expression& u, const Relations& relations) const {

@@ -27,7 +27,7 @@ class TurningForms {
     if (equation_.take_start())
       result = forms_from_start();
     else if (equation_.by_constants)
-      result = forms_by_constants();
+      result = with_place_of_start(forms_by_constants());
     put_walls(result);
     return result;
   }
@@ -177,6 +177,23 @@ class TurningForms {
     }
     extrema.assume_signs();
     return {.maximum = std::move(extrema.maximum), .minimum = std::move(extrema.minimum)};
+  }
+
+  /// An end that is no root by the constants may be one beside the other end, where the motion begins.
+  ExactTurningPoints with_place_of_start(ExactTurningPoints result) {
+    const TurningPoints& found = equation_.found;
+    const bool lacks_one =
+        (found.maximum.value && !result.maximum) || (found.minimum.value && !result.minimum);
+    const bool is_at_end = found.initial == InitialPlace::maximum || found.initial == InitialPlace::minimum;
+    if (!lacks_one || !is_at_end || !equation_.take_place_of_start()) return result;
+    ExactExtrema extrema(equation_);
+    const Expression left = divided(equation_.potential - *equation_.energy);
+    if (!left.is_zero() && depends_on(left, equation_.x)) extrema.consider(left, {});
+    extrema.assume_signs();
+    if (!result.maximum) result.maximum = std::move(extrema.maximum);
+    if (!result.minimum) result.minimum = std::move(extrema.minimum);
+    equation_.leave_start();
+    return result;
   }
 
   /// A constant of the motion, in the shorter of its forms.

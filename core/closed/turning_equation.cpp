@@ -43,8 +43,7 @@ void TurningEquation::take_constants(const std::string& energy_name) {
 
 bool TurningEquation::take_start() {
   if (take_initial_state()) return true;
-  start_.clear();
-  assumed.clear();
+  leave_start();
   return false;
 }
 
@@ -53,15 +52,40 @@ bool TurningEquation::take_initial_state() {
   for (std::size_t i = 0; i < symbols.value.size(); ++i) {
     const auto q = values.coordinate(i), rate = values.velocity(i);
     if (!q || !rate) return false;
-    const Scene& scene = values.model().scene;
-    const auto has_unit = [](const Expression& e) { return e.number() != nullptr && !e.is_zero(); };
-    if (!scene.without_units && (has_unit(*rate) || (scene.coordinates[i].unit != "rad" && has_unit(*q))))
-      return false;
+    if (!is_without_units(i, *q, *rate)) return false;
     take_assumption(i, *q, *rate);
     start_.emplace_back(graph->adopt(symbols.value[i]), *q);
     start_.emplace_back(graph->adopt(symbols.rate[i]), *rate);
   }
   return true;
+}
+
+bool TurningEquation::is_without_units(std::size_t i, const Expression& q, const Expression& rate) const {
+  const Scene& scene = values.model().scene;
+  const auto has_unit = [](const Expression& e) { return e.number() != nullptr && !e.is_zero(); };
+  return scene.without_units || !(has_unit(rate) || (scene.coordinates[i].unit != "rad" && has_unit(q)));
+}
+
+bool TurningEquation::take_place_of_start() {
+  const std::size_t i = found.coordinate;
+  const auto q = values.coordinate(i), rate = values.velocity(i);
+  if (!q || !rate || !rate->is_zero() || !is_without_units(i, *q, *rate)) return false;
+  take_assumption(i, *q, *rate);
+  start_.emplace_back(x, *q);
+  energy = at_start(potential);
+  return true;
+}
+
+void TurningEquation::leave_start() {
+  start_.clear();
+  assumed.clear();
+  energy.reset();
+}
+
+std::vector<Expression> TurningEquation::free_constants() const {
+  if (assumed.empty()) return constants;
+  return momenta.empty() ? std::vector<Expression>(constants.begin(), constants.end() - 1)
+                         : std::vector<Expression>{};
 }
 
 void TurningEquation::take_assumption(std::size_t i, const Expression& q, const Expression& rate) {
@@ -74,10 +98,11 @@ void TurningEquation::take_assumption(std::size_t i, const Expression& q, const 
 
 std::optional<ClosedForm> TurningEquation::formula(const Expression& e, const Relations& relations,
                                                    const std::vector<std::string>& started,
-                                                   std::span<const Expression> allowed) const {
+                                                   std::span<const Expression> allowed,
+                                                   std::size_t longest) const {
   std::vector<Expression> symbols = constants;
   symbols.insert(symbols.end(), allowed.begin(), allowed.end());
-  auto form = closed_form(values, e, relations, symbols);
+  auto form = closed_form(values, e, relations, symbols, longest);
   if (!form) return form;
   assume_signs(*form, values, e, constants);
   form->assumes.insert(form->assumes.end(), started.begin(), started.end());

@@ -25,6 +25,14 @@ struct TurningEquation {
   /// whose terms do not fit together.
   bool take_start();
 
+  /// Takes of the start x0 alone, known exactly, where x rests there: sets `energy` to U(x0; p). Between this
+  /// and leave_start() formulas speak of p.
+  bool take_place_of_start();
+  void leave_start();
+
+  /// What formulas may speak of and the start does not give.
+  [[nodiscard]] std::vector<Expression> free_constants() const;
+
   /// U(x; p) - U(x0; p) - 1/2 A(x0) x0'^2 with p of the initial state; sets `momenta` and `energy`. After
   /// take_start().
   [[nodiscard]] Expression with_start();
@@ -36,7 +44,8 @@ struct TurningEquation {
   /// of `allowed`, too.
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e, const Relations& relations,
                                                   const std::vector<std::string>& started,
-                                                  std::span<const Expression> allowed = {}) const;
+                                                  std::span<const Expression> allowed = {},
+                                                  std::size_t longest = longest_closed_form) const;
 
   std::shared_ptr<const Statics> statics;
   std::shared_ptr<Graph> graph;
@@ -54,6 +63,8 @@ struct TurningEquation {
  private:
   void take_constants(const std::string& energy_name);
   bool take_initial_state();
+  /// A value with a unit of its own would leave formulas whose terms do not fit together.
+  [[nodiscard]] bool is_without_units(std::size_t i, const Expression& q, const Expression& rate) const;
   void take_assumption(std::size_t i, const Expression& q, const Expression& rate);
   [[nodiscard]] Expression at_start(const Expression& e) const;
   /// The model's expressions know nothing of parameters that are zero.

@@ -67,9 +67,10 @@ void ask_coefficients(const Expression& potential, const Expression& x, AssumedS
 
 /// What the formula assumes of its own symbols is all that holds at other parameters.
 std::vector<Expression> not_spoken_of(const TurningEquation& equation,
-                                      const std::vector<std::string>& assumes, bool has_constants) {
+                                      const std::vector<std::string>& assumes,
+                                      const std::vector<Expression>& constants) {
   std::vector<Expression> symbols = equation.values.symbols();
-  if (has_constants) symbols.insert(symbols.end(), equation.constants.begin(), equation.constants.end());
+  symbols.insert(symbols.end(), constants.begin(), constants.end());
   std::erase_if(symbols, [&](const Expression& symbol) {
     const std::string name = print(symbol, Form::text);
     return std::ranges::any_of(assumes, [&](const std::string& assumed) {
@@ -233,9 +234,9 @@ class End {
   }
 
   [[nodiscard]] std::optional<std::vector<std::string>> signs(const std::vector<std::string>& assumes) {
-    AssumedSigns signs(equation_.values, relations_,
-                       by_start_ ? std::vector<Expression>{} : equation_.constants);
-    const std::vector<Expression> free = not_spoken_of(equation_, assumes, !by_start_);
+    const std::vector<Expression> constants = equation_.free_constants();
+    AssumedSigns signs(equation_.values, relations_, constants);
+    const std::vector<Expression> free = not_spoken_of(equation_, assumes, constants);
     signs.let_go(free,
                  by_start_ ? [](const FarPlace&) -> std::optional<FarPlace> { return std::nullopt; }
                            : with_start(equation_, free));
@@ -320,9 +321,9 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
                                                         const PeriodFormula& period,
                                                         const WallPlaces& walls) {
   const bool by_start = problem.energy != equation.energy_symbol;
-  AssumedSigns signs(equation.values, period.relations,
-                     by_start ? std::vector<Expression>{} : equation.constants);
-  const std::vector<Expression> free = not_spoken_of(equation, period.form.assumes, !by_start);
+  const std::vector<Expression> constants = by_start ? std::vector<Expression>{} : equation.constants;
+  AssumedSigns signs(equation.values, period.relations, constants);
+  const std::vector<Expression> free = not_spoken_of(equation, period.form.assumes, constants);
   signs.let_go(free,
                by_start ? [](const FarPlace&) -> std::optional<FarPlace> { return std::nullopt; }
                         : with_start(equation, free));

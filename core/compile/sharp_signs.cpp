@@ -53,7 +53,10 @@ class SignsAlong {
     const double h = to - from;
     const Series series = series_on(from, to);
     const bool has_kink = derived_ == 0 && std::isinf(series.in_digits) && series.has_value;
-    const bool is_hopeless = !has_kink && !(series.size > small_beside_digits * series.in_digits);
+    if (series.sign != 0) return add(from, to, series.sign);
+    const bool is_told = series.size > small_beside_digits * series.in_digits,
+               is_told_first = std::abs(series.c[0]) > small_beside_digits * series.first_in_digits;
+    const bool is_hopeless = !has_kink && !is_told && !is_told_first;
     if (h <= shortest_ || ++looks_ > most_looks_along || is_hopeless) return add(from, to, sign_of(series));
     if (!std::isfinite(series.off)) return halve(from, to);
     double told = from;
@@ -78,7 +81,9 @@ class SignsAlong {
   struct Series {
     std::vector<double> c;
     double size{}, in_digits{}, off{};
-    bool has_value{};  ///< where the piece begins
+    double first_in_digits{};  ///< of the first coefficient
+    bool has_value{};          ///< where the piece begins
+    int sign{};                ///< that all values of the piece have, by intervals alone
   };
 
   Series series_on(double from, double to) {
@@ -93,6 +98,11 @@ class SignsAlong {
     }
     if (series.c.empty()) series.c.push_back(0);
     series.has_value = value.at[0].is_finite();
+    if (value.terms > derived_) {
+      const Interval& all = value.over[derived_];
+      series.sign = (all.lower > 0) - (all.upper < 0);
+      series.first_in_digits = value.at[derived_].radius;
+    }
     const double rest =
         value.terms > last_term ? value.over[last_term].magnitude() * factor_of(last_term) * power : 0;
     series.off = series.in_digits + rest + of_doubles * series.size;

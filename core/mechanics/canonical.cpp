@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/expr/length.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/jumps.hpp"
@@ -103,6 +104,30 @@ std::optional<Expression> kinetic_by_groups(const std::vector<Expression>& diffe
   return form.rest.graph().sum(terms);
 }
 
+/// T in the momenta; no value where it is too large to be written.
+std::optional<Expression> kinetic_energy(const std::vector<Expression>& difference,
+                                         const QuadraticForm& form) {
+  if (difference.size() > largest_written_system) return kinetic_by_groups(difference, form);
+  return kinetic_in_momenta(difference, form);
+}
+
+/// T - L0, what is free of the momenta in T beside L0, or beside its part of T, where that is shorter: terms
+/// of the two may cancel.
+Expression joined_with_rest(const Expression& kinetic, const Lagrangian& lagrangian,
+                            const QuadraticForm& form) {
+  Graph& graph = kinetic.graph();
+  const Expression apart = kinetic - simplify(form.rest);
+  if (std::ranges::all_of(form.linear, &Expression::is_zero)) return apart;
+  std::vector<Replacement> zeros;
+  for (const Expression& p : momentum_symbols(lagrangian)) zeros.emplace_back(p, graph.number(0));
+  const Expression without = substitute(kinetic, zeros);
+  const Expression with_momenta = simplify(kinetic - without);
+  std::vector<Expression> forms{apart, with_momenta + simplify(without - form.rest)};
+  if (const auto& v = lagrangian.potential_energy; v && !depends_on(*v, lagrangian.symbols.coordinates.rate))
+    forms.push_back(with_momenta + simplify(without - (form.rest + *v)) + simplify(*v));
+  return *std::ranges::min_element(forms, {}, &written_length);
+}
+
 std::vector<std::size_t> all_coordinates(const Lagrangian& lagrangian) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < lagrangian.symbols.coordinates.value.size(); ++i) all.push_back(i);
@@ -133,15 +158,12 @@ std::optional<CanonicalEquations> canonical_equations(const Lagrangian& lagrangi
 
 std::optional<Expression> hamiltonian(const Lagrangian& lagrangian) {
   const std::vector<std::size_t> all = all_coordinates(lagrangian);
-  if (all.size() > largest_written_system) {
-    const auto form = quadratic_form(lagrangian, all);
-    const auto kinetic =
-        form ? kinetic_by_groups(kinetic_momenta(lagrangian, all, *form), *form) : std::nullopt;
-    return kinetic ? std::optional(*kinetic - simplify(form->rest)) : std::nullopt;
-  }
-  const auto form = solvable_form(lagrangian, all);
+  const auto form =
+      all.size() > largest_written_system ? quadratic_form(lagrangian, all) : solvable_form(lagrangian, all);
   if (!form) return std::nullopt;
-  return kinetic_in_momenta(kinetic_momenta(lagrangian, all, *form), *form) - simplify(form->rest);
+  const auto kinetic = kinetic_energy(kinetic_momenta(lagrangian, all, *form), *form);
+  if (!kinetic) return std::nullopt;
+  return joined_with_rest(*kinetic, lagrangian, *form);
 }
 
 std::vector<std::size_t> ignorable_coordinates(const Lagrangian& lagrangian) {

@@ -1,5 +1,6 @@
 #include "core/mechanics/constraints.hpp"
 
+#include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/inertia_check.hpp"
 
@@ -68,6 +69,25 @@ std::optional<RedundantConstraint> redundant_constraint(const std::vector<Constr
     return RedundantConstraint{k, std::nullopt};
   }
   return std::nullopt;
+}
+
+std::vector<Replacement> held_by_constraints(const std::vector<ConstraintEquation>& constraints,
+                                             const Symbols& symbols) {
+  const Symbols::Varying& q = symbols.coordinates;
+  std::vector<Replacement> held;
+  for (const ConstraintEquation& constraint : constraints) {
+    for (std::size_t i = 0; constraint.position && i < q.value.size(); ++i) {
+      const Number* slope = constraint.slope[i].number();
+      if (slope == nullptr || slope->is_zero()) continue;
+      const Number factor = Number(-1) / *slope;
+      const Expression place = factor * expand(*constraint.position - constraint.slope[i] * q.value[i]);
+      const bool moves = depends_on(place, symbols.t) || depends_on(place, symbols.inputs.value);
+      if (moves || depends_on(place, q.value)) continue;
+      held.emplace_back(q.value[i], place);
+      held.emplace_back(q.rate[i], place.graph().number(0));
+    }
+  }
+  return held;
 }
 
 }  // namespace qdot

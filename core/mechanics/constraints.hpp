@@ -32,6 +32,10 @@ struct ConstraintEquation {
 [[nodiscard]] std::vector<ConstraintEquation> constraint_equations(const ParsedScene& scene,
                                                                    std::span<const Replacement> holding);
 
+/// Coordinates that a constraint holds where parameters say, r - R - a = 0, by that; their rates, zero.
+[[nodiscard]] std::vector<Replacement> held_by_constraints(const std::vector<ConstraintEquation>& constraints,
+                                                           const Symbols& symbols);
+
 /// Whether nothing moves the constraint, so that its force does no work: b = 0.
 [[nodiscard]] bool is_workless(const ConstraintEquation& constraint, const Symbols& symbols);
 

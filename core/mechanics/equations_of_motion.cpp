@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.hpp"
 #include "core/base/work.hpp"
 #include "core/expr/kept_terms.hpp"
 #include "core/expr/polynomial.hpp"
@@ -179,6 +180,26 @@ std::vector<Expression> solved(const AugmentedSystem& system) {
   const bool is_short = std::ranges::all_of(
       solution, [](const Expression& e) { return written_length(e) <= longest_solution; });
   return is_short ? solution : std::vector<Expression>{};
+}
+
+std::vector<Expression> solved_on_constraints(const AugmentedSystem& system, const Lagrangian& lagrangian) {
+  std::vector<Expression> solution = solved(system);
+  const std::vector<Replacement> held = held_by_constraints(lagrangian.constraints, lagrangian.symbols);
+  if (held.empty() || solution.empty()) return solution;
+  AugmentedSystem there = system;
+  for (std::vector<Expression>& row : there.matrix) {
+    for (Expression& entry : row) entry = substitute(entry, held);
+  }
+  for (Expression& entry : there.right) entry = substitute(entry, held);
+  try {
+    const std::vector<Expression> other = solved(there);
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      if (written_length(other[i]) < written_length(solution[i])) solution[i] = other[i];
+    }
+  } catch (const Error& error) {  // the first solution stands
+    if (error.code() != ErrorCode::too_large && error.code() != ErrorCode::not_applicable) throw;
+  }
+  return solution;
 }
 
 }  // namespace qdot

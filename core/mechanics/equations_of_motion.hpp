@@ -45,4 +45,8 @@ struct AugmentedSystem {
 /// q'', then lambda, written out; empty where that is too long to be read. May throw Error(too_large).
 [[nodiscard]] std::vector<Expression> solved(const AugmentedSystem& system);
 
+/// The same on the constraints: with what they hold put in, where that is shorter.
+[[nodiscard]] std::vector<Expression> solved_on_constraints(const AugmentedSystem& system,
+                                                            const Lagrangian& lagrangian);
+
 }  // namespace qdot

@@ -174,10 +174,9 @@ void EventSides::look_sharply(const Watch& watch, double begin, EventFunction& e
     const bool is_impact = watch.kind == Watch::Kind::impact;
     if (is_begin && is_left && !is_typed && (is_impact || look.from <= clear)) {
       if (is_impact || look.to <= clear) return {};
-      std::vector<SignPiece> signs{{look.from, clear, 0}};
       const SharpLook rest{look.piece, clear, look.to, look.shortest, look.is_of_slope};
-      std::ranges::copy(watch.sharp_signs(typed_start(request_).parameters, nullptr, rest),
-                        std::back_inserter(signs));
+      std::vector<SignPiece> signs = watch.sharp_signs(typed_start(request_).parameters, nullptr, rest);
+      if (!signs.empty()) signs.insert(signs.begin(), {look.from, clear, 0});
       return signs;
     }
     if (!is_begin || !is_typed) return watch.sharp_signs(typed_start(request_).parameters, nullptr, look);

@@ -1,5 +1,6 @@
 #include "core/numerics/dense_matrix.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/numerics/long_schur.hpp"
@@ -31,9 +32,9 @@ MatrixXd inverse(const MatrixXd& a) {
 double determinant(const MatrixXd& a) { return static_cast<double>(determinant(widened(a))); }
 
 /// Of numbers that were rounded to doubles.
-MatrixXd pseudo_inverse(const MatrixXd& a) {
+MatrixXd pseudo_inverse(const MatrixXd& a, double threshold) {
   const auto rounding = std::numeric_limits<double>::epsilon() * static_cast<long double>(a.rows());
-  return pseudo_inverse(widened(a), rounding).cast<double>();
+  return pseudo_inverse(widened(a), std::max(rounding, static_cast<long double>(threshold))).cast<double>();
 }
 
 Eigen::Index rank(const MatrixXd& a, double threshold) {

@@ -12,7 +12,8 @@ namespace qdot {
 [[nodiscard]] double determinant(const Eigen::MatrixXd& a);
 
 /// The Moore-Penrose inverse: A^+ b is the shortest of the x that bring A x nearest to b.
-[[nodiscard]] Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);
+/// Pivots up to `threshold` times the largest count as zero, as those that rounding leaves do.
+[[nodiscard]] Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, double threshold = 0);
 
 /// The number of pivots above `threshold` times the largest, by QR with columns exchanged.
 [[nodiscard]] Eigen::Index rank(const Eigen::MatrixXd& a, double threshold);

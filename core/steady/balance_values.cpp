@@ -29,6 +29,13 @@ namespace {
   return std::ranges::any_of(u, [](const Interval& argument) { return argument.contains(0.0); });
 }
 
+[[nodiscard]] bool has_no_value(const BalanceProblem& problem) {
+  const CompiledFunction& function = problem.polynomial->divisors;
+  std::vector<Interval> divisors(function.outputs());
+  TapeEvaluator<Interval>(function, problem.constants)(problem.x, divisors);
+  return std::ranges::any_of(divisors, [](const Interval& divisor) { return divisor.contains(0.0); });
+}
+
 /// Of the constraints' slopes all determinants may vanish at the position.
 [[nodiscard]] bool are_dependent(const BalanceProblem& problem, std::span<const Interval> constants) {
   if (!problem.position.on_surface) return false;
@@ -164,11 +171,17 @@ namespace {
   return found;
 }
 
+/// Whatever u is, at a place that the position may stand for: x - 1 at x = 1, sin(x) at x = pi.
+[[nodiscard]] bool vanishes(std::span<const Interval> near) {
+  return std::ranges::all_of(near, [](const Interval& coefficient) { return coefficient.contains(0.0); });
+}
+
 }  // namespace
 
 Candidates balancing_values(const BalanceProblem& problem) {
   if (problem.kinks->move || is_at_kink(problem)) return {Obstacle::at_kink, {}, "", 0};
   if (are_dependent(problem, problem.constants)) return {Obstacle::dependent, {}, "", 0};
+  if (has_no_value(problem)) return {Obstacle::undefined, {}, "", 0};
   const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
   const std::vector<Interval> c = coefficients(problem, problem.x);
   const std::vector<Interval> near = coefficients(problem, problem.near);
@@ -176,6 +189,7 @@ Candidates balancing_values(const BalanceProblem& problem) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const bool is_constant = forces[k].degree && is_zero(c[3 * k + 1]) && is_zero(c[3 * k + 2]);
     if (forces[k].depends && !is_constant) {
+      if (forces[k].degree && vanishes({&near[3 * k], 3})) continue;
       if (!chosen) chosen = k;
     } else if (!near[3 * k].contains(0.0)) {
       return out_of_balance(problem, forces[k]);

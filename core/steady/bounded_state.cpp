@@ -42,6 +42,7 @@ SteadyState SteadyStates::at(const FoundPlace& found) {
   state.errors = std::move(at.errors);
   state.simple = found.simple;
   state.at_kink = found.at_kink;
+  state.at_cone = found.at_cone;
   state.sides = found.sides;
   state.enclosure = found.x;
   if (!found.at_kink) state.residual = largest_force(place, &Interval::magnitude);

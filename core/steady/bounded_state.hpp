@@ -22,7 +22,8 @@ struct SteadyState {
   bool simple{};
   /// At a kink of the forces, where they take all values between those of its sides (core/steady/kinks.hpp).
   bool at_kink{};
-  Box sides;  ///< s_k of each kink: -1 or 1, or an enclosure where the place is at it
+  bool at_cone{};  ///< of that kind (core/steady/cones.hpp); at_kink, too
+  Box sides;       ///< s_k of each kink: -1 or 1, or an enclosure where the place is at it
 };
 
 /// Numbers in the place of enclosures.

@@ -7,6 +7,8 @@
 #include "core/base/work.hpp"
 #include "core/dynamics/missing_values.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/steady/cones.hpp"
+#include "core/steady/exact_places.hpp"
 #include "core/steady/far_field.hpp"
 #include "core/steady/force_system.hpp"
 #include "core/steady/kink_stability.hpp"
@@ -42,7 +44,8 @@ class RegionSearch {
         problem_(problem),
         reduction_(problem_.statics->reduction),
         system_(*problem_.forces, problem_.constants, given_place()),
-        states_(problem_, y_) {}
+        states_(problem_, y_),
+        cones_(cones_of(problem_)) {}
 
   Equilibria run() {
     for (const std::size_t j : forces().free) result_.free.push_back(reduction_.kept[j]);
@@ -75,6 +78,9 @@ class RegionSearch {
 
   void incomplete(const std::string& reason) {
     result_.complete = false;
+    tell(reason);
+  }
+  void tell(const std::string& reason) {
     if (result_.reason.find(reason) != std::string::npos) return;
     result_.reason += (result_.reason.empty() ? "" : " ") + reason;
   }
@@ -89,7 +95,7 @@ class RegionSearch {
   }
 
   void find() {
-    if (forces().unknowns.empty()) return add({given_place(), {}, {}, true});
+    if (forces().unknowns.empty()) return add({.x = given_place(), .simple = true});
     if (const auto shift = shared_shift(scene(), problem_); !shift.empty()) return family(shift);
     if (forces().charts.empty()) search();
     for (const Chart& chart : forces().charts) {
@@ -97,8 +103,9 @@ class RegionSearch {
       search();
     }
     for (const FoundPlace& place : found_.places()) add_within_domain(place);
+    for (const Cone& cone : cones_) add_cone(cone);
     if (result_.states.empty() && result_.complete) {
-      result_.reason = nothing_rests;
+      tell(nothing_rests);
     }
     std::sort(result_.states.begin(), result_.states.end(),
               [](const auto& a, const auto& b) { return a.y < b.y; });
@@ -106,6 +113,20 @@ class RegionSearch {
 
   void search() {
     for (const Sides& sides : system_.patterns()) search(sides);
+  }
+
+  /// What is next to cones is known.
+  [[nodiscard]] SquareSystem equations_on(const Sides& sides) {
+    SquareSystem system = system_.at(sides);
+    if (cones_.empty()) return system;
+    system.excluded = [this, by_forces = std::move(system.excluded)](auto x, auto values) {
+      const Box box(x.begin(), x.end());
+      const auto is_known_about = [&](const Cone& cone) {
+        return cone.what != AtCone::undecided && contains(cone.about, box);
+      };
+      return std::ranges::any_of(cones_, is_known_about) || by_forces(x, values);
+    };
+    return system;
   }
 
   [[nodiscard]] std::vector<double> sizes() const {
@@ -125,7 +146,7 @@ class RegionSearch {
     region.resize(region.size() + static_cast<std::size_t>(std::ranges::count(sides, 0)), {-1.001, 1.001});
     scales.resize(region.size(), 1.0);
     const std::uint64_t work = work_left();
-    Isolation isolation = isolate_zeros(system_.at(sides), region, scales, most_boxes(region.size()));
+    Isolation isolation = isolate_zeros(equations_on(sides), region, scales, most_boxes(region.size()));
     if (!isolation.complete && effort_ == SearchEffort::thorough && work_left() > work / 2) {
       if (auto all = within_farthest(sides, region, scales)) isolation = std::move(*all);
     }
@@ -146,7 +167,7 @@ class RegionSearch {
       side = intersection(side, {-*farthest, *farthest});
       if (!(side.lower < side.upper)) return std::nullopt;
     }
-    return isolate_zeros(system_.at(sides), region, scales, most_boxes_of_rest);
+    return isolate_zeros(equations_on(sides), region, scales, most_boxes_of_rest);
   }
 
   /// All equilibria in the middle of the region, where there are too many in the whole of it.
@@ -163,7 +184,7 @@ class RegionSearch {
       where += (where.empty() ? "" : " and ") + coordinate(j).name + " from " +
                short_number(middle[k].lower) + " to " + short_number(middle[k].upper);
     }
-    Isolation found = isolate_zeros(system_.at(sides), middle, scales, most_boxes_of_middle);
+    Isolation found = isolate_zeros(equations_on(sides), middle, scales, most_boxes_of_middle);
     if (where.empty() || !found.complete || !found.undecided.empty()) {
       incomplete(
           "The search was given up before it was finished, so equilibria may be missing: there are many of "
@@ -183,8 +204,8 @@ class RegionSearch {
     if (!*in_chart) return;
     const std::optional<bool> holds = system_.holds(sides, zero.enclosure);
     if (holds && !*holds) return;
-    if (!zero.simple && system_.is_pole(sides, zero.enclosure)) return give_up_at_pole(zero.enclosure);
-    FoundPlace place{system_.place_of(zero.enclosure), {}, {}, zero.simple && holds};
+    if (!zero.simple && is_next_to_pole(sides, zero.enclosure)) return give_up_at_pole(zero.enclosure);
+    FoundPlace place{.x = system_.place_of(zero.enclosure), .simple = zero.simple && holds};
     if (place.simple) place.alone = system_.place_of(zero.alone);
     std::size_t next = forces().unknowns.size();
     for (const int side : sides) {
@@ -196,6 +217,32 @@ class RegionSearch {
         place.turn_back(j);
     }
     found_.add(std::move(place));
+  }
+
+  /// Rounding hides the forces' signs about a pole, too, where it hides on which side of it a place is.
+  [[nodiscard]] bool is_next_to_pole(const Sides& sides, const Box& zero) {
+    constexpr double reach = 1e-12;
+    Box around = zero;
+    for (Interval& x : around) {
+      const double far = x.width() + reach * std::max(1.0, x.magnitude());
+      x = x + Interval(-far, far);
+    }
+    return system_.is_pole(sides, around);
+  }
+
+  void add_cone(const Cone& cone) {
+    const Box place = system_.place_of(cone.place);
+    const bool outside = std::ranges::any_of(forces().unknowns, [&](std::size_t j) {
+      return !is_inside(coordinate(j).domain, place[j]).value_or(true);
+    });
+    if (outside || cone.what == AtCone::nothing) return;
+    if (cone.what == AtCone::held)
+      return add_within_domain({.x = place, .simple = true, .at_kink = true, .at_cone = true});
+    const std::string where = place_named(scene(), problem_, cone.place) + " a distance is 0, and forces ";
+    if (cone.what == AtCone::pushed)
+      return tell(where +
+                  "have no value there: about it they drive away on every side, so nothing rests there.");
+    incomplete(where + "have no single direction there: it is not decided whether they hold the system.");
   }
 
   void family(const std::vector<std::size_t>& shift) {
@@ -235,7 +282,7 @@ class RegionSearch {
   }
 
   void add_within_domain(FoundPlace place) {
-    if (place.simple) make_exact(place);
+    if (place.simple && !place.at_cone) exact_.make_exact(place);
     bool certain = true;
     for (const std::size_t j : forces().unknowns) {
       const std::optional<bool> inside = is_inside(coordinate(j).domain, place.x[j]);
@@ -258,70 +305,6 @@ class RegionSearch {
       result_.states.push_back(std::move(state));
   }
 
-  /// The number that is meant, where the forces prove that it is the zero.
-  void make_exact(FoundPlace& place) {
-    FoundPlace exact = place;
-    for (Interval& x : exact.x) x = representative(x);
-    const bool rests = forces().charts.empty() ? rests_at(exact) : states_.is_at_rest(exact.x);
-    if (rests) {
-      place = exact;
-    } else if (forces().charts.empty()) {
-      put_on_kinks(place);
-    }
-  }
-
-  struct Unknowns {
-    Sides sides;
-    Box values;  ///< those of the place, then the sides on which it is not
-  };
-  [[nodiscard]] Unknowns unknowns_of(const FoundPlace& place) const {
-    Unknowns unknowns;
-    for (const std::size_t j : forces().unknowns) unknowns.values.push_back(place.x[j]);
-    for (const Interval& s : place.sides) {
-      unknowns.sides.push_back(s.width() == 0 ? static_cast<int>(s.lower) : 0);
-      if (unknowns.sides.back() == 0) unknowns.values.push_back(s);
-    }
-    return unknowns;
-  }
-
-  /// Whether some sides make all forces vanish: as many forces as there are of those may leave it to them.
-  [[nodiscard]] bool rests_at(const FoundPlace& place) {
-    const auto [sides, unknowns] = unknowns_of(place);
-    const std::size_t width = unknowns.size(), equations = forces().equations.size();
-    const SquareSystem system = system_.at(sides);
-    const Box values = values_over(system, unknowns);
-    Box jacobian(width * width);
-    system.jacobian(unknowns, jacobian);
-    std::size_t left_to_sides = 0;
-    for (std::size_t i = 0; i < width; ++i) {
-      if (is_zero(values[i])) continue;
-      const auto by_sides =
-          std::span(jacobian).subspan(i * width + forces().unknowns.size(), width - forces().unknowns.size());
-      if (i >= equations || !values[i].contains(0.0) || std::ranges::all_of(by_sides, is_zero)) return false;
-      ++left_to_sides;
-    }
-    return left_to_sides <= width - equations;
-  }
-
-  /// A coordinate that alone decides about a kink is where that is zero.
-  void put_on_kinks(FoundPlace& place) {
-    const auto [sides, unknowns] = unknowns_of(place);
-    const std::size_t width = unknowns.size(), equations = forces().equations.size();
-    const SquareSystem system = system_.at(sides);
-    Box jacobian(width * width), meant = unknowns;
-    system.jacobian(unknowns, jacobian);
-    for (Interval& x : meant) x = representative(x);
-    const Box values = values_over(system, meant);
-    for (std::size_t i = equations; i < width; ++i) {
-      const std::span<const Interval> slopes = std::span(jacobian).subspan(i * width, width);
-      const auto decides = std::ranges::find_if_not(slopes, is_zero);
-      const auto k = static_cast<std::size_t>(decides - slopes.begin());
-      const bool is_alone = std::ranges::count_if(slopes, is_zero) + 1 == std::ssize(slopes);
-      if (is_alone && k < forces().unknowns.size() && !decides->contains(0.0) && is_zero(values[i]))
-        place.x[forces().unknowns[k]] = meant[k];
-    }
-  }
-
   const Dynamics& dynamics_;
   SearchEffort effort_;
   std::vector<double> y_;
@@ -329,7 +312,9 @@ class RegionSearch {
   const Reduction& reduction_;
   ForceSystem system_;
   SteadyStates states_;
+  ExactPlaces exact_{*problem_.forces, system_, states_};
   std::vector<double> sizes_ = sizes();  ///< of x
+  std::vector<Cone> cones_;
   FoundPlaces found_;
   Equilibria result_;
 };
@@ -365,7 +350,9 @@ Equilibria equilibria(const Dynamics& dynamics, const SteadyProblem& problem, st
       continue;
     }
     const auto [decides, gyroscopic] = analysis.energy(state.enclosure);
-    state.stability = stability_at_kink(result.problem, state.enclosure, state.sides, decides, gyroscopic);
+    state.stability =
+        state.at_cone ? stability_at_cone(decides)
+                      : stability_at_kink(result.problem, state.enclosure, state.sides, decides, gyroscopic);
   }
   return result;
 }

@@ -25,6 +25,10 @@ constexpr double least_damping = 1e-4;
 constexpr double settled = 1e-15;
 /// Where the last step is that short, an iteration that no longer improves has arrived.
 constexpr double arrived = 1e-6;
+/// Of K's largest stiffness: what is below it counts as none, and steps do not lead along it. The first
+/// counts what rounding leaves. Beside a family of equilibria, as of a molecule that is free to turn, K along
+/// the family is as small as the way to it, and Newton's steps along it are anything.
+constexpr std::array none_below = {0.0, 1e-9, 1e-6, 1e-3};
 
 std::string written(const Scene& scene, const Statics& statics, std::span<const double> x) {
   std::string text;
@@ -63,21 +67,30 @@ class NewtonSearch {
   }
 
   Equilibrium nearest() {
-    const std::optional<VectorXd> found = newton(guess_);
-    if (!found || !within(*found, pi / 2) || !in_domain(*found)) throw none();
-    if (const auto enclosed = enclosure(*found)) return *enclosed;
+    if (const auto found = from(guess_, [&](const VectorXd& x) { return within(x, pi / 2) && in_domain(x); }))
+      return *found;
     throw none();
   }
 
   /// A stable one down from the guess, if one is there where the model holds.
   std::optional<Equilibrium> stable() {
     const std::optional<VectorXd> low = descended();
-    const std::optional<VectorXd> found = low ? newton(*low) : std::nullopt;
-    if (!found || !within(*found, pi) || !valid(*found)) return std::nullopt;
-    return enclosure(*found);
+    if (!low) return std::nullopt;
+    return from(*low, [&](const VectorXd& x) { return within(x, pi) && valid(x); });
   }
 
  private:
+  template <class Accepted>
+  std::optional<Equilibrium> from(const VectorXd& start, const Accepted& is_accepted) {
+    for (const double below : none_below) {
+      none_below_ = below;
+      const std::optional<VectorXd> found = newton(start);
+      if (!found || !is_accepted(*found)) continue;
+      if (auto enclosed = enclosure(*found)) return enclosed;
+    }
+    return std::nullopt;
+  }
+
   [[nodiscard]] bool depends_on_any(const Expression& x) const {
     return std::any_of(statics_.rest.begin(), statics_.rest.end(),
                        [&](const Expression& g) { return depends_on(g, x); });
@@ -106,7 +119,7 @@ class NewtonSearch {
     for (Eigen::Index i = 0; i < x.size(); ++i) scale[i] = (*m)(i, i) > 0 ? 1 / std::sqrt((*m)(i, i)) : 1;
     const MatrixXd scaled = scale.asDiagonal() * *k * scale.asDiagonal();
     if (!scaled.allFinite()) return std::nullopt;
-    return scale.asDiagonal() * pseudo_inverse(scaled) * scale.asDiagonal();
+    return scale.asDiagonal() * pseudo_inverse(scaled, none_below_) * scale.asDiagonal();
   }
 
   /// A step's length in units of what each coordinate is.
@@ -119,7 +132,19 @@ class NewtonSearch {
     return std::sqrt(sum);
   }
 
+  /// Whether no force is seen there, nor at the doubles beside it: a step would be rounding, and where K is
+  /// singular as long as that makes it.
+  [[nodiscard]] bool is_at_rest(const VectorXd& x) const {
+    std::vector<Ball> there(x.begin(), x.end()), g(sizes_.size());
+    for (Ball& ball : there)
+      ball.radius = std::nextafter(std::abs(ball.value()), infinity) - std::abs(ball.value());
+    TapeEvaluator<Ball>(statics_.forces, enclosed_constants_)(there, g);
+    return std::ranges::all_of(g,
+                               [](const Ball& force) { return force.is_finite() && force.contains_zero(); });
+  }
+
   std::optional<VectorXd> newton(VectorXd x) {
+    if (is_at_rest(x)) return x;
     double last = 0;
     for (int i = 0; i < most_steps; ++i) {
       const auto g = forces(x);
@@ -148,6 +173,7 @@ class NewtonSearch {
   /// Newton's iteration with |K|, whose steps go down the effective potential: dU = g.dx.
   std::optional<VectorXd> descended() {
     VectorXd x = guess_;
+    if (is_at_rest(x)) return x;
     for (int i = 0; i < most_steps; ++i) {
       const auto step = downhill(x);
       if (!step) return std::nullopt;
@@ -231,7 +257,16 @@ class NewtonSearch {
     const NearlyEquilibrium near{start, *inverse, free_, sizes_};
     const auto found = enclosed_equilibrium(statics_, enclosed_constants_, near);
     if (!found || found->isolated) return found;
-    return with_family(statics_, enclosed_constants_, near, guess_, *found);
+    return as_written(with_family(statics_, enclosed_constants_, near, guess_, *found));
+  }
+
+  /// One of several that are not told apart is the one that doubles stand for, or any beside it.
+  static Equilibrium as_written(Equilibrium place) {
+    for (Ball& x : place.x) {
+      const double value = std::abs(x.value());
+      if (!place.isolated && value > 0) x.radius += (std::nextafter(value, infinity) - value) / 2;
+    }
+    return place;
   }
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
@@ -275,6 +310,7 @@ class NewtonSearch {
   std::vector<double> constants_;
   VectorXd guess_;
   Workspace forces_, stiffness_, inertia_;
+  double none_below_{};
   std::vector<bool> angle_, free_;
   std::vector<double> sizes_;
 };
@@ -284,11 +320,11 @@ class NewtonSearch {
 Equilibrium find_equilibrium(const Dynamics& dynamics, const Statics& statics,
                              std::span<const Ball> constants, std::span<const double> guess,
                              EquilibriumSearch search) {
-  NewtonSearch from(dynamics, statics, constants, guess);
+  NewtonSearch search_from(dynamics, statics, constants, guess);
   if (search == EquilibriumSearch::stable) {
-    if (const auto found = from.stable()) return *found;
+    if (const auto found = search_from.stable()) return *found;
   }
-  return from.nearest();
+  return search_from.nearest();
 }
 
 }  // namespace qdot

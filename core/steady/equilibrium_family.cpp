@@ -27,12 +27,20 @@ BallMatrix changes_at(const CompiledFunction& changes, std::span<const Ball> con
   return rows;
 }
 
-/// Entries in the coordinates' sizes, the largest of each row 1.
-std::vector<std::vector<double>> compared(const BallMatrix& rows, const std::vector<double>& sizes) {
+/// Entries in the coordinates' sizes, the largest of each row 1. Of a change that stops at this place, as a
+/// turn about it, rounding leaves something, which is 0 here.
+std::vector<std::vector<double>> compared(const CompiledFunction& changes, std::span<const Ball> constants,
+                                          const NearlyEquilibrium& near) {
+  Balls x(near.x.begin(), near.x.end());
+  const BallMatrix rows = changes_at(changes, constants, x);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i].radius = settled_within * near.sizes[i];
+  const BallMatrix around = changes_at(changes, constants, x);
   std::vector<std::vector<double>> result;
-  for (const Balls& row : rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bool stops = std::ranges::all_of(around[k], &Ball::contains_zero);
     std::vector<double> entries;
-    for (std::size_t i = 0; i < row.size(); ++i) entries.push_back(row[i].value() / sizes[i]);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      entries.push_back(stops ? 0 : rows[k][i].value() / near.sizes[i]);
     double largest = 0;
     for (const double entry : entries) largest = std::max(largest, std::abs(entry));
     if (!std::isfinite(largest)) return {};
@@ -175,8 +183,7 @@ Equilibrium with_family(const Statics& statics, std::span<const Ball> constants,
                         const NearlyEquilibrium& near, const Eigen::VectorXd& guess, Equilibrium degenerate) {
   const std::optional<CompiledFunction> changes = symmetric_changes(statics);
   if (!changes) return degenerate;
-  const Independent chosen =
-      independent(compared(changes_at(*changes, constants, {near.x.begin(), near.x.end()}), near.sizes));
+  const Independent chosen = independent(compared(*changes, constants, near));
   if (chosen.rows.empty()) return degenerate;
   std::optional<Equilibrium> member = member_of_family(statics, constants, near, guess, chosen.columns);
   if (member && put_family(*changes, constants, chosen, *member)) {

@@ -9,11 +9,12 @@
 namespace qdot {
 
 struct FoundPlace {
-  Box x;      ///< encloses it; all kept coordinates
-  Box alone;  ///< holds no other on the same side of all kinks; only where simple
-  Box sides;  ///< of each kink: -1 or 1, or an enclosure where the place is at it
+  Box x{};      ///< encloses it; all kept coordinates
+  Box alone{};  ///< holds no other on the same side of all kinks; only where simple
+  Box sides{};  ///< of each kink: -1 or 1, or an enclosure where the place is at it
   bool simple{};
   bool at_kink{};
+  bool at_cone{};  ///< a kink of another kind (core/steady/cones.hpp)
 
   /// Coordinate j less or more by a full turn, so that it lies in (-pi, pi].
   void turn_back(std::size_t j);

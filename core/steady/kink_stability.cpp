@@ -8,6 +8,9 @@ namespace {
 constexpr const char* corner =
     "An abs() or a sign() in the forces has its kink here: small motions have no frequency.";
 
+constexpr const char* tip =
+    "A distance in the forces is 0 here, where they have no single direction: small motions have no frequency.";
+
 class KinkStability {
  public:
   KinkStability(const SteadyProblem& problem, const Box& enclosure, const Box& sides)
@@ -144,6 +147,14 @@ SteadyStability stability_at_kink(const SteadyProblem& problem, const Box& enclo
   if (result.stability == Stability::neutral) {
     result.undecided += " Whether the place is stable is not decided by the forces on its sides.";
   }
+  return result;
+}
+
+SteadyStability stability_at_cone(bool energy_decides) {
+  SteadyStability result;
+  result.undecided = tip;
+  result.stability = energy_decides ? Stability::stable : Stability::neutral;
+  if (!energy_decides) result.undecided += " Whether the place is stable is not decided by the potential.";
   return result;
 }
 

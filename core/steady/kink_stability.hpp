@@ -19,4 +19,8 @@ namespace qdot {
 [[nodiscard]] SteadyStability stability_at_kink(const SteadyProblem& problem, const Box& enclosure,
                                                 const Box& sides, bool energy_decides, bool gyroscopic);
 
+/// At a cone to which the forces drive back from every side (core/steady/cones.hpp): a minimum of the
+/// potential.
+[[nodiscard]] SteadyStability stability_at_cone(bool energy_decides);
+
 }  // namespace qdot

@@ -249,7 +249,14 @@ class ModeSearch {
 
   /// Eigenvalues that may lack eigenvectors: their shapes are those that make s^2 M + s D + K vanish.
   void from_clusters(const Eigensystem<ComplexBall>& vectors, std::size_t zeros) {
-    for (Exponent e : spectrum(at_.reduced)) {
+    const std::vector<Exponent> all = spectrum(at_.reduced);
+    std::vector<ComplexBall> centres;
+    std::vector<double> radii;
+    for (const Exponent& e : all) {
+      centres.push_back(e.middle);
+      radii.push_back(e.radius);
+    }
+    for (Exponent e : all) {
       if (!std::isfinite(e.radius)) {
         throw Error(ErrorCode::not_applicable, at_.reduced.size() > 1 ? coincide : no_bound);
       }
@@ -257,6 +264,8 @@ class ModeSearch {
       std::vector<Shape> shapes = kernel(dynamic_stiffness(at_.reduced, disc_of(e)));
       const bool found = !shapes.empty() && shapes.size() <= e.members;
       if (!found) shapes = {nearest_vector(vectors, e)};
+      const bool near_axis = Ball(e.middle.re.middle, e.radius).contains_zero();
+      e.undamped = e.undamped || (near_axis && is_undamped(e, shapes[0], centres, radii));
       const std::size_t before = modes_.size();
       add_exponent(e, shapes, zeros);
       if (!found && modes_.size() > before) modes_.back().shape_error.clear();

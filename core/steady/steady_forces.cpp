@@ -83,6 +83,20 @@ SteadyForces compiled_forces(const Model& model, const Reduction& reduction, con
   return result;
 }
 
+namespace {
+
+std::vector<ConeForms> forms_of_cones(const Reduction& reduction, Graph& graph, const SteadyForces& forces) {
+  if (forces.smooth.kinks() > 0) return {};
+  std::vector<Expression> constants, x, unknowns, equations;
+  for (const Expression& c : reduction.constants) constants.push_back(graph.adopt(c));
+  for (const Expression& symbol : reduction.x) x.push_back(graph.adopt(symbol));
+  for (const std::size_t j : forces.unknowns) unknowns.push_back(x[j]);
+  for (const std::size_t i : forces.equations) equations.push_back(forces.rest[i]);
+  return derive_cones(constants, x, unknowns, equations);
+}
+
+}  // namespace
+
 SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
                                   std::span<const Expression> absent) {
   const Reduction& reduction = statics.reduction;
@@ -103,6 +117,7 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
   std::vector<Expression> rates;
   for (const Expression& rate : rates_at_rest(reduction, graph)) rates.push_back(without_absent(rate));
   result.ignored_rates = compiled_at_rest(reduction, graph, rates);
+  result.cones = forms_of_cones(reduction, graph, result);
   return result;
 }
 

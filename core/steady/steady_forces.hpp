@@ -7,6 +7,7 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/numerics/interval.hpp"
+#include "core/steady/cones.hpp"
 #include "core/steady/kinks.hpp"
 
 namespace qdot {
@@ -35,6 +36,7 @@ struct SteadyForces {
   CompiledFunction ignored_rates;      ///< q_c'
   SmoothForces smooth;                 ///< g on each side of its kinks
   bool has_poles{};                    ///< some g_i is not its numerator
+  std::vector<ConeForms> cones;        ///< without constraints
   std::vector<Chart> charts;           ///< empty: `equations` are as many as unknowns, or there is no hope
   CompiledFunction determinants;       ///< D_k of the charts
   bool symmetric{};                    ///< K, so that g = dU/dx
@@ -47,7 +49,7 @@ struct RestEquations {
   std::vector<Expression> rest, written;
 };
 
-/// All but charts, the ignored coordinates' rates and what is said of a potential.
+/// All but charts, cones, the ignored coordinates' rates and what is said of a potential.
 [[nodiscard]] SteadyForces compiled_forces(const Model& model, const Reduction& reduction,
                                            const RestEquations& equations);
 

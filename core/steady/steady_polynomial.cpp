@@ -43,6 +43,7 @@ class PolynomialDerivation {
     for (std::size_t i = 0; i < forces_.size(); ++i) {
       const Expression g = simplify(substitute(graph_.adopt(forces_[i]), momenta_));
       if (!g.is_zero()) add_force(i, g);
+      add_divisors(g);
     }
     describe_coordinates();
     compile();
@@ -119,6 +120,19 @@ class PolynomialDerivation {
     return result == g ? g : simplify(result);
   }
 
+  /// What g divides by, as far as x decides about it: where it is 0 the force has no value, also where
+  /// something else is 0 that is multiplied by it.
+  void add_divisors(const Expression& g) {
+    const NodeId root = g.id();
+    for (const NodeId id : reachable(graph_, {&root, 1})) {
+      const auto* power = std::get_if<Power>(&graph_.node(id));
+      if (power == nullptr || !power->exponent.is_negative()) continue;
+      const Expression base(graph_, power->base);
+      if (!depends_on(base, x_) || depends_on(base, u_)) continue;
+      if (std::ranges::find(divisors_, base) == divisors_.end()) divisors_.push_back(base);
+    }
+  }
+
   void add_force(std::size_t equation, const Expression& force) {
     const Expression g = without_inertia(equation, force);
     Derivatives all = derivatives(g);
@@ -180,6 +194,7 @@ class PolynomialDerivation {
     std::vector<Expression> x_and_u = x_;
     x_and_u.push_back(u_);
     result_.coefficients = compiled(coefficients_, x_);
+    result_.divisors = compiled(divisors_, x_);
     std::vector<Expression> slopes;
     if (x_.size() == 1) {
       for (const Expression& c : coefficients_) slopes.push_back(simplify(differentiate(c, x_[0])));
@@ -202,7 +217,7 @@ class PolynomialDerivation {
   Expression u_;
   Replacement zero_;
   std::vector<Replacement> momenta_;
-  std::vector<Expression> coefficients_, values_, derivatives_;
+  std::vector<Expression> coefficients_, values_, derivatives_, divisors_;
   SteadyPolynomial result_;
 };
 

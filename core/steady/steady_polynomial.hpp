@@ -23,6 +23,7 @@ struct SteadyPolynomial {
   std::size_t place{};              ///< of u among the constants
   std::vector<Force> forces;        ///< those that do not vanish identically
   CompiledFunction coefficients;    ///< of 1, u, u^2 for each force
+  CompiledFunction divisors;        ///< of x: what forces divide by, where u does not matter to it
   CompiledFunction slopes;          ///< of these along x; only for one coordinate
   CompiledFunction values;          ///< each force at x and u (variables x, u)
   CompiledFunction derivatives;     ///< along u

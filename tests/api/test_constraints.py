@@ -37,6 +37,18 @@ class Motions(Service):
         for t, found, true in zip(answer["trajectory"]["t"], answer["trajectory"][name], values):
             self.assertLessEqual(abs(found - true), within * max(1, abs(true)), (name, t))
 
+    def test_accelerations_have_what_a_constraint_holds_put_in_where_that_is_shorter(self):
+        """A ball that rolls off a sphere: the book has its distance R + a in them."""
+        system = {"name": "ball", "gravity": ["0", "-g"],
+                  "parameters": [{"name": n, "unit": u, "default": "1"} for n, u in (("m", "kg"), ("R", "m"), ("a", "m"), ("g", "m/s^2"))],
+                  "coordinates": [{"name": "th", "unit": "rad", "initial": "0.1"}, {"name": "phi", "unit": "rad"}, {"name": "r", "unit": "m", "initial": "R + a"}],
+                  "bodies": [{"kind": "sphere", "mass": "m", "radius": "a", "centre": ["r*sin(th)", "r*cos(th)"], "angle": "-phi"}],
+                  "constraints": [{"name": "contact", "expression": "r - a - R", "multiplier": "N"},
+                                  {"name": "rolling", "expression": "a*phi_dot - (a + R)*th_dot", "multiplier": "F"}]}
+        answer = self.ask("equations", {"system": system})["accelerations"]
+        self.assertEqual(answer["th_ddot"], "5*g*sin(th)/(7*(R + a))")
+        self.assertEqual(answer["F"], "2/7*m*g*sin(th)")
+
     def test_twelve_coordinates_and_eight_constraints(self):
         # q0 = 2 q1 = ... = 2^8 q8: these fall as one, m x'' = -F with m = sum 4^-i, F = sum 2^-i.
         n, m = 12, 8

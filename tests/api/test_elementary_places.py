@@ -144,6 +144,31 @@ class Places(Service):
         for mode in answer["modes"]:
             self.assertAlmostEqual(float(value(mode["exact"]["text"], mu="0.02")), mode["omega"]**2, 12)
 
+    def test_a_force_that_vanishes_where_it_is_asked_leaves_the_value_to_the_others(self):
+        """k (x - 1) at x = 1 whatever k is, and k sin(x) at pi."""
+        spring = lagrangian("spring", "k - 10; g - 3", "x - 0.3; y - 0.3", "(x_dot^2 + y_dot^2)/2 - (k*(x - 1)^2/2 + k*y^2/2 + g*y)")
+        waves = lagrangian("waves", "k - 1; g - 3", "x - 0.3; y - 0.3", "(x_dot^2 + y_dot^2)/2 - (-k*cos(x) + k*y^2/2 + g*y)")
+        for scene, unknown, at, value, text, held in ((spring, "k", {"x": 1, "y": -1.5}, 2, "-g/y", "x = 1"), (spring, "g", {"x": 1, "y": -1.5}, 15, "-k*y", "x = 1"),
+                                                      (waves, "k", {"x": "pi", "y": -0.5}, 6, "-g/y", "x = 3.14159265358979")):
+            with self.subTest(unknown=unknown, at=at):
+                found = self.ask("equilibria", {"system": scene, "solve_for": unknown, "at": at})
+                self.assertLessEqual(abs(found[unknown] - value), found["error"] + 1e-15*value)
+                self.assertEqual(found["exact"]["text"], text)
+                self.assertIn(held, found["exact"]["assumes"])
+        for scene, unknown, at in ((lagrangian("well", "a - 1", "x - 0.3", "x_dot^2/2 - a*(x^2 - 1)^2/4"), "a", {"x": 1}),
+                                   (lagrangian("line", "k - 1", "x - 0.3", "x_dot^2/2 - k*(x - 0.7)^2/2"), "k", {"x": 0.7}),
+                                   ("whirling_pendulum", "Omega", {"theta": "pi"})):
+            with self.subTest(unknown=unknown, at=at):
+                body = {"system": scene, "solve_for": unknown, "at": at}
+                if scene == "whirling_pendulum":
+                    body["parameters"] = {"R": 0}
+                found = self.ask("equilibria", body)
+                self.assertIsNone(found[unknown])
+                self.assertIn("Every value does", found["reason"])
+        series = lagrangian("series", "k - 1; K - 2; g - 3", "x - 0.3; y - 0.3", "(x_dot^2 + y_dot^2)/2 - (k*(y - x - 1)^2/2 + K*x^2/2 - g*y)")
+        found = self.ask("equilibria", {"system": series, "solve_for": "k", "at": {"x": 1.5, "y": 2.5}})
+        self.assertIn("grows without bound", found["reason"])
+
 
 if __name__ == "__main__":
     unittest.main()

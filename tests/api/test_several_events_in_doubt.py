@@ -69,6 +69,15 @@ class SeveralEventsInDoubt(Service):
                 self.assertEqual(len(answer["events"]), 2*in_a_turn)
                 self.assertNotIn("reason", answer["accuracy"])
 
+    def test_jumps_that_do_not_reach_zero_are_not_in_doubt(self):
+        """Functions of x = 0.5 + t that are far from zero on both sides of a jump at 1.5."""
+        for function in ("3 + sign(sin(9*x))", "sign(x - 1.5) - 3", "sign(x - 1.5) + 1.0001", "abs(x - 1.5) + sign(x - 1.5) + 4",
+                         "atan(1e20*(x - 1.5)) - 3", "sign(t - 1) - 0.7*(x + 2)"):
+            with self.subTest(function):
+                answer = self.met(function, 0, 2)
+                self.assertEqual(answer["events"], [])
+                self.assertNotIn("reason", answer["accuracy"])
+
     def test_a_turn_beside_a_jump_is_told(self):
         """x = (t - 1)^2, twice below what stands in the jump, or never, and rounding does not tell which."""
         for past in ("1e-15", "1e-16", "1e-17", "1e-20", "1e-32", "-1e-17", "-1e-20"):
@@ -118,6 +127,19 @@ class SeveralEventsInDoubt(Service):
                 scene["valid_while"] = [{"name": "v", "expression": function, "reason": "broken", "message": "broken"}]
                 stop = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 2})["stop"]
                 self.assertLessEqual(abs(Fraction(stop["t"]) - Fraction(begin)), Fraction(stop["error"]))
+
+    def test_conditions_that_break_just_behind_a_kink_or_an_impact_stop(self):
+        """Of y = t, by a jump or a step so long after x has passed its kink at 0.5, or has come to rest there."""
+        starts = {"abs(t - 0.5)": "1 -1.3", "sign(t - 0.5)": "1 -1.3", "-0.5*sign(x_dot)": "1 0.25", "0.5 - sign(x_dot)": "1 -0.75"}
+        for (force, start), function, after in itertools.product(
+                starts.items(), ("sign(END - y)", "sign(END - y) + 0.5", "tanh(1e22*(END - y))"), ("1e-13", "1e-11", "1e-9", "1e-8")):
+            end = Decimal("0.5") + Decimal(after)
+            scene = lagrangian("kink", "", f"x - {start}; y - 0 1", "x_dot^2/2 + y_dot^2/2", forces=[{"name": "f", "value": force, "along": "x"}],
+                               valid_while=[{"name": "v", "expression": function.replace("END", str(end)), "reason": "broken", "message": "broken"}])
+            del scene["parameters"]
+            with self.subTest(force=force, function=function, after=after):
+                stop = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 2})["stop"]
+                self.assertLessEqual(abs(Fraction(stop["t"]) - Fraction(end)), Fraction(stop.get("error") or 1e-14))
 
     def test_beside_the_top_of_a_hill(self):
         """Whether, and when, a motion goes over it its errors leave open; times are those of 70 digits."""

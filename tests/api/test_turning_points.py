@@ -37,6 +37,27 @@ class TurningPoints(Service):
         swings = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 1.5", "m*x^2*x_dot^2/2 - k*(x - 1)^2/2")})
         self.assertEqual(swings["motion"], "libration")
 
+    def test_beside_a_known_end_the_other_is_a_root_of_a_quadratic_in_the_cosine(self):
+        """A spherical pendulum (Landau, Lifshitz, Mechanics, section 14), and a bead on a hoop that turns freely: formulas against numbers elsewhere."""
+        place = ["a*sin(th)*cos(phi)", "a*sin(th)*sin(phi)", "-a*cos(th)"]
+        hoop = {"kind": "rigid_body", "mass": "m", "principal_moments": ["I", "I", "I"], "centre": ["0", "0", "0"],
+                "orientation": {"sequence": "Z", "angles": ["phi"]}}
+        bead = {"kind": "particle", "mass": "m", "position": place}
+        functions = {name: getattr(math, name) for name in ("acos", "sqrt", "sin", "cos")}
+        for bodies, rate, start in (([bead], "w", "c"), ([hoop, bead], "w", "c"), ([hoop, bead], "5", "0.5")):
+            names = {"m": "1", "a": "0.3", "I": "0.05", "g": "9.81", "w": "5", "c": "0.5"}
+            units = {"m": "kg", "a": "m", "I": "kg*m^2", "g": "m/s^2", "w": "rad/s", "c": "rad"}
+            system = {"name": "hoop", "gravity": ["0", "0", "-g"], "bodies": bodies,
+                      "parameters": [{"name": name, "unit": units[name], "default": value} for name, value in names.items()],
+                      "coordinates": [{"name": "phi", "unit": "rad", "initial": "0", "initial_rate": rate},
+                                      {"name": "th", "unit": "rad", "initial": start}]}
+            for other in ({}, {"m": 0.7, "a": 0.8, "I": 0.3, "g": 3.7, "w": 6, "c": 0.9}):
+                with self.subTest((len(bodies), rate, other)):
+                    answer = self.ask("turning_points", {"system": system, "coordinate": "th", "parameters": other})
+                    end = "th_min" if answer["initial_is"] == "max" else "th_max"
+                    values = {name: float(value) for name, value in names.items()} | other | answer["constants"] | functions
+                    self.assertAlmostEqual(eval(answer["exact"][end]["text"].replace("^", "**"), values), answer[end], 12)  # noqa: S307
+
     def test_reference_cases(self):
         count = 0
         for case in reference_cases("turning_points"):

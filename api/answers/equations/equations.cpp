@@ -123,7 +123,7 @@ class EquationsAnswer {
   }
 
   [[nodiscard]] Json accelerations(const EquationsOfMotion& equations) const {
-    const std::vector<Expression> solution = solved(augmented(equations, own_));
+    const std::vector<Expression> solution = solved_on_constraints(augmented(equations, own_), own_);
     if (solution.empty()) throw Error(ErrorCode::not_applicable, why_too_long());
     Json json = Json::object();
     const std::size_t n = model_.degrees_of_freedom();

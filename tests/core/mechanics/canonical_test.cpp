@@ -66,6 +66,23 @@ TEST(Hamiltonian, IsNotGivenWhereLIsNotQuadraticInTheVelocities) {
   EXPECT_FALSE(hamiltonian(copied(model->lagrangian)).has_value());
 }
 
+/// Goldstein, Classical Mechanics, exercise 2.21: of what the rails' turning gives T, m l^2 w^2/2 cancels.
+TEST(Hamiltonian, OfACarriageOnTurningRailsHasNoTermsThatCancel) {
+  Scene scene;
+  scene.name = "carriage on turning rails";
+  scene.parameters = {{"m", "kg", "1", {}, "", ""},
+                      {"k", "N/m", "5", {}, "", ""},
+                      {"l", "m", "1", {}, "", ""},
+                      {"w", "rad/s", "1", {}, "", ""}};
+  scene.coordinates = {{"r", "m", "0.1", "0", "", {}, "", ""}};
+  scene.points = {{"p", {"l*cos(w*t) - r*sin(w*t)", "l*sin(w*t) + r*cos(w*t)"}}};
+  scene.bodies = {Particle{"p", "m", {"p", {}}}};
+  scene.potential = "k*r^2/2";
+  const auto model = build_model(scene);
+  EXPECT_EQ(print(*hamiltonian(copied(model->lagrangian)), Form::text, notation_of(model->scene)),
+            "p_r*(p_r/(2*m) - l*w) + 1/2*(k - m*w^2)*r^2");
+}
+
 class RouthsFunction : public test::SystemTest {};
 INSTANTIATE_TEST_SUITE_P(Systems, RouthsFunction,
                          testing::Values("free_spin_pendulum", "spherical_pendulum", "kepler",

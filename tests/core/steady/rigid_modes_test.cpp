@@ -121,5 +121,34 @@ TEST(RigidModes, OfARodHeldByAConstraintAreThree) {
   EXPECT_EQ(found.stability, Stability::stable);
 }
 
+/// Started 0.02 of a bond off: beside its family K along it is as small as the way there.
+TEST(RigidModes, AreFoundFromBesideTheRestShape) {
+  const Places starts{
+      {"0.94*b", "0.17*b"}, {"0.2*b", "1.11*b"}, {"-1.02*b", "0.17*b"}, {"0.14*b", "-0.87*b"}};
+  Scene scene = molecule(starts, {{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}});
+  const std::vector<std::string> lengths{"1.2*b", "1.96*b", "1.54*b", "1.31*b", "1.98*b", "1.56*b"};
+  const std::vector<std::string> stiffness{"2*k", "1*k", "7*k", "4*k", "3*k", "3*k"};
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    scene.springs[i].rest_length = lengths[i];
+    scene.springs[i].stiffness = stiffness[i];
+  }
+  const Modes found = small_motions_of(build_model(scene));
+  EXPECT_EQ(kinds(found).find("rigid rigid rigid oscillation"), 0U);
+  EXPECT_EQ(found.held.size(), 3U);
+  expect_proven(found, 1e-14);
+}
+
+/// U of two equal springs is a square of a length: it has a turn, about this very place.
+TEST(RigidModes, OfAChainOnALineAreOneWithErrorsOfItsPlaces) {
+  Scene scene = molecule({{"0", "0"}, {"0.14*b", "0"}, {"-0.15*b", "0"}}, {});
+  std::erase_if(scene.coordinates, [](const Coordinate& q) { return q.name[0] == 'y'; });
+  for (Point& point : scene.points) point.components[1] = "0";
+  scene.potential = "k/2*((x2 - x1)^2 + (x3 - x2 - 0.48*b)^2)";
+  const Modes found = small_motions_of(build_model(scene));
+  EXPECT_EQ(kinds(found), "rigid oscillation oscillation");
+  EXPECT_EQ(found.held.size(), 1U);
+  expect_proven(found, 1e-15);
+}
+
 }  // namespace
 }  // namespace qdot::rigid_modes_test

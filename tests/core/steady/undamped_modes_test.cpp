@@ -75,5 +75,25 @@ TEST(UndampedModes, AreNotThoseWhoseDampingIsBelowRounding) {
   EXPECT_NE(found.undecided.find("is not decided"), std::string::npos);
 }
 
+/// A free chain whose damper neither its translation nor its outer masses against each other move.
+TEST(UndampedModes, AreExactBesideATranslation) {
+  Scene scene;
+  scene.name = "free chain";
+  scene.parameters = {
+      {"m", "kg", "1", {}, "", ""}, {"k", "N/m", "4", {}, "", ""}, {"c", "kg/s", "1", {}, "", ""}};
+  for (const char* q : {"x", "y", "z"}) {
+    scene.coordinates.push_back({q, "m", "0", "0", "", {}, "", ""});
+    scene.points.push_back({std::string("p") + q, {q, "0"}});
+    scene.bodies.emplace_back(Particle{std::string("p") + q, "m", {std::string("p") + q, {}}});
+  }
+  scene.potential = "k/2*((y - x)^2 + (z - y)^2)";
+  scene.dissipation = "c/2*(x_dot - 2*y_dot + z_dot)^2";
+  const Modes found = test::modes_of(build_model(scene), {});
+  ASSERT_EQ(kinds(found), "rigid decay oscillation");
+  EXPECT_EQ(found.modes[2].lambda, 4);
+  EXPECT_FALSE(found.modes[2].rate_error);
+  EXPECT_NE(found.undecided.find("by itself it neither grows nor decays"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace qdot::undamped_modes_test
