@@ -11,9 +11,10 @@ namespace {
 /// A part of a variable as a field of the request itself, for the only one that varies.
 template <class Member>
 BoundField<SweepRequest> flat(const std::string& name, Member SweepRequest::*member,
-                              FieldOptions options = {}) {
+                              FieldOptions options = {}, const std::string& besides = "") {
   const FieldInfo& part = *parts_of_variable().find(name);
-  return value(name, member, part.kind, "of the only variable: " + part.description, std::move(options));
+  return value(name, member, part.kind, "of the only variable: " + part.description + besides,
+               std::move(options));
 }
 
 std::vector<RequestField<SweepRequest>> sweep_fields() {
@@ -38,13 +39,14 @@ std::vector<RequestField<SweepRequest>> sweep_fields() {
           {.need = Need::required, .aliases = {"over", "variables", "grid", "parameter"}}),
       flat("from", &SweepRequest::from),
       flat("to", &SweepRequest::to),
-      flat("count", &SweepRequest::count, {.aliases = {"samples", "n", "number", "num"}}),
+      flat("count", &SweepRequest::count, {.aliases = {"samples", "n", "number", "num"}},
+           "; or the rows of a sample"),
       flat("spacing", &SweepRequest::spacing),
       flat("values", &SweepRequest::values),
       flat("uniform", &SweepRequest::uniform),
       flat("normal", &SweepRequest::normal),
       integer("seed", &SweepRequest::seed, {0, 9'007'199'254'740'991},
-              "of a sample, whose rows are 'count': the same seed has the same values; 0 without it"),
+              "of a sample: the same seed has the same values; 0 without it"),
       value("collect", &SweepRequest::collect,
             AnyKind{{{"anyOf", {text, objects_of_pointers, {{"type", "array"}, {"items", text}}}}}},
             "columns of the answer, each with the JSON pointer to its number; or pointers alone",
