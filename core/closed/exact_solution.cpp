@@ -19,8 +19,6 @@
 namespace qdot {
 namespace {
 
-constexpr double of_rounding = 1e-15;
-
 std::optional<std::size_t> parameter_number(const Scene& scene, const std::string& name) {
   const auto found = std::ranges::find(scene.parameters, name, &Parameter::name);
   if (found == scene.parameters.end()) return std::nullopt;
@@ -187,17 +185,9 @@ class SolutionForms {
 
   /// Whether some force vanishes there whatever u is, and would not at another value of this coordinate.
   [[nodiscard]] bool is_held(const Expression& place) const {
-    for (std::size_t k = 0; k < polynomial_.forces.size(); ++k) {
-      bool vanishes = polynomial_.forces[k].degree.has_value(), has_it = false;
-      for (std::size_t i = 0; i < 3 && vanishes; ++i) {
-        const Expression c = graph_->adopt(polynomial_.forms[3 * k + i]);
-        const Real now = values_.value(c);
-        vanishes = std::abs(now.value) <= std::max(now.error, of_rounding);
-        has_it = has_it || depends_on(c, place);
-      }
-      if (vanishes && has_it) return true;
-    }
-    return false;
+    return std::ranges::any_of(found_.without_force, [&](std::size_t k) {
+      return depends_on(graph_->adopt(polynomial_.whole[k]), place);
+    });
   }
 
   [[nodiscard]] Trial trial_at(const Expression& u, const Relations& relations) const {

@@ -171,9 +171,30 @@ namespace {
   return found;
 }
 
-/// Whatever u is, at a place that the position may stand for: x - 1 at x = 1, sin(x) at x = pi.
-[[nodiscard]] bool vanishes(std::span<const Interval> near) {
-  return std::ranges::all_of(near, [](const Interval& coefficient) { return coefficient.contains(0.0); });
+/// Of all coefficients, whether they vanish where the position is, or no farther from it than the doubles
+/// next to it: x - 1 at x = 1, sin(x) at x = pi. In twice the digits, by differences: terms of (x - 1)^5
+/// multiplied out are rounded by more than it is.
+[[nodiscard]] std::vector<bool> vanishing(const BalanceProblem& problem) {
+  const std::size_t n = problem.y.size() / 2;
+  std::vector<Ball> constants = problem.parameters.as<Ball>(), x;
+  for (const std::size_t c : problem.reduction().ignored)
+    constants.push_back(Ball::literal(problem.y.exact(n + c)));
+  for (const std::size_t i : problem.reduction().kept)
+    x.push_back(problem.is_multiplier(i) ? Ball(0) : Ball::literal(problem.y.exact(i)));
+  TapeEvaluator<Ball> coefficients(problem.polynomial->coefficients, constants);
+  std::vector<Ball> here(problem.polynomial->coefficients.outputs()), there(here.size());
+  coefficients(x, here);
+  std::vector<double> near(here.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::vector<Ball> beside = x;
+    beside[i] = x[i] + Ball(problem.near[i].upper - problem.near[i].middle());
+    coefficients(beside, there);
+    for (std::size_t k = 0; k < here.size(); ++k) near[k] += (there[k] - here[k]).magnitude();
+  }
+  std::vector<bool> result;
+  for (std::size_t k = 0; k < here.size(); ++k)
+    result.push_back(here[k].is_finite() && std::abs(here[k].value()) <= near[k] + here[k].radius);
+  return result;
 }
 
 }  // namespace
@@ -185,19 +206,29 @@ Candidates balancing_values(const BalanceProblem& problem) {
   const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
   const std::vector<Interval> c = coefficients(problem, problem.x);
   const std::vector<Interval> near = coefficients(problem, problem.near);
+  const std::vector<bool> vanishes = vanishing(problem);
+  std::vector<std::size_t> without_force;
   std::optional<std::size_t> chosen;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const bool is_constant = forces[k].degree && is_zero(c[3 * k + 1]) && is_zero(c[3 * k + 2]);
     if (forces[k].depends && !is_constant) {
-      if (forces[k].degree && vanishes({&near[3 * k], 3})) continue;
+      const bool is_flat = forces[k].degree && vanishes[3 * k + 1] && vanishes[3 * k + 2];
+      if (is_flat && vanishes[3 * k]) {
+        without_force.push_back(k);
+        continue;
+      }
+      if (is_flat && forces.size() > 1) return out_of_balance(problem, forces[k]);
       if (!chosen) chosen = k;
     } else if (!near[3 * k].contains(0.0)) {
       return out_of_balance(problem, forces[k]);
+    } else {
+      without_force.push_back(k);
     }
   }
   if (!chosen) return {Obstacle::does_not_matter, {}, "", 0};
   Candidates found = forces[*chosen].degree ? roots({&c[3 * *chosen], 3}, {&near[3 * *chosen], 3})
                                             : searched(problem, *chosen);
+  found.without_force = std::move(without_force);
   return common_zeros(problem, std::move(found), *chosen);
 }
 

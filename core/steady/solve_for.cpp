@@ -113,6 +113,7 @@ Solution solve_for(const Dynamics& dynamics, const Reals& parameters, const Real
   Candidates found = balancing_values(problem);
   Solution result;
   result.polynomial = problem.polynomial;
+  result.without_force = found.without_force;
   result.values = allowed_values(problem, found.values);
   if (result.values.empty() && !found.values.empty()) tell_why_none_is_allowed(problem, found);
   result.reason = sentence(found, unknown, position_in_words(problem));

@@ -34,6 +34,7 @@ struct Solution {
   /// For one coordinate and a polynomial; ascending. No value where it is not known.
   std::optional<std::vector<SolvableRange>> ranges;
   std::shared_ptr<const SteadyPolynomial> polynomial;  ///< the forces, of the unknown
+  std::vector<std::size_t> without_force;              ///< of these, that vanish there whatever it is
 };
 
 /// Names that can be solved for: the parameters, then the velocities of the ignorable coordinates.

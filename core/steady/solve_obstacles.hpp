@@ -32,6 +32,7 @@ struct Candidates {
   std::vector<Interval> values;
   std::string name;  ///< of coordinates out of balance, or of a constraint; or what is impossible
   double number{};
+  std::vector<std::size_t> without_force{};  ///< those of the polynomial's that vanish whatever u is
 };
 
 /// Empty where there is no obstacle. `u`: the unknown's name; `position`: in words, empty where no force

@@ -167,7 +167,17 @@ class Places(Service):
                 self.assertIn("Every value does", found["reason"])
         series = lagrangian("series", "k - 1; K - 2; g - 3", "x - 0.3; y - 0.3", "(x_dot^2 + y_dot^2)/2 - (k*(y - x - 1)^2/2 + K*x^2/2 - g*y)")
         found = self.ask("equilibria", {"system": series, "solve_for": "k", "at": {"x": 1.5, "y": 2.5}})
-        self.assertIn("grows without bound", found["reason"])
+        self.assertIn("x is not in balance", found["reason"])
+
+    def test_a_small_power_is_no_force_that_vanishes(self):
+        """k (x - 1)^5 at x = 1.001, which is 1e-15 of itself and holds for no k but 0."""
+        for force, at in (("-k*(x - 1)^5", "1.001"), ("-k*(x - 1)^3", "1.00001"), ("-k*(x - 100000)", "100000.00000000001"), ("-k*x^5", "1e-20")):
+            line = lagrangian("line", "k - 10; g - 3", "x - 0.3; y - 0.3", "(x_dot^2 + y_dot^2)/2",
+                              forces=[{"name": "f", "value": force, "along": "x"}, {"name": "h", "value": "-k*y - g", "along": "y"}])
+            with self.subTest(force=force, at=at):
+                found = self.ask("equilibria", {"system": line, "solve_for": "k", "at": {"x": at, "y": -1.5}})
+                if found["k"] is not None:
+                    self.assertIn(f"x = {float(at):.15g}", found["exact"]["assumes"])
 
 
 if __name__ == "__main__":
