@@ -157,7 +157,7 @@ class SolutionForms {
     std::vector<Expression> free, held, numbers;
     std::vector<std::string> needed;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (!is_held(places_[i])) {
+      if (!is_held(places_[i], u)) {
         free.push_back(places_[i]);
         continue;
       }
@@ -183,11 +183,14 @@ class SolutionForms {
     return needed;
   }
 
-  /// Whether some force vanishes there whatever u is, and would not at another value of this coordinate.
-  [[nodiscard]] bool is_held(const Expression& place) const {
-    return std::ranges::any_of(found_.without_force, [&](std::size_t k) {
-      return depends_on(graph_->adopt(polynomial_.whole[k]), place);
-    });
+  /// Whether some force vanishes there, whatever the unknown is or where it is 0, and would not at another
+  /// value of this coordinate.
+  [[nodiscard]] bool is_held(const Expression& place, const Expression& u) const {
+    const auto has_it = [&](std::size_t k) { return depends_on(graph_->adopt(polynomial_.whole[k]), place); };
+    if (std::ranges::any_of(found_.without_force, has_it)) return true;
+    for (std::size_t k = 0; k < polynomial_.whole.size() && u.is_zero(); ++k)
+      if (has_it(k)) return true;
+    return false;
   }
 
   [[nodiscard]] Trial trial_at(const Expression& u, const Relations& relations) const {

@@ -169,6 +169,11 @@ class Places(Service):
         found = self.ask("equilibria", {"system": series, "solve_for": "k", "at": {"x": 1.5, "y": 2.5}})
         self.assertIn("x is not in balance", found["reason"])
 
+    def test_a_value_of_zero_holds_where_it_is_asked(self):
+        tilted = lagrangian("tilted", "k - 10; g - 3", "x - 0.3; y - 0.3", "(x_dot^2 + y_dot^2)/2 - (k*(x - 1)^2/2 + k*y^2/2 + g*(y - 1)^2)")
+        found = self.ask("equilibria", {"system": tilted, "solve_for": "k", "at": {"x": 1, "y": 1}})
+        self.assertEqual((found["k"], found["exact"]["text"], found["exact"]["assumes"]), (0, "0", ["x = 1", "y = 1"]))
+
     def test_a_small_power_is_no_force_that_vanishes(self):
         """k (x - 1)^5 at x = 1.001, which is 1e-15 of itself and holds for no k but 0."""
         for force, at in (("-k*(x - 1)^5", "1.001"), ("-k*(x - 1)^3", "1.00001"), ("-k*(x - 100000)", "100000.00000000001"), ("-k*x^5", "1e-20")):
