@@ -4,8 +4,9 @@
 //
 //   h d_i <= 100 w_i        (a reference: 10 w_i, and 4 w_i as long as that holds steps short)
 //
-// Where h d_i exceeds 50 times the last three terms they do not show it: such steps of a reference add h
-// d_i to what may have gone unseen, in the unit of y_i, where velocities carry it on to the coordinates.
+// Where h d_i is more than 50 times the last three terms of the series, these terms give no sign of it. A
+// reference then adds h d_i to its unseen error, in the unit of y_i; that of velocities is carried on to the
+// coordinates.
 
 #include <cstddef>
 #include <span>
@@ -20,7 +21,7 @@ namespace qdot {
   constexpr double visible = 50;
   return bound > visible * last_term ? bound : 0;
 }
-/// That of each component of a series. Whether there is any.
+/// The same for each component of a series. Returns whether anything is hidden.
 bool find_hidden(double h, std::span<const double> series, unsigned order, std::span<const double> defect,
                  std::span<double> hidden);
 

@@ -20,17 +20,18 @@
 
 namespace qdot {
 
-/// e after it; where it only grazes, what the impact changes at most, or as much as the motion is large.
+/// e_+. Where the motion only grazes the event it is the most that the impact can change, or the size of the
+/// motion.
 [[nodiscard]] std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e);
 
-/// By how many seconds all computations may take the event too late, or too early, as g is rounded in all.
+/// By how many seconds all computations may take the event too early or too late, because all round g alike.
 [[nodiscard]] double rounding_of_instant(const SectionEnd& end);
 
-/// By how many seconds a motion may meet the event earlier or later whose components are off by no more than
-/// `errors`; as far as a tenth of the motion's own time.
+/// By how many seconds a motion whose components are off by at most `errors` may meet the event earlier or
+/// later; no more than a tenth of the motion's own time.
 [[nodiscard]] double seconds_apart(const SectionEnd& end, std::span<const double> errors);
 
-/// What of e_+ there is for each second that the event is taken too late: dmap/dt + Dmap f_- - f_+.
+/// How much e_+ grows for each second that the event is taken too late: dmap/dt + Dmap f_- - f_+.
 [[nodiscard]] std::vector<double> rates_of_instant(const SectionEnd& end);
 
 /// Of a reference, when the request has originals; of others nothing.
@@ -40,7 +41,7 @@ class ApartAlong {
 
   [[nodiscard]] bool is_wanted() const { return is_wanted_; }
   void ask(RunRequest& run, const Originals& originals) const;
-  /// The next run's rows, and where it ended. Where the run says nothing nothing has changed.
+  /// The next run's rows, and where it ended. A run that has no such rows changes nothing.
   void add(const Run& done);
   /// The same of the motion that is stood for, and of what rounds the instant. `reached` is filled in here,
   /// as below.
@@ -48,7 +49,7 @@ class ApartAlong {
   /// Its `reached` is filled in here. The instant is off by its rounding.
   void pass(SectionEnd end);
 
-  /// All computations may be off by that from here on.
+  /// From here on all computations may be off by `off`.
   void doubt(std::span<const double> off);
 
   /// As in Run, of all runs.

@@ -1,10 +1,11 @@
 #pragma once
-// On which side of zero the function of each watch is where a section of the motion begins, and its value is
-// too near to zero to tell.
+// On which side of zero the function of each watch lies where a section of the motion begins, if its value
+// there is too small to tell.
 //
-// At t_start what was typed tells, beyond doubles. Later the side is that of the section before, and the
-// other one where its end has crossed zero: an event that is not met before a wall turns the motion back,
-// however near behind it, is not met at all, and one behind a kick is met next.
+// At t_start the numbers as they were typed decide, in more digits than doubles have. Later it is the side on
+// which the previous section ended, or the other one if that section ended because this function crossed
+// zero. So an event just behind a wall is not met when the wall turns the motion back, and an event just
+// behind a kick is met next.
 
 #include <optional>
 #include <span>
@@ -47,7 +48,8 @@ class EventSides {
                                   const std::vector<double>& after) const;
   /// Whether beside the place of that impact digits tell on which side of its surface a state is.
   [[nodiscard]] bool is_sharp(const Watch& watch, const SectionRecord& impact) const;
-  /// An impact where its section begins is there but for rounding: by how many seconds it may be off.
+  /// The instant of an impact differs from the beginning of its section by rounding alone: by how many
+  /// seconds.
   [[nodiscard]] double late_at_begin(const Watch& watch, const SectionRecord& impact) const;
   /// Whether two functions are zero at the same places, as far as can be seen at (t, y).
   [[nodiscard]] bool are_same_surface(const Watch& one, const Watch& other, double t,

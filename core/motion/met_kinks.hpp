@@ -15,13 +15,13 @@ class MetKinks {
 
   /// Those that the section meets where it ends.
   [[nodiscard]] std::vector<bool> at_end(const Run& done) const;
-  /// Kinks that may have been passed, to and fro, in a time that ends there.
+  /// Notes kinks that may have been passed and passed back while their sign was hidden, up to the run's end.
   void doubt_hidden(const Run& done);
   /// A piece of the motion ends, by these kinks or by none.
   void record_piece(const std::vector<bool>& met);
   /// The next section begins behind them.
   void pass(const std::vector<bool>& met);
-  /// A kink that is met where the motion ends is not passed, but may be.
+  /// A kink that is met exactly where the motion ends: whether it is passed there is not known.
   void doubt_last_row(const std::vector<bool>& met);
 
  private:
