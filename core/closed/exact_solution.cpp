@@ -188,8 +188,10 @@ class SolutionForms {
   [[nodiscard]] bool is_held(const Expression& place, const Expression& u) const {
     const auto has_it = [&](std::size_t k) { return depends_on(graph_->adopt(polynomial_.whole[k]), place); };
     if (std::ranges::any_of(found_.without_force, has_it)) return true;
-    for (std::size_t k = 0; k < polynomial_.whole.size() && u.is_zero(); ++k)
-      if (has_it(k)) return true;
+    for (std::size_t k = 0; k < polynomial_.forces.size() && u.is_zero(); ++k) {
+      const bool has_constant = polynomial_.forces[k].degree.has_value();
+      if (has_constant && depends_on(graph_->adopt(polynomial_.forms[3 * k]), place)) return true;
+    }
     return false;
   }
 

@@ -60,11 +60,39 @@ namespace {
   return {Obstacle::not_in_balance, {}, "What acts along " + names, 0};
 }
 
-/// c0, c1, c2 of each force, one after the other.
-[[nodiscard]] std::vector<Interval> coefficients(const BalanceProblem& problem, std::span<const Interval> x) {
-  std::vector<Interval> c(problem.polynomial->coefficients.outputs());
-  TapeEvaluator<Interval>(problem.polynomial->coefficients, problem.constants)(x, c);
-  return c;
+struct Nearby {
+  std::vector<Interval> at;    ///< the position
+  std::vector<Interval> near;  ///< and no farther from it than the doubles next to it
+};
+
+/// A function's values. In twice the digits, and beside the position by differences: terms of (x - 1)^5 that
+/// are multiplied out are rounded by more than it is at 1.001. `others`: its variables after the position.
+[[nodiscard]] Nearby values_nearby(const BalanceProblem& problem, const CompiledFunction& function,
+                                   std::vector<Ball> others = {}) {
+  const std::size_t n = problem.y.size() / 2;
+  std::vector<Ball> constants = problem.parameters.as<Ball>(), x;
+  for (const std::size_t c : problem.reduction().ignored)
+    constants.push_back(Ball::literal(problem.y.exact(n + c)));
+  for (const std::size_t i : problem.reduction().kept)
+    x.push_back(problem.is_multiplier(i) ? Ball(0) : Ball::literal(problem.y.exact(i)));
+  const std::size_t coordinates = x.size();
+  x.insert(x.end(), others.begin(), others.end());
+  TapeEvaluator<Ball> evaluate(function, constants);
+  std::vector<Ball> here(function.outputs()), there(here.size());
+  evaluate(x, here);
+  std::vector<double> moved(here.size());
+  for (std::size_t i = 0; i < coordinates; ++i) {
+    std::vector<Ball> beside = x;
+    beside[i] = x[i] + Ball(problem.near[i].upper - problem.near[i].middle());
+    evaluate(beside, there);
+    for (std::size_t k = 0; k < here.size(); ++k) moved[k] += (there[k] - here[k]).magnitude();
+  }
+  Nearby result;
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    result.at.push_back(here[k].is_finite() ? here[k].interval() : Interval::whole());
+    result.near.push_back(result.at[k] + Interval(-moved[k], moved[k]));
+  }
+  return result;
 }
 
 [[nodiscard]] Candidates roots(std::span<const Interval> c, std::span<const Interval> near) {
@@ -148,12 +176,9 @@ namespace {
 }
 
 [[nodiscard]] bool satisfies_others(const BalanceProblem& problem, const Interval& u, std::size_t chosen) {
-  std::vector<Interval> place = problem.near;
-  place.push_back(u);
-  std::vector<Interval> out(problem.polynomial->forces.size());
-  TapeEvaluator<Interval>(problem.polynomial->values, problem.constants)(place, out);
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    if (k != chosen && !out[k].contains(0.0)) return false;
+  const Nearby values = values_nearby(problem, problem.polynomial->values, {Ball::of(u)});
+  for (std::size_t k = 0; k < values.near.size(); ++k) {
+    if (k != chosen && !values.near[k].contains(0.0)) return false;
   }
   return true;
 }
@@ -171,32 +196,6 @@ namespace {
   return found;
 }
 
-/// Of all coefficients, whether they vanish where the position is, or no farther from it than the doubles
-/// next to it: x - 1 at x = 1, sin(x) at x = pi. In twice the digits, by differences: terms of (x - 1)^5
-/// multiplied out are rounded by more than it is.
-[[nodiscard]] std::vector<bool> vanishing(const BalanceProblem& problem) {
-  const std::size_t n = problem.y.size() / 2;
-  std::vector<Ball> constants = problem.parameters.as<Ball>(), x;
-  for (const std::size_t c : problem.reduction().ignored)
-    constants.push_back(Ball::literal(problem.y.exact(n + c)));
-  for (const std::size_t i : problem.reduction().kept)
-    x.push_back(problem.is_multiplier(i) ? Ball(0) : Ball::literal(problem.y.exact(i)));
-  TapeEvaluator<Ball> coefficients(problem.polynomial->coefficients, constants);
-  std::vector<Ball> here(problem.polynomial->coefficients.outputs()), there(here.size());
-  coefficients(x, here);
-  std::vector<double> near(here.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    std::vector<Ball> beside = x;
-    beside[i] = x[i] + Ball(problem.near[i].upper - problem.near[i].middle());
-    coefficients(beside, there);
-    for (std::size_t k = 0; k < here.size(); ++k) near[k] += (there[k] - here[k]).magnitude();
-  }
-  std::vector<bool> result;
-  for (std::size_t k = 0; k < here.size(); ++k)
-    result.push_back(here[k].is_finite() && std::abs(here[k].value()) <= near[k] + here[k].radius);
-  return result;
-}
-
 }  // namespace
 
 Candidates balancing_values(const BalanceProblem& problem) {
@@ -204,22 +203,21 @@ Candidates balancing_values(const BalanceProblem& problem) {
   if (are_dependent(problem, problem.constants)) return {Obstacle::dependent, {}, "", 0};
   if (has_no_value(problem)) return {Obstacle::undefined, {}, "", 0};
   const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
-  const std::vector<Interval> c = coefficients(problem, problem.x);
-  const std::vector<Interval> near = coefficients(problem, problem.near);
-  const std::vector<bool> vanishes = vanishing(problem);
+  const auto [c, near] = values_nearby(problem, problem.polynomial->coefficients);
+  const auto vanishes = [&near](std::size_t i) { return near[i].contains(0.0); };
   std::vector<std::size_t> without_force;
   std::optional<std::size_t> chosen;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const bool is_constant = forces[k].degree && is_zero(c[3 * k + 1]) && is_zero(c[3 * k + 2]);
     if (forces[k].depends && !is_constant) {
-      const bool is_flat = forces[k].degree && vanishes[3 * k + 1] && vanishes[3 * k + 2];
-      if (is_flat && vanishes[3 * k]) {
+      const bool is_flat = forces[k].degree && vanishes(3 * k + 1) && vanishes(3 * k + 2);
+      if (is_flat && vanishes(3 * k)) {
         without_force.push_back(k);
         continue;
       }
       if (is_flat && forces.size() > 1) return out_of_balance(problem, forces[k]);
       if (!chosen) chosen = k;
-    } else if (!near[3 * k].contains(0.0)) {
+    } else if (!vanishes(3 * k)) {
       return out_of_balance(problem, forces[k]);
     } else {
       without_force.push_back(k);
