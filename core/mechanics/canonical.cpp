@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/expr/length.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/jumps.hpp"
