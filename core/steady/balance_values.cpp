@@ -63,6 +63,12 @@ namespace {
 struct Nearby {
   std::vector<Interval> at;    ///< the position
   std::vector<Interval> near;  ///< and no farther from it than the doubles next to it
+
+  /// Of force k, where these are the coefficients of 1, u, u^2 for each force.
+  [[nodiscard]] std::pair<std::span<const Interval>, std::span<const Interval>> of_force(
+      std::size_t k) const {
+    return {std::span(at).subspan(3 * k, 3), std::span(near).subspan(3 * k, 3)};
+  }
 };
 
 /// A function's values. In twice the digits, and beside the position by differences: terms of (x - 1)^5 that
@@ -196,6 +202,20 @@ struct Nearby {
   return found;
 }
 
+enum class Demand { nothing, impossible, a_value };
+
+/// What a force asks of u, by its coefficients c at the position and near it. `alone`: no other force could
+/// tell u where this one hardly depends on it.
+[[nodiscard]] Demand demand_of(const SteadyPolynomial::Force& force, std::span<const Interval> c,
+                               std::span<const Interval> near, bool alone) {
+  const auto vanishes = [near](std::size_t power) { return near[power].contains(0.0); };
+  const bool is_constant = force.degree && is_zero(c[1]) && is_zero(c[2]);
+  const bool is_flat = force.degree && vanishes(1) && vanishes(2);
+  if (force.depends && !is_constant && !is_flat) return Demand::a_value;
+  if (vanishes(0)) return Demand::nothing;
+  return force.depends && !is_constant && alone ? Demand::a_value : Demand::impossible;
+}
+
 }  // namespace
 
 Candidates balancing_values(const BalanceProblem& problem) {
@@ -203,29 +223,19 @@ Candidates balancing_values(const BalanceProblem& problem) {
   if (are_dependent(problem, problem.constants)) return {Obstacle::dependent, {}, "", 0};
   if (has_no_value(problem)) return {Obstacle::undefined, {}, "", 0};
   const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
-  const auto [c, near] = values_nearby(problem, problem.polynomial->coefficients);
-  const auto vanishes = [&near](std::size_t i) { return near[i].contains(0.0); };
+  const Nearby coefficients = values_nearby(problem, problem.polynomial->coefficients);
   std::vector<std::size_t> without_force;
   std::optional<std::size_t> chosen;
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    const bool is_constant = forces[k].degree && is_zero(c[3 * k + 1]) && is_zero(c[3 * k + 2]);
-    if (forces[k].depends && !is_constant) {
-      const bool is_flat = forces[k].degree && vanishes(3 * k + 1) && vanishes(3 * k + 2);
-      if (is_flat && vanishes(3 * k)) {
-        without_force.push_back(k);
-        continue;
-      }
-      if (is_flat && forces.size() > 1) return out_of_balance(problem, forces[k]);
-      if (!chosen) chosen = k;
-    } else if (!vanishes(3 * k)) {
-      return out_of_balance(problem, forces[k]);
-    } else {
-      without_force.push_back(k);
-    }
+    const auto [c, near] = coefficients.of_force(k);
+    const Demand demand = demand_of(forces[k], c, near, forces.size() == 1);
+    if (demand == Demand::impossible) return out_of_balance(problem, forces[k]);
+    if (demand == Demand::nothing) without_force.push_back(k);
+    if (demand == Demand::a_value && !chosen) chosen = k;
   }
   if (!chosen) return {Obstacle::does_not_matter, {}, "", 0};
-  Candidates found = forces[*chosen].degree ? roots({&c[3 * *chosen], 3}, {&near[3 * *chosen], 3})
-                                            : searched(problem, *chosen);
+  const auto [c, near] = coefficients.of_force(*chosen);
+  Candidates found = forces[*chosen].degree ? roots(c, near) : searched(problem, *chosen);
   found.without_force = std::move(without_force);
   return common_zeros(problem, std::move(found), *chosen);
 }
