@@ -89,8 +89,8 @@ void Separation::release_what_is_pushed() {
   const auto is_pushed = [&](std::size_t i) {
     const double of_series = made_.of_series.empty() ? 0 : made_.of_series[i];
     const double hidden = made_.hidden.empty() ? 0 : made_.hidden[i];
-    const bool acts = scale_ == Scale::by_largest && !made_.acting.empty();
-    return of_series + hidden + (acts ? made_.acting[i] : 0) > large_part * size_[i];
+    const double acting = made_.acting.empty() ? 0 : made_.acting[i];
+    return of_series + hidden + acting > large_part * size_[i];
   };
   for (std::size_t i = 0; i < n; ++i) {
     if (is_pushed(i) || is_pushed(n + i)) most_[i] = most_[n + i] = most_of_all;
@@ -113,8 +113,7 @@ void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const
   }
   bool is_told = take_rise(piece, terms);
   if (is_whole) note_growth(piece.order);
-  if (is_whole && is_told && growth() > much_growth && part_of_acting() > large_part)
-    is_told = begin_with_acting(piece, terms);
+  if (is_whole && is_told && part_of_acting() > large_part) is_told = begin_with_acting(piece, terms);
   const double length = part.to - part.from;
   is_given_up_ = is_given_up_ || (!is_told && length <= shortest_where_lost && lost_steps_ > most_lost_steps);
   if (is_given_up_) return stay_lost();
@@ -161,13 +160,24 @@ double Separation::part_of_acting() const {
 
 /// What a constant force makes of a velocity in a step in which that grows as exp(a s) is sinh(a)/a times as
 /// much as without: about (cosh(a) + 3)/4, as if a quarter came at its beginning and the others at its end.
+/// Doubles may show of this quarter how it grows, and not of an e that is far smaller.
 bool Separation::begin_with_acting(const MotionPiece& step, const StepTerms& terms) {
+  const std::vector<double> e = e_, added = added_, rise = rise_;
+  const double factor = factor_;
   std::vector<double> sizes(made_.acting.begin(), made_.acting.end());
   for (double& size : sizes) size *= at_begin;
   add(sizes, made_.sides);
-  acting_left_ = 1 - at_begin;
   is_known_ = false;
-  return take_rise(step, terms);
+  const bool is_told = take_rise(step, terms);
+  if (growth() > much_growth) {
+    acting_left_ = 1 - at_begin;
+    return is_told;
+  }
+  e_ = e;
+  added_ = added;
+  rise_ = rise;
+  factor_ = factor;
+  return true;
 }
 
 /// Some of what the step has made has all of it to grow in: where no more than that was there before it tells

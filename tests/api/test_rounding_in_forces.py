@@ -156,6 +156,17 @@ class RoundingInForces(Service):
                         told += answer["accuracy"].get("meets_request", True) is False
         self.assertGreater(told, 40)
 
+    def test_a_start_below_the_digits_beside_a_force(self):
+        """x'' = c*log(1 + x) + p from an x that 1 + x does not hold: two steps of a motion by p alone, and no sample of
+        rounding begins so large that doubles show how it grows."""
+        c = mpf(18)
+        for start, push in (("5e-17", "3e-19"), ("5e-17", "3e-20"), ("2e-18", "3e-19"), ("1e-19", "3e-19")):
+            for t_end in ("5", "6", "7.31"):
+                true = (mpf(start) + mpf(push)/c)*mpmath.cosh(mpmath.sqrt(c)*mpf(t_end)) - mpf(push)/c
+                for options in ({}, {"rtol": 1e-5}, {"accuracy": "balanced"}):
+                    answer = self.ask(f"18*log(1 + x) + {push}", "", start, float(t_end), options)
+                    self.judge(answer, [true], allowed=true*true)
+
     def test_pushes_that_twice_the_digits_do_not_hold(self):
         """The same from rest, the push smaller than the last digit of 1 there."""
         for force, c in (("27.034*((1 + x)*sqrt(1 + x) - 1)/1.5", 27.034), ("23.43*(1 - 1/(1 + x))", 23.43),
