@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run, at most
 constexpr double unmeasurable = 1e-200;  ///< is no error of a column that is 0 all along: room for underflow
+/// Times what is left from where impacts fork to where they accumulate: each way has forks of its own.
+constexpr double of_other_cascades = 4;
 constexpr double without_bound = 1e299;  ///< are errors that follow from what has none
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
@@ -249,6 +251,10 @@ RowComparison Measurement::with_other_ways(const RowComparison& without, std::ve
   std::ranges::move(ways.motions, std::back_inserter(others));
   RowComparison all = compare(motion(), others, doubt_, ways.lost_from);
   if (ways.may_not_end) all.stop_error.reset();
+  const std::optional<Stop>& stop = result_.simulation.stop;
+  if (all.stop_error && stop->reason == impacts_accumulate)
+    all.stop_error->time =
+        std::max(all.stop_error->time, of_other_cascades * std::abs(stop->t - ways.first_place));
   const std::string reason = what_they_change(ways, without, all);
   if (!reason.empty()) result_.reason = reason;
   return all;

@@ -136,6 +136,7 @@ void add_other_order(const ComputedMotion& motion, std::span<const Simulation> o
   }
   if (!t) return;
   result.where = result.where_it_happens = several_at_once(*t);
+  result.first_place = *t;
   result.stated_before.resize(motion.width());
   try {
     OtherWay way(motion, motion.request.t_start, ImpactOrder::reverse);
@@ -188,6 +189,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
     if (!fork.is_open() || (!place.others && fork.is_negligible())) continue;
     if (result.where.empty()) {
       result.where = place_in_words(approach.approach);
+      result.first_place = place.instant();
       result.stated_before = approach.stated;
     }
     if (!approach.approach.is_kink && result.where_it_happens.empty())

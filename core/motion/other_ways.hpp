@@ -24,6 +24,7 @@ struct OtherWays {
   /// Where one of them ends, or cannot be followed: later rows may be anywhere.
   double lost_from{infinity};
   std::string where;  ///< the first such place, for a sentence; empty where there is none
+  double first_place{infinity};
   /// The first of those at which an impact may happen, or the end of the motion, or may not.
   std::string where_it_happens;
   bool may_not_end{};                 ///< at one of those, or end there after all
