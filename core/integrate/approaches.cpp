@@ -243,7 +243,7 @@ void ApproachSearch::doubt(const Along& g, StepPolynomial& step) {
 }
 
 void ApproachSearch::ask_condition(std::size_t event, StepPolynomial& step, double from, double value) {
-  if (of_events_.empty() || !request_.events[event].terminal) return;
+  if (of_events_.empty()) return;
   const double t = step.whole().t + from;
   const std::optional<double> met = value > 0 ? std::optional(t) : std::nullopt;
   add({.event = event, .t = t, .met = met, .sign = -1, .is_condition = true, .distance = std::abs(value)},

@@ -152,7 +152,7 @@ void add_other_order(const ComputedMotion& motion, std::span<const Simulation> o
 /// A place in whose neighbourhood its event is proven to happen once.
 bool is_single_crossing(const ApproachRecord& approach, std::span<const EventRecord> events,
                         std::span<const std::optional<EventError>> errors) {
-  if (approach.place.others) return false;
+  if (approach.place.others || approach.place.is_condition) return false;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const bool is_known = events[i].name == approach.name && errors[i] && errors[i]->is_single;
     if (is_known && std::abs(events[i].t - approach.place.t) <= errors[i]->time) return true;

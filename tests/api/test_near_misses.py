@@ -115,6 +115,19 @@ class NearMisses(Service):
                 told += self.judge(answer, truth, (distance, goal))
         self.assertGreater(told, 4)
 
+    def test_of_what_an_event_needs_to_count(self):
+        """Free flight x = 0.6 - t, y = t: at x = 0 `when` is the distance."""
+        for distance in [mpf(0), *DISTANCES]:
+            event = {"name": "e", "expression": "x", "when": f"y - ({mpmath.nstr(mpf('0.6') - distance, 25)})"}
+            scene = lagrangian("gated", "", "x - 0.6 -1; y - 0 1", "x_dot^2/2 + y_dot^2/2", events=[event])
+            for goal in GOALS[:5]:
+                answer = self.motion(scene, t_end=3, events=["e"], **goal)
+                is_told = NEAR in answer["accuracy"].get("reason", "")
+                if not is_told:
+                    self.assertEqual(len(answer["events"]), int(distance > 0), (distance, goal))
+                if abs(distance) > mpf("1e-4") or (abs(distance) > mpf("1e-12") and goal == {}):
+                    self.assertFalse(is_told, (distance, goal))
+
     def test_of_what_ends_it(self):
         """Either the stop is right to its error, or it is said that there is none."""
         square, start = mpf("0.688"), mpf("0.508")
