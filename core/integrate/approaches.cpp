@@ -10,6 +10,8 @@ namespace {
 constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
+constexpr int halvings_of_turns = 16;
+constexpr double part_of_depth = 0.25;  ///< of a parabola: with that above zero it is none
 constexpr double first_part = 0x1p-40;  ///< of a way along which something is looked for
 constexpr double part_beside = 0.125;   ///< of a piece: what is a minimum over that counts
 
@@ -198,13 +200,23 @@ void ApproachSearch::pass(const Along& g, StepPolynomial& step) {
   if (slope < 0 && since == 1) pass_slowly(g, step);
 }
 
-/// Short steps do not tell how far it would go: a parabola does, as long as that is not far.
+/// Short steps do not tell how far it would go: a parabola does, as long as that is not far. Where g has come
+/// back before that parabola turns, it turns earlier.
 void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step) {
-  const double reach = of_events_[g.event].reach, c1 = g.sign * g.c[1], c2 = g.sign * g.c[2];
-  if (!(-g.sign * sum_at(1, g.c) <= near_zero * reach && c1 < 0 && c2 > 0)) return;
-  const double turn = -c1 / (2 * c2), met = step.whole().t + g.from;
-  if (!(c2 * turn * turn <= near_zero * reach)) return;
-  add({.event = g.event, .t = met + turn * g.length, .met = met, .sign = g.sign}, step);
+  const double near = near_zero * of_events_[g.event].reach, c1 = g.sign * g.c[1], c2 = g.sign * g.c[2];
+  if (!(-g.sign * sum_at(1, g.c) <= near && c1 < 0 && c2 > 0)) return;
+  double turn = -c1 / (2 * c2);
+  const double met = step.whole().t + g.from, depth = c2 * turn * turn;
+  if (!(depth <= near)) return;
+  Approach approach{.event = g.event, .met = met, .sign = g.sign};
+  const auto value_after = [&](double s) {
+    approach.t = met + s * g.length;
+    set_rows(approach, step);
+    return g.sign * request_.events[g.event].value(approach.t, approach.state_at(0));
+  };
+  double value = value_after(turn);
+  for (int i = 0; i < halvings_of_turns && value > part_of_depth * depth; ++i) value = value_after(turn /= 2);
+  if (-value <= near) add(std::move(approach), step);
 }
 
 /// `s`: in the unit of the piece; `value`: of |g|, below zero by rounding at most.

@@ -128,6 +128,26 @@ class NearMisses(Service):
                 if abs(distance) > mpf("1e-4") or (abs(distance) > mpf("1e-12") and goal == {}):
                     self.assertFalse(is_told, (distance, goal))
 
+    def test_a_slanting_hit_of_a_corner_is_none(self):
+        """A ball that falls from rest beside the middle of a circle. Its distance is a root, and would turn again within it."""
+        g, radius, restitution = mpf("9.81"), mpf("0.2"), mpf("0.7")
+        scene = lagrangian("corner", "", "x - 0 0; y - 2 0", "(x_dot^2 + y_dot^2)/2 - 9.81*y", impacts=[{"event": "hit", "restitution": "0.7"}],
+                           events=[{"name": "hit", "expression": "sqrt(x^2 + y^2) - 0.2", "direction": "falling"}])
+        for x in ("0.1", "-0.129", "0.137", "-0.05"):
+            height = mpmath.sqrt(radius**2 - mpf(x)**2)
+            met = mpmath.sqrt(2*(2 - height)/g)
+            normal = -g*met*height/radius*(1 + restitution)
+            after = mpf(x), -normal*mpf(x)/radius, height, -g*met - normal*height/radius
+
+            def truth(t):
+                s = t - met
+                return {"x": after[0] + after[1]*max(s, 0), "y": after[2] + after[3]*s - g*s*s/2 if s > 0 else 2 - g*t*t/2}
+
+            answer = self.motion(scene, t_end=0.8, initial={"x": x}, events=["hit"])
+            self.judge(answer, truth, (x,))
+            self.assertNotIn("reason", answer["accuracy"], x)
+            self.assertEqual(len(answer["events"]), 1)
+
     def test_of_what_ends_it(self):
         """Either the stop is right to its error, or it is said that there is none."""
         square, start = mpf("0.688"), mpf("0.508")
