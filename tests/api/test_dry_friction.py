@@ -9,7 +9,7 @@ import random
 import sys
 import unittest
 
-from mpmath import asin, cos, floor, mp, mpf, pi, sin, sqrt
+from mpmath import asin, cos, floor, mp, mpf, nstr, pi, sin, sqrt
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
@@ -89,11 +89,15 @@ class DryFriction(Service):
                             **accuracy}, truth)
 
     def test_a_belt_carries_a_mass_until_the_spring_is_stronger(self):
+        """With its friction as one, and as two whose signs are of multiples of one speed."""
         draw = random.Random(3)
-        for _ in range(30):
+        for i in range(60):
             k, mu, v = f"{draw.uniform(1, 30):.3g}", f"{draw.uniform(0.2, 2):.3g}", f"{draw.uniform(0.1, 1):.3g}"
+            multiple = ("3", "0.5", "1.7", "10")[i // 2 % 4]
+            friction = f"-{mu}*sign(x0_dot - {v}*L/T)" if i % 2 == 0 else (
+                f"-{mu}/4*sign({multiple}*x0_dot - {nstr(mpf(multiple)*mpf(v), 10)}*L/T) - 3*{mu}/4*sign(x0_dot - {v}*L/T)")
             accuracy = draw.choice(ACCURACIES)
-            with self.subTest(k=k, mu=mu, v=v, **accuracy):
+            with self.subTest(k=k, friction=friction, **accuracy):
                 omega, stretch, speed = sqrt(mpf(k)), mpf(mu)/mpf(k), mpf(v)
 
                 def truth(t):  # once it slips, undamped about the stretch: it never reaches the belt's speed from below again
@@ -103,7 +107,7 @@ class DryFriction(Service):
                     return stretch + speed/omega*sin(omega*s), speed*cos(omega*s)
 
                 slips = min(stretch/speed + 2*pi/omega*mpf("0.95"), mpf(20))
-                answer = self.check({"system": mass(f"-{k}*x0/L - {mu}*sign(x0_dot - {v}*L/T)"),
+                answer = self.check({"system": mass(f"-{k}*x0/L {friction}"),
                                      "initial": {"x0_dot": float(v)}, "t_end": float(slips), **accuracy}, truth)
                 self.assertEqual(answer["sticking"][0]["from"], 0)
 
