@@ -21,8 +21,7 @@ constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hide
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
-// Zeros as near as this were found apart by round-off only.
-bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
+bool same_instant(double t, double later) { return later - t <= one_instant * time_round_off(later); }
 
 }  // namespace
 

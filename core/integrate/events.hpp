@@ -37,6 +37,10 @@
 
 namespace qdot {
 
+/// Zeros as near as this, in units of time_round_off, were found apart by round-off only: they are one
+/// instant, the last of them.
+inline constexpr double one_instant = 16;
+
 /// How many occurrences one run reports at most; one more is an Error(too_large).
 inline constexpr std::size_t most_occurrences = 50'000;
 
