@@ -73,6 +73,7 @@ class KinkModes {
   [[nodiscard]] std::optional<Lead> lead(const Sides& sides, std::size_t kink);
   [[nodiscard]] bool attracts(Sides sides, std::size_t kink);
   [[nodiscard]] Verdict judge(const Sides& sides);
+  [[nodiscard]] bool passes_now(const Sides& sides, std::size_t kink, double t, std::span<const double> y);
   [[nodiscard]] Sides completed(Sides sides, double t, std::span<const double> y);
   void put_on(std::size_t kink, const Sides& sides, double t, std::vector<double>& y);
   [[nodiscard]] std::optional<Sides> only_way();

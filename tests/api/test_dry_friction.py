@@ -68,6 +68,22 @@ class DryFriction(Service):
                 self.assertAlmostEqual(stick["from"], float(rest), delta=1e-2)
                 self.assertEqual(stick["to"], 31)
 
+    def test_fast_masses_slide_to_rest_too(self):
+        """At 1e9 m/s the last digit of the time is 1e-7 m/s."""
+        for v, mu in (("9.503e9", "7.676737642498904e9"), ("3.1e12", "1.23456789e12"), ("7.7e14", "3.3333333e13")):
+            rest = mpf(v)/mpf(mu)
+
+            def truth(t):
+                s = min(t, rest)
+                return mpf(v)*s - mpf(mu)*s*s/2, mpf(v) - mpf(mu)*s
+
+            answer = self.ask("simulate", {"system": mass(f"-{mu}*sign(x0_dot)"), "initial": {"x0_dot": float(v)}, "t_end": 30,
+                                           "samples": 3})
+            accuracy = answer["accuracy"]["max_abs_error"]
+            for name, value in zip(("x0", "x0_dot"), truth(mpf(30))):
+                self.assertLessEqual(abs(mpf(answer["trajectory"][name][-1]) - value), accuracy[name])
+            self.assertLess(accuracy["x0"], 1e-13*float(v)*30)
+
     def test_an_oscillation_ends_where_friction_holds_the_spring(self):
         draw = random.Random(2)
         for _ in range(30):
