@@ -11,6 +11,7 @@ namespace qdot {
 namespace {
 
 constexpr double of_start = 64 * std::numeric_limits<double>::epsilon();  ///< of coordinates: their rounding
+constexpr double of_states = 1e-6;  ///< more than they are off by where anything is concluded from them
 constexpr std::size_t most_looks = 4000;
 constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
 constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
@@ -72,6 +73,7 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
     if (t) zeros.push_back({*t, crossing.event, crossing.hidden, crossing.untold});
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
+  if (found.terminal) approaches_.forget_after(found.events.back().t);
   if (nowhere_from_ < (found.terminal ? found.events.back().t - polynomial_.whole().t : infinity))
     found.failure = Ending::nonfinite;
   if (!found.failure && !near_.empty()) look_for_approaches(stepper, found);
@@ -190,7 +192,7 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces)
     const bool is_hidden = before != nullptr && before->sign == piece.sign && before->to < piece.from;
     if (is_hidden && !is_beside_start(event, piece.from) &&
         !keeps_sign(event, before->to, piece.from, piece.sign) &&
-        !is_pole_between(event, before->to, piece.from))
+        !is_away_from_zero(event, before->to, piece.from) && !is_pole_between(event, before->to, piece.from))
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
   }
@@ -206,6 +208,21 @@ bool EventSearch::is_beside_start(std::size_t event, double from) {
     if (!(std::abs(there.rows[i * (there.order + 1)] - begin) <= of_start * std::abs(begin))) return false;
   }
   return true;
+}
+
+/// By its range over all states of the piece, as where it jumps and both sides are far from zero.
+bool EventSearch::is_away_from_zero(std::size_t event, double from, double to) {
+  if (!request_.events[event].range) return false;
+  const MotionPiece piece = polynomial_.piece(from, to - from);
+  const Interval s(0, piece.h);
+  std::vector<Interval> states;
+  for (std::size_t i = 0; i < piece.rows.size(); i += piece.order + 1) {
+    Interval y(0);
+    for (std::size_t k = piece.order + 1; k-- > 0;) y = y * s + Interval(piece.rows[i + k]);
+    const double off = of_states * std::abs(piece.rows[i]);
+    states.push_back(y + Interval(-off, off));
+  }
+  return !request_.events[event].range(Interval(piece.t) + s, states).contains(0.0);
 }
 
 /// As more digits tell.

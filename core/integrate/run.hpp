@@ -12,6 +12,7 @@
 #include "core/integrate/approach.hpp"
 #include "core/numerics/crossing.hpp"
 #include "core/numerics/evaluation.hpp"
+#include "core/numerics/interval.hpp"
 #include "core/numerics/pairs.hpp"
 #include "core/numerics/sign_search.hpp"
 
@@ -84,6 +85,8 @@ struct EventFunction {
   std::function<double(const MotionPiece& piece, unsigned order, std::span<double> coefficients)> series{};
   /// What values of g at a state may be rounded by. Optional.
   std::function<double(double t, std::span<const double> y)> rounding{};
+  /// Over a box of times and states; the whole line where there may be no value. Optional.
+  std::function<Interval(const Interval& t, std::span<const Interval> y)> range{};
   /// In more digits than those of values; asked where these tell nothing. Optional; nothing where it does
   /// not know more, either.
   std::function<std::vector<SignPiece>(const SharpLook& look)> sharp_signs{};
