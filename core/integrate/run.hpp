@@ -142,7 +142,7 @@ struct RunRequest {
   std::vector<EventFunction> events{};
   /// Asked after each step that has reached rows, with the first of them and them: whether the run goes on.
   std::function<bool(std::size_t first, std::span<const double> rows)> goes_on{};
-  Method method{};
+  Method method{};          ///< the first of them, taylor, which a system without an expansion refuses
   unsigned taylor_order{};  ///< 0: by the tolerance
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
   /// they may be off by.
