@@ -147,7 +147,8 @@ Expression with_fractions_under_roots(const Expression& e) {
 
 }  // namespace
 
-/// What stands under roots is taken to keep its sign, but for coordinates, which formulas have for any value.
+/// What stands under roots is taken to keep its sign, unless it contains a coordinate: a formula in
+/// coordinates holds for any value of theirs.
 Expression short_form(const ExactValues& values, const Expression& formula) {
   const std::vector<Expression>& coordinates = values.model().parsed.symbols.coordinates.value;
   const SignOf sign = [&](const Polynomial& a) {

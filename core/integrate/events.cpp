@@ -17,7 +17,7 @@ constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
 constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
 constexpr std::size_t looks_of_change = 256;    ///< more for each change of sign: as many as a pole takes
 constexpr std::size_t most_looks_of_changes = 1'000'000;  ///< in a run
-constexpr std::size_t looks_between_questions = 64;       ///< whether the answer is still awaited
+constexpr std::size_t looks_between_questions = 64;       ///< whether anyone still waits for the answer
 constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
@@ -144,7 +144,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
         direction == Crossing::either || (direction == Crossing::rising) == (piece.sign > 0);
     const bool leaves_start = signs_[event] == 0 && starts_at_zero_ && request_.events[event].counts_at_start;
     if (leaves_start && is_wanted) crossed.push_back({event, begin, begin});
-    // What has to hold, and is broken where it is told first, was zero at t_start or has met it since then.
+    // A condition that is broken where its sign is first known was zero at t_start or has met zero since.
     const bool is_broken = signs_[event] == 0 && request_.events[event].must_have_value;
     if (is_broken && is_wanted) crossed.push_back({event, begin, begin + piece.from});
     if (signs_[event] == -piece.sign && is_wanted) {
@@ -183,7 +183,7 @@ double EventSearch::hidden_before(std::size_t event, double t, int sign) const {
   return hidden > of_doubt * time_round_off(t) ? hidden : 0;
 }
 
-/// Between pieces of one sign g may be anything where it has none that is seen, but for a pole.
+/// Between two pieces of one sign rounding hides the sign of g, which may be either, except beside a pole.
 void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces) {
   const Piece* before = nullptr;
   for (const Piece& piece : pieces) {
@@ -240,7 +240,7 @@ bool EventSearch::takes_sign_at_start(std::size_t event) const {
   return function.sign_after_start == (function.direction == Crossing::rising ? 1 : -1);
 }
 
-/// Of pieces that are told, as far as they have been looked at.
+/// Of pieces whose sign is known, as far as they have been looked at.
 std::size_t EventSearch::changes_of_sign(std::span<const Piece> pieces) {
   for (; counted_ < pieces.size(); ++counted_) {
     const int sign = pieces[counted_].sign;

@@ -24,7 +24,7 @@ constexpr double safety_of_unseen = 16;
 constexpr double largest_ratio = 0.99;
 
 constexpr double roundings = 64;     ///< of the distance: what the search for events may not see
-constexpr double poorly_seen = 1e4;  ///< of them: so low a flight has no duration that is told
+constexpr double poorly_seen = 1e4;  ///< of them: the duration of so low a flight is unknown
 constexpr std::size_t hidden_in_a_row = 16;
 
 /// On the cubic from y with velocities y' to the later state, half-way.

@@ -30,7 +30,7 @@ struct RestOfImpacts {
 /// the longest one's height.
 [[nodiscard]] double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flight);
 
-/// Whether the distance is what it was at that impact but for its rounding, at (t, y) and half-way to there.
+/// Whether the distance, up to its rounding, is what it was at that impact, at (t, y) and half-way to there.
 [[nodiscard]] bool is_hidden_since(const Watch& watch, const SectionRecord& impact, double t,
                                    const std::vector<double>& y);
 
