@@ -106,7 +106,7 @@ void add_coefficients(const Graph& graph, const Polynomial& polynomial, std::vec
   std::map<Monomial, Polynomial, LeadingFirst> by_functions;
   for (const auto& [monomial, coefficient] : polynomial) {
     Monomial functions, symbols;
-    for (const Atom& atom : monomial * below)
+    for (const Atom& atom : monomial* below)
       (std::holds_alternative<Call>(graph.node(atom.base)) ? functions : symbols).push_back(atom);
     add(by_functions[functions], symbols, coefficient);
   }
