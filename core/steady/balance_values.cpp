@@ -218,6 +218,8 @@ enum class Demand { nothing, impossible, a_value };
 
 }  // namespace
 
+/// A force that is a polynomial of u tells it best, and one that vanishes there whatever u is tells nothing:
+/// others may.
 Candidates balancing_values(const BalanceProblem& problem) {
   if (problem.kinks->move || is_at_kink(problem)) return {Obstacle::at_kink, {}, "", 0};
   if (are_dependent(problem, problem.constants)) return {Obstacle::dependent, {}, "", 0};
@@ -225,19 +227,30 @@ Candidates balancing_values(const BalanceProblem& problem) {
   const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
   const Nearby coefficients = values_nearby(problem, problem.polynomial->coefficients);
   std::vector<std::size_t> without_force;
-  std::optional<std::size_t> chosen;
+  std::vector<std::size_t> asking;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const auto [c, near] = coefficients.of_force(k);
     const Demand demand = demand_of(forces[k], c, near, forces.size() == 1);
     if (demand == Demand::impossible) return out_of_balance(problem, forces[k]);
     if (demand == Demand::nothing) without_force.push_back(k);
-    if (demand == Demand::a_value && !chosen) chosen = k;
+    if (demand == Demand::a_value) asking.push_back(k);
   }
-  if (!chosen) return {Obstacle::does_not_matter, {}, "", 0};
-  const auto [c, near] = coefficients.of_force(*chosen);
-  Candidates found = forces[*chosen].degree ? roots(c, near) : searched(problem, *chosen);
+  if (asking.empty()) return {Obstacle::does_not_matter, {}, "", 0};
+  std::stable_partition(asking.begin(), asking.end(),
+                        [&](std::size_t k) { return forces[k].degree.has_value(); });
+  Candidates found;
+  std::size_t chosen = 0;
+  for (const std::size_t k : asking) {
+    chosen = k;
+    const auto of_force = coefficients.of_force(k);
+    found = forces[k].degree ? roots(of_force.first, of_force.second) : searched(problem, k);
+    if (found.obstacle != Obstacle::not_decided) break;
+  }
+  for (const std::size_t k : asking) {
+    if (k != chosen && !forces[k].degree) without_force.push_back(k);
+  }
   found.without_force = std::move(without_force);
-  return common_zeros(problem, std::move(found), *chosen);
+  return common_zeros(problem, std::move(found), chosen);
 }
 
 }  // namespace qdot
