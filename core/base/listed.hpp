@@ -1,5 +1,5 @@
 #pragma once
-// "a, b and c".
+// Several words in a row, as English lists them: "a, b and c".
 
 #include <string>
 #include <vector>

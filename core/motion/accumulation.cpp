@@ -183,6 +183,7 @@ double lowest_flight(const Watch& watch, const SectionRecord& longest, std::span
   for (std::size_t i = 0; i < earlier.size(); ++i) earlier[i] -= tau * slopes[i];
   const double fall = watch.value(longest.t - tau, earlier) - watch.value(longest.t, longest.before);
   const double height = std::abs(fall) / tau * longest.duration / 4;
+  if (!(height > 0)) return 0;  // it took another impact's flight
   return longest.duration * std::sqrt(watch.rounding(last.t, last.before) / height);
 }
 

@@ -91,6 +91,7 @@ class InstantImpacts {
   struct Told {
     std::vector<double> values, off;
   };
+  [[nodiscard]] std::vector<double> values_of(const Rule& rule, double t, const std::vector<double>& y) const;
   [[nodiscard]] Told told_after(const Rule& rule, double t, const std::vector<double>& y) const;
 
   std::span<const double> parameters_;
