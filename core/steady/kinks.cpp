@@ -8,6 +8,7 @@
 #include "core/expr/simplify.hpp"
 #include "core/steady/combined_forces.hpp"
 #include "core/steady/numerator.hpp"
+#include "core/steady/reduced_forces.hpp"
 
 namespace qdot {
 namespace {
@@ -111,13 +112,15 @@ SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std:
   };
   std::vector<Expression> numerators;
   for (const Expression& g : pieces.smooth) numerators.push_back(numerator_of(g, variables));
+  std::vector<Expression> combined = combinations(forces);
+  std::ranges::copy(reduced_equations(forces, variables), std::back_inserter(combined));
   std::vector<bool> jumps;
   for (std::size_t k = 0; k < pieces.sides.size(); ++k) jumps.push_back(jumps_at(pieces, k));
   return {jumps,
           compiled(pieces.smooth),
           compiled(derivatives(pieces.smooth)),
           compiled(numerators),
-          compiled(combinations(forces)),
+          compiled(combined),
           compiled(pieces.arguments),
           compiled(derivatives(pieces.arguments))};
 }

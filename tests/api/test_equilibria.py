@@ -35,6 +35,18 @@ class Equilibria(Answers):
         self.assertEqual(sum(map(bool, forms)), 5)  # of six families; one is at 0
         self.assertIn("have their formulas once", str(found["notes"]))
 
+    def test_wells_along_curves_are_all_found(self):
+        """V = U(x + h(y)) + 0.15 y^2: at rest y = 0, and x + h(0) where U has its slope 0."""
+        for well, places in (("((W)^4/4 - (W)^2/2)", (-1, 0, 1)), ("-exp(-(W)^2)", (0,)), ("1.7*cosh((W)/2)", (0,)),
+                             ("0.5*(W)^2*exp(-(W)/3)", (0, 6))):
+            for curve, offset in (("y^2", 0), ("y^3", 0), ("2*sin(y)", 0), ("0.7*y", 0), ("y/(1 + y^2)", 0), ("exp(-y^2)", 1)):
+                potential = well.replace("W", f"x + {curve}")
+                found = self.ask("equilibria", {"system": lagrangian("wells", "", "x - 0.3; y - 0.2",
+                                                                     f"(x_dot^2 + y_dot^2)/2 - ({potential}) - 0.15*y^2")})
+                self.assertIs(found["complete"], True, potential)
+                self.assertEqual([(round(e["state"]["x"], 9), round(e["state"]["y"], 9)) for e in found["equilibria"]],
+                                 [(x - offset, 0) for x in places])
+
     def test_rates_that_no_place_of_rest_has_are_noted(self):
         bowl = lagrangian("bowl", "m - 1; l - 1; g - 9.81", "th - 0.3; p - 0",
                           "m*l^2*(th_dot^2 + sin(th)^2*p_dot^2)/2 + m*g*l*cos(th)")
