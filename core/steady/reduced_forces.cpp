@@ -13,8 +13,8 @@ namespace qdot {
 namespace {
 
 constexpr std::size_t most_equations = 3, most_reduced = 4;
-constexpr std::size_t most_terms = 40;
-constexpr int most_steps = 16;  ///< of a division
+constexpr std::size_t most_divided_terms = 40;
+constexpr int most_divisions = 16;  ///< of a division
 
 class Divisions {
  public:
@@ -25,13 +25,13 @@ class Divisions {
                                                     const Monomial& leading) const {
     const Monomial below = inverse(leading);
     const Number coefficient = divisor.at(leading);
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_divisions; ++step) {
       const auto divided =
           std::ranges::find_if(p, [&](const auto& term) { return is_finite_everywhere(term.first * below); });
       if (divided == p.end()) return p;
       const Number factor = Number(-1) * divided->second / coefficient;
       add(p, scaled(divisor, divided->first * below, factor));
-      if (p.size() > most_terms) return std::nullopt;
+      if (p.size() > most_divided_terms) return std::nullopt;
     }
     return std::nullopt;
   }
@@ -62,7 +62,7 @@ std::vector<Polynomial> short_polynomials(std::span<const Expression> equations)
     return {};
   }
   const bool are_short =
-      std::ranges::all_of(polynomials, [](const Polynomial& p) { return p.size() <= most_terms; });
+      std::ranges::all_of(polynomials, [](const Polynomial& p) { return p.size() <= most_divided_terms; });
   return are_short ? polynomials : std::vector<Polynomial>();
 }
 
