@@ -7,6 +7,7 @@
 #include "core/mechanics/canonical.hpp"
 #include "core/symmetry/dependence.hpp"
 #include "core/symmetry/random_place.hpp"
+#include "core/symmetry/shortened_change.hpp"
 
 namespace qdot {
 namespace {
@@ -47,9 +48,9 @@ std::vector<bool> new_ones(const Lagrangian& lagrangian, const std::vector<Expre
   return std::vector<bool>(quantities.size(), true);
 }
 
-/// Momenta of ignorable coordinates, and what constraints keep at 0.
+/// Momenta of ignorable coordinates, and what constraints keep at 0 or constant.
 std::vector<Expression> known_constants(const Lagrangian& lagrangian) {
-  std::vector<Expression> p;
+  std::vector<Expression> p = integrals_of_constraints(lagrangian);
   for (const ConstraintEquation& constraint : lagrangian.constraints) {
     if (constraint.position) p.push_back(*constraint.position);
     p.push_back(constraint.rate);
@@ -70,7 +71,7 @@ std::vector<ConservedQuantity> listed_quantities(const std::vector<Kept>& all, c
   }
   std::ranges::stable_sort(measured, {}, [](const Kept* one) { return std::pair(one->kind, one->spread); });
   std::vector<const Kept*> left_out;
-  if (measured.size() > 1) {
+  if (!measured.empty()) {
     const std::vector<Expression> momenta = values;
     for (const Kept* one : measured) values.push_back(one->quantity.value);
     const std::vector<bool> is_new = new_ones(lagrangian, values);
