@@ -1,8 +1,11 @@
 #include "core/mechanics/canonical.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/base/error.hpp"
 #include "core/expr/linear.hpp"
+#include "core/expr/rational_function.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/jumps.hpp"
 
@@ -53,14 +56,51 @@ std::vector<Expression> kinetic_momenta(const Lagrangian& lagrangian, const std:
   return difference;
 }
 
-/// (p - a).A^-1 (p - a)/2: the determinant of A bordered by p - a, over -2 det A.
+/// v.adj(A) u: the opposite of the determinant of A bordered by u and v.
+Expression adjugate_form(const Matrix& a, const std::vector<Expression>& u,
+                         const std::vector<Expression>& v) {
+  Matrix bordered = a;
+  for (std::size_t k = 0; k < u.size(); ++k) bordered[k].push_back(u[k]);
+  bordered.push_back(v);
+  bordered.back().push_back(u[0].graph().number(0));
+  return -determinant(bordered);
+}
+
+/// By what sines and cosines say of each other, or in lowest terms, where that is shorter.
+Expression short_quotient(const Expression& above, const Expression& below) {
+  const Expression known = simplify_quotient(above, below);
+  try {
+    const Expression lowest = to_expression(above.graph(), rational_function(known));
+    return written_length(lowest) < written_length(known) ? lowest : known;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large) throw;
+    return known;
+  }
+}
+
+/// The terms with the momentum k apart from the others: those may have a factor that all together have not.
+Expression kinetic_beside(std::size_t k, std::vector<Expression> difference, const Matrix& mass,
+                          const Expression& divisor) {
+  Graph& graph = divisor.graph();
+  const Expression own = std::exchange(difference[k], graph.number(0));
+  std::vector<Expression> unit(difference.size(), graph.number(0));
+  unit[k] = graph.number(1);
+  const auto part = [&](const std::vector<Expression>& u, const std::vector<Expression>& v) {
+    return short_quotient(adjugate_form(mass, u, v), divisor);
+  };
+  return own * own * part(unit, unit) + Number(2) * own * part(unit, difference) +
+         part(difference, difference);
+}
+
+/// (p - a).A^-1 (p - a)/2.
 Expression kinetic_in_momenta(const std::vector<Expression>& difference, const QuadraticForm& form) {
-  Graph& graph = form.rest.graph();
-  Matrix bordered = form.mass;
-  for (std::size_t k = 0; k < difference.size(); ++k) bordered[k].push_back(difference[k]);
-  bordered.push_back(difference);
-  bordered.back().push_back(graph.number(0));
-  return simplify_quotient(-determinant(bordered), Number(2) * determinant(form.mass));
+  const Expression divisor = Number(2) * determinant(form.mass);
+  Expression best = simplify_quotient(adjugate_form(form.mass, difference, difference), divisor);
+  for (std::size_t k = 0; k < difference.size() && difference.size() > 1; ++k) {
+    const Expression apart = kinetic_beside(k, difference, form.mass, divisor);
+    if (written_length(apart) < written_length(best)) best = apart;
+  }
+  return best;
 }
 
 /// The groups of velocities that A couples with each other, by their places in it.
