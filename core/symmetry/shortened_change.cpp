@@ -37,6 +37,8 @@ Expression gauge_on_constraints(const Expression& gauge, const Lagrangian& lagra
   for (const ConstraintEquation& constraint : lagrangian.constraints) {
     if (!constraint.position) continue;
     const Expression given = best;
+    const Expression joined = simplify_by_degree(given, symbols);
+    if (written_length(joined) < written_length(best)) best = joined;
     for (std::size_t i = 0; i < constraint.slope.size(); ++i) {
       const Expression& slope = constraint.slope[i];
       const Expression own = differentiate(given, symbols.coordinates.value[i]);
