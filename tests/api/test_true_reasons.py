@@ -88,6 +88,14 @@ class TrueReasons(Service):
             "valid_while": [{"name": "above", "expression": "y + 0.5", "reason": "below", "message": "It is below."}]}
         self.assertEqual(self.ask("modes", {"system": pushed})["equilibrium"]["state"]["y"], 1)
 
+    def test_modes_at_a_cone_of_the_potential_speak_of_it(self):
+        frame = {"name": "Varignon", "units": "none", "coordinates": [{"name": "x", "initial": "0.3"}, {"name": "y", "initial": "0.3"}],
+                 "lagrangian": "(x_dot^2 + y_dot^2)/2 - 2*sqrt(x^2 + y^2) - sqrt((x - 1)^2 + y^2) - sqrt(x^2 + (y - 1)^2)"}
+        for place in ({}, {"equilibrium": {"x": 0, "y": 0}}):
+            detail = self.refused("modes", {"system": frame} | place)["detail"]
+            self.assertIn("At x = 0, y = 0 a distance in the forces is 0", detail)
+            self.assertIn("the system rests there", detail)
+
     def test_modes_where_constraints_depend_on_each_other_speak_of_those(self):
         touching = {"name": "touching", "units": "none", "coordinates": [{"name": "x", "initial": "1"}, {"name": "y"}, {"name": "z"}],
                     "bodies": [{"kind": "particle", "mass": "1", "position": ["x", "y", "z"]}], "gravity": ["0", "0", "-9.81"],
