@@ -70,8 +70,9 @@ class Analysis {
       return find_equilibrium(dynamics_, *statics_, constants_, guess, search);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::not_applicable) throw;
-      refuse_cones(guess);
-      if (smooth_->kinks() == 0) throw;
+      const SteadyProblem problem = steady_problem(dynamics_, parameters_, start_);
+      refuse_cones(problem, guess);
+      if (problem.forces->smooth.kinks() == 0) throw;
       throw Error(error.code(), std::string(error.what()) +
                                     " An abs() or a sign() in the forces has kinks; an equilibrium at one "
                                     "has no modes, and 'equilibria' lists it.");
@@ -79,8 +80,7 @@ class Analysis {
   }
 
   /// The system rests at one that holds it, wherever the search began; of others 'equilibria' knows more.
-  void refuse_cones(const std::vector<double>& guess) const {
-    const SteadyProblem problem = steady_problem(dynamics_, parameters_, start_);
+  void refuse_cones(const SteadyProblem& problem, const std::vector<double>& guess) const {
     for (const Cone& cone : cones_of(problem)) {
       std::vector<double> place = guess;
       bool is_guessed = true;

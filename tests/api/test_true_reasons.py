@@ -95,6 +95,9 @@ class TrueReasons(Service):
             detail = self.refused("modes", {"system": frame} | place)["detail"]
             self.assertIn("At x = 0, y = 0 a distance in the forces is 0", detail)
             self.assertIn("the system rests there", detail)
+        line = {"name": "line", "units": "none", "coordinates": [{"name": "x", "initial": "0.3"}],
+                "lagrangian": "x_dot^2/2 - 2*sqrt((x - 1)^2)"}
+        self.assertIn("An abs() or a sign() in the forces has kinks", self.refused("modes", {"system": line})["detail"])
 
     def test_modes_where_constraints_depend_on_each_other_speak_of_those(self):
         touching = {"name": "touching", "units": "none", "coordinates": [{"name": "x", "initial": "1"}, {"name": "y"}, {"name": "z"}],
