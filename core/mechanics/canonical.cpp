@@ -150,20 +150,23 @@ std::optional<Expression> kinetic_energy(const std::vector<Expression>& differen
   return kinetic_in_momenta(difference, form);
 }
 
-/// T - L0, what is free of the momenta in T beside L0, or beside its part of T, where that is shorter: terms
-/// of the two may cancel.
+/// T - L0, with V in it as it is written or not, and what is free of the momenta in T beside L0, or beside
+/// its part of T: the shortest, since terms of the two may cancel.
 Expression joined_with_rest(const Expression& kinetic, const Lagrangian& lagrangian,
                             const QuadraticForm& form) {
   Graph& graph = kinetic.graph();
-  const Expression apart = kinetic - simplify(form.rest);
-  if (std::ranges::all_of(form.linear, &Expression::is_zero)) return apart;
-  std::vector<Replacement> zeros;
-  for (const Expression& p : momentum_symbols(lagrangian)) zeros.emplace_back(p, graph.number(0));
-  const Expression without = substitute(kinetic, zeros);
-  const Expression with_momenta = simplify(kinetic - without);
-  std::vector<Expression> forms{apart, with_momenta + simplify(without - form.rest)};
-  if (const auto& v = lagrangian.potential_energy; v && !depends_on(*v, lagrangian.symbols.coordinates.rate))
-    forms.push_back(with_momenta + simplify(without - (form.rest + *v)) + simplify(*v));
+  std::optional<Expression> v = lagrangian.potential_energy;
+  if (v && depends_on(*v, lagrangian.symbols.coordinates.rate)) v.reset();
+  std::vector<Expression> forms{kinetic - simplify(form.rest)};
+  if (v) forms.push_back(kinetic - simplify(form.rest + *v) + *v);
+  if (!std::ranges::all_of(form.linear, &Expression::is_zero)) {
+    std::vector<Replacement> zeros;
+    for (const Expression& p : momentum_symbols(lagrangian)) zeros.emplace_back(p, graph.number(0));
+    const Expression without = substitute(kinetic, zeros);
+    const Expression with_momenta = simplify(kinetic - without);
+    forms.push_back(with_momenta + simplify(without - form.rest));
+    if (v) forms.push_back(with_momenta + simplify(without - (form.rest + *v)) + simplify(*v));
+  }
   return *std::ranges::min_element(forms, {}, &written_length);
 }
 

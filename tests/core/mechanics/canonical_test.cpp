@@ -101,6 +101,12 @@ TEST(Hamiltonian, PartsThatHaveAFactorOfTheirOwnAreShort) {
       "+ p_th*(p_x*sin(th) - p_y*cos(th))/(m*l)");
 }
 
+TEST(Hamiltonian, HasThePotentialAsItIsWritten) {
+  const auto model = test::model_of("spring_pendulum");
+  EXPECT_EQ(print(*hamiltonian(copied(model->lagrangian)), Form::text, notation_of(model->scene)),
+            "(p_l^2 + p_theta^2/l^2)/(2*m) + 1/2*k*(l - l0)^2 - m*g*l*cos(theta)");
+}
+
 class RouthsFunction : public test::SystemTest {};
 INSTANTIATE_TEST_SUITE_P(Systems, RouthsFunction,
                          testing::Values("free_spin_pendulum", "spherical_pendulum", "kepler",
