@@ -193,6 +193,10 @@ class Consistency {
 }  // namespace
 
 void refuse_dependent_constraints(const Scene& scene) {
+  if (scene.constraints.size() == 1)
+    throw Error(ErrorCode::invalid_state,
+                "In this state the constraint '" + scene.constraints[0].name +
+                    "' has no slope, or determines no force, so the motion is undetermined.");
   std::string names;
   for (const Constraint& c : scene.constraints) names += (names.empty() ? "'" : ", '") + c.name + "'";
   throw Error(ErrorCode::invalid_state,

@@ -23,7 +23,7 @@ class InconsistentState : public Error {
   Nearest nearest_;
 };
 
-/// Throws Error(invalid_state): in this state they depend on each other.
+/// Throws Error(invalid_state): in this state they depend on each other, or one alone has no slope.
 [[noreturn]] void refuse_dependent_constraints(const Scene& scene);
 
 /// (q, q') as it is without constraints. With them, a state whose residuals are within 1e-12 of their terms,

@@ -106,6 +106,12 @@ class TrueReasons(Service):
         for endpoint in ("modes", "energy"):
             self.assertIn("the constraints 'a', 'b' depend on each other", self.refused(endpoint, {"system": touching})["errors"][0]["detail"])
 
+    def test_a_constraint_alone_depends_on_no_other(self):
+        for constraint, reason in (("sin(x)^2 + cos(x)^2 - 1", "'w' says nothing of the velocities"),
+                                   ("x^2", "the constraint 'w' has no slope")):
+            answer = self.refused("energy", {"system": on_curve(constraint, "0", "0")})
+            self.assertIn(reason, answer["errors"][0]["detail"])
+
     def test_a_momentum_is_constant_where_no_constraint_acts_along_it_either(self):
         system = {"name": "rolling", "units": "none", "lagrangian": "(x_dot^2 + y_dot^2 + z_dot^2)/2",
                   "coordinates": [{"name": name, "initial": "1"} for name in "xyz"],
